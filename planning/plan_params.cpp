@@ -29,14 +29,14 @@ void applyCameraPreset(PlanParams& params) {
     switch (preset) {
         case CameraPreset::Free:
             break;
-        case CameraPreset::Handheld:  // between a lowered hand and an arm held up
+        case CameraPreset::Handheld:  // between a lowered hand and a raised arm
             params.free_space.min_height_m = 0.9;
             params.free_space.max_height_m = 1.9;
             params.constraints.min_pitch_deg = -60.0;
             params.constraints.max_pitch_deg = 45.0;
             params.shake.shake = ShakeKind::Handheld;
             break;
-        case CameraPreset::Drone:  // a small one, with its propeller guards, on a gimbal
+        case CameraPreset::Drone:  // a small drone with propeller guards and its camera on a gimbal
             params.camera.camera_radius_m = 0.2;
             params.free_space.min_height_m = 0.4;
             params.constraints.min_pitch_deg = -85.0;

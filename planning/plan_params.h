@@ -10,16 +10,16 @@
 
 namespace dollytrack::planning {
 
-/// What carries the camera: sets of settings that belong together.
+/// The carrier of the camera. A preset sets fields of several sections; see applyCameraPreset().
 enum class CameraPreset { Free, Handheld, Drone, Robot };
 
-/// The shape that moves are proven collision-free for, beside the camera's sphere.
+/// Shape that moves are proven collision-free for: the camera's sphere, or that and a cylinder.
 enum class BodyShape { Sphere, Cylinder };
 
-/// Where the camera looks while it moves.
+/// Viewing direction while the camera moves: any, or along the motion.
 enum class Heading { Free, Along };
 
-/// The carrier of the camera, such as a wheeled robot.
+/// The carrier of the camera, for example a wheeled robot.
 struct BodyParams {
     CameraPreset camera_preset = CameraPreset::Free;
     double camera_height_m = 0.0;
@@ -63,7 +63,7 @@ void visitBodyParams(Params& p, Visitor&& visit) {
                     "above, with heading=along"});
 }
 
-/// Which objects are small, and what stands on or hangs at what (paper, 3.2.2).
+/// Which objects count as small, for grouping by supporting surface (paper, 3.2.2).
 struct TargetParams {
     double small_volume_m3 = 0.1;
     double size_ratio = 5.0;
@@ -79,7 +79,7 @@ void visitTargetParams(Params& p, Visitor&& visit) {
                     "An object is also small when what carries it is this many times larger"});
 }
 
-/// Where position points are searched (paper, eq. 1).
+/// Viewing direction and cone in which viewpoints are searched (paper, eq. 1).
 struct ViewpointParams {
     double fill = 0.72;
     double yaw_offset_deg = 0.0;
@@ -100,7 +100,7 @@ void visitViewpointParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 180, "deg", "Half angle of the cone searched around it", "M"});
 }
 
-/// The priority search (paper, Algorithm 1).
+/// Weights of the priority search that builds the roadmap (paper, Algorithm 1).
 struct RoadmapParams {
     double distance_weight = 1.0;
     double size_weight = 0.5;
@@ -118,7 +118,7 @@ void visitRoadmapParams(Params& p, Visitor&& visit) {
           FieldInfo{1, 100, "", "Refused edges after which a sample is left", "step"});
 }
 
-/// RRT* between the parts of the roadmap that are not joined (paper, 3.2.3).
+/// RRT* that links separate parts of the roadmap (paper, 3.2.3).
 struct LinkParams {
     double sample_sigma_m = 0.5;
     int link_iterations = 1500;
@@ -135,7 +135,7 @@ void visitLinkParams(Params& p, Visitor&& visit) {
 
 enum class PathMode { Tour, LongestBranch };
 
-/// Which way through the roadmap is taken.
+/// Path through the roadmap: a tour of all key frames, or the tree's longest branch.
 struct PathParams {
     PathMode path_mode = PathMode::Tour;
     double max_length_m = 0.0;
@@ -164,7 +164,7 @@ void visitSmoothingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 5, "m", "Bezier set-back before and after a corner", "d"});
 }
 
-/// Where the camera looks between key frames.
+/// Viewing directions between key frames.
 struct GazeParams {
     double view_mix = 0.9;
     bool operator==(const GazeParams&) const = default;
@@ -180,10 +180,10 @@ void visitGazeParams(Params& p, Visitor&& visit) {
                   "the room between close views costs less turning time the higher it is"});
 }
 
-/// Limits of motion by one name; see motionLimits().
+/// Named sets of motion limits; see motionLimits().
 enum class MotionPreset { Easy, Medium, Hard, Custom };
 
-/// When the frames are taken. A limit of 0 is the preset's.
+/// Frame rate, duration and motion limits. A motion limit of 0 stands for the preset's value.
 struct TimingParams {
     double frame_rate = 10.0;
     bool keep_frame_rate = false;
@@ -240,7 +240,7 @@ void visitTimingParams(Params& p, Visitor&& visit) {
 
 enum class ShakeKind { None, Sinusoidal, Handheld };
 
-/// A sway of the camera on top of its trajectory; see shakeTrajectory().
+/// Shake added to the trajectory; see shakeTrajectory().
 struct ShakeParams {
     ShakeKind shake = ShakeKind::None;
     double shake_amplitude_m = 0.01;
@@ -261,7 +261,7 @@ void visitShakeParams(Params& p, Visitor&& visit) {
     visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Its frequency"});
 }
 
-/// The paper's image score, and what is done about frames that score low (paper, 3.2.4).
+/// Weights of the paper's image score, and the repair of frames that score low (paper, 3.2.4).
 struct RepairParams {
     ScoreWeights score;
     double score_threshold = 0.5;
@@ -292,7 +292,7 @@ void visitRepairParams(Params& p, Visitor&& visit) {
           SwitchInfo{"Leaves out frames that are still low, unless an object needs them"});
 }
 
-/// The inertial measurements that an export writes beside the poses.
+/// Sampling rate of the IMU measurements that an export writes beside the poses.
 struct ImuParams {
     double imu_rate_hz = 200.0;
     bool operator==(const ImuParams&) const = default;
@@ -303,7 +303,7 @@ void visitImuParams(Params& p, Visitor&& visit) {
     visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples a second in imu.csv"});
 }
 
-/// The stereo pair that an export can write.
+/// Stereo baseline of an export with two cameras.
 struct StereoParams {
     double stereo_baseline_m = 0.1;
     bool operator==(const StereoParams&) const = default;
@@ -317,13 +317,13 @@ void visitStereoParams(Params& p, Visitor&& visit) {
                     "camera_radius_m the right one is not kept clear of things"});
 }
 
-/// Openings that the trajectory visits for their own sake.
+/// Openings that the trajectory visits in addition to its objects.
 enum class Anchors { None, Doorways, Openings, Corridors, All };
 
-/// One trajectory through all rooms, or one for each.
+/// One trajectory through all connected rooms, or one trajectory for each room.
 enum class RoomTours { Joined, Each };
 
-/// What a person asks of a trajectory beside what it shows.
+/// Constraints of the trajectory: pitch band, closed loop, openings to visit, rooms.
 struct ConstraintParams {
     double min_pitch_deg = -90.0;
     double max_pitch_deg = 90.0;
@@ -350,7 +350,7 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
                      "each room, exported to a folder of its own"});
 }
 
-/// Everything that shapes a plan and the pictures along it. Field names are unique across the
+/// All parameters of a plan and of the images rendered from it. Field names are unique across the
 /// sections.
 struct PlanParams {
     BodyParams body;
@@ -376,10 +376,10 @@ struct PlanParams {
     bool operator==(const PlanParams&) const = default;
 };
 
-/// The one list of all fields: `section(name)` is called before each section's fields.
+/// Visits every field. Calls `section(name)` before the fields of each section.
 template <class Params, class Section, class Visitor>
 void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
-    section("body");  // first: its preset sets fields of other sections
+    section("body");  // comes first because its preset sets fields of other sections
     visitBodyParams(p.body, visit);
     section("camera");
     visitCameraParams(p.camera, visit);
@@ -421,23 +421,25 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
 }
 
-/// The same with all that no plan depends on as it is by default.
+/// Returns the parameters with every field that does not affect the plan (IMU, stereo, picture,
+/// sensor, light) at its default.
 [[nodiscard]] PlanParams onlyOfThePlan(PlanParams params);
 
-/// Whether both lead to the same plan: they may differ in what is made of it alone.
+/// Whether both give the same plan. They may differ in IMU, stereo, picture, sensor and light.
 [[nodiscard]] bool makeSamePlan(const PlanParams& a, const PlanParams& b);
 
-/// Sets all fields that belong to params.body.camera_preset to what it stands for.
+/// Sets the body, camera radius, height band, pitch band and shake kind to the values of
+/// params.body.camera_preset.
 void applyCameraPreset(PlanParams& params);
 
-/// Whether the parameters fit one another. Error: Usage, naming the field.
+/// Checks constraints between fields. Error: Usage, naming the field.
 Status validate(const PlanParams& params);
 
-/// Sets one parameter in a project's sections, which are then complete: every field, with its
-/// default where they did not name it. Error: BadInput, as setFromJson() gives it.
+/// Sets one parameter in a project's JSON sections and fills in all other fields: those already
+/// given keep their value, the rest get their default. Error: BadInput, from setFromJson().
 Status setParameter(nlohmann::json& sections, const std::string& name, const nlohmann::json& value);
 
-/// All fields of the parameters, for files, `--set` and widgets. Points into `params`.
+/// All fields of `params`, for project files, `--set` and widgets. The list points into `params`.
 FieldList listFields(PlanParams& params);
 
 }  // namespace dollytrack::planning

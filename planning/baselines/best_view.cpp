@@ -15,7 +15,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kHeight = 1.2;  // m above the floor
-constexpr int kViews = 5;        // a scene
+constexpr int kViews = 5;        // per scene
 constexpr double kApart = 1.0;   // m
 constexpr int kHeadings = 24;
 constexpr int kRaysPerTurn = 360;
@@ -26,7 +26,7 @@ struct BestView {
     double area_m2 = 0.0;
 };
 
-/// The floor below the room's roomiest place.
+/// Height of the floor below the room's position of largest clearance, m.
 double floorOf(const RivalScene& scene, const Room& room) {
     const RayHit hit = scene.rays->cast(room.sample, -Eigen::Vector3d::UnitZ());
     const double by_box = room.box.min().z();
@@ -60,8 +60,8 @@ std::vector<Eigen::Vector3d> candidatePlaces(const RivalScene& scene, const Room
     return places;
 }
 
-/// How far it is from a place inside the room's box to the box's side, which stands for the wall:
-/// the air outside of windows and doors is no part of the plan.
+/// Distance from a position in the room's box to its side, which stands for the wall: air outside
+/// windows and doors is not part of the plan.
 double reachInside(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place,
                    const Eigen::Vector3d& ray) {
     double reach = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ double reachInside(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place,
     return std::max(0.0, reach);
 }
 
-/// The heading with the largest visible part of the plan, at the camera's height.
+/// The heading with the largest visible area of the plan, at the camera's height.
 BestView bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3d& place,
                      double hfov) {
     std::array<double, kRaysPerTurn> slices{};  // m2 each
@@ -135,7 +135,7 @@ Result<Flight> planBestView(const RivalScene& scene, const PlanParams& params, i
             if (static_cast<int>(frames.size()) == frameBudget(params)) break;
             TrajectoryFrame frame;
             frame.time_s = static_cast<double>(frames.size()) * flight.trajectory.frame_interval_s;
-            frame.path = static_cast<int>(frames.size());  // each frame stands for itself
+            frame.path = static_cast<int>(frames.size());  // no motion between frames
             frame.component = static_cast<int>(room);
             frame.target_in_world =
                 view.place + Eigen::Vector3d(std::cos(view.yaw), std::sin(view.yaw), 0.0);

@@ -4,12 +4,12 @@
 
 namespace dollytrack::planning {
 
-/// The one view of a room that overlooks most of its floor plan: 3D-FRONT and its toolbox (Fu et
-/// al., ICCV 2021). Taken: candidate places from a Delaunay triangulation of the plan, cameras 1.2
-/// m high that look level, the view chosen by the visible area of the plan inside the lens's wedge;
-/// 5.2 views a scene on average. Different: that average is met by giving a scene of few rooms five
-/// views, each at least 1 m from the others; the corners of the plan are those of the room's box
-/// and of its objects' footprints; every place must hold the camera's sphere.
+/// Baseline: the views that overlook most of each room's floor plan, as in 3D-FRONT and its toolbox
+/// (Fu et al., ICCV 2021). As published: candidates from a Delaunay triangulation of the plan,
+/// level cameras 1.2 m above the floor, chosen by the visible area of the plan inside the field of
+/// view, 5.2 views per scene on average. Differences: a scene with few rooms gets five views, at
+/// least 1 m apart; the corners of the plan are those of the room's box and of the objects'
+/// footprints; the camera sphere must fit at every candidate. Error: Cancelled.
 Result<Flight> planBestView(const RivalScene& scene, const PlanParams& params, int seed,
                             const JobContext& job);
 

@@ -15,7 +15,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Above 0 when `p` lies inside the circle through a, b, c, which turn counter-clockwise.
+/// Positive if `p` is inside the circle through a, b, c (counter-clockwise).
 double inCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                 const Eigen::Vector2d& p) {
     Eigen::Matrix3d m;
@@ -39,7 +39,8 @@ std::vector<Triangle> delaunay(const std::vector<Eigen::Vector2d>& points) {
     }
     const double size = std::max((high - low).maxCoeff(), 1e-6);
     const Eigen::Vector2d middle = 0.5 * (low + high);
-    // A triangle around all, removed at the end; so large that it cuts no corner off the hull.
+    // A triangle around all points, removed at the end; large enough not to cut corners off the
+    // hull.
     std::vector<Eigen::Vector2d> all = points;
     all.push_back(middle + 1e4 * size * Eigen::Vector2d(-1.0, -1.0));
     all.push_back(middle + 1e4 * size * Eigen::Vector2d(1.0, -1.0));
@@ -54,7 +55,8 @@ std::vector<Triangle> delaunay(const std::vector<Eigen::Vector2d>& points) {
             return (q - at(p)).norm() < 1e-9 * size;
         });
         if (known) continue;
-        // The triangles whose circle holds the point leave a hole; its rim and the point fill it.
+        // Remove the triangles whose circumcircle contains the point, and connect their outline to
+        // it.
         std::map<std::pair<int, int>, int> edges;
         std::vector<Triangle> kept;
         for (const Triangle& t : triangles) {

@@ -15,7 +15,7 @@ constexpr int kSequence = 100;  // views
 constexpr int kCandidates = 20;
 constexpr int kDraws = 1000;
 const Eigen::Vector3d kNeighbourhood(1.5, 1.5, 0.25);  // m, to each side
-constexpr double kLeastDistance = 0.1;                 // m, from camera to looked-at point
+constexpr double kLeastDistance = 0.1;                 // m, from the camera to the look-at point
 constexpr int kColumns = 64;
 constexpr int kRows = 48;
 
@@ -44,7 +44,7 @@ class Walk {
                                                    scores.begin())];
     }
 
-    /// The last view again where no candidate can be found.
+    /// Returns the last view again if no candidate is found.
     WalkView next(const WalkView& last) {
         std::vector<WalkView> candidates;
         for (int i = 0; i < kDraws && static_cast<int>(candidates.size()) < kCandidates; ++i) {
@@ -119,7 +119,7 @@ class Walk {
 Result<Flight> planDensityWalk(const RivalScene& scene, const PlanParams& params, int seed,
                                const JobContext& job) {
     Flight flight;
-    flight.trajectory.frame_interval_s = 1.0;  // metadata_camera.csv: a second a view
+    flight.trajectory.frame_interval_s = 1.0;  // metadata_camera.csv: one second per view
     auto& frames = flight.trajectory.frames;
     const int budget = frameBudget(params);
     const std::vector<int> shares = shareByRoom(scene, budget, 10);

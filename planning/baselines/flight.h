@@ -9,21 +9,21 @@
 
 namespace dollytrack::planning {
 
-/// A trajectory and how the camera gets from one of its frames to the next: what a planner hands
-/// in to be judged.
+/// A planner's result: a trajectory, and the camera's motion between its frames.
 struct Flight {
     Trajectory trajectory;
-    /// By frame: the places passed on the way to the next one, in order, without the two ends.
-    /// Nothing, or no entry: straight.
+    /// By frame: intermediate positions on the way to the next frame, in order, without both ends.
+    /// Empty, or a missing entry: a straight line.
     std::vector<std::vector<Eigen::Vector3d>> between;
-    /// Share of the rounded corners that could not be proven free; where corners are rounded.
+    /// Share of the rounded corners that could not be proven collision-free; empty if the planner
+    /// does not round corners.
     std::optional<double> corner_collision_rate;
-    /// What the planning itself took, where the call did more than that; else nothing.
+    /// Planning time, if the planner measures it itself; otherwise the call is timed.
     std::optional<double> plan_ms;
 };
 
-/// The whole way from frame `from` to the next one: both ends and what lies between. Empty where
-/// there is no motion: after the last frame, and where the camera is carried over to another path.
+/// The polyline from frame `from` to the next one, both ends included. Empty if there is no motion:
+/// after the last frame, and between frames of different paths.
 std::vector<Eigen::Vector3d> wayToNext(const Flight& flight, std::size_t from);
 
 }  // namespace dollytrack::planning

@@ -17,17 +17,17 @@
 namespace dollytrack::planning {
 namespace {
 
-// Of the walk along a way: how far it goes at most, so that the smallest clearance is found, and at
-// least, so that it gets past a touch.
+// Longest step along a motion, so that the minimum clearance is found, and shortest step, so that
+// it gets past a contact.
 constexpr double kLongestStep = 0.02;
 constexpr double kShortestStep = 0.0005;
-// Where everything is further than this, the walk takes what is free in one step.
+// Clearance beyond which a step may be as long as the free distance.
 constexpr double kFar = 10.0;
 
-/// The smallest clearance on the way, to a centimetre where it is less than kFar; ends early when
-/// cancelled. A step is at most what is free beyond the camera's sphere, so that nothing thin is
-/// stepped over but a touch of less than kShortestStep. Deliberately not the proof that planning
-/// uses: this asks the triangles alone.
+/// Minimum clearance along a motion, to 1 cm where it is below kFar. Ends early when cancelled.
+/// Steps are at most as long as the free distance around the camera sphere, so only contacts
+/// shorter than kShortestStep can be missed. Deliberately independent of the planner's collision
+/// proof: it uses the triangles only.
 double smallestClearance(const RayCaster& rays, const std::vector<Eigen::Vector3d>& way,
                          double radius, const JobContext& job) {
     double smallest = std::numeric_limits<double>::infinity();

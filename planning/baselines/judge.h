@@ -10,41 +10,43 @@
 
 namespace dollytrack::planning {
 
-/// What a flight is worth, whoever planned it: every number comes from the poses and the scene
-/// alone, by the same code for all. Rates are 0..1. What does not apply is absent: there is no
-/// speed between pictures that no motion joins.
+/// Measurements of a planner's result. All are computed by the same code, from poses and scene
+/// alone. Rates are 0..1. Values that do not apply are empty, for example speeds of frames without
+/// motion between them.
 struct Judgement {
     CaptureMetrics captures;
-    std::vector<ObjectCapture> objects;  // one a target
+    std::vector<ObjectCapture> objects;  // one per target
     int frames = 0;
     double repeat_rate = 0.0;           // see TrajectoryMetrics
-    double object_pixels = 0.0;         // likewise
-    double frame_collision_rate = 0.0;  // frames where a surface is inside the camera's sphere
-    double outside_rate = 0.0;          // frames that are not in a room's free space
-    double min_clearance_m = 0.0;       // camera's centre to surface all along, to a centimetre
-    std::optional<double> move_collision_rate;    // ways from frame to frame that touch a surface
+    double object_pixels = 0.0;         // see TrajectoryMetrics
+    double frame_collision_rate = 0.0;  // share of the frames with a surface inside the camera
+                                        // sphere
+    double outside_rate = 0.0;          // share of the frames outside free space
+    double min_clearance_m = 0.0;       // camera centre to surface, along all motion, to 1 cm
+    std::optional<double> move_collision_rate;    // share of the moves between frames with a
+                                                  // surface inside the camera sphere
     std::optional<double> corner_collision_rate;  // see Flight
     std::optional<double> path_length_m;
-    std::optional<double> speed_median_mps, speed_max_mps;  // from frame to frame
-    std::optional<double> turn_median_dps, turn_max_dps;    // likewise
-    std::optional<double> jerk_median_mps3, jerk_max_mps3;  // third difference of the positions
-    std::optional<double> plan_ms;  // of the planner's own; absent for poses from a file
+    std::optional<double> speed_median_mps, speed_max_mps;  // between frames
+    std::optional<double> turn_median_dps, turn_max_dps;    // between frames
+    std::optional<double> jerk_median_mps3, jerk_max_mps3;  // from third differences of positions
+    std::optional<double> plan_ms;  // measured by the planner; empty for poses from a file
 };
 
-/// Error: Cancelled.
+/// Measures a planner's result. Error: Cancelled.
 Result<Judgement> judge(const RivalScene& scene, const Flight& flight, const JobContext& job);
 
 enum class Better { Higher, Lower, Neither };
 
-/// What every table, file and picture needs to know of one number of a Judgement.
+/// Description of one value of a Judgement, for tables, files and plots.
 struct MetricInfo {
-    std::string_view name;   // as published
-    std::string_view title;  // head of a column
+    std::string_view name;   // key in files
+    std::string_view title;  // column header
     std::string_view unit;   // "%": the value is a rate, 0..1
     Better better = Better::Neither;
 };
 
-/// The one list of them. Calls visit(info, value); the value is a number or an optional one.
+/// Visits all values. Calls visit(info, value); the value is a number or an optional number.
 template <class J, class Visitor>
 void visitJudgement(J& j, Visitor&& visit) {
     using enum Better;
@@ -78,7 +80,7 @@ using JudgedRow = std::vector<std::optional<double>>;
 const std::vector<MetricInfo>& judgedMetrics();
 JudgedRow toRow(const Judgement& judgement);
 
-/// Column by column over the rows that have a value there.
+/// Column-wise median and mean, over the rows with a value in the column; empty if there is none.
 JudgedRow medianOf(const std::vector<JudgedRow>& rows);
 JudgedRow meanOf(const std::vector<JudgedRow>& rows);
 

@@ -5,7 +5,8 @@
 
 namespace dollytrack::planning {
 
-/// The middle value, or the mean of the two in the middle. There must be one.
+/// The median; the mean of the two middle values if their number is even. `values` must not be
+/// empty.
 inline double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;

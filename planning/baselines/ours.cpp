@@ -16,9 +16,9 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kFineStep = 0.01;  // m; chords this short stay within 0.1 mm of the curves
+constexpr double kFineStep = 0.01;  // m; chords this short are within 0.1 mm of the curves
 
-/// The way from frame to frame, along each smoothed path and beside it where the camera sways.
+/// The motion between frames, along each smoothed path and off it where the camera shakes.
 std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath>& paths,
                                                     const Trajectory& trajectory) {
     const auto& frames = trajectory.frames;

@@ -10,29 +10,30 @@
 
 namespace dollytrack::planning {
 
-/// A way to decide where the camera goes: ours, and those of published datasets, rebuilt so that
-/// all can be measured in the same scene by the same judge. A new one is a file and a row.
+/// A planner: Dollytrack or a baseline, usually the reimplemented sampler of a published dataset,
+/// so that all can be measured in the same scene by the same code.
 struct Planner {
-    std::string_view name;    // as one asks for it
-    std::string_view text;    // what it does, for people
-    std::string_view source;  // where it was published
-    /// What the method itself says of collisions; what it does is measured.
+    std::string_view name;    // name on the command line
+    std::string_view text;    // one-line description
+    std::string_view source;  // publication
+    /// What the method itself says about collisions. Real collisions are measured.
     std::string_view collision_promise;
 
-    /// The same scene, parameters and seed give the same flight, with any number of threads.
-    /// Errors: Cancelled, and what Pipeline::run() gives.
+    /// Plans a trajectory. The result depends only on scene, parameters and seed, not on the number
+    /// of threads. Errors: Cancelled, and those of Pipeline::run().
     Result<Flight> (*plan)(const RivalScene& scene, const PlanParams& params, int seed,
                            const JobContext& job);
 };
 
-/// All there are, ours first.
+/// All planners, Dollytrack first.
 [[nodiscard]] std::span<const Planner> planners();
 
-/// Controls and generators of test views, which are not baselines: choosePlanners() does not know
-/// them; the option --planner finds them by name.
+/// Controls and generators of test views. They are not baselines: choosePlanners() does not accept
+/// them; the option --planner does.
 [[nodiscard]] std::span<const Planner> auxiliaryPlanners();
 
-/// Those named, in the table's order; all for "all". Error: Usage, with the closest name.
+/// The planners with these names, in the table's order; "all" selects all. Error: Usage, with the
+/// closest name.
 [[nodiscard]] Result<std::vector<const Planner*>> choosePlanners(
     const std::vector<std::string>& names);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSpeedFactor = 2.0;
 constexpr double kSteepest = 30.0 * std::numbers::pi / 180.0;
-constexpr double kLeastLeg = 0.5;  // m, from key to key
+constexpr double kLeastLeg = 0.5;  // m, between keys
 constexpr int kKeyTries = 20;
 
 /// Sinusoids with seeded phases: along each axis of the world, then yaw and pitch.
@@ -59,7 +59,7 @@ Eigen::Quaterniond randomHeading(Random& random) {
         {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)});
 }
 
-/// The place a way along the leg, and the corners passed since `before`.
+/// The position at arc length `arc` of the leg. Appends the corners passed since `before`.
 Eigen::Vector3d along(const Leg& leg, double arc, double before,
                       std::vector<Eigen::Vector3d>& passed) {
     double begin = 0.0;
@@ -75,7 +75,7 @@ Eigen::Vector3d along(const Leg& leg, double arc, double before,
     return leg.points.back();
 }
 
-/// A way to another random key of the room; without points when none was found.
+/// A path to another random key of the room; without points if none was found.
 Leg nextLeg(const RivalScene& scene, const PlanParams& params, int room,
             const Eigen::Vector3d& start, const Eigen::Quaterniond& heading, Random& random,
             const JobContext& job) {
@@ -149,7 +149,7 @@ Result<Flight> planKeys(const RivalScene& scene, const PlanParams& params, int s
                 nextLeg(scene, params, static_cast<int>(room), frames.back().pose.position,
                         frames.back().pose.rotation, random, job);
             if (leg.points.empty()) break;
-            // Whole steps of even length, so that each key is a frame.
+            // Steps of equal length, so that each key is a frame.
             const int steps = std::max(1, static_cast<int>(std::ceil(leg.length_m / step)));
             const Turn turn(leg.from, leg.to);
             for (int i = 1; i <= steps && frames.size() < end; ++i) {
@@ -178,7 +178,7 @@ Result<Flight> planRandomKeysEasy(const RivalScene& scene, const PlanParams& par
 Result<Flight> planRandomKeysHard(const RivalScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job) {
     return planKeys(scene, params, seed, job).map([&](Flight&& flight) {
-        // The unshaken corners are no longer on the way.
+        // The unshaken corners are no longer on the path.
         flight.between.clear();
         shake(scene, seed, flight);
         return std::move(flight);

@@ -4,16 +4,17 @@
 
 namespace dollytrack::planning {
 
-/// Random key frames joined by RRT*: TartanAir (Wang et al., IROS 2020, section 3). Its generator
-/// is not public, so this follows its description: key places drawn from free space, joined by
-/// RRT*, flown at even speed; roll-free headings that turn from key to key. Different: speed is
-/// twice `max_speed_mps` (a drone's), and all keys of a room are one flight.
+/// Baseline: random key frames joined by RRT*, as in TartanAir (Wang et al., IROS 2020, section 3).
+/// Its generator is not public; this follows the description: key positions drawn from free space,
+/// joined by RRT*, constant speed, roll-free headings that turn from key to key. Differences: the
+/// speed is twice the speed limit (a drone's), and all keys of a room form one trajectory. Error:
+/// Cancelled.
 Result<Flight> planRandomKeysEasy(const RivalScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job);
 
-/// The same with TartanAir's bumps: sinusoids on position and orientation. What is published does
-/// not say whether shaken frames are checked; here a frame is left unshaken where the camera would
-/// not fit, and the ways between shaken frames are not checked.
+/// The same with TartanAir's shake: sinusoids on position and orientation. The publication does not
+/// say whether shaken frames are tested; here a frame stays unshaken where the camera would not
+/// fit, and moves between shaken frames are not tested. Error: Cancelled.
 Result<Flight> planRandomKeysHard(const RivalScene& scene, const PlanParams& params, int seed,
                                   const JobContext& job);
 

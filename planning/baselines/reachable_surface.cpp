@@ -18,11 +18,12 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kPlacesAround = 400;
-constexpr int kRaysAround = 20'000;  // from each place: 7 cm apart at 3 m
-// Cubes do not begin at round coordinates, where walls are: a wall would lie in two of them.
+constexpr int kRaysAround = 20'000;  // per position: 7 cm apart at 3 m
+// Shift of the grid against round coordinates, where walls often are: otherwise a wall would lie in
+// two layers of cells.
 constexpr double kGridShift = 0.31;
 
-/// Places where the camera fits, spread over the cells of all rooms.
+/// Positions where the camera fits, spread over the cells of all rooms.
 std::vector<Eigen::Vector3d> evenPlaces(const RivalScene& scene) {
     std::vector<Eigen::Vector3d> all;
     for (std::size_t room = 0; room < scene.free_space->rooms().size(); ++room) {
@@ -58,8 +59,8 @@ Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, doub
     const std::vector<Eigen::Vector3d> places = evenPlaces(scene);
     const std::vector<Eigen::Vector3d> directions = directionsOnSphere(kRaysAround);
     std::vector<SurfacePatch> samples;
-    std::set<std::array<int, 4>> taken;  // cube and direction of surface
-    constexpr std::size_t kAtOnce = 32;  // places; their samples are joined in order
+    std::set<std::array<int, 4>> taken;  // grid cell and orientation
+    constexpr std::size_t kAtOnce = 32;  // positions; their samples are merged in order
     for (std::size_t begin = 0; begin < places.size(); begin += kAtOnce) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "The comparison was stopped.");
         const std::size_t count = std::min(kAtOnce, places.size() - begin);
@@ -71,7 +72,7 @@ Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, doub
             for (const SurfacePatch& patch : list) {
                 Eigen::Index axis = 0;
                 patch.normal.cwiseAbs().maxCoeff(&axis);
-                // The two sides of a thin wall are two surfaces.
+                // The two sides of a thin wall are different surfaces.
                 const int side = patch.normal[axis] < 0.0 ? 1 : 0;
                 std::array<int, 4> key = {0, 0, 0, 2 * static_cast<int>(axis) + side};
                 for (unsigned k = 0; k < 3; ++k) {

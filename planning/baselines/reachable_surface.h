@@ -10,8 +10,8 @@
 namespace dollytrack::planning {
 
 /// Samples of the surface visible from about 400 to 800 positions spread over the free space, at
-/// most one per cube of `spacing_m` and orientation. Normals face the position that saw the sample.
-/// Deterministic. Error: Cancelled.
+/// most one per grid cell of edge `spacing_m` and orientation. Normals face the position that saw
+/// the sample. Deterministic. Error: Cancelled.
 Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, double spacing_m,
                                                    const JobContext& job);
 

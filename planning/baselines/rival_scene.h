@@ -23,10 +23,10 @@ class FreeSpace;
 class SweptSphere;
 class ViewEstimator;
 
-/// What every planner plans with: one scene, one map of its free space, one camera. Const.
+/// Shared input of all planners: one scene, its free space map and one camera. Immutable.
 struct RivalScene {
     std::shared_ptr<const Scene> scene;
-    PlanEdits edits;  // as the scene numbers its objects
+    PlanEdits edits;  // with object ids of this scene
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const FreeSpace> free_space;
     std::shared_ptr<const AllowedRegion> region;
@@ -34,18 +34,20 @@ struct RivalScene {
     std::shared_ptr<const ViewEstimator> views;
 };
 
-/// Errors as Pipeline::run() gives them for the map.
+/// Maps the scene. Errors: those of Pipeline::run() that concern the parameters and the map.
 Result<RivalScene> mapRivalScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                  const PlanParams& params, const JobContext& job);
 
-/// `total` shared out over the rooms by the volume that the camera has in them; rooms that come out
-/// with less than `least` get nothing, and the largest gets what is left over.
+/// Divides `total` among the rooms in proportion to the volume where the camera fits. Rooms with
+/// less than `least` get 0; the largest room gets the remainder. One entry per room.
 std::vector<int> shareByRoom(const RivalScene& scene, int total, int least);
 
-/// A random place of a room where the camera fits; the room's roomiest one when many tries miss.
+/// A random position in a room where the camera fits; after 200 misses the one with the largest
+/// clearance.
 Eigen::Vector3d randomPlace(const RivalScene& scene, int room, Random& random);
 
-/// Frames that a planner may use: `max_frames`, or 300 without a limit.
+/// Number of frames that a planner may use: that of the clip with duration_s, else `max_frames`,
+/// else 300.
 int frameBudget(const PlanParams& params);
 
 }  // namespace dollytrack::planning

@@ -21,7 +21,7 @@ std::vector<const Object*> targetsOf(const Scene& scene) {
     return targets;
 }
 
-/// Whether the object is what is seen at its middle from the place, within the distances.
+/// Whether a ray from the position to the object's centre hits that object, within the distances.
 bool faces(const RivalScene& scene, const Eigen::Vector3d& place, const Object& object,
            const DistanceBand& band) {
     const Eigen::Vector3d way = object.box.center - place;

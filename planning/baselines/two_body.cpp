@@ -15,12 +15,12 @@ constexpr double kStep = 1.0 / 25.0;  // s
 constexpr int kBurnIn = 500;          // steps
 constexpr int kStepsPerImage = 25;
 constexpr double kFastest = 3.0;    // m/s
-constexpr double kPush = 0.5;       // m/s, deviation of the change in speed by one push
-constexpr double kDrag = 0.1;       // 1/m: deceleration over speed squared
+constexpr double kPush = 0.5;       // m/s, standard deviation of the speed change per push
+constexpr double kDrag = 0.1;       // 1/m: deceleration over squared speed
 constexpr double kLeastMove = 1.0;  // m
 constexpr int kLeastObjects = 10;
 constexpr int kTries = 8;
-constexpr int kColumns = 16;  // rays that count what a frame sees
+constexpr int kColumns = 16;  // rays that determine which objects a frame sees
 constexpr int kRows = 12;
 
 class Body {
@@ -36,7 +36,8 @@ class Body {
         velocity_ -= kStep * kDrag * velocity_.norm() * velocity_;
         if (velocity_.norm() > kFastest) velocity_ *= kFastest / velocity_.norm();
         const Eigen::Vector3d next = position_ + kStep * velocity_;
-        // As in the original, only the places of the steps are looked at, not the ways between.
+        // As in the original, only the positions after each step are tested, not the motion
+        // between.
         if (scene_.free_space->componentAt(next) == room_ && scene_.sphere->fits(next)) {
             position_ = next;
             return;
@@ -79,7 +80,7 @@ Run simulate(const RivalScene& scene, int room, int images, Random random, const
         frame.component = room;
         frame.path = room;
         frame.target_in_world = target.position();
-        // The two bodies pass through one another; there the camera looks on as before.
+        // The two bodies can pass through each other; the camera then keeps its orientation.
         const bool apart = (target.position() - camera.position()).norm() > 1e-3;
         frame.pose = apart || run.frames.empty()
                          ? lookAt(camera.position(), target.position())

@@ -4,15 +4,14 @@
 
 namespace dollytrack::planning {
 
-/// Two randomly pushed bodies, of which one is the camera and the other what it looks at: SceneNet
-/// RGB-D (McCormac et al., ICCV 2017, section 4.3), taken up by InteriorNet (Li et al., BMVC 2018).
-/// Taken: bodies of 1 kg pushed at random at 25 steps a second, speed of 3 m/s at most, drag,
-/// bouncing off what they meet; 500 steps before the first frame; an image every 25th step; a run
-/// counts only when the camera moved more than 1 m and saw at least 10 objects. Different: the
-/// bodies bounce where the camera's sphere would not fit (theirs by the depth in the picture), a
-/// run that does not count is tried again a fixed number of times instead of ending the program,
-/// houses get a run for each room, and the strengths of pushes and drag, which no publication
-/// gives, are ours. InteriorNet's learned styles of motion are not public.
+/// Baseline: two randomly pushed bodies, the camera and its look-at point, as in SceneNet RGB-D
+/// (McCormac et al., ICCV 2017, section 4.3) and InteriorNet (Li et al., BMVC 2018). As published:
+/// bodies of 1 kg pushed at random, 25 steps per second, at most 3 m/s, drag, bouncing off
+/// obstacles; 500 steps before the first frame; an image every 25th step; a run counts only if the
+/// camera moved more than 1 m and saw at least 10 objects. Differences: bodies bounce where the
+/// camera sphere would not fit (there: by image depth); a run that does not count is repeated up to
+/// 8 times, and the last is used; houses get one run per room; the unpublished strengths of pushes
+/// and drag are our own. InteriorNet's learned motion styles are not public. Error: Cancelled.
 Result<Flight> planTwoBody(const RivalScene& scene, const PlanParams& params, int seed,
                            const JobContext& job);
 

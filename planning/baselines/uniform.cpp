@@ -20,7 +20,7 @@ Result<Flight> planUniform(const RivalScene& scene, const PlanParams& params, in
             TrajectoryFrame frame;
             const auto count = flight.trajectory.frames.size();
             frame.time_s = static_cast<double>(count) * flight.trajectory.frame_interval_s;
-            frame.path = static_cast<int>(count);  // each frame stands for itself
+            frame.path = static_cast<int>(count);  // no motion between frames
             frame.component = static_cast<int>(room);
             const Eigen::Vector3d place = randomPlace(scene, frame.component, random);
             const double yaw = random.uniform(0.0, 2.0 * std::numbers::pi);

@@ -4,10 +4,10 @@
 
 namespace dollytrack::planning {
 
-/// Random legal poses, the baseline of samplers without a plan, as in BlenderProc (Denninger et
-/// al., JOSS 2023). Taken: places drawn evenly from free space, headings all around, no motion
-/// between frames. Different: its checks for near obstacles and for what is in view are left out,
-/// so that this is the plain floor below every method; pitch is kept within 30 degrees.
+/// Baseline: random legal poses, as from samplers like BlenderProc's (Denninger et al., JOSS 2023).
+/// As published: positions drawn uniformly from free space, headings all around, no motion between
+/// frames. Differences: its tests for near obstacles and visible objects are left out, so that this
+/// is the plain lower reference; pitch is within 30 degrees. Error: Cancelled.
 Result<Flight> planUniform(const RivalScene& scene, const PlanParams& params, int seed,
                            const JobContext& job);
 

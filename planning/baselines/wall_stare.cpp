@@ -19,8 +19,8 @@ constexpr double kSway_m = 0.15;
 constexpr int kFramesOfSway = 12;
 
 struct BareView {
-    int on_wall = -1;         // rays of the view that meet the structure which fills most of it
-    double distance_m = 0.0;  // of the ray in the middle
+    int on_wall = -1;         // rays that hit the structure object which fills most of the view
+    double distance_m = 0.0;  // of the centre ray
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     Eigen::Vector3d towards = Eigen::Vector3d::UnitX();
 
@@ -37,7 +37,7 @@ BareView lookAtWall(const RivalScene& scene, const Eigen::Vector3d& place, doubl
     view.distance_m = scene.rays->cast(place, view.towards).distance;
     const Pose pose = lookAt(place, place + view.towards);
     const Intrinsics& lens = scene.views->intrinsics();
-    std::map<int, int> met;  // rays by structure
+    std::map<int, int> met;  // rays by structure object
     for (int i = 0; i < kRaysAcross * kRaysAcross; ++i) {
         const double x = (i % kRaysAcross + 0.5) / kRaysAcross * lens.width;
         const double y = (i / kRaysAcross + 0.5) / kRaysAcross * lens.height;

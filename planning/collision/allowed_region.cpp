@@ -73,7 +73,8 @@ const NoGoBox* AllowedRegion::boxAt(const Eigen::Vector3d& center, double radius
 bool AllowedRegion::bandHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
                               const Eigen::Vector3d& end, Eigen::Vector3d& where) const {
     if (levels_) {
-        // The levels are apart: with its control points on one height the curve stays there.
+        // Levels differ in height, so a curve whose control points share one height stays on its
+        // level.
         constexpr double kSame_m = 1e-5;
         where = start;
         return levels_->isOnLevel(start) && std::abs(control.z() - start.z()) <= kSame_m &&
@@ -84,7 +85,7 @@ bool AllowedRegion::bandHolds(const Eigen::Vector3d& start, const Eigen::Vector3
 
 bool AllowedRegion::pieceHolds(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
                                const Eigen::Vector3d& end, Eigen::Vector3d& where) const {
-    // A Bezier curve lies in the hull of its control points.
+    // A Bezier curve lies in the convex hull of its control points.
     Eigen::AlignedBox3d box(start);
     box.extend(control);
     box.extend(end);
@@ -108,7 +109,7 @@ Eigen::Vector3d AllowedRegion::inBand(const Eigen::Vector3d& place) const {
     if (levels_) return levels_->onLevel(place);
     const double floor = floors_->below(place);
     Eigen::Vector3d moved = place;
-    // A hair inside: the height is the difference of two roundings.
+    // Stay slightly inside: heightOf() subtracts the floor again, with rounding errors.
     constexpr double kHair = 1e-9;
     moved.z() = std::clamp(place.z(), floor + min_height_m_ + kHair, floor + max_height_m_ - kHair);
     return moved;

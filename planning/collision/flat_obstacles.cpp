@@ -9,12 +9,12 @@
 namespace dollytrack::planning {
 namespace {
 
-// A polygon thinner than this is a line: the closest point of a sliver is ill-conditioned.
+// Thinner polygons are stored as line segments: closest points on slivers are ill-conditioned.
 constexpr double kSliver_m = 1e-4;
 
 using Corners = std::vector<Eigen::Vector3d>;
 
-/// The part of a convex polygon on one side of a height (Sutherland and Hodgman, 1974).
+/// Clips a convex polygon at a height (Sutherland and Hodgman, 1974).
 Corners cutAt(const Corners& corners, double height, bool keep_above) {
     const auto above = [&](const Eigen::Vector3d& p) {
         return keep_above ? p.z() - height : height - p.z();
@@ -74,7 +74,7 @@ void FlatObstacles::addPolygon(std::span<const Eigen::Vector2d> corners) {
             ends = {j, i};
         }
     }
-    // An upright surface is a line from above.
+    // A vertical polygon projects to a line segment.
     if (std::abs(area) < kSliver_m * longest || corners.size() < 3) {
         flat_.triangles.push_back({first + ends[0], first + ends[1], first + ends[1]});
         return;

@@ -8,26 +8,27 @@
 
 namespace dollytrack::planning {
 
-/// The plan of what lies between two heights: surfaces cut off at them and seen from above, as a
-/// scene of triangles with z = 0. The distance there from a point to the nearest surface is the
-/// distance from an upright line between the two heights, to 0.1 mm.
+/// Top view of all surfaces between two heights: triangles are clipped to that slab and projected
+/// to z = 0. The distance from a point to the nearest projected triangle equals the horizontal
+/// distance from the vertical line segment spanning the slab to the nearest surface, within 0.1 mm.
+/// Polygons thinner than that are stored as line segments (degenerate triangles).
 class FlatObstacles {
   public:
     FlatObstacles(double bottom_m, double top_m) : bottom_(bottom_m), top_(top_m) {}
 
-    /// The triangles of one object; false when none lies between the heights.
+    /// Adds the triangles of one object. Returns false if none lies in the slab.
     bool addObject(const Scene& scene, const Object& object);
 
-    /// The outline of a whole box, filled; false when it lies above or below.
+    /// Adds the footprint of a box, filled. Returns false if the box is above or below the slab.
     bool addBox(const OrientedBox& box);
 
-    /// An object made of squares: those added between beginObject() and endObject(), which returns
-    /// false when there were none.
+    /// Adds an object made of axis-aligned rectangles: those added between beginObject() and
+    /// endObject(), which returns false if there were none.
     void beginObject();
     void addSquare(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
     bool endObject();
 
-    /// Its objects are those for which true was returned, in their order.
+    /// The projected scene. It holds one object per call that returned true, in that order.
     [[nodiscard]] const Scene& scene() const { return flat_; }
 
   private:

@@ -15,22 +15,23 @@
 namespace dollytrack::planning {
 namespace {
 
-// Cells are kept as floats: a place on a level may be off by their rounding.
+// Cell centres are stored as floats, so a position may be off its level by a rounding error.
 constexpr double kSameHeight_m = 1e-5;
-constexpr double kFarthest_m = 0.25;       // a larger gap is not told apart
-constexpr double kLeastLevel_m2 = 0.5;     // a smaller level is a tread or a sill
-constexpr double kLeastReached_m2 = 0.25;  // a smaller part is a nook
+constexpr double kFarthest_m = 0.25;       // cap of gap()
+constexpr double kLeastLevel_m2 = 0.5;     // a smaller level is a stair tread or a sill
+constexpr double kLeastReached_m2 = 0.25;  // a smaller drivable area is ignored
 constexpr double kBin_m = 0.001;
-// Floors are modelled room by room, often without a floor in the doorways between them.
+// Floors are often modelled room by room, without floor in the doorways between them; gaps up to
+// this width are bridged.
 constexpr double kWidestGap_m = 0.45;
-constexpr double kDeepestGap_m = 1.0;  // a floor this far below such a gap makes it a step
+constexpr double kDeepestGap_m = 1.0;  // a lower floor within this depth makes the gap a step
 
 constexpr std::array<std::array<int, 2>, 8> kAround = {
     {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-/// Columns of a grid within a distance of those that are set.
+/// Dilates a set of grid columns by `by` columns.
 std::vector<char> grownColumns(const std::vector<char>& set, int width, int height, int by) {
-    // Squares, not circles: two passes along the rows and the columns.
+    // The structuring element is a square, so one pass along rows and one along columns do it.
     const auto pass = [&](const std::vector<char>& from, int step_x, int step_y) {
         std::vector<char> grown(from.size(), 0);
         for (int y = 0; y < height; ++y) {
@@ -55,7 +56,7 @@ std::vector<char> invertedColumns(std::vector<char> set) {
     return set;
 }
 
-/// The height that most of the sorted heights share, to a millimetre.
+/// The height shared by most of the sorted heights, within 1 mm.
 double mostCommon(const std::vector<double>& sorted) {
     std::size_t best = 0;
     std::size_t most = 0;
@@ -99,8 +100,8 @@ int FloorLevels::columnOf(const Eigen::Vector3d& place) const {
     return x < 0 || y < 0 || x >= columns_x_ || y >= columns_y_ ? -1 : y * columns_x_ + x;
 }
 
-/// From the heights of the floor under all places where the camera fits: the most common one first,
-/// with all that is within a step of it, and so on with the rest.
+/// Collects the floor heights under all cells where the camera fits, takes the most common one with
+/// all heights within a step of it, and repeats with the rest.
 std::vector<double> FloorLevels::findHeights(const FreeSpace& free_space,
                                              const FloorHeights& floors) const {
     std::vector<double> found;
@@ -108,14 +109,14 @@ std::vector<double> FloorLevels::findHeights(const FreeSpace& free_space,
     for (std::size_t c = 0; c < columns; ++c) {
         const std::vector<float>& of_column = floors.at(c);
         for (std::size_t i = 0; i < of_column.size(); ++i) {
-            // A slab's underside is not what the camera stands on.
+            // Skip a surface with another one between it and the camera: it is inside a slab.
             const Eigen::Vector3d place = placeOver(c, of_column[i]);
             if (i + 1 < of_column.size() && of_column[i + 1] <= place.z()) continue;
             if (free_space.componentAt(place) >= 0) found.push_back(of_column[i]);
         }
     }
     if (found.empty()) {
-        // Nothing in the scene is a floor: the air of each room ends at one.
+        // No object is a floor: use the height at which each room's air ends.
         for (const Room& room : free_space.rooms()) {
             const double floor = floors.roomFloor(static_cast<std::size_t>(room.component));
             for (std::size_t c = 0; c < columns; ++c) {
@@ -141,7 +142,7 @@ std::vector<double> FloorLevels::findHeights(const FreeSpace& free_space,
 
 std::vector<char> FloorLevels::floorOf(double height, const FloorHeights& floors) const {
     std::vector<char> own(floors.columnCount(), 0);
-    std::vector<char> open(own.size(), 0);  // without a floor of any level
+    std::vector<char> open(own.size(), 0);  // no floor of any level to bridge to
     const bool any = floors.hasAny();
     for (std::size_t c = 0; c < own.size(); ++c) {
         const std::vector<float>& of_column = floors.at(c);
@@ -177,7 +178,7 @@ FloorLevels::Level FloorLevels::makeLevel(const Scene& scene, const FloorHeights
         }
     }
     std::vector<char> floor = floorOf(height, floors);
-    // Where the floor ends: columns without it, beside one with it.
+    // Floor edges: columns without floor next to a column with floor.
     flat.beginObject();
     for (int y = 0; y < columns_y_; ++y) {
         for (int x = 0; x < columns_x_; ++x) {
@@ -216,7 +217,7 @@ void FloorLevels::reach(Level& level, const RayCaster& rays, const FreeSpace& fr
             if (is_clear && is_allowed) component[c] = room;
         }
     });
-    std::map<int, std::vector<std::size_t>> largest;  // part, by component
+    std::map<int, std::vector<std::size_t>> largest;  // connected area, by component
     std::vector<char> seen(component.size(), 0);
     for (std::size_t first = 0; first < component.size(); ++first) {
         if (component[first] < 0 || seen[first] != 0) continue;
@@ -260,7 +261,7 @@ int FloorLevels::levelAt(const Eigen::Vector3d& place) const {
 Eigen::Vector3d FloorLevels::onLevel(const Eigen::Vector3d& place) const {
     const int column = columnOf(place);
     const Level* best = nullptr;
-    // A floor below the place before one above it, one that is there before one elsewhere.
+    // Prefer a level with floor at this column, then a level below the position.
     const auto rank = [&](const Level& level) {
         const bool is_below = level.floor_m <= place.z() + kSameHeight_m;
         const bool is_there = column >= 0 && level.floor[static_cast<std::size_t>(column)] != 0;
@@ -279,7 +280,7 @@ bool FloorLevels::isReached(const Eigen::Vector3d& place) const {
     if (index < 0 || column < 0) return false;
     const std::vector<char>& reached = levels_[static_cast<std::size_t>(index)].reached;
     if (reached[static_cast<std::size_t>(column)] != 0) return true;
-    // A place may fit where the middle of its own column does not.
+    // A position may be free although the centre of its own column is not.
     return std::ranges::any_of(kAround, [&](const std::array<int, 2>& step) {
         const int x = column % columns_x_ + step[0];
         const int y = column / columns_x_ + step[1];

@@ -7,7 +7,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kLeafBoxes = 4;
-// Bounds are rounded otherwise than distances to the boxes in them.
+// Distances to bounds and to the boxes inside them round differently.
 constexpr double kRounding_m = 1e-6;
 
 }  // namespace

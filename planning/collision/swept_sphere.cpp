@@ -11,11 +11,11 @@
 namespace dollytrack::planning {
 namespace {
 
-// Below this excess over the radius a step would no longer get anywhere: counts as contact.
+// Clearance beyond the radius below which a step counts as contact, so that the proof terminates.
 constexpr double kContact = 0.001;
-// The field's lower bound spares the exact question where there is plenty of room.
+// The distance field's lower bound is enough where the excess clearance is larger than this.
 constexpr double kPlenty = 0.05;
-// Even in the open each step looks at free space again, at about the spacing of its cells.
+// Longest step, m: the state of cells is tested at least this often, even far from surfaces.
 constexpr double kLongestStep = 0.25;
 
 }  // namespace
@@ -55,7 +55,7 @@ Verdict SweptSphere::verdict(const Eigen::Vector3d& position, int& object_id) co
     if (object_id != 0 || free_space_->stateAt(position) == CellState::Occupied) {
         return Verdict::InObstacle;
     }
-    // Outside the room there is no floor to be above.
+    // Outside the rooms there is no floor to measure heights from, so the band says nothing.
     return free_space_->componentAt(position) < 0 ? Verdict::OutsideRoom : allowed;
 }
 
@@ -79,7 +79,7 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
                           const Eigen::Vector3d& end) const {
     // |B'(t)| never exceeds this, so t may grow by (free distance) / speed.
     const double speed = 2.0 * std::max((control - start).norm(), (end - control).norm());
-    // Both ends of a straight move in one free leaf of the octree: all between is free space.
+    // Both ends of a straight move lie in one free leaf of the octree, so all of it is free space.
     const bool inside = control == 0.5 * (start + end) && free_space_->inOneFreeLeaf(start, end);
     Sweep sweep;
     sweep.min_clearance_m = std::numeric_limits<double>::infinity();

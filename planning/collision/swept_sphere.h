@@ -19,64 +19,69 @@ class RoomPlan;
 /// Result of moving the camera sphere along a curve.
 struct Sweep {
     bool free = false;
-    double min_clearance_m = 0.0;  // centre to surface, the least met at the proof's points; in
-                                   // between it may be a few millimetres less, but never below
-                                   // the radius
-    Eigen::Vector3d collision = Eigen::Vector3d::Zero();  // the centre where it stops
-    int object_id = 0;                // what it meets; 0: no surface, see reason
-    Verdict reason = Verdict::Legal;  // InObstacle, OutsideRoom, NoGo or HeightBand when not free
+    double min_clearance_m = 0.0;  // centre to surface, the least found at sampled points of the
+                                   // proof; between them it may be a few millimetres less, but
+                                   // never below the radius
+    Eigen::Vector3d collision = Eigen::Vector3d::Zero();  // centre of the sphere where it collides
+    int object_id = 0;                                    // object hit; 0: no surface, see reason
+    Verdict reason = Verdict::Legal;  // if not free: InObstacle, OutsideRoom, NoGo or HeightBand
 };
 
-/// Proves moves of the camera sphere free, or finds where they collide. Conservative advancement:
-/// from a point whose surface distance is d, all within d - radius is free, so the proof steps
-/// from ball to ball and cannot miss a thin thing. No-go boxes count as things; a height band is
-/// proven on its own. The body below a camera that drives is proven with the sphere, step by step.
-/// Keeps references. Const, many threads.
+/// Proves moves of the camera sphere collision-free, or finds where they collide, by conservative
+/// advancement: from a point with surface distance d, the sphere may move by d - radius, so no thin
+/// object is missed. No-go boxes are obstacles; the height band is proven separately. At each step
+/// the body of a camera with an exact height is tested as well. Keeps references to its arguments.
+/// Immutable; safe to call from many threads.
 class SweptSphere {
   public:
-    /// Without a region everything is allowed that surfaces allow. With a plan of rooms no move
-    /// leaves the room it begins in.
+    /// Without `region`, only surfaces and free space restrict the camera. With `rooms`, no move
+    /// may leave the room it starts in.
     SweptSphere(const RayCaster& rays, const FreeSpace& free_space, double radius_m,
                 const AllowedRegion* region = nullptr, const RoomPlan* rooms = nullptr);
 
-    /// Places keep this much more than the radius, so that proofs end in few steps.
+    /// Extra distance beyond the radius that a legal position keeps, m, so that proofs need few
+    /// steps.
     static constexpr double kMargin = 0.01;
 
-    /// Whether the camera may stand here: room for the sphere and the margin, in free space.
+    /// Whether the camera may be here: in free space, in the region, with room for sphere and
+    /// margin.
     [[nodiscard]] bool fits(const Eigen::Vector3d& position) const;
 
-    /// Why it may not, or Legal: InObstacle with the object, OutsideRoom, NoGo or HeightBand.
+    /// Why fits() is false: InObstacle (sets `object_id`), OutsideRoom, NoGo or HeightBand; else
+    /// Legal. `object_id` is 0 if no object is to blame.
     [[nodiscard]] Verdict verdict(const Eigen::Vector3d& position, int& object_id) const;
 
-    /// Distance to the nearest surface, exact below `limit`, else at least `limit`.
+    /// Distance to the nearest surface, m: exact below `limit`, otherwise a value of at least
+    /// `limit`.
     [[nodiscard]] double clearance(const Eigen::Vector3d& position, double limit) const;
 
     [[nodiscard]] Sweep segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
-    /// Quadratic Bezier curve.
+    /// Tests a move along a quadratic Bezier curve.
     [[nodiscard]] Sweep bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
                                const Eigen::Vector3d& end) const;
 
     [[nodiscard]] double radius() const { return radius_m_; }
 
-    /// The place, moved up or down into the height band.
+    /// The position moved vertically into the height band or onto a floor level, if there is one.
     [[nodiscard]] Eigen::Vector3d inBand(const Eigen::Vector3d& place) const;
 
-    /// The place, moved up or down where the camera's height is exact.
+    /// The position moved vertically onto a floor level if the camera's height is exact; else
+    /// unchanged.
     [[nodiscard]] Eigen::Vector3d onHeight(const Eigen::Vector3d& place) const;
 
-    /// Cells of a room to sample from, those only that the region allows.
+    /// Centres of a component's cells that the region allows, for sampling.
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const;
 
-    /// Null without one.
+    /// The region given to the constructor; null if there was none or it restricts nothing.
     [[nodiscard]] const AllowedRegion* region() const { return region_; }
 
   private:
     const RayCaster* rays_;
     const FreeSpace* free_space_;
     double radius_m_;
-    const AllowedRegion* region_;  // null where it would restrict nothing
-    const RoomPlan* rooms_;        // null where moves may go on through doorways
+    const AllowedRegion* region_;  // null if it restricts nothing
+    const RoomPlan* rooms_;        // null if moves may pass through doorways
 };
 
 }  // namespace dollytrack::planning

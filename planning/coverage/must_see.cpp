@@ -16,12 +16,13 @@ namespace {
 
 constexpr double kSpacing_m = 0.1;
 constexpr std::size_t kPlaces = 500;
-// More than the 95 % that are asked for: frames count by what is drawn, views by rays.
+// More than the 95 % that are asked for: frames are counted by drawn pixels, views by rays.
 constexpr double kEnough = 0.98;
 constexpr std::size_t kMostViews = 60;
-// Of what can be seen: what a key frame must show of it to be kept as it is for that.
+// Share of the seeable patches that a given view must add to be kept.
 constexpr double kWorthKeeping = 0.02;
-constexpr std::size_t kPlacesTried = 16;  // with the most to show, for each next view
+constexpr std::size_t kPlacesTried = 16;  // candidates, those that see most missing patches, per
+                                          // new view
 constexpr std::size_t kAimsTried = 24;
 
 bool inImage(const ViewEstimator& views, const Pose& pose, const Eigen::Vector3d& point) {
@@ -32,7 +33,7 @@ bool inImage(const ViewEstimator& views, const Pose& pose, const Eigen::Vector3d
     return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < k.width && px.y() < k.height;
 }
 
-/// Places near the region where the camera may stand.
+/// Random legal camera positions near the region.
 std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const OrientedBox& box,
                                         double farthest_m) {
     std::vector<Eigen::Vector3d> near;
@@ -51,7 +52,7 @@ std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const Orient
     return places;
 }
 
-/// Chooses views of one region.
+/// Chooses the views of one region.
 class Covering {
   public:
     Covering(const Surroundings& around, const Region& region)
@@ -83,7 +84,7 @@ class Covering {
         wanted_ = result_.seeable;
     }
 
-    /// Takes the views that stay anyway, and of the others those worth keeping, best first.
+    /// Counts the fixed views, then keeps given views that add enough, the best first.
     void takeGiven(const std::vector<GivenView>& given) {
         std::vector<std::vector<int>> shown(given.size());
         parallelFor(given.size(), [&](std::size_t i) { shown[i] = shownBy(given[i].pose); });
@@ -138,7 +139,7 @@ class Covering {
         return std::count(marked.begin(), marked.end(), 1);
     }
 
-    /// Those wanted patches that a view shows.
+    /// Indices of the patches not yet covered that a view shows.
     [[nodiscard]] std::vector<int> shownBy(const Pose& pose) const {
         const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
         const auto& patches = result_.surface.patches;
@@ -160,7 +161,7 @@ class Covering {
         return list;
     }
 
-    /// The best of a few aims at what is wanted, from the places that could show most of it.
+    /// The best of a few orientations at the positions that see most of the missing patches.
     [[nodiscard]] Pose nextView() const {
         std::vector<std::pair<int, std::size_t>> order;
         for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -184,7 +185,7 @@ class Covering {
         Tried best;
         const std::size_t aims = std::min(kAimsTried, list.size());
         for (std::size_t i = 0; i <= aims && !list.empty(); ++i) {
-            // At single patches, and at the middle of all.
+            // Aim at single patches, and last at the centroid of all.
             Eigen::Vector3d at = Eigen::Vector3d::Zero();
             if (i < aims) {
                 at = patches[static_cast<std::size_t>(list[i * list.size() / aims])].point;
@@ -207,8 +208,8 @@ class Covering {
     const ViewEstimator& views_;
     MustSee result_;
     std::vector<Eigen::Vector3d> places_;
-    std::vector<std::vector<int>> seen_from_;  // patches, by place
-    std::vector<char> wanted_;                 // by patch
+    std::vector<std::vector<int>> seen_from_;  // patch indices, by position
+    std::vector<char> wanted_;                 // by patch: 1 if not yet covered
 };
 
 }  // namespace
@@ -246,7 +247,7 @@ Result<std::vector<RegionCoverage>> measureCoverage(const std::vector<MustSee>& 
                                                     const ViewEstimator& views,
                                                     const Trajectory& trajectory,
                                                     const JobContext& job) {
-    // Key frames first: they show most, and what is seen once is not asked about again.
+    // Key frames first, because they show most; a patch seen once is not tested again.
     std::vector<const TrajectoryFrame*> frames;
     for (const bool keys : {true, false}) {
         for (const TrajectoryFrame& frame : trajectory.frames) {

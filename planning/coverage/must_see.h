@@ -13,36 +13,36 @@
 
 namespace dollytrack::planning {
 
-/// What a must-see region asks for: its surface in patches, and which of them can be seen at all.
-/// A patch is seen by a frame when it is in the image and PatchSight reaches it; it can be seen
-/// when a place of the camera exists from where some allowed orientation shows it. Places are those
-/// of the rooms' free cells near the region, drawn at random, so what can be seen is found from
-/// these; what a frame shows beyond that counts as well.
+/// Coverage of one must-see region: its surface patches, which of them can be seen, and chosen
+/// views. A frame sees a patch if it is in the image and PatchSight reaches it. A patch is seeable
+/// if one of 500 random legal camera positions near the region sees it with an allowed pitch.
 struct MustSee {
     std::string name;
     SurfacePatches surface;
-    std::vector<char> seeable;  // by patch
-    std::vector<int> kept;      // of the given views: what they show is counted on
-    std::vector<Pose> views;    // with these, at least 98 % of what can be seen is shown
+    std::vector<char> seeable;  // by patch: 1 if seeable
+    std::vector<int> kept;      // indices of the given views that must be kept for their coverage
+    std::vector<Pose> views;    // additional views; up to 60, until 98 % of the seeable patches are
+                                // covered
 };
 
-/// The regions that must be seen, with weights of 1, which do not matter to that.
+/// The must-see regions among `regions`, with their weight set to 1.
 std::vector<Region> mustSeeAmong(const std::vector<Region>& regions);
 
-/// A view that the trajectory has anyway.
+/// A view that the trajectory already contains.
 struct GivenView {
     Pose pose;
-    bool fixed = false;  // it stays as it is whether or not it is kept
+    bool fixed = false;  // whether it stays even if no region needs it
 };
 
-/// Looks at every region and chooses views for it, each showing as much as one view can of what
-/// those before it do not show: of the given ones those that show a good part of it, then new ones.
-/// Error: Cancelled.
+/// Chooses views that cover each region, by greedy set cover: fixed given views count first, then
+/// given views that each add at least 2 % of the seeable patches are kept, then new views are
+/// added. Logs a warning for a region without surface. Error: Cancelled.
 Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
                                          const std::vector<Region>& regions,
                                          std::vector<GivenView> given, const JobContext& job);
 
-/// What the frames of a trajectory show of the regions. Error: Cancelled.
+/// Counts the patches of each region that frames of the trajectory see. A patch that a frame sees
+/// counts as seeable. Error: Cancelled.
 Result<std::vector<RegionCoverage>> measureCoverage(const std::vector<MustSee>& must_see,
                                                     const ViewEstimator& views,
                                                     const Trajectory& trajectory,

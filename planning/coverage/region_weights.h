@@ -8,12 +8,12 @@
 
 namespace dollytrack::planning {
 
-/// The weight of each object, of index id - 1: the largest of the regions that hold its box's
-/// centre, 1 outside all. Nothing where every object weighs 1.
+/// The weight of each object, at index id - 1: the largest weight of the regions that contain the
+/// centre of its box, or 1 outside all regions. Empty if every weight is 1.
 std::vector<double> objectWeights(const Scene& scene, const std::vector<Region>& regions);
 
-/// The weight of each position point: that of the weightiest object it captures; 1 for a fixed one
-/// that captures nothing. Nothing where every object weighs 1.
+/// The weight of each position point: the largest weight of the objects it captures, or 1 if it
+/// captures none. Empty if `object_weights` is.
 std::vector<double> pointWeights(const std::vector<PositionPoint>& points,
                                  const std::vector<double>& object_weights);
 

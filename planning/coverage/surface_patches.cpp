@@ -15,14 +15,13 @@ namespace {
 
 constexpr std::size_t kMostPatches = 6000;
 constexpr double kLeastPixels = 8.0;
-// How much nearer than the patch a ray may end and still be said to have met it.
+// A ray that ends this close before the patch still counts as reaching it.
 constexpr double kReached_m = 0.01;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Visits points of the triangle around the box, neighbours at most half the spacing apart: cuts it
-/// into four until the pieces are small, and drops those beside the box. So a ground that goes on
-/// for a mile costs no more than what the box holds of it.
+/// Visits points of the triangle near the box, at most half the spacing apart: subdivides it and
+/// drops pieces outside the box, so that the cost of a huge ground plane depends on the box alone.
 template <class Visit>
 void samplePoints(const Corners& corner, const Eigen::AlignedBox3d& around, double spacing_m,
                   const Visit& visit) {
@@ -46,7 +45,7 @@ std::vector<SurfacePatch> samplePatches(const Scene& scene, const OrientedBox& b
     Eigen::AlignedBox3d around;
     for (const Eigen::Vector3d& corner : box.corners()) around.extend(corner);
     std::vector<SurfacePatch> patches;
-    std::set<std::array<int, 4>> taken;  // cube and direction of surface
+    std::set<std::array<int, 4>> taken;  // grid cell and dominant axis of the normal
     for (const Triangle& triangle : scene.triangles) {
         Corners corner;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -74,7 +73,7 @@ std::vector<SurfacePatch> samplePatches(const Scene& scene, const OrientedBox& b
 SurfacePatches patchesIn(const Scene& scene, const OrientedBox& box, double spacing_m) {
     SurfacePatches found;
     found.spacing_m = spacing_m;
-    // A hall's worth of surface says as much in larger patches.
+    // Large regions get larger patches.
     const double area =
         8.0 * (box.half_size.x() * box.half_size.y() + box.half_size.y() * box.half_size.z() +
                box.half_size.z() * box.half_size.x());

@@ -6,7 +6,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// What of `box` lies beyond the sides of `hole`, as up to six boxes.
+/// Appends `box` minus `hole` to `pieces`, as up to six boxes.
 void cutOut(const CellBox& box, const CellBox& hole, std::vector<CellBox>& pieces) {
     CellBox rest = box;
     if (!overlap(box, hole)) {
@@ -27,7 +27,7 @@ void cutOut(const CellBox& box, const CellBox& hole, std::vector<CellBox>& piece
     }
 }
 
-/// The box around rows of cells.
+/// Bounding box of rows of cells.
 class Extent {
   public:
     void add(int x_begin, int x_end, int y, int z) {
@@ -39,7 +39,7 @@ class Extent {
         }
         any_ = true;
     }
-    [[nodiscard]] const CellBox& box() const { return box_; }  // empty before a row is added
+    [[nodiscard]] const CellBox& box() const { return box_; }  // empty until a row is added
 
   private:
     CellBox box_;

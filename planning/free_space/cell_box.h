@@ -10,7 +10,7 @@
 
 namespace dollytrack::planning {
 
-/// A block of cells of a grid, [begin, end) along each axis, and never outside the grid.
+/// A block of grid cells, [begin, end) along each axis, never outside the grid.
 struct CellBox {
     std::array<int, 3> begin = {0, 0, 0};
     std::array<int, 3> end = {0, 0, 0};
@@ -26,20 +26,22 @@ struct CellBox {
     }
 };
 
-/// Whether the two share cells.
+/// Whether the two boxes share a cell.
 bool overlap(const CellBox& a, const CellBox& b);
 
-/// All cells.
+/// The box of all cells of the grid.
 CellBox wholeGrid(const VoxelGrid& grid);
 
-/// The cells that a box touches or that are next to it; the box is in units of cells, from the
-/// grid's first corner, and may be of any size.
+/// The cells that a box touches, with one more cell on each side, clipped to the grid.
+/// `box_in_cells` is in units of cells, relative to the grid's first corner, and may be of any
+/// size.
 CellBox cellsAround(const VoxelGrid& grid, const Eigen::AlignedBox3d& box_in_cells);
 
-/// With so many more cells on each side, as far as the grid goes.
+/// The box enlarged by `cells` on each side, clipped to the grid. An empty box stays empty.
 CellBox grown(const CellBox& box, int cells, const VoxelGrid& grid);
 
-/// Calls visit(begin, end, x, y, z) for each row of the box, with the cells' indices in the grid.
+/// Calls visit(begin, end, x, y, z) for each row of the box: [begin, end) are indices into the
+/// grid's arrays, (x, y, z) is the first cell.
 template <class Visit>
 void visitRows(const CellBox& box, const VoxelGrid& grid, Visit&& visit) {
     if (box.empty()) return;
@@ -51,15 +53,16 @@ void visitRows(const CellBox& box, const VoxelGrid& grid, Visit&& visit) {
     }
 }
 
-/// Boxes that share no cell and hold all cells of these, but no others.
+/// Disjoint boxes that cover exactly the cells covered by `boxes`.
 std::vector<CellBox> apart(const std::vector<CellBox>& boxes);
 
-/// The smallest box around the cells of this one that differ.
+/// The smallest box around the cells of `box` whose values differ between `a` and `b`; empty if
+/// none do. `a` and `b` hold one value per grid cell.
 CellBox changedIn(const CellBox& box, const VoxelGrid& grid, const std::vector<std::uint8_t>& a,
                   const std::vector<std::uint8_t>& b);
 
-/// Boxes around all cells that differ: one in each of those where it is likely, and one around all
-/// others.
+/// Boxes around all cells whose values differ between `a` and `b`: one within each box of `likely`
+/// that has differences, and one around all other differences.
 std::vector<CellBox> changedBoxes(const std::vector<CellBox>& likely, const VoxelGrid& grid,
                                   const std::vector<std::uint8_t>& a,
                                   const std::vector<std::uint8_t>& b);

@@ -9,9 +9,9 @@
 
 namespace dollytrack::planning {
 
-/// Hands the values of some columns of a plan on, step by step, to neighbours that have none
-/// (kNoPart), as far as `may(from, to)` lets them. Columns meet by sides, not by corners; among
-/// neighbours that could give one its value the first in the front does.
+/// Breadth-first flood fill over the columns of a plan: spreads the values of the columns in
+/// `front` to 4-connected neighbours with value kNoPart, where `may(from, to)` returns true. If
+/// several neighbours could give a column its value, the first one in the front does.
 template <class May>
 void floodFrom(std::vector<std::size_t> front, const VoxelGrid& plane, std::vector<int>& values,
                May&& may) {
@@ -34,8 +34,8 @@ void floodFrom(std::vector<std::size_t> front, const VoxelGrid& plane, std::vect
     }
 }
 
-/// The same from all columns that have a value: columns without get that of the nearest one that
-/// has, as far as `may(to)` lets it through columns without.
+/// Flood fill from all columns that have a value: every other column gets the value of the nearest
+/// one, along paths of columns for which `may(to)` returns true.
 template <class May>
 void spread(const VoxelGrid& plane, std::vector<int>& values, May&& may) {
     std::vector<std::size_t> front;

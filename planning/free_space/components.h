@@ -7,7 +7,7 @@
 
 namespace dollytrack::planning {
 
-/// Cells [x_begin, x_end) of one row that belong to one component.
+/// Cells [x_begin, x_end) of one row that belong to the same component.
 struct CellRun {
     int x_begin = 0;
     int x_end = 0;
@@ -16,14 +16,14 @@ struct CellRun {
     int component = 0;
 };
 
-/// Connected pieces of a set of cells; two cells are joined when they share a face.
+/// Connected components of a set of cells; cells that share a face are connected.
 struct CellComponents {
-    std::vector<CellRun> runs;        // ordered by z, y, x
-    std::vector<std::int64_t> cells;  // number of cells, one entry a component
+    std::vector<CellRun> runs;        // sorted by z, y, x
+    std::vector<std::int64_t> cells;  // number of cells, by component
 };
 
-/// The components of the cells whose value has any of the bits in `mask`. Numbered in the order
-/// of their first cell.
+/// Labels the components of the cells whose value has any of the bits in `mask`. Components are
+/// numbered in the order of their first cell.
 CellComponents findComponents(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells,
                               std::uint8_t mask);
 

@@ -9,19 +9,19 @@
 namespace dollytrack::planning {
 namespace {
 
-// Share of a part's possible cells that must be certain; more where it has neither floor nor
-// ceiling of its own, since a yard between two wings has walls on three sides, too.
+// Share of a part's possible cells that must be certain. It is higher for parts mostly without
+// floor and ceiling, since a yard between two wings also has walls on three sides.
 constexpr double kCertainShare = 0.25;
 constexpr double kCertainShareInOpen = 0.5;
-// A part with so much furniture is lived in, walls or not: its things are to be seen.
+// A part with this much furniture is inside even with few walls, because its objects shall be seen.
 constexpr double kFurnishedShare = 0.05;
 constexpr double kFurnishedArea_m2 = 2.0;
-constexpr double kFurnishedHits = 3.0;  // directions with walls, on average, up to a height
-// Share of the air at one height of a part that must be possible.
+constexpr double kFurnishedHits = 3.0;  // mean number of directions with walls required at a height
+// Share of a part's air cells at one height that must be possible.
 constexpr double kPossibleShare = 0.5;
-// When so many of the certain cells have floor and ceiling, the building is roofed.
+// Share of the certain cells with floor and ceiling from which a building counts as roofed.
 constexpr double kRoofedShare = 0.7;
-// Heights between two that are inside are, too, when they are at most so many: windows, doors.
+// Heights between two inside heights become inside if the gap is at most this: windows, doors.
 constexpr double kOpenHeight_m = 1.6;
 
 constexpr unsigned kFloorAndCeiling = kFloorBelow | kCeilingAbove;
@@ -51,7 +51,7 @@ Verdict judge(EnclosureRule rule, bool roofed, std::uint8_t sight) {
 }
 
 void closeGaps(std::vector<std::uint8_t>& inside, std::size_t most) {
-    std::size_t last = inside.size();  // the last height inside so far; none yet
+    std::size_t last = inside.size();  // last inside height so far; inside.size(): none yet
     for (std::size_t z = 0; z < inside.size(); ++z) {
         if (inside[z] == 0) continue;
         if (last < z && z - last <= most + 1) {
@@ -136,7 +136,7 @@ void Election::countVotes(const SeenCells& seen, const FloorPlan& plan, const Ce
     });
 }
 
-/// Columns that hold something of the building that is no structure.
+/// Marks the columns that hold surfaces of the building that are not structure.
 void Election::findThings(const SeenCells& seen, const CellBox& box) {
     const VoxelGrid& grid = seen.grid;
     parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
@@ -153,7 +153,7 @@ void Election::findThings(const SeenCells& seen, const CellBox& box) {
     });
 }
 
-/// Parts on whose floor much furniture stands.
+/// By part: 1 if enough of its floor area holds furniture.
 std::vector<std::uint8_t> Election::findFurnished(const VoxelGrid& grid,
                                                   const FloorPlan& plan) const {
     std::vector<std::array<std::int64_t, 2>> columns(static_cast<std::size_t>(plan.parts));

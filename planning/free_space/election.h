@@ -10,20 +10,22 @@
 
 namespace dollytrack::planning {
 
-/// How much a place must be surrounded to count as inside the building.
+/// Rules for which cells are certainly inside the building, from strict to lax. Cells with fewer
+/// walls may be possibly inside.
 enum class EnclosureRule {
-    Walls,      // walls nearly all round, or half round between floor and ceiling
-    FewWalls,   // half round, or less over a floor of its own: doll's houses, cut-away rooms
-    FloorOnly,  // anything above a floor
+    Walls,      // walls in 12 of 16 directions (if not roofed), or in 8 between floor and ceiling
+    FewWalls,   // walls in 8 directions, or in 5 above a floor: doll's houses, cut-away rooms
+    FloorOnly,  // any cell above a floor
 };
 
-/// What the map knows before it tells inside from outside. References must outlive it.
+/// Input of the enclosure classification. Keeps references.
 struct SeenCells {
     const VoxelGrid& grid;
-    const std::vector<std::uint8_t>& surfaces;  // CellSurface sets
-    const std::vector<std::uint8_t>& sight;     // see lookAround()
+    const std::vector<std::uint8_t>& surfaces;  // CellSurface bits, by cell
+    const std::vector<std::uint8_t>& sight;     // result of lookAround(), by cell
 
-    /// Calls visit(index) for the cells of one slice of the box that are air of the room.
+    /// Calls visit(index) for the cells without surface in one slice of the box, within the room
+    /// bounds.
     template <class Visit>
     void visitAir(const CellBox& box, int z, Visit&& visit) const {
         if (z < grid.room_begin[2] || z >= grid.room_end[2]) return;
@@ -40,31 +42,31 @@ struct SeenCells {
     }
 };
 
-/// What the cells of each part of the floor plan vote for, height by height, and what follows from
-/// it.
+/// Classifies each part of the floor plan as inside or outside, separately at each height, by the
+/// vote of its cells.
 class Election {
   public:
     Election(const SeenCells& seen, const FloorPlan& plan, EnclosureRule rule);
 
-    /// Counts the votes again that are cast in these boxes, which share no cell; nothing else
-    /// differs, and the plan is the same. False, and of no use any more, where all votes would have
-    /// to be counted again.
+    /// Incremental update: recounts the votes of the cells in `boxes`, which must be disjoint and
+    /// hold all differences between `before` and `now`. The floor plan must be the same. Returns
+    /// false if the change is too large for an incremental update; the object must then be rebuilt.
     bool recount(const SeenCells& before, const SeenCells& now, const FloorPlan& plan,
                  const std::vector<CellBox>& boxes);
 
-    /// Whether the building is roofed: a niche of the facade with walls on three sides is then not
-    /// inside.
+    /// Whether the building is roofed: at least 70 % of the cells certainly inside have both floor
+    /// and ceiling. Cells without a ceiling are then not inside, for example a niche of the facade.
     [[nodiscard]] bool isRoofed() const { return roofed_; }
-    /// For every part whether it is inside, one entry a height.
+    /// By part, then height: 1 if inside.
     [[nodiscard]] const std::vector<std::vector<std::uint8_t>>& inside() const { return inside_; }
 
   private:
-    /// Of one part at one height.
+    /// Counts of the cells of one part at one height.
     struct Votes {
         std::int64_t air = 0;
-        std::int64_t possible = 0;  // certain ones among them
+        std::int64_t possible = 0;  // possibly or certainly inside
         std::int64_t certain = 0;
-        std::int64_t covered = 0;  // with floor below or ceiling above
+        std::int64_t covered = 0;  // with a floor below or a ceiling above
         std::int64_t hits = 0;
     };
 
@@ -78,10 +80,10 @@ class Election {
 
     EnclosureRule rule_;
     bool roofed_ = false;
-    std::vector<std::array<std::int64_t, 2>> roof_;  // by height: certain cells, and with both
-                                                     // floor and ceiling
+    std::vector<std::array<std::int64_t, 2>> roof_;  // by height: cells certainly inside, and those
+                                                     // of them with floor and ceiling
     std::vector<std::vector<Votes>> votes_;          // by height, then part
-    std::vector<std::uint8_t> thing_;                // columns that hold furniture
+    std::vector<std::uint8_t> thing_;                // by column: 1 if it holds furniture
     std::vector<std::vector<std::uint8_t>> inside_;
 };
 

@@ -8,32 +8,33 @@
 namespace dollytrack::planning {
 namespace {
 
-// What a cell is while the walls' air is shared out; 0 where there is surface or no room.
+// Labels of cells while open cells are assigned to a side; 0 for cells with surface or outside the
+// room bounds.
 constexpr std::uint8_t kIn = 1;
 constexpr std::uint8_t kOut = 2;
 constexpr std::uint8_t kOpen = 4;
 
-/// Between floor and ceiling and walls nearly all round: in a bay window, say, whose column of the
-/// plan went to the garden.
+/// Whether a cell has floor, ceiling and walls nearly all round. Such a cell may be inside although
+/// its column belongs to an outside part, for example in a bay window.
 bool isSurrounded(std::uint8_t sight) {
     constexpr unsigned kBoth = kFloorBelow | kCeilingAbove;
     return (sight & kSightHitsMask) >= 12 && (sight & kBoth) == kBoth;
 }
 
-/// What cells are before the walls' air is shared out.
+/// Labels of cells before open cells are assigned.
 class Sides {
   public:
     Sides(const SeenCells& seen, const FloorPlan& plan, const Election& election)
         : seen_(seen), plan_(plan), election_(election), columns_(seen.grid.rowOf(0, 1)) {}
 
-    /// Of air of the room.
+    /// Label of a cell without surface within the room bounds.
     [[nodiscard]] std::uint8_t ofAir(std::size_t i, std::size_t column, std::size_t z) const {
         const int part = plan_.part_of_column[column];
         if (part == kNoPart) return kOpen;
         if (election_.inside()[static_cast<std::size_t>(part)][z] != 0) return kIn;
         return election_.isRoofed() && isSurrounded(seen_.sight[i]) ? kOpen : kOut;
     }
-    /// Of any cell.
+    /// Label of any cell.
     [[nodiscard]] std::uint8_t operator()(std::size_t i) const {
         const std::size_t column = i % columns_;
         const std::size_t z = i / columns_;
@@ -51,14 +52,14 @@ class Sides {
     std::size_t columns_;
 };
 
-/// Steps to the neighbours of a cell. Cells outside the room's bounds are 0, and the grid has a rim
-/// of them, so all others have neighbours.
+/// Index offsets to a cell's neighbours. The grid has a rim of cells outside the room bounds, which
+/// are 0, so all other cells have neighbours.
 std::array<std::size_t, 3> stepsIn(const VoxelGrid& grid) {
     return {1, static_cast<std::size_t>(grid.count[0]), grid.rowOf(0, 1)};
 }
 
-/// Lets sides grow through the open cells, step by step from these. The inside comes first in the
-/// front, and so in every one that follows: it wins ties.
+/// Breadth-first growth of the labels in `front` through open cells. Inside cells come first in the
+/// front, and therefore win ties.
 void grow(std::vector<std::size_t> front, const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
     const std::array<std::size_t, 3> steps = stepsIn(grid);
     std::vector<std::size_t> next;
@@ -77,8 +78,8 @@ void grow(std::vector<std::size_t> front, const VoxelGrid& grid, std::vector<std
     }
 }
 
-/// Air in the columns of walls (in doors and windows, over and in cupboards) belongs to the side
-/// whose air reaches it first; between two sides the cut is in the middle of the opening.
+/// Assigns air in wall columns (in doors and windows, above and in cupboards) to the nearest side
+/// by paths through open cells. The cut between two sides is in the middle of the opening.
 void shareOutWalls(const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
     const std::array<std::size_t, 3> steps = stepsIn(grid);
     std::vector<std::size_t> front;
@@ -95,8 +96,8 @@ void shareOutWalls(const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
     grow(std::move(front), grid, cells);
 }
 
-/// The same for the open cells that are connected with one of these, whatever they were given
-/// before: what lies between walls has no say in what lies between others.
+/// Repeats the assignment for all open cells connected with one of `among`. Other open regions do
+/// not influence them.
 void shareOutAgain(const std::vector<std::size_t>& among, const Sides& side, const VoxelGrid& grid,
                    std::vector<std::uint8_t>& inside) {
     const std::array<std::size_t, 3> steps = stepsIn(grid);
@@ -107,7 +108,8 @@ void shareOutAgain(const std::vector<std::size_t>& among, const Sides& side, con
         cells[seed] = kOpen;
         open.push_back(seed);
     }
-    std::array<std::vector<std::size_t>, 2> beside;  // the inside, other air
+    std::array<std::vector<std::size_t>, 2> beside;  // open cells next to inside air; next to
+                                                     // outside air
     for (std::size_t k = 0; k < open.size(); ++k) {
         std::uint8_t around = 0;
         for (const std::size_t step : steps) {

@@ -7,22 +7,23 @@
 
 namespace dollytrack::planning {
 
-/// Which cells without surface are inside the building.
+/// Classifies the cells without surface as inside or outside the building.
 ///
-/// By what is seen from it (lookAround) a cell may be inside for certain, or perhaps: before a
-/// missing wall, at a window without glass, but also in the notch of an L-shaped house. The cells
-/// vote in the parts of the floor plan, height by height, so that a room is inside as a whole. A
-/// part full of furniture is inside even where it has few walls.
+/// From its walls, floor and ceiling (see lookAround) a cell is inside for certain or possibly:
+/// possibly before a missing wall or at a window without glass, but also in the notch of an
+/// L-shaped house. The cells of each part of the floor plan vote at each height (see Election), so
+/// that a room is inside as a whole. A part with much furniture is inside even with few walls.
 class Enclosure {
   public:
     Enclosure(const SeenCells& seen, const FloorPlan& plan, EnclosureRule rule);
 
-    /// The same from that of other surfaces, which had the same plan: these boxes, which share no
-    /// cell, hold all that was seen otherwise.
+    /// Incremental update of `other`, made for `before` with the same floor plan. `changed` are
+    /// disjoint boxes that hold all cells whose surface or surroundings differ. Gives the same
+    /// result as the other constructor.
     Enclosure(const Enclosure& other, const SeenCells& before, const SeenCells& now,
               const FloorPlan& plan, const std::vector<CellBox>& changed);
 
-    /// 1 inside, 0 not.
+    /// By cell: 1 inside, 0 not.
     [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
 
   private:

@@ -12,7 +12,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kLevel = 0.5;  // |z| of the normal: stairs and ramps count, walls do not
+constexpr double kLevel = 0.5;  // least |z| of the normal: stairs and ramps count, walls do not
 constexpr int kMostSurfaces = 256;
 constexpr double kApart_m = 0.001;
 
@@ -41,7 +41,7 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
     columns_x_ = static_cast<int>(std::lround(size.x() / cell_m_));
     columns_y_ = static_cast<int>(std::lround(size.y() / cell_m_));
     for (const Room& room : free_space.rooms()) {
-        // The lowest cell that holds the sphere's centre, less the sphere.
+        // Centre of the lowest cell where the sphere fits, minus the sphere's radius.
         rooms_.push_back({room.box, room.box.min().z() + 0.5 * cell_m_ - camera_radius_m});
     }
     floors_.resize(static_cast<std::size_t>(columns_x_) * static_cast<std::size_t>(columns_y_));
@@ -111,7 +111,7 @@ FloorHeights::Span FloorHeights::below(const Eigen::AlignedBox3d& places) const 
             const auto above_low = std::upper_bound(floors.begin(), floors.end(), low);
             const auto above_high = std::upper_bound(above_low, floors.end(), high);
             if (above_high == floors.begin()) continue;
-            // From the floor under the lowest place to the one under the highest.
+            // From the floor below the lowest position to the one below the highest.
             const auto first = above_low == floors.begin() ? above_low : above_low - 1;
             span.lowest = std::min(span.lowest, static_cast<double>(*first));
             span.highest = std::max(span.highest, static_cast<double>(*(above_high - 1)));

@@ -14,12 +14,12 @@ namespace dollytrack::planning {
 
 class FreeSpace;
 
-/// How high the floor is below a place: the highest level surface of a floor or other structure
-/// (not of furniture or rugs) under it, found at the middle of each column of the map's cells. So
-/// storeys joined by stairs, and rooms a step higher than others, have floors of their own. In
-/// columns without a floor's surface, walls' level ones count (a shell that is all one wall); doors
-/// and window sills never. Where there is nothing it is the height at which the room's free space
-/// begins. Const.
+/// Height of the floor below a position: the highest roughly horizontal surface of structure (not
+/// furniture or rugs) below it, sampled at the centre of each column of map cells. Floors of
+/// several storeys, stairs and steps are told apart. In columns without a floor, horizontal
+/// surfaces of walls and ceilings count (for a shell modelled as one wall); doors and windows never
+/// count. Where there is no surface, the result is the height at which the room's free space
+/// begins. Immutable.
 class FloorHeights {
   public:
     FloorHeights(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
@@ -29,7 +29,7 @@ class FloorHeights {
         double lowest = 0.0;
         double highest = 0.0;
     };
-    /// The heights of the floors that places in the box have below them, m in the world.
+    /// Lowest and highest floor below the positions of the box, z in the world, m.
     [[nodiscard]] Span below(const Eigen::AlignedBox3d& places) const;
 
     [[nodiscard]] double below(const Eigen::Vector3d& place) const {
@@ -42,11 +42,11 @@ class FloorHeights {
     [[nodiscard]] int columnsX() const { return columns_x_; }
     [[nodiscard]] int columnsY() const { return columns_y_; }
     [[nodiscard]] std::size_t columnCount() const { return floors_.size(); }
-    /// Heights of the floors in a column, rising.
+    /// Floor heights in a column, z in the world, m, ascending.
     [[nodiscard]] const std::vector<float>& at(std::size_t column) const { return floors_[column]; }
     /// Whether any column has a floor.
     [[nodiscard]] bool hasAny() const;
-    /// Where the free space of a room begins, by component.
+    /// Height at which the free space of a room begins, z in the world, m.
     [[nodiscard]] double roomFloor(std::size_t room) const { return rooms_[room].height; }
 
   private:
@@ -56,7 +56,7 @@ class FloorHeights {
     double cell_m_;
     int columns_x_ = 0;
     int columns_y_ = 0;
-    std::vector<std::vector<float>> floors_;  // of each column, rising
+    std::vector<std::vector<float>> floors_;  // by column, ascending
     struct RoomFloor {
         Eigen::AlignedBox3d box;
         double height = 0.0;

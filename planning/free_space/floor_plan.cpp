@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kStructureHeight_m = 0.6;
 constexpr double kAnyHeight_m = 1.5;
-// Parts begin in places this far from all walls, in turn: rooms, narrow rooms, corridors. The first
-// is more than half of what a door or window without a frame in it measures.
+// Distances from walls at which parts are seeded, in turn: rooms, narrow rooms, corridors. The
+// first is more than half the width of a door or an unglazed window.
 constexpr std::array kPartGaps_m = {0.9, 0.55, 0.3};
 
 std::vector<std::uint8_t> findWalls(const VoxelGrid& grid,
@@ -43,7 +43,7 @@ std::vector<std::uint8_t> findWalls(const VoxelGrid& grid,
     return walls;
 }
 
-/// Grows the parts of a plan over the columns of a grid of one layer.
+/// Grows the parts of a plan over a one-layer grid of columns.
 class PartGrower {
   public:
     PartGrower(const VoxelGrid& plane, const std::vector<std::uint8_t>& walls, FloorPlan& plan)
@@ -51,8 +51,8 @@ class PartGrower {
         plan_.part_of_column.assign(plane.size(), kNoPart);
     }
 
-    /// Starts a part in every place this far from walls that has none yet, and lets all grow
-    /// towards the walls: never away from them, so growth ends in the middle of a door.
+    /// Seeds a new part in every region this far from walls without a part, and grows all new parts
+    /// towards the walls only, so that growth ends in the middle of a door.
     void begin(double gap_m) {
         const double cells = gap_m / plane_.resolution_m;
         std::vector<std::uint8_t> seeds(plane_.size(), 0);
@@ -75,7 +75,7 @@ class PartGrower {
                   });
     }
 
-    /// Shares out the columns without wall that are left.
+    /// Assigns the remaining columns without walls to the nearest part.
     void shareOut() {
         spread(plane_, plan_.part_of_column, [&](std::size_t to) { return walls_[to] == 0; });
     }

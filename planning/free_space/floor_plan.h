@@ -9,17 +9,18 @@ namespace dollytrack::planning {
 
 constexpr int kNoPart = -1;
 
-/// The map seen from above, cut into parts at its walls and at what is narrow between them: doors,
-/// windows, gaps. A part is a room, a corridor, the garden; a large or crooked room may be several.
+/// Floor plan: the columns of the map, segmented into parts at walls and at narrow openings (doors,
+/// windows, gaps). A part is a room, a corridor or the garden; a large or irregular room may be
+/// several parts.
 struct FloorPlan {
     int parts = 0;
     std::vector<int> part_of_column;  // x first, then y; kNoPart in walls
     bool operator==(const FloorPlan&) const = default;
 };
 
-/// Walls are columns that hold an upright surface of structure of at least 0.6 m, or any upright
-/// surface of at least 1.5 m. All heights count together, so a plan of several floors is cut more
-/// often than need be.
+/// Segments the map seen from above. Walls are columns that hold at least 0.6 m of upright
+/// structure, or at least 1.5 m of any upright surface. All heights count together, so a building
+/// with several storeys may be cut more often than necessary.
 FloorPlan drawFloorPlan(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces);
 
 }  // namespace dollytrack::planning

@@ -24,40 +24,42 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kMaxSampleCells = std::size_t{1} << 19U;
-// Rules stricter than needed find little; below this share of the air the next rule is tried.
+// Strict rules may find too little: below this share of the air the next rule is tried.
 constexpr double kEnoughAir = 0.15;
 
 constexpr std::array kRules = {EnclosureRule::Walls, EnclosureRule::FewWalls,
                                EnclosureRule::FloorOnly};
-// What has moved is looked for this much further away: distances are asked for in floats.
+// Margin for the rounding of the ray caster, which measures distances in floats.
 constexpr double kHair_m = 0.002;
 
 }  // namespace
 
-/// What a map takes from one of before.
+/// What an incremental build takes from the earlier map.
 struct FreeSpace::Moved {
     const Impl& before;
-    std::vector<CellBox> near;  // cells that what has moved may be, or have been, in reach of
+    std::vector<CellBox> near;  // disjoint boxes around all cells within a camera radius of a moved
+                                // object, before or after
 };
 
 struct FreeSpace::Impl {
     std::shared_ptr<const SurfaceMap> surfaces;
     VoxelGrid grid;
     double camera_radius_m = 0.0;
-    // Of a scan: cells that were scanned, and by rule those of them that are inside.
+    // For a scan: the cells that were scanned, and by rule the inside cells among them.
     std::vector<std::uint8_t> scanned;
     std::optional<double> scanned_share;
     std::array<std::vector<std::uint8_t>, kRules.size()> inside_scanned;
-    std::vector<std::uint8_t> cells;                            // state and leaf level
-    std::array<std::vector<std::uint8_t>, kRules.size()> fits;  // the sphere, by rule; if tried
+    std::vector<std::uint8_t> cells;  // state and leaf level
+    // by rule: cells where the sphere fits; empty if the rule was not tried
+    std::array<std::vector<std::uint8_t>, kRules.size()> fits;
     FoundRooms found;
     std::vector<float> gap_m;  // by squared gap
     std::vector<Room> rooms;
     std::vector<std::vector<Eigen::Vector3f>> room_cells;
-    std::once_flag octree_asked;  // by pictures and files, never by planning
+    std::once_flag octree_asked;  // asked for by pictures and files only, never by planning
     OctreePtr octree;
     Eigen::AlignedBox3d bounds;
-    std::once_flag leaks_asked;  // by the report alone, never by planning
+    std::once_flag leaks_asked;  // asked for by the report only, never by planning
     LeakReport leaks;
 
     [[nodiscard]] const std::vector<std::uint8_t>& inside(EnclosureRule rule);
@@ -72,7 +74,7 @@ struct FreeSpace::Impl {
     void makeGapTable();
 };
 
-/// What a rule calls inside; of a scan the scanned part alone, as the rest is unknown.
+/// Cells inside by a rule; for a scan only the scanned ones, since the rest is unknown.
 const std::vector<std::uint8_t>& FreeSpace::Impl::inside(EnclosureRule rule) {
     const std::vector<std::uint8_t>& all = surfaces->inside(rule);
     if (scanned.empty()) return all;
@@ -84,7 +86,7 @@ const std::vector<std::uint8_t>& FreeSpace::Impl::inside(EnclosureRule rule) {
     return part;
 }
 
-/// Where the sphere fits in what a rule calls inside.
+/// Finds the inside cells where the sphere fits, for one rule.
 void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
                                const JobContext& job) {
     const FittingPlace place{
@@ -97,7 +99,7 @@ void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const 
               : whereSphereFits(place, job);
 }
 
-/// The rooms by the strictest rule that finds any worth the name; sets `rule`.
+/// The rooms by the strictest rule that finds enough air. Sets `rule`.
 Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayCaster& rays,
                                                   const Moved* moved, EnclosureRule& rule,
                                                   const JobContext& job) {
@@ -114,7 +116,7 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
         job.report(stage += 0.1);
         std::int64_t cells_found = 0;
         for (const FoundRoom& room : tried_rooms.rooms) cells_found += room.cells;
-        // A laxer rule takes over only where the stricter one found nearly nothing.
+        // A laxer rule replaces a stricter one only if that found next to nothing.
         if (best.room_of_cell.empty() ||
             kEnoughAir * static_cast<double>(cells_found) > static_cast<double>(best_cells)) {
             best = std::move(tried_rooms);
@@ -129,20 +131,20 @@ Result<FoundRooms> FreeSpace::Impl::findBestRooms(const Scene& scene, const RayC
     return best;
 }
 
-/// How much of what is inside was scanned.
+/// Computes the share of the inside cells that was scanned.
 void FreeSpace::Impl::measureScanned(EnclosureRule rule) {
     if (scanned.empty()) return;
     const auto cells_inside = static_cast<double>(std::ranges::count(surfaces->inside(rule), 1));
     scanned_share = static_cast<double>(std::ranges::count(inside(rule), 1)) / cells_inside;
 }
 
-/// Free is the air inside that is connected with a room.
+/// Sets the state of every cell: inside air connected with a room is free.
 void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& inside) {
     std::vector<std::uint8_t> open(grid.size());
     const std::vector<std::uint8_t>& surface = surfaces->surfaces().cells;
     cells.resize(grid.size());
     parallelRanges(grid.size(), 1U << 16U, [&](std::size_t begin, std::size_t end) {
-        // Many cells at a time, which takes pointers that nothing in the loop can change.
+        // Local pointers let the compiler vectorise these loops.
         const std::uint8_t* in = inside.data();
         const std::uint8_t* hollow = found.hollow.data();
         const std::uint8_t* on_surface = surface.data();
@@ -206,7 +208,7 @@ void FreeSpace::Impl::collectCells(std::size_t room) {
             for (int x = low[0]; x <= high[0]; ++x) {
                 if (room_of[x] != room) continue;
                 const std::size_t i = row + static_cast<std::size_t>(x);
-                // A hashed choice: every n-th cell in order would leave stripes.
+                // A hashed choice: taking every n-th cell in order would leave stripes.
                 if (every > 1 && ((i * 0x9E3779B97F4A7C15U) >> 32U) % every != 0) continue;
                 slices[slice].emplace_back(grid.centerOf(x, y, z).cast<float>());
             }
@@ -220,8 +222,8 @@ void FreeSpace::Impl::collectCells(std::size_t room) {
 }
 
 void FreeSpace::Impl::makeGapTable() {
-    // Surfaces are marked in cells a hair larger than cells are, so gaps hold exactly; the factor
-    // covers the rounding of the ray caster's floats.
+    // Surface cells are marked with a small tolerance, so gaps are exact; the factor covers the
+    // rounding of the ray caster's floats.
     gap_m.resize(std::size_t{kMaxSquaredGap} + 1);
     for (std::size_t i = 0; i < gap_m.size(); ++i) {
         gap_m[i] =
@@ -286,14 +288,14 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
     impl->camera_radius_m = camera.camera_radius_m;
     const ScannedSurfaces scan(scene);
     if (scan.isScan()) {
-        moved = nullptr;  // what has moved changes what is seen of the scan from everywhere
+        moved = nullptr;  // a moved object changes which part of the scan is visible from anywhere
         impl->scanned =
             findScannedSpace(impl->grid, impl->surfaces->surfaces().cells, scan, rays, job);
     }
     EnclosureRule rule = EnclosureRule::Walls;
     Result<FoundRooms> found = impl->findBestRooms(scene, rays, moved, rule, job);
     if (found && found->rooms.empty() && scan.isScan()) {
-        // So little was scanned that no part of it holds the camera: views are judged one by one.
+        // The scanned part has no room for the camera: use all of it and judge views one by one.
         impl->scanned.clear();
         impl->scanned_share = 0.0;
         found = impl->findBestRooms(scene, rays, moved, rule, job);
@@ -378,7 +380,7 @@ bool FreeSpace::inOneFreeLeaf(const Eigen::Vector3d& a, const Eigen::Vector3d& b
     if ((value & kCellStateMask) != kFreeCell) return false;
     const int level = value >> kCellLevelShift;
     for (unsigned k = 0; k < 3; ++k) {
-        // Shifted right, negative numbers round down like the octree's keys do.
+        // Right shifts of negative numbers round down, as the octree's keys do.
         if ((grid.first[k] + cell_a[k]) >> level != (grid.first[k] + cell_b[k]) >> level) {
             return false;
         }

@@ -23,47 +23,47 @@ namespace dollytrack::planning {
 
 class SurfaceMap;
 
-/// Free is air that belongs to a room; outside the building, inside furniture and where a scan
-/// shows nothing is unknown.
+/// Free: air connected with a room. Unknown: outside the building, inside furniture, or not covered
+/// by a scan.
 enum class CellState { Free, Occupied, Unknown };
 
-/// Places that the camera's sphere can reach from one another.
+/// A connected region of cells in whose centres the camera sphere fits.
 struct Room {
     int component = 0;                                 // index in rooms()
-    Eigen::AlignedBox3d box;                           // of its cells, m
-    double volume_m3 = 0.0;                            // where the camera's centre can be
-    double floor_area_m2 = 0.0;                        // of the footprint of that
-    Eigen::Vector3d sample = Eigen::Vector3d::Zero();  // a place with the largest clearance
+    Eigen::AlignedBox3d box;                           // around its cells, m
+    double volume_m3 = 0.0;                            // of the positions of the camera's centre
+    double floor_area_m2 = 0.0;                        // footprint of those positions
+    Eigen::Vector3d sample = Eigen::Vector3d::Zero();  // cell centre with the largest clearance
 };
 
 /// A leaf of the octree, for drawing.
 struct FreeSpaceLeaf {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    double size_m = 0.0;                   // edge
-    int level = 0;                         // 0: the smallest cells; one more doubles the edge
-    CellState state = CellState::Unknown;  // never Unknown: those have no leaf
+    double size_m = 0.0;                   // edge length
+    int level = 0;                         // 0: the smallest cells; each level doubles the edge
+    CellState state = CellState::Unknown;  // never Unknown: unknown space has no leaf
 };
 
-/// The map of a scene: where a camera can be, how far it is from the nearest surface there, and
-/// which places it can reach. World frame, metres. Constant once built; may be asked from many
-/// threads; the scene may go. The same scene and parameters give the same map, bit by bit, with any
-/// number of threads.
+/// Map of a scene: where a camera can be, a lower bound of its clearance, and connected regions.
+/// World frame, metres. Immutable; safe to call from many threads; does not keep the scene. The
+/// same scene and parameters give the same map, bit by bit, with any number of threads.
 class FreeSpace {
   public:
-    /// Maps `scene.room_bounds`. BadInput when no room in it holds the camera's sphere, when the
-    /// bounds are unusable or a parameter is out of range; Cancelled when the job is. Too large a
-    /// scene gets coarser cells and a warning.
+    /// Maps `scene.room_bounds`. Logs a warning and uses coarser cells if the scene is too large.
+    /// Errors: BadInput if no room holds the camera sphere, the bounds are unusable or a parameter
+    /// is out of range; Cancelled.
     static Result<FreeSpace> build(const Scene& scene, const RayCaster& rays,
                                    const CameraParams& camera, const FreeSpaceParams& params,
                                    const JobContext& job = {});
 
-    /// The same from surfaces that were mapped before, which another camera may share.
+    /// Builds the map from a surface map, which maps for other camera radii can share.
     static Result<FreeSpace> buildOver(std::shared_ptr<const SurfaceMap> surfaces,
                                        const Scene& scene, const RayCaster& rays,
                                        const CameraParams& camera, const JobContext& job = {});
 
-    /// The same from the map `before` of a scene in which only these objects (ids, rising) stood
-    /// elsewhere, of whose surfaces these are SurfaceMap::afterMoves().
+    /// Incremental build for a scene in which only the objects `moved` (ids, ascending) differ in
+    /// pose from the scene of `before`. `surfaces` is the result of SurfaceMap::afterMoves(). Gives
+    /// the same map as buildOver().
     static Result<FreeSpace> afterMoves(const FreeSpace& before,
                                         std::shared_ptr<const SurfaceMap> surfaces,
                                         const std::vector<int>& moved, const Scene& scene,
@@ -74,49 +74,50 @@ class FreeSpace {
     FreeSpace(FreeSpace&&) noexcept;
     FreeSpace& operator=(FreeSpace&&) noexcept;
 
-    /// Unknown outside the map.
+    /// State of the cell at a point; Unknown outside the map.
     [[nodiscard]] CellState stateAt(const Eigen::Vector3d& point) const;
 
-    /// Edge of the octree's leaf at a point, m; of a smallest cell outside the map.
+    /// Edge of the octree leaf at a point, m; of a smallest cell outside the map.
     [[nodiscard]] double cellSizeAt(const Eigen::Vector3d& point) const;
 
-    /// Never more than the distance to the nearest surface of the scene, m; 0 where not free. It
-    /// falls short by less than 3.5 cells where it is below its cut-off of 180 cells and nothing
-    /// lies outside the map. A look-up in an array.
+    /// Lower bound of the distance to the nearest surface of the scene, m; 0 where the cell is not
+    /// free. It is less than 3.5 cells too low, up to the cut-off of 180 cells, if no surface lies
+    /// outside the map. Costs one array look-up.
     [[nodiscard]] double clearanceLowerBound(const Eigen::Vector3d& point) const;
 
-    /// The room (index into rooms()) of the cell at a point; -1 where the sphere does not fit in
-    /// the cell's middle, or where there is no room.
+    /// Index into rooms() of the cell at a point; -1 outside all rooms, including cells in whose
+    /// centre the sphere does not fit.
     [[nodiscard]] int componentAt(const Eigen::Vector3d& point) const;
 
-    /// Whether both points lie in one free leaf, so that the segment between them is free, too.
+    /// Whether both points lie in the same free leaf, so that the segment between them is in free
+    /// space.
     [[nodiscard]] bool inOneFreeLeaf(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
-    /// At least one, largest first.
+    /// At least one room, the largest first.
     [[nodiscard]] const std::vector<Room>& rooms() const;
 
-    /// Centres of a room's cells, to sample from; in a fixed order. Thinned evenly in rooms of more
-    /// than half a million cells.
+    /// Centres of a room's cells, for sampling, in a fixed order. Subsampled evenly in rooms of
+    /// more than about half a million cells.
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const;
 
-    /// Free leaves have the lowest occupancy, occupied ones the highest; unknown has no node. Grown
-    /// when first asked for.
+    /// OctoMap tree, built at the first call. Free leaves have the lowest occupancy, occupied
+    /// leaves the highest; unknown space has no node.
     [[nodiscard]] const octomap::OcTree& octree() const;
 
-    /// Calls `visit` for every free and occupied leaf.
+    /// Calls `visit` for every free and occupied leaf. Builds the OctoMap tree if necessary.
     void visitLeaves(const std::function<void(const FreeSpaceLeaf&)>& visit) const;
 
-    /// The box of the map: the room's bounds and a rim of one cell, on whole cells.
+    /// Bounding box of the map: the room bounds with a rim of one cell, on whole cells, m.
     [[nodiscard]] const Eigen::AlignedBox3d& bounds() const;
 
-    /// Edge of the smallest cells, m; more than asked for where the scene is too large.
+    /// Edge of the smallest cells, m; larger than requested if the scene is too large.
     [[nodiscard]] double resolution_m() const;
 
-    /// Of a scan: the share of the air inside the building that was scanned, 0..1. The rest is
+    /// For a scan, the share of the air inside the building that was scanned, 0..1; the rest is
     /// unknown. Empty for a modelled scene.
     [[nodiscard]] std::optional<double> scannedShare() const;
 
-    /// Where rooms are open.
+    /// Openings of the rooms. Computed at the first call.
     [[nodiscard]] const LeakReport& leaks() const;
 
   private:

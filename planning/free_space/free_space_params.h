@@ -4,8 +4,8 @@
 
 namespace dollytrack::planning {
 
-/// Settings of the map of free space, and how high in it the camera may be. Height counts from the
-/// floor below the camera (see floor_heights.h).
+/// Resolution of the free space map, and height band of the camera. Heights are above the floor
+/// below the camera (see floor_heights.h).
 struct FreeSpaceParams {
     double octree_resolution_m = 0.05;
     double min_height_m = 0.0;

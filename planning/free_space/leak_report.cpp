@@ -13,11 +13,12 @@ namespace {
 
 constexpr double kSmallestOpening_m2 = 0.1;
 constexpr double kMostOfASide = 0.5;
-// Free cells next to an opening may be too near its frame for the camera; their room is the one
-// found within this many cells inwards.
+// Free cells at an opening may be too close to its frame for the camera; their room is searched
+// this many cells inwards.
 constexpr int kInwardCells = 12;
 
-// Bits of a cell: an open face at the scene's box in one of six directions, or one elsewhere.
+// Bits of a cell: 0 to 5, an open face at the scene's box in one of six directions; 6, an open face
+// elsewhere.
 constexpr std::array<std::array<int, 3>, 6> kFaces = {
     {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
 constexpr std::uint8_t kOpenInside = 1U << 6U;

@@ -13,7 +13,7 @@ struct AlikeOpenings {
     double area_m2 = 0.0;
 };
 
-/// "Room 1 is open towards its +x side": describe() without its last bracket, the measures.
+/// describe() without the measures in its last bracket: "Room 1 is open towards its +x side".
 std::string whatIsOpen(const Opening& opening) {
     const std::string text = describe(opening);
     return text.substr(0, text.rfind(" ("));

@@ -7,8 +7,8 @@
 
 namespace dollytrack::planning {
 
-/// A sentence for each kind of opening on each side of each room: of several openings it tells
-/// their number, their area in all and the largest. In the order of the report.
+/// One sentence per room, kind of opening and side. For several openings it gives their number,
+/// total area and the largest one. Sentences are in the order of the report.
 [[nodiscard]] std::vector<std::string> describeAll(const LeakReport& report);
 
 }  // namespace dollytrack::planning

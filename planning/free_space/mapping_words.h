@@ -6,10 +6,10 @@
 
 namespace dollytrack::planning {
 
-/// What a mapping that was cancelled ends with.
+/// The error of a cancelled mapping job.
 [[nodiscard]] tl::unexpected<Error> mappingCancelled();
 
-/// "0.05 m", three digits.
+/// A length with unit and three significant digits: "0.05 m".
 [[nodiscard]] std::string inMetres(double value);
 
 }  // namespace dollytrack::planning

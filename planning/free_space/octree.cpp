@@ -10,12 +10,12 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kDepth = 16;           // of an OctoMap tree
-constexpr int kKeyOffset = 1 << 15;  // key of the cell that begins at 0
+constexpr int kKeyOffset = 1 << 15;  // key of the cell that begins at coordinate 0
 constexpr std::uint8_t kMixed = 3;   // a cube with more than one state
 constexpr int kRootLevel = kDepth;   // a cube of level n is 2^n cells wide
-using Cube = std::array<int, 3>;     // in cubes of its level, counted from key 0
+using Cube = std::array<int, 3>;     // index in cubes of its level, counted from key 0
 
-/// The state of every cube of one level that touches the grid; kMixed where it is not uniform.
+/// The states of all cubes of one level that touch the grid; kMixed where not uniform.
 struct Level {
     Cube first = {0, 0, 0};
     Cube count = {0, 0, 0};
@@ -32,7 +32,7 @@ struct Level {
     }
 };
 
-/// That of the cells in a box.
+/// The level of single cells, for the cells in a box.
 Level finestLevel(const VoxelGrid& grid, const CellBox& box,
                   const std::vector<std::uint8_t>& cells) {
     Level level;
@@ -55,12 +55,12 @@ Level finestLevel(const VoxelGrid& grid, const CellBox& box,
     return level;
 }
 
-/// Equal states stay, others become mixed.
+/// The common state, or kMixed.
 constexpr std::uint8_t joined(std::uint8_t a, std::uint8_t b) {
     return a == b ? a : kMixed;
 }
 
-/// The states of a fine row joined in pairs as the coarse cubes hold them; outside is unknown.
+/// Joins the states of a fine row in pairs, to a coarse row; cells outside are unknown.
 void joinPairs(const std::uint8_t* fine, int fine_first, int fine_count, int coarse_first,
                std::vector<std::uint8_t>& coarse) {
     for (std::size_t i = 0; i < coarse.size(); ++i) {
@@ -112,7 +112,7 @@ Level coarser(const Level& fine) {
     return level;
 }
 
-/// The levels from the smallest cells up to this one.
+/// The levels from single cells up to `top`.
 std::vector<Level> levelsUpTo(int top, const VoxelGrid& grid, const CellBox& box,
                               const std::vector<std::uint8_t>& cells) {
     std::vector<Level> levels = {finestLevel(grid, box, cells)};
@@ -120,7 +120,7 @@ std::vector<Level> levelsUpTo(int top, const VoxelGrid& grid, const CellBox& box
     return levels;
 }
 
-/// Writes the leaves' levels into the cells of a box, which are no larger than the levels go.
+/// Writes the leaf levels into the cells of a box, up to the coarsest of the given levels.
 void markIn(const CellBox& box, const std::vector<Level>& levels, const VoxelGrid& grid,
             std::vector<std::uint8_t>& cells) {
     const int top = static_cast<int>(levels.size()) - 1;
@@ -137,7 +137,7 @@ void markIn(const CellBox& box, const std::vector<Level>& levels, const VoxelGri
                                            key[2] >> (level + 1)}) != kMixed) {
                     ++level;
                 }
-                // The leaf goes on until its cube ends.
+                // The leaf extends to the end of its cube.
                 const int next = (((key[0] >> level) + 1) << level) - key[0] + x;
                 const int end = std::min(next, box.end[0]);
                 for (; x < end; ++x) {
@@ -150,7 +150,7 @@ void markIn(const CellBox& box, const std::vector<Level>& levels, const VoxelGri
     });
 }
 
-/// The cells of all cubes of one level that the box touches, as far as the grid goes.
+/// The cells of all cubes of one level that the box touches, clipped to the grid.
 CellBox wholeCubes(const CellBox& box, int level, const VoxelGrid& grid) {
     CellBox cubes;
     for (unsigned k = 0; k < 3; ++k) {
@@ -163,7 +163,7 @@ CellBox wholeCubes(const CellBox& box, int level, const VoxelGrid& grid) {
     return cubes;
 }
 
-/// Whether a leaf of that level or a larger one lies in the box.
+/// Whether the box contains a leaf of this level or larger.
 bool hasLeaf(int level, const CellBox& box, const VoxelGrid& grid,
              const std::vector<std::uint8_t>& cells) {
     std::uint8_t largest = 0;
@@ -173,8 +173,9 @@ bool hasLeaf(int level, const CellBox& box, const VoxelGrid& grid,
     return largest >> kCellLevelShift >= level;
 }
 
-/// Marks what a change in the box can have changed. Where a cube of some level holds more than one
-/// state, before and now, all larger ones around it do, too: no leaf beyond it is another.
+/// Updates the leaves that a change in the box can affect. If all cubes of a level around the
+/// change are mixed, before and after, then all larger cubes are mixed as well, and no leaf outside
+/// them changes.
 void markAround(const CellBox& changed, const std::vector<std::uint8_t>& before,
                 const VoxelGrid& grid, std::vector<std::uint8_t>& cells) {
     constexpr int kFirstTry = 2;
@@ -190,7 +191,7 @@ void markAround(const CellBox& changed, const std::vector<std::uint8_t>& before,
     }
 }
 
-/// An OctoMap tree that grows from its root: OctoMap's own calls insert cell by cell.
+/// An OctoMap tree built recursively from its root; OctoMap's interface inserts one cell at a time.
 class GrownTree : public octomap::OcTree {
   public:
     using octomap::OcTree::OcTree;

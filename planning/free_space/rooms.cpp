@@ -13,31 +13,31 @@
 namespace dollytrack::planning {
 namespace {
 
-// What a room has at least. Toilets and store rooms pass, shafts, cupboards and the gap between a
-// sofa and the wall do not.
+// Least size of a room. Toilets and store rooms pass; shafts, cupboards and the gap between a sofa
+// and the wall do not.
 constexpr double kRoomVolume_m3 = 0.6;
 constexpr double kRoomHeight_m = 1.0;
 constexpr double kRoomGap_m = 0.3;  // from the roomiest cell to the nearest surface
-// Less than this is no place for a camera, even when there is nothing larger.
+// Smaller components are never a room, even if there is no larger one.
 constexpr double kPocketVolume_m3 = 0.05;
-// Hollows up to this size may be furniture; larger ones are rooms whatever surrounds them.
+// Components up to this volume may be inside furniture; larger ones are always rooms.
 constexpr double kFurnitureVolume_m3 = 12.0;
-// Share of a hollow's surroundings that belongs to one target when it is that target's inside.
+// Share of rays from a component that hit one object if the component is inside that object.
 constexpr double kOneObjectShare = 0.5;
 constexpr double kStructureShare = 0.15;
 constexpr std::size_t kMaxRooms = 250;
-// Smaller hollows are not looked into.
+// Smaller components are not tested for being inside furniture.
 constexpr double kHollowVolume_m3 = 0.02;
-constexpr int kRays = 512;        // to look round a possible room
-constexpr int kHollowRays = 128;  // to look round a small place
+constexpr int kRays = 512;        // for components of the size of a room
+constexpr int kHollowRays = 128;  // for smaller components
 
-/// Whether a surface touches a cell along the axes from this one that lies wholly in the sphere
-/// around this one's middle. Next to walls and floors that spares most exact questions.
+/// Whether a surface touches a cell along the axes that lies wholly in the sphere around this
+/// cell's centre. Close to walls and floors this avoids most exact distance queries.
 class SurfaceInSphere {
   public:
     SurfaceInSphere(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces, double radius)
         : grid_(grid), surfaces_(surfaces) {
-        // To the far corner of the cell k steps away; cells are marked a hair larger than they are.
+        // Distance to the far corner of the cell k steps away; cells are marked slightly enlarged.
         while ((steps_ + 1.5) * (steps_ + 1.5) + 0.5 < 0.998 * radius * radius) ++steps_;
     }
 
@@ -62,7 +62,7 @@ class SurfaceInSphere {
     int steps_ = 0;
 };
 
-/// Asks whether the sphere fits in the middle of cells inside.
+/// Tests whether the sphere fits at the centre of inside cells.
 class SphereFit {
   public:
     explicit SphereFit(const FittingPlace& place)
@@ -81,8 +81,8 @@ class SphereFit {
 
   private:
     const FittingPlace& place_;
-    double radius_;       // cells
-    std::uint16_t sure_;  // so large a gap leaves room for it
+    double radius_;       // in cells
+    std::uint16_t sure_;  // a squared gap of at least this leaves room for the sphere
     SurfaceInSphere surface_in_sphere_;
 };
 
@@ -127,8 +127,8 @@ bool hasRoomSize(const FoundRoom& room, const VoxelGrid& grid,
            gap + grid.resolution_m >= kRoomGap_m;
 }
 
-/// Whether the walls around a small place are those of one piece of furniture, asked by looking
-/// around from its roomiest cell.
+/// Whether a component is enclosed by one piece of furniture, judged by rays from its roomiest
+/// cell.
 bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaster& rays,
                        const VoxelGrid& grid, int ray_count) {
     if (volumeOf(room, grid) > kFurnitureVolume_m3) return false;
@@ -137,7 +137,7 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
     std::vector<int> hits(scene.objects.size() + 1, 0);
     int structure = 0;
     for (int i = 0; i < ray_count; ++i) {
-        // Directions of a Fibonacci sphere: even over all solid angles.
+        // Directions of a Fibonacci sphere: uniform over all solid angles.
         const double z = 1.0 - (2.0 * i + 1.0) / ray_count;
         const double turn = i * 2.399963229728653;  // the golden angle
         const double r = std::sqrt(1.0 - z * z);
@@ -146,7 +146,7 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
         const Object& object = scene.object(hit.object_id);
         Eigen::AlignedBox3d box;
         for (const Eigen::Vector3d& corner : object.box.corners()) box.extend(corner);
-        // What goes through the whole scene is no piece of furniture, whatever its role.
+        // An object that spans the whole scene is no piece of furniture, whatever its class.
         const bool shell = (box.sizes().array() >= 0.8 * scene.room_bounds.sizes().array()).all();
         if (shell || object.structure) {
             ++structure;
@@ -224,7 +224,7 @@ FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid&
             keep(piece);
         }
     }
-    // A very low or narrow scene has no room by these sizes: its largest place is what there is.
+    // A very low or narrow scene has no component of room size: take the largest one.
     if (result.rooms.empty() && !order.empty() &&
         volumeOf(measured[order[0]], grid) >= kPocketVolume_m3 &&
         !isInsideFurniture(measured[order[0]], scene, rays, grid, kRays)) {

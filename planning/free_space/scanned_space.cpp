@@ -11,10 +11,10 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kBlock_m = 0.2;  // edge of the blocks that are scanned or not as a whole
+constexpr double kBlock_m = 0.2;  // edge of the blocks that are classified as a whole
 constexpr int kScanDirections = 96;
-constexpr double kBestPlaces = 0.1;  // share of the places that see most
-constexpr double kGoodPart = 0.5;    // of what they see
+constexpr double kBestPlaces = 0.1;  // share of the blocks that count as best
+constexpr double kGoodPart = 0.5;    // share required, relative to the best blocks
 
 /// Blocks of cells over a grid.
 struct Blocks {
@@ -38,8 +38,8 @@ struct Blocks {
     std::array<int, 3> count = {0, 0, 0};
 };
 
-/// Share of the directions from a place that end on the front of scanned surface, less the share
-/// that ends on a back.
+/// Share of the directions from a position that hit the front of scanned surface, minus the share
+/// that hit a back.
 double scannedAround(const Eigen::Vector3d& place, const std::vector<Eigen::Vector3d>& directions,
                      const ScannedSurfaces& scan, const RayCaster& rays) {
     int sum = 0;
@@ -58,7 +58,7 @@ std::vector<std::uint8_t> findScannedSpace(const VoxelGrid& grid,
                                            const ScannedSurfaces& scan, const RayCaster& rays,
                                            const JobContext& job) {
     const Blocks blocks(grid);
-    // A block is asked about at its cell of air that is nearest to its middle.
+    // A block is tested at its cell without surface nearest to its centre.
     std::vector<int> nearest(blocks.size(), -1);
     std::vector<Eigen::Vector3d> places(blocks.size());
     const auto visit = [&](auto&& each) {

@@ -10,10 +10,10 @@
 
 namespace dollytrack::planning {
 
-/// Which cells without surface lie in the part of a scan that was scanned: 1, else 0. Such a cell
-/// sees the front of scanned surface in a good part of all directions; behind a wall it sees backs,
-/// and beyond the scan's edge next to nothing. What counts as a good part is measured in the scan
-/// itself: half of what its best places see. Asked once a block of cells.
+/// By cell: 1 if it has no surface and lies in the scanned part of a scan, else 0. Rays from such a
+/// cell mostly hit the front of scanned surface; behind a wall they hit backs, and beyond the
+/// scan's edge almost nothing. A cell counts if its share of front hits minus back hits is at least
+/// half of what the best tenth of the cells reach. Tested once per block of about 0.2 m.
 std::vector<std::uint8_t> findScannedSpace(const VoxelGrid& grid,
                                            const std::vector<std::uint8_t>& surfaces,
                                            const ScannedSurfaces& scan, const RayCaster& rays,

@@ -32,7 +32,7 @@ constexpr std::array<Step, 16> kAzimuths = {{{1, 0},
                                              {1, -1},
                                              {2, -1}}};
 
-/// One horizontal slice with a border of empty cells, so that steps need no limits.
+/// One horizontal slice with a border of empty cells, so that steps need no bounds checks.
 class Slice {
   public:
     Slice(int nx, int ny) : nx_(nx), ny_(ny), stride_(static_cast<std::size_t>(nx) + 2 * kBorder) {
@@ -57,13 +57,13 @@ class Slice {
   private:
     static constexpr std::size_t kBorder = 2;
 
-    // A cell meets a wall in one direction when the cells up to the next step are one, or when
-    // the cell at the next step meets one.
+    // A cell meets a wall in a direction if a cell up to the next step is a wall, or if the cell at
+    // the next step meets one.
     void sweep(const Step& step) {
         std::ranges::fill(hit_, std::uint8_t{0});
         const auto stride = static_cast<std::ptrdiff_t>(stride_);
         const std::ptrdiff_t next = step.y * stride + step.x;
-        // The two cells that a knight's move passes between; other moves pass none.
+        // The two cells that a knight's move passes between; other steps pass none.
         std::ptrdiff_t near_side = next;
         std::ptrdiff_t far_side = next;
         if (std::abs(step.x) == 2) {
@@ -85,7 +85,7 @@ class Slice {
                     hits[x] = static_cast<std::uint8_t>(hits[x] + hit[x]);
                 }
             } else {
-                // The row before is finished, so all cells of this one are independent.
+                // The previous row is finished, so all cells of this one are independent.
                 const std::uint8_t* before = hit + next;
                 const std::uint8_t* a = wall + near_side;
                 const std::uint8_t* b = wall + far_side;
@@ -106,8 +106,8 @@ class Slice {
     std::vector<std::uint8_t> hits_;
 };
 
-/// What is below and above: one pass down and one up through the columns over each row of cells.
-/// Only the columns of the box; there the two bits are 0 before.
+/// Sets the bits for surfaces below and above: one pass up and one down through the columns of the
+/// box. The two bits must be 0 there.
 void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces,
                    const CellBox& box, std::vector<std::uint8_t>& sight) {
     parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
@@ -127,13 +127,13 @@ void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfa
 }
 
 /// The bits that make an upright surface a wall. Furniture must not wall in a terrace, but in a
-/// scene whose walls are not known as structure everything may be one.
+/// scene that marks almost no structure every surface may be a wall.
 std::uint8_t wallBits(const std::vector<std::uint8_t>& surfaces) {
     constexpr unsigned kUpright = kBuilding | kSteep;
     constexpr double kEnoughStructure = 0.05;
     std::int64_t upright = 0;
     std::int64_t structure = 0;
-    constexpr std::size_t kPart = 128;  // few enough for sums of bytes, which add many at a time
+    constexpr std::size_t kPart = 128;  // few enough for 8-bit sums, which SIMD adds many at a time
     for (std::size_t begin = 0; begin < surfaces.size(); begin += kPart) {
         const std::size_t end = std::min(begin + kPart, surfaces.size());
         std::uint8_t some = 0;
@@ -151,7 +151,7 @@ std::uint8_t wallBits(const std::vector<std::uint8_t>& surfaces) {
                : kBuilding;
 }
 
-/// Counts the directions with walls in these slices; the bits for them are 0 before.
+/// Counts the directions with walls in these slices. The bits of the count must be 0.
 void lookLevel(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces, std::uint8_t wall,
                const std::vector<int>& slices, std::vector<std::uint8_t>& sight,
                const JobContext& job) {
@@ -187,7 +187,7 @@ void clearBits(std::uint8_t bits, const CellBox& box, const VoxelGrid& grid,
     });
 }
 
-/// Slices whose walls differ.
+/// The slices whose walls differ.
 std::vector<int> slicesAfter(const std::vector<CellBox>& changed, const VoxelGrid& grid,
                              const std::vector<std::uint8_t>& before, std::uint8_t wall_before,
                              const std::vector<std::uint8_t>& now, std::uint8_t wall) {

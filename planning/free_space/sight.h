@@ -14,16 +14,17 @@ constexpr std::uint8_t kSightHitsMask = 31;
 constexpr std::uint8_t kFloorBelow = 32;
 constexpr std::uint8_t kCeilingAbove = 64;
 
-/// What is seen of the building from every cell: in how many of 16 horizontal directions a wall
-/// of it stands within the grid (the low five bits), and whether something of it is straight below
-/// (kFloorBelow) and above (kCeilingAbove). A ground plane is not of the building; walls are its
-/// structure, or everything where the scene does not say what is structure.
+/// Surroundings of every cell, as bits: the number of 16 horizontal directions in which a wall is
+/// met within the grid (kSightHitsMask), and whether a surface of the building lies vertically
+/// below (kFloorBelow) and above (kCeilingAbove). Ground planes do not belong to the building.
+/// Walls are upright structure, or any upright surface if the scene marks almost no structure.
 std::vector<std::uint8_t> lookAround(const VoxelGrid& grid,
                                      const std::vector<std::uint8_t>& surfaces,
                                      const JobContext& job);
 
-/// The same from what was seen among other surfaces that differ in these boxes only. `changed` is
-/// then what was looked at anew: the columns through the boxes, and where walls differ the slices.
+/// Incremental lookAround(): `before` is the result for `surfaces_before`, which differs from
+/// `surfaces` only in the boxes `changed`. On return `changed` holds disjoint boxes around all
+/// recomputed cells: the columns through the boxes, and the whole slices where walls differ.
 std::vector<std::uint8_t> lookAroundAfter(const std::vector<std::uint8_t>& before,
                                           const std::vector<std::uint8_t>& surfaces_before,
                                           const VoxelGrid& grid,

@@ -6,10 +6,9 @@
 
 namespace dollytrack::planning {
 
-/// How much of what surrounds the rooms is there: of the directions from evenly chosen places of
-/// their free space, the share that ends on a surface within the scene. 1 for a closed room; less
-/// for open ones, and for scans with surfaces missing. A floor that was put under a point cloud
-/// does not count.
+/// Share of the directions from evenly chosen positions in the rooms' free space whose rays hit a
+/// surface of the scene, 0..1. It is 1 in closed rooms, less in open ones and in scans with missing
+/// surfaces. A floor that was added under a point cloud does not count.
 [[nodiscard]] double surfaceCoverage(const Scene& scene, const RayCaster& rays,
                                      const FreeSpace& map);
 

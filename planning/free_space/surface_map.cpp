@@ -15,7 +15,7 @@
 namespace dollytrack::planning {
 namespace {
 
-// 67 million cells take up to 0.7 GB while the map is built, and a few seconds.
+// Building a map of 67 million cells takes a few seconds and up to 0.7 GB.
 constexpr std::size_t kMaxCells = std::size_t{1} << 26U;
 constexpr std::size_t kEnclosureRules = 3;
 
@@ -30,7 +30,7 @@ struct SurfaceMap::Impl {
     std::int64_t air = 0;
     std::mutex asked;
     std::array<std::unique_ptr<const Enclosure>, kEnclosureRules>
-        enclosures;  // by rule; null: never asked
+        enclosures;  // by rule; null until asked for
 
     [[nodiscard]] SeenCells seen() const { return {grid, surfaces.cells, sight}; }
 };
@@ -40,7 +40,7 @@ SurfaceMap::~SurfaceMap() = default;
 SurfaceMap::SurfaceMap(SurfaceMap&&) noexcept = default;
 SurfaceMap& SurfaceMap::operator=(SurfaceMap&&) noexcept = default;
 
-/// Its grid alone.
+/// Checks the bounds and sets the grid only.
 Result<std::unique_ptr<SurfaceMap::Impl>> SurfaceMap::begin(const Scene& scene,
                                                             const FreeSpaceParams& params) {
     if (!(params.octree_resolution_m >= 0.01 && params.octree_resolution_m <= 0.5)) {

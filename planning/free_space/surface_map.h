@@ -14,20 +14,20 @@
 
 namespace dollytrack::planning {
 
-/// What the scene and the size of the cells decide alone, whatever the camera: cells with surfaces,
-/// gaps to them, and what they enclose. World frame, metres. Constant once built, but for answers
-/// that are kept; may be asked from many threads; the scene may go.
+/// The part of the map that does not depend on the camera: cells with surfaces, distances to them,
+/// and the enclosure classification. World frame, metres. Immutable apart from cached results; safe
+/// to call from many threads; does not keep the scene.
 class SurfaceMap {
   public:
-    /// Maps `scene.room_bounds`. BadInput when the bounds are unusable, too far from the origin, or
-    /// the cell size is out of range; Cancelled when the job is. Too large a scene gets coarser
-    /// cells and a warning.
+    /// Maps `scene.room_bounds`. Logs a warning and uses coarser cells if the scene is too large.
+    /// Errors: BadInput if the bounds are unusable or too far from the origin, or the cell size is
+    /// out of range; Cancelled.
     static Result<SurfaceMap> build(const Scene& scene, const FreeSpaceParams& params,
                                     const JobContext& job = {});
 
-    /// The map of a scene in which only these objects (ids, rising) stand elsewhere than in that of
-    /// `before`, in rooms of the same bounds: the one that build() makes, with only that made anew
-    /// which they can have changed.
+    /// Incremental build for a scene in which only the objects `moved` (ids, ascending) differ in
+    /// pose from the scene of `before`. Gives the same map as build(), which is called if the grid
+    /// differs.
     static Result<SurfaceMap> afterMoves(const SurfaceMap& before, const Scene& scene,
                                          const std::vector<int>& moved,
                                          const FreeSpaceParams& params, const JobContext& job = {});
@@ -39,13 +39,14 @@ class SurfaceMap {
     [[nodiscard]] const VoxelGrid& grid() const;
     [[nodiscard]] const SurfaceCells& surfaces() const;
 
-    /// As squaredGaps() makes them.
+    /// Squared gaps by cell; see squaredGaps().
     [[nodiscard]] const std::vector<std::uint16_t>& gaps() const;
 
-    /// Cells without surface.
+    /// Number of cells without surface.
     [[nodiscard]] std::int64_t airCells() const;
 
-    /// What an Enclosure has inside, 1 or 0. The first who asks for a rule waits for it.
+    /// By cell: 1 if inside by this rule (see Enclosure). Computed at the first call for a rule;
+    /// other threads wait for it.
     [[nodiscard]] const std::vector<std::uint8_t>& inside(EnclosureRule rule) const;
 
   private:

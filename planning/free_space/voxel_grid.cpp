@@ -6,7 +6,7 @@ namespace dollytrack::planning {
 namespace {
 
 VoxelGrid gridAround(const Eigen::AlignedBox3d& bounds, double resolution_m) {
-    // A surface exactly on the border of two cells belongs to both, so the rim begins a hair
+    // A surface exactly on the border of two cells belongs to both, so the rim starts slightly
     // outside the bounds.
     constexpr double kHair = 1e-3;
     VoxelGrid grid;

@@ -16,7 +16,7 @@ struct VoxelGrid {
     double resolution_m = 0.05;
     std::array<int, 3> first = {0, 0, 0};
     std::array<int, 3> count = {0, 0, 0};
-    // Cells whose centre lies in the room's bounds; around them is a rim that only holds surfaces.
+    // Cells whose centre lies in the room bounds. The rim around them only holds surfaces.
     std::array<int, 3> room_begin = {0, 0, 0};
     std::array<int, 3> room_end = {0, 0, 0};
     bool operator==(const VoxelGrid&) const = default;
@@ -37,7 +37,8 @@ struct VoxelGrid {
         return resolution_m *
                Eigen::Vector3d(first[0] + x + 0.5, first[1] + y + 0.5, first[2] + z + 0.5);
     }
-    /// The cell that holds a point; false when it is not in the grid (or not a number).
+    /// Sets `cell` to the cell that contains a point. Returns false if the point is outside the
+    /// grid or not a number.
     [[nodiscard]] bool find(const Eigen::Vector3d& point, std::array<int, 3>& cell) const {
         for (int k = 0; k < 3; ++k) {
             const double at = std::floor(point[k] / resolution_m) - first[static_cast<unsigned>(k)];
@@ -57,8 +58,8 @@ struct VoxelGrid {
     }
 };
 
-/// The grid around `bounds`, with a rim of one cell. `resolution_m` is enlarged where the grid
-/// would have more than `max_cells`.
+/// The grid around `bounds`, with a rim of one cell. `resolution_m` is enlarged if the grid would
+/// have more than `max_cells`.
 VoxelGrid makeVoxelGrid(const Eigen::AlignedBox3d& bounds, double resolution_m,
                         std::size_t max_cells);
 

@@ -13,13 +13,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Cells are tested a little larger than they are, so that rounding never loses a touch.
-constexpr double kInflate = 1e-4;  // cells
+// Cells are tested slightly enlarged, so that rounding never loses a contact.
+constexpr double kInflate = 1e-4;  // in cells
 constexpr double kSteepCosine = 0.7;
 
-/// The overlap test of a triangle with the cells of a grid, in units of cells (Schwarz and Seidel,
-/// "Fast parallel surface and solid voxelization on GPUs", 2010): a cell overlaps when the plane
-/// passes through it and its square overlaps the triangle in all three axis projections.
+/// Overlap test of a triangle with grid cells, in units of cells (Schwarz and Seidel, "Fast
+/// parallel surface and solid voxelization on GPUs", 2010): a cell overlaps if the plane passes
+/// through it and its square overlaps the triangle in all three axis projections.
 class TriangleCells {
   public:
     TriangleCells(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -82,8 +82,8 @@ class TriangleCells {
         double offset = 0.0;
     };
 
-    /// Whether a cell's square overlaps the triangle in the projection along `axis`, apart from
-    /// the triangle's bounding box.
+    /// Whether a cell's square overlaps the triangle in the projection along `axis`, apart from the
+    /// test of bounding boxes.
     [[nodiscard]] bool overlaps(unsigned axis, int u, int v) const {
         return std::ranges::all_of(edges_[axis], [&](const Edge& edge) {
             return edge.u * u + edge.v * v + edge.offset >= 0.0;
@@ -104,14 +104,14 @@ class TriangleCells {
 
     Vector3d normal_;
     double plane_ = 0.0;
-    Eigen::Index w_ = 0;  // the axis that the triangle faces most
+    Eigen::Index w_ = 0;  // dominant axis of the normal
     Vector3d low_;
     Vector3d high_;
     std::array<std::array<Edge, 3>, 3> edges_;  // by projection axis
 };
 
-/// Grounds and skies go on far outside the room; what spans the whole room is its shell, even
-/// when its name does not say so.
+/// CellSurface bits of an object. Ground planes and skies extend far outside the room; an object
+/// that spans the whole room is its shell, whatever its name.
 std::uint8_t surfaceKind(const Object& object, const Eigen::AlignedBox3d& room) {
     Eigen::AlignedBox3d box;
     for (const Vector3d& corner : object.box.corners()) box.extend(corner);
@@ -126,7 +126,7 @@ std::uint8_t surfaceKind(const Object& object, const Eigen::AlignedBox3d& room) 
     return static_cast<std::uint8_t>(kind);
 }
 
-// Objects are cut into pieces of work, so that one large mesh does not keep one thread busy.
+// Objects are split into work items, so that one large mesh does not occupy one thread.
 constexpr std::uint32_t kPieceTriangles = 512;
 
 struct Piece {
@@ -146,7 +146,7 @@ void addPieces(const Scene& scene, std::size_t index, std::vector<Piece>& pieces
     }
 }
 
-/// Calls visit(corners) for the triangles of a piece, in units of cells from the grid's first
+/// Calls visit(corners, box) for the triangles of a piece, in units of cells from the grid's first
 /// corner.
 template <class Visit>
 void visitTriangles(const Scene& scene, const VoxelGrid& grid, const Piece& piece, Visit&& visit) {
@@ -182,8 +182,8 @@ void measureReach(const Scene& scene, const VoxelGrid& grid, Piece& piece) {
     });
 }
 
-/// Marks what the triangles of a piece touch of the windows. Several threads may mark one cell;
-/// bits only get set, so their order is the same to the result.
+/// Marks the cells of the windows that the triangles of a piece touch. Threads may mark the same
+/// cell; bits are only ever set, so their order does not matter.
 void mark(const Scene& scene, const VoxelGrid& grid, const Piece& piece,
           const std::vector<CellBox>& windows, std::vector<std::uint8_t>& cells) {
     visitTriangles(scene, grid, piece, [&](const auto& p, const Eigen::AlignedBox3d& box) {
@@ -218,7 +218,7 @@ void join(SurfaceReach& all, const SurfaceReach& part) {
     }
 }
 
-/// An object without triangles reaches nowhere.
+/// The reach of an object without triangles.
 SurfaceReach nowhere() {
     SurfaceReach reach;
     reach.gap_beyond_m.fill(std::numeric_limits<double>::infinity());

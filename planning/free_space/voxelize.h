@@ -11,36 +11,39 @@
 
 namespace dollytrack::planning {
 
-/// What the surfaces in a cell are, as bits. A cell without surface is 0.
+/// Properties of the surfaces in a cell, as bits. A cell without surface is 0.
 enum CellSurface : std::uint8_t {
     kSurface = 1,    // a triangle touches the cell
-    kBuilding = 2,   // of something other than a ground or sky that goes on outside the room
-    kStructure = 4,  // of a wall, floor or ceiling rather than of a thing in the room
-    kSteep = 8,      // nearer to upright than to level
+    kBuilding = 2,   // of an object that does not extend far outside the room, as ground planes and
+                     // skies do
+    kStructure = 4,  // of a wall, floor or ceiling, or of an object that spans the room
+    kSteep = 8,      // more upright than horizontal
 };
 
-/// How far the surfaces of one object reach.
+/// Extent of the surfaces of one object.
 struct SurfaceReach {
-    Eigen::AlignedBox3d box_in_cells;  // around its triangles, from the grid's first corner
-    // As that of all surfaces below.
+    Eigen::AlignedBox3d box_in_cells;  // around its triangles, in cells from the grid's first
+                                       // corner
+    // As SurfaceCells::gap_beyond_m, for this object alone.
     std::array<double, 6> gap_beyond_m = {};
 };
 
 /// The surfaces of a scene in a grid.
 struct SurfaceCells {
-    std::vector<std::uint8_t> cells;  // one CellSurface set a cell
-    // How far beyond each side of the grid (-x, +x, -y, +y, -z, +z) the nearest surface is that
-    // lies beyond it; 0 where one crosses the side; infinite where there is none. In metres.
+    std::vector<std::uint8_t> cells;  // CellSurface bits, by cell
+    // For each side of the grid (-x, +x, -y, +y, -z, +z), the distance from the side to the nearest
+    // surface outside it, m; 0 if a surface crosses the side, infinity if there is none.
     std::array<double, 6> gap_beyond_m = {};
-    std::vector<SurfaceReach> reach;  // of the objects, in their order
+    std::vector<SurfaceReach> reach;  // by object, in the scene's order
 };
 
-/// Every cell that a triangle overlaps or touches, exactly: closed cells, so a surface on the
-/// border of two cells is in both, and no ray slips through. Triangles with NaN are left out.
+/// Marks every cell that a triangle overlaps or touches, without gaps: a surface on the border of
+/// two cells is in both. Triangles with NaN or infinite corners are skipped. On cancellation the
+/// result is incomplete.
 SurfaceCells voxelize(const Scene& scene, const VoxelGrid& grid, const JobContext& job);
 
-/// The same, from that of a scene of which only these objects (ids, rising) stood elsewhere. Only
-/// the cells where they were and are get marked anew; they are left in `changed`.
+/// Incremental voxelize(): `before` is the result for a scene in which only the objects `moved`
+/// (ids, ascending) differ in pose. Sets `changed` to boxes around the cells that differ.
 SurfaceCells voxelizeMoved(const SurfaceCells& before, const Scene& scene, const VoxelGrid& grid,
                            const std::vector<int>& moved, std::vector<CellBox>& changed,
                            const JobContext& job);

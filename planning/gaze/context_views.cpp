@@ -27,11 +27,11 @@ constexpr int kMostBetweenKeys = 6;
 constexpr double kFramesPerView = 2.0;  // frames of the budget that each key needs
 constexpr double kLooksAhead_m = 2.0;
 constexpr int kPasses = 3;
-// Of the limits of motion, where a budget of frames goes to what shows much.
+// Factors on the motion limits that give more frames of the budget to views of many objects.
 constexpr double kSlowdownAtMean = 4.0;
 constexpr double kMostSlowdown = 8.0;
 
-// Directions that are tried at each place.
+// Directions tried at each position.
 constexpr int kHeadings = 36;
 constexpr int kElevations = 5;
 constexpr double kLowest = -40.0 * kRadian;
@@ -40,21 +40,21 @@ constexpr std::size_t kMostCandidates = 14;
 constexpr double kApart = 20.0 * kRadian;
 using Grid = std::array<double, std::size_t{kHeadings} * kElevations>;
 
-// Speeds assumed for the price of a turn where the motion limits are higher or absent.
+// Upper bounds of the speeds that the cost of a turn assumes.
 constexpr double kFastest_mps = 1.5;
 constexpr double kFastest_rps = 120.0 * kRadian;
 constexpr double kFastest_rps2 = 720.0 * kRadian;
 
-/// A place on the path with the directions that the camera may have there.
+/// A position on the path with the candidate directions of the camera.
 struct Place {
     SmoothPath::Key key;
-    bool free = false;  // else a key frame, with its own direction alone
+    bool free = false;  // else a key frame, with its own direction only
     std::vector<Eigen::Vector3d> directions;
-    std::vector<double> values;  // of the directions
-    Grid grid{};                 // values of all directions that are tried
+    std::vector<double> values;  // by direction
+    Grid grid{};                 // value of every grid direction
 };
 
-/// A target in the image of a view, and how well it shows.
+/// A target shown in a view, and how well (0..1).
 struct Shown {
     std::uint32_t target = 0;
     float share = 0.0F;
@@ -110,8 +110,9 @@ class GazeSearch {
     }
 
     struct Result {
-        std::vector<Eigen::Vector3d> directions;  // chosen at each place
-        std::vector<double> shown;  // on the way to each place from the one before; 0 for the first
+        std::vector<Eigen::Vector3d> directions;  // chosen at each position
+        std::vector<double> shown;  // mean value between each position and the one before; 0 for
+                                    // the first
     };
     Result search() {
         std::vector<Eigen::Vector3d> chosen;
@@ -134,7 +135,7 @@ class GazeSearch {
     struct Step {
         double time_s = 0.0;
         double value = 0.0;   // mean over the time
-        double cost_s = 0.0;  // of the turn
+        double cost_s = 0.0;  // of turning
     };
 
     [[nodiscard]] double valueOf(std::size_t place, const Eigen::Vector3d& direction) const {
@@ -145,8 +146,8 @@ class GazeSearch {
         return value;
     }
 
-    /// Fills in a place's candidates: the one chosen before, the direct turn's, and those that show
-    /// the most, apart from one another.
+    /// Sets a position's candidates: the direct turn's direction, the one chosen before, and the
+    /// best grid directions, at a distance from one another.
     void propose(std::size_t index, const Eigen::Vector3d& chosen) {
         Place& place = places_[index];
         for (std::size_t d = 0; d < place.grid.size(); ++d) {
@@ -242,7 +243,7 @@ class GazeSearch {
         return chosen;
     }
 
-    /// Objects count less the more of the views show them.
+    /// Lowers the weight of objects that many of the chosen views show.
     void weigh(const std::vector<Eigen::Vector3d>& chosen) {
         std::vector<double> shown(weights_.size(), 0.0);
         double sum = 0.0;
@@ -260,14 +261,14 @@ class GazeSearch {
     PitchBand pitch_;
     TargetSamples samples_;
     std::vector<double> weights_;  // by target
-    double turn_price_;            // s a radian
+    double turn_price_;            // s/rad
     double speed_mps_ = 0.0, turn_rps_ = 0.0, turn_rps2_ = 0.0;
-    std::vector<Panorama> panoramas_;  // one a place
-    // What each direction of the grid shows, by place.
+    std::vector<Panorama> panoramas_;  // by position
+    // Targets shown in each grid direction, by position.
     std::vector<std::array<std::vector<Shown>, std::size_t{kHeadings} * kElevations>> shown_;
 };
 
-/// The key frames, and the places between them where a view may be added.
+/// The key frames, and the positions between them where a view may be inserted.
 std::vector<Place> placesOn(const SmoothPath& path,
                             const std::function<Pose(const SmoothPath::Key&)>& pose_at,
                             const PitchBand& pitch, int max_frames) {
@@ -318,7 +319,7 @@ SmoothPath withContextViews(const SmoothPath& path,
     const bool spreads = timing.max_frames > 0 && !keepsFrameRate(timing) && mean > 0.0;
     SmoothPath made = path;
     made.keys.clear();
-    double shown_since = 0.0;  // the key before, on the mean
+    double shown_since = 0.0;  // mean since the last key
     int steps = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         shown_since = (steps * shown_since + shown[i]) / (steps + 1);

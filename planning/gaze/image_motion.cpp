@@ -11,11 +11,11 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kParts = 3;              // of the way between two keys, each seen from its middle
-constexpr int kAcross = 4, kDown = 3;  // rays
+constexpr int kParts = 3;              // of the path between two keys, each sampled at its middle
+constexpr int kAcross = 4, kDown = 3;  // grid of rays over the image
 constexpr double kFarthest_m = 20.0;
 
-/// Median distance of what a pose sees, along its direction of view, m.
+/// Median distance to the surfaces in a view, m; surfaces farther than 20 m count as 20 m.
 double medianDepth(const Pose& pose, const ViewEstimator& views) {
     std::vector<RayCaster::BundleRay> rays;
     for (int y = 0; y < kDown; ++y) {
@@ -55,7 +55,7 @@ void measureImageMotion(SmoothPath& path,
             const Eigen::Vector3d way =
                 at((part + 1.0) / kParts) - at(static_cast<double>(part) / kParts);
             const Eigen::Vector3d forward = pose.forward();
-            // Approaching a surface moves its image about half as fast as passing it sideways.
+            // Moving towards a surface moves its image about half as fast as moving past it.
             const double across =
                 (way - way.dot(forward) * forward).norm() + 0.5 * std::abs(way.dot(forward));
             motion += across / medianDepth(pose, views);

@@ -10,9 +10,9 @@ namespace dollytrack::planning {
 class ViewEstimator;
 struct PitchBand;
 
-/// Sets Key::image_motion_rad of each key: how far the image moves since the key before, rad. It is
-/// the angle turned by, plus the camera's displacement divided by the median depth of the view;
-/// displacement along the viewing direction counts half. Measure again after inserting keys.
+/// Sets Key::image_motion_rad of each key but the first: image motion since the key before, rad. It
+/// is the turning angle plus the camera's displacement divided by the median depth of the view;
+/// displacement along the viewing direction counts half. Call again after inserting keys.
 void measureImageMotion(SmoothPath& path,
                         const std::function<Pose(const SmoothPath::Key&)>& pose_at,
                         const ViewEstimator& views, const PitchBand& pitch);

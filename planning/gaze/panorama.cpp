@@ -12,17 +12,19 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kSilhouetteOfBox = 0.6;       // share of its box's silhouette that an object fills
-constexpr double kReachedBefore = 1.0 - 1e-3;  // a ray that ends at the sample met nothing before
-constexpr double kLeastShown = 1.0 / 3.0;      // of a target; less is a stump at the image's edge
-// Sizes in a 640 x 480 image: the least that counts as seen, and one that trains as well as any.
+constexpr double kReachedBefore = 1.0 - 1e-3;  // a ray that reaches the sample was not blocked
+constexpr double kLeastShown = 1.0 / 3.0;      // least share of a target in the image; less is only
+                                               // a fragment at the border
+// Sizes in a 640 x 480 image: the least that counts as seen, and one beyond which more adds
+// nothing.
 constexpr double kLeastPixels = 120.0;
 constexpr double kPlentyPixels = 3000.0;
 
-/// Points spread over an object's triangles, each by its area. The same at every call, and for
+/// Stratified samples of an object's surface, uniform by area. The same at every call, and for
 /// either winding of the triangles.
 std::array<Eigen::Vector3d, TargetSamples::kPerObject> spread(const Scene& scene,
                                                               const Object& object) {
-    std::vector<double> until;  // area of the triangles up to each
+    std::vector<double> until;  // cumulated area of the triangles
     double area = 0.0;
     const auto cornersOf = [&](std::uint32_t t) {
         std::array<Eigen::Vector3d, 3> corners;
@@ -56,7 +58,7 @@ std::array<Eigen::Vector3d, TargetSamples::kPerObject> spread(const Scene& scene
     return points;
 }
 
-/// Area of the box's silhouette as seen along a unit direction, m2.
+/// Projected area of a box along a unit direction, m2.
 double silhouette(const OrientedBox& box, const Eigen::Vector3d& direction) {
     const double c = std::cos(box.yaw);
     const double s = std::sin(box.yaw);
@@ -79,7 +81,7 @@ Panorama::Panorama(const ViewEstimator& views, const TargetSamples& samples,
                    const Eigen::Vector3d& place) {
     const Intrinsics& lens = views.intrinsics();
     half_size_ = {lens.cx / lens.fx, lens.cy / lens.fy};
-    // Pixels as if the image were 640 x 480, as ViewEstimator counts them.
+    // Pixels scaled to a 640 x 480 image, as in ViewEstimator.
     const double pixels_at_1m = lens.fx * lens.fy * 640.0 * 480.0 / (lens.width * lens.height);
     std::vector<RayCaster::BundleRay> rays;
     std::vector<std::size_t> of_target;
@@ -89,7 +91,7 @@ Panorama::Panorama(const ViewEstimator& views, const TargetSamples& samples,
         const double distance2 = std::max(1e-4, (box.center - place).squaredNorm());
         if (silhouette(box, (box.center - place) / std::sqrt(distance2)) * pixels_at_1m <
             kLeastPixels * distance2) {
-            continue;  // too far away to be seen at all
+            continue;  // too far away to be seen
         }
         of_target.push_back(t);
         for (const Eigen::Vector3d& point : targets[t].points) {

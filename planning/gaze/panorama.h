@@ -51,10 +51,12 @@ class Panorama {
   private:
     struct Sighting {
         std::size_t target = 0;
-        double pixels = 0.0;  // of the whole silhouette in the middle of a 640 x 480 image
-        std::vector<Eigen::Vector3d> visible;             // from the place to visible sample points
-        Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // to their middle
-        double least_cosine = -1.0;  // between axis and view; farther aside the image shows none
+        double pixels = 0.0;                   // silhouette area at the centre of a 640 x 480 image
+        std::vector<Eigen::Vector3d> visible;  // from the camera position to visible
+                                               // sample points
+        Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // to the centre of those points
+        double least_cosine = -1.0;  // smallest cosine between axis and view at which the image can
+                                     // show a sample
     };
     void boundDirections(Sighting& sighting) const;
     [[nodiscard]] double shownShare(const Eigen::Matrix3d& camera_from_world,

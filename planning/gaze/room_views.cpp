@@ -27,22 +27,23 @@ namespace {
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr std::size_t kPlaces = 100;
 constexpr std::size_t kDraws = 4 * kPlaces;
-constexpr double kLeastClearance_m = 0.25;  // beside the camera's own sphere
-// Height between what is below and above the camera, as a share; each counts up to so many metres.
+constexpr double kLeastClearance_m = 0.25;  // in addition to the camera radius
+// Height of the camera between the surfaces below and above it, as a share; distances are capped.
 constexpr double kLowest = 0.35, kHighest = 0.75;
 constexpr double kTallest_m = 2.0;
 
 constexpr int kHeadings = 24;
 constexpr std::array kElevations{-30.0 * kRadian, -17.5 * kRadian, -5.0 * kRadian};
-constexpr std::size_t kAims = 5;  // directions kept for each place
+constexpr std::size_t kAims = 5;  // directions kept per position
 constexpr double kApart = 30.0 * kRadian;
 
 constexpr std::size_t kSides = 6;       // of an object, around the vertical
 constexpr double kOtherSides = 0.25;    // weight of views from other sides
-constexpr double kWorthTheWay_m = 3.0;  // a view this far from the others must gain twice as much
-constexpr double kFramesPerView = 3.0;  // that a key frame and the way to it take
+constexpr double kWorthTheWay_m = 3.0;  // distance from other views at which a view must gain twice
+                                        // as much
+constexpr double kFramesPerView = 3.0;  // frames that a key frame and the path to it take
 constexpr double kMostPerKeyFrame = 2.0;
-constexpr double kLeastGain = 0.1;  // of the first view's
+constexpr double kLeastGain = 0.1;  // relative to the first view
 
 struct Sighted {
     std::size_t target = 0;
@@ -55,7 +56,7 @@ struct Choice {
     std::vector<Sighted> shown;
 };
 
-/// How often the views so far show each object, by side.
+/// Counts how often the chosen views show each object, by side.
 class Shown {
   public:
     explicit Shown(std::size_t targets) : by_side_(targets), all_(targets, 0.0) {}
@@ -90,8 +91,8 @@ bool atEyeLevel(const Eigen::Vector3d& place, const RayCaster& rays) {
     return share > kLowest && share < kHighest;
 }
 
-/// Free places of these components, drawn at random, with room around the camera and at eye level;
-/// where there are too few of those, any.
+/// Random free positions in these components, with clearance around the camera and at eye level;
+/// filled up with other free positions if there are too few.
 std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::set<int>& components,
                                         int seed) {
     std::vector<const Eigen::Vector3f*> cells;
@@ -129,7 +130,7 @@ class RoomViewSearch {
     explicit RoomViewSearch(const Surroundings& around)
         : around_(around), samples_(around.views), shown_(samples_.targets().size()) {}
 
-    /// Counts what a key frame captures as shown.
+    /// Counts the objects that a key frame captures as shown.
     void count(const PositionPoint& key) {
         std::vector<Sighted> shown;
         for (std::size_t t = 0; t < samples_.targets().size(); ++t) {
@@ -181,7 +182,7 @@ class RoomViewSearch {
     }
 
   private:
-    /// Of the sides around the object, the one that the camera is on.
+    /// Index of the side of the object that the camera is on.
     [[nodiscard]] std::size_t sideOf(const Pose& pose, int object_id) const {
         const Eigen::Vector3d way =
             pose.position - around_.views.scene().object(object_id).box.center;
@@ -230,7 +231,8 @@ class RoomViewSearch {
     std::vector<Choice> choices_;
 };
 
-/// Room views that a tour of so many key frames has frames for.
+/// Number of room views for a tour of `key_frames`: the share view_mix of the frames left by the
+/// budget (without one, of half the key frames), at most two per key frame.
 std::size_t mostRoomViews(const PlanParams& params, std::size_t key_frames) {
     const auto keys = static_cast<double>(key_frames);
     const double spare = params.timing.max_frames > 0

@@ -15,11 +15,11 @@
 namespace dollytrack::planning {
 namespace {
 
-// How many pairs of ends are tried for one part before it is left unjoined.
+// Pairs of ends tried for a part before it is left separate.
 constexpr int kPairsTried = 6;
 constexpr double kUniformShare = 0.2;
 
-/// The paper's chain of samples around the two ends, mixed with uniform ones.
+/// The paper's chain of samples around the two ends, mixed with uniform samples.
 class ChainSampler {
   public:
     ChainSampler(const FreeSpace& free_space, const SweptSphere& sphere, int component,
@@ -43,7 +43,7 @@ class ChainSampler {
             heads_[side] = next;
             refusals_[side] = 0;
         } else if (++refusals_[side] > kPatience) {
-            // A chain that wandered into a corner starts again.
+            // Restart a chain that is stuck in a corner.
             heads_[side] = origins_[side];
             refusals_[side] = 0;
         }
@@ -71,7 +71,8 @@ struct Ends {
     }
 };
 
-/// Pairs of one part's points with other parts' of the same component, closest first.
+/// Closest pairs of the group's key frames with those of other groups in the same component and
+/// room, at most kPairsTried.
 std::vector<Ends> closestEnds(const Roadmap& roadmap, const std::vector<PositionPoint>& points,
                               const std::vector<int>& keys, int group) {
     std::vector<Ends> ends;
@@ -93,7 +94,7 @@ std::vector<Ends> closestEnds(const Roadmap& roadmap, const std::vector<Position
 
 using StepKind = AlgorithmStep::Kind;
 
-/// Adds the samples of one link to the roadmap's, and the steps that made them.
+/// Adds the samples of one link to the roadmap, and the steps that made them.
 void addSamples(Roadmap& roadmap, const RrtStarResult& way, const Ends& pair,
                 const Eigen::Vector3d& start) {
     roadmap.steps.add({StepKind::Link, pair.a, pair.b});
@@ -118,11 +119,11 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                   const std::vector<int>& key_frames, const FreeSpace& free_space,
                   const SweptSphere& sphere, const LinkParams& params, int seed,
                   const JobContext& job) {
-    std::set<int> given_up;  // the smallest key frame of each part that could not be joined
+    std::set<int> given_up;  // groups that could not be joined, by their smallest key frame
     std::uint64_t stream = 1000;
     while (true) {
         findGroups(roadmap, position_points.size(), key_frames);
-        // The smallest part first: most of them are single points in a nook.
+        // The smallest part first: most of them are single points in narrow spaces.
         std::vector<std::pair<int, int>> sizes(static_cast<std::size_t>(roadmap.group_count));
         std::vector<int> smallest(sizes.size(), -1);
         for (const int key : key_frames) {
@@ -141,7 +142,8 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
                 const PositionPoint& a = position_points[static_cast<std::size_t>(pair.a)];
                 const PositionPoint& b = position_points[static_cast<std::size_t>(pair.b)];
-                // The tree grows from the point in the nook: from there all ways lead out.
+                // Grow the tree from the point of the smaller part: it is easier to find a path out
+                // of a narrow space than into it.
                 RrtStarProblem problem;
                 problem.start = a.pose.position;
                 problem.goal = b.pose.position;
@@ -169,7 +171,7 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 edge.via = shortened(way.corners, problem.start, problem.goal, sphere);
                 edge.length_m = wayLength(edge.via, problem.start, problem.goal);
                 roadmap.edges.push_back(std::move(edge));
-                // The joined part has new ends, whatever was tried for its halves.
+                // The joined part has new pairs of ends, so both halves may be tried again.
                 given_up.erase(name);
                 given_up.erase(smallest[static_cast<std::size_t>(
                     roadmap.group[static_cast<std::size_t>(pair.b)])]);

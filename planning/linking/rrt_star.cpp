@@ -9,15 +9,15 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kReach = 1.5;     // longest single move, m
-constexpr int kSmallTree = 64;     // points
-constexpr double kShorter = 0.15;  // of a move that is blocked
+constexpr int kSmallTree = 64;     // in nodes
+constexpr double kShorter = 0.15;  // factor of a blocked move
 constexpr double kRewire = 2.0;    // factor of the shrinking rewiring radius, m
 
 struct Node {
     Eigen::Vector3d position;
     int parent = -1;
     double cost = 0.0;
-    int first_parent = -1;  // before any rewiring
+    int first_parent = -1;  // before rewiring
 };
 
 class Tree {
@@ -39,11 +39,12 @@ class Tree {
     }
 
     /// Adds the point with its cheapest free parent, then rewires its neighbours through it.
+    /// Returns false if no move to it is free.
     bool add(const Eigen::Vector3d& point) {
         const double n = static_cast<double>(nodes_.size()) + 1.0;
         const double radius = std::min(kReach, kRewire * std::cbrt(std::log(n) / n));
         const std::vector<int> near = cheapestFirst(point, radius);
-        // Moves are dear and sums are cheap: the first free one is the best.
+        // Collision tests are expensive and costs are cheap: test in the order of cost.
         const auto first_free = std::ranges::find_if(
             near, [&](int i) { return problem_.is_move_free(at(i).position, point); });
         if (first_free == near.end()) return false;
@@ -70,7 +71,7 @@ class Tree {
         return at(i).cost + (at(i).position - point).norm();
     }
 
-    /// Nodes around a point and the nearest one, by the cost of the way over them.
+    /// Nodes within the radius, or the nearest one, by the cost of reaching the point through them.
     [[nodiscard]] std::vector<int> cheapestFirst(const Eigen::Vector3d& point,
                                                  double radius) const {
         std::vector<int> near = within(point, radius);
@@ -93,7 +94,7 @@ class Tree {
         return result;
     }
 
-    /// Takes what was gained at a node off its whole branch.
+    /// Subtracts a gain from the costs of a node and all its descendants.
     void lower(int top, double gain) {
         std::vector<int> branch = {top};
         while (!branch.empty()) {
@@ -118,7 +119,7 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
     double best_cost = std::numeric_limits<double>::infinity();
     const auto tryGoal = [&](int node) {
         const double rest = (tree.at(node).position - problem.goal).norm();
-        // Rewiring may have shortened the way to the best end since it was found.
+        // Rewiring may have shortened the best path since it was found.
         if (best_end >= 0) {
             best_cost = tree.at(best_end).cost + (tree.at(best_end).position - problem.goal).norm();
         }
@@ -133,13 +134,14 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
     for (int i = 0; i < stop; ++i) {
         if (problem.is_cancelled && problem.is_cancelled()) break;
         const Eigen::Vector3d wish = problem.sample(random);
-        // No way over such a place is shorter than what there is.
+        // No path over this position can be shorter than the best one.
         if ((wish - problem.start).norm() + (wish - problem.goal).norm() >= best_cost) continue;
         const Eigen::Vector3d from = tree.at(tree.nearest(wish)).position;
         const double distance = (wish - from).norm();
         if (distance < 1e-6) continue;
         const Eigen::Vector3d whole = (wish - from) * std::min(1.0, kReach / distance);
-        // In a nook nearly all long moves are blocked, and a tree of short ones finds its way out.
+        // In a narrow space nearly all long moves are blocked; a small tree tries short ones as
+        // well.
         const auto addAt = [&](double share) {
             const Eigen::Vector3d point = from + share * whole;
             return problem.is_free(point) && tree.add(point);
@@ -149,7 +151,8 @@ RrtStarResult rrtStar(const RrtStarProblem& problem, Random random) {
         const bool was_found = best_end >= 0;
         tryGoal(tree.last());
         if (!was_found && best_end >= 0) {
-            // What is left, not what is done, is compared: a limit may be the largest number.
+            // Take the smaller of the remaining and the further iterations: adding to i could
+            // overflow if the limit is the largest int.
             stop = i + std::min(stop - i, std::max(problem.improve_at_least, i / 2));
         }
     }

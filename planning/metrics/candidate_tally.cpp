@@ -8,12 +8,12 @@
 namespace dollytrack::planning {
 namespace {
 
-/// The object, or what stands in for one where none is to blame.
+/// The object's name, or `without` if there is none.
 std::string nameOf(const Scene& scene, int object_id, const char* without) {
     return object_id > 0 ? scene.object(object_id).name : std::string(without);
 }
 
-/// Why a place was no view, as in "200 places are ...".
+/// The reason as a phrase that continues "200 positions are".
 std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
     switch (verdict) {
         case Verdict::InObstacle:
@@ -51,7 +51,7 @@ void CandidateTally::add(const Candidate& candidate) {
     if (candidate.verdict == Verdict::Legal) {
         ++legal_;
     } else {
-        // Only these two know who is to blame.
+        // Only these verdicts name an object.
         const bool blames =
             candidate.verdict == Verdict::OccludedBy || candidate.verdict == Verdict::InObstacle;
         ++refused_[{candidate.verdict, blames ? candidate.occluder : 0}];
@@ -70,15 +70,15 @@ void CandidateTally::add(const Candidate& candidate) {
         case Verdict::Legal:
             break;
         default:
-            return;  // not free: nothing was seen from there
+            return;  // not free: nothing was sampled
     }
     most_visible_ = std::max(most_visible_, candidate.visible_fraction);
 }
 
 Loss CandidateTally::loss() const {
     if (free() == 0) return Loss::NoFreePose;
-    // Places that were legal at a glance and not on a closer look show almost enough of it: what
-    // hides the rest decides, when anything hides it at all.
+    // Candidates legal in a coarse estimate but not in a fine one show almost enough: then
+    // occlusion decides, if anything is occluded.
     const int left = inSight() - legal_;
     if (left == 0 && (hidden_ > 0 || legal_ == 0)) return Loss::Occluded;
     return small_ > 0 || cropped_ == 0 ? Loss::TooSmall : Loss::DoesNotFit;

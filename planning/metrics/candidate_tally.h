@@ -8,8 +8,9 @@
 
 namespace dollytrack::planning {
 
-/// What became of places tried for a view of one object, counted; and where the last of them were
-/// lost: a place has to be free, then in sight, then large enough, then whole in the image.
+/// Counts the verdicts on candidates for views of one object, and names the stage at which the last
+/// of them were lost: a candidate must be free, then unoccluded, then large enough, then completely
+/// in the image.
 class CandidateTally {
   public:
     void add(const Candidate& candidate);
@@ -17,16 +18,17 @@ class CandidateTally {
     [[nodiscard]] int tried() const { return tried_; }
     [[nodiscard]] int legal() const { return legal_; }
 
-    /// The first of NoFreePose, Occluded, TooSmall and DoesNotFit after which no place was left.
+    /// The first of NoFreePose, Occluded, TooSmall and DoesNotFit after which no candidate was
+    /// left.
     [[nodiscard]] Loss loss() const;
 
-    /// With Occluded: what hides it most often; 0 when it hides itself.
+    /// With Occluded: the object that hides it in most candidates; 0 if it hides itself.
     [[nodiscard]] int occluder() const;
 
-    /// A sentence with the numbers, for loss().
+    /// A sentence that explains loss() with numbers.
     [[nodiscard]] std::string reason(const Scene& scene) const;
 
-    /// "too near to wall (12), hidden by sofa (3)", most frequent first; at most `kinds` of them.
+    /// "too near to wall (12), hidden by sofa (3)": the most frequent reasons, at most `kinds`.
     [[nodiscard]] std::string refusals(const Scene& scene, std::size_t kinds = 2) const;
 
   private:
@@ -38,12 +40,12 @@ class CandidateTally {
     int hidden_ = 0;
     int small_ = 0;
     int cropped_ = 0;
-    double most_visible_ = 0.0;  // share, of the free places
+    double most_visible_ = 0.0;  // visible fraction, over the free candidates
     std::map<int, int> hidden_by_;
     std::map<std::pair<Verdict, int>, int> refused_;  // by verdict and object
 };
 
-/// The places tried for the object: alone if it was searched for alone, else for its group.
+/// Tally of the candidates for the object: of its own search if there was one, else of its groups.
 CandidateTally tallyOf(const Plan& plan, int object_id);
 
 }  // namespace dollytrack::planning

@@ -73,7 +73,8 @@ class DenseSearch {
         if (place.coarse.visible_fraction > 0.6) places_.push_back(std::move(place));
     }
 
-    /// The places that remedies are looked for at: no remedy may pin what the bound denies.
+    /// Include the positions at which remedies are searched: no remedy may pin a view that the
+    /// bound denies.
     void askWhatIf() {
         const PlanParams params;
         const PlanEdits edits;
@@ -88,7 +89,7 @@ class DenseSearch {
         }
     }
 
-    /// Looks by every pixel at the best for each of the two rates.
+    /// Estimates exactly the best candidates for each of the two rates.
     void refine() {
         const auto look = [&](auto&& quality) {
             std::stable_sort(places_.begin(), places_.end(), [&](const Place& a, const Place& b) {

@@ -8,10 +8,10 @@ namespace dollytrack::planning {
 
 struct Surroundings;
 
-/// What no planner can pass: for every target a dense search over legal poses (directions all
-/// around it times distances, then free places at random), looking at it, and the places at which
-/// remedies are looked for. A search finds no true bound: what it misses may still exist. Takes
-/// seconds, so only on request. Poses of `plan` are tried first. Error: Cancelled.
+/// Estimates the highest possible capture rates: for every target that `plan` does not capture
+/// well, a dense search over legal poses (many directions and distances, random free positions, and
+/// the positions at which remedies are searched). It is not a proven bound, since the search may
+/// miss views. Takes seconds. Error: Cancelled.
 Result<CaptureBound> boundCaptures(const Surroundings& around, const Plan& plan, int seed,
                                    const JobContext& job);
 

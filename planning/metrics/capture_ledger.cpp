@@ -13,7 +13,7 @@ bool has(const std::vector<int>& ids, int id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/// How far a position point came on its way to a frame.
+/// How far a position point got on its way to a frame.
 enum class Reached { Found, KeyFrame, Path, Frame };
 
 Reached reached(const Plan& plan, int point) {
@@ -32,7 +32,7 @@ Reached reached(const Plan& plan, int point) {
                : Reached::Path;
 }
 
-/// How far the rounded path leads past a key frame, m.
+/// Distance between a key frame and the rounded path, m.
 double movedBySmoothing(const Plan& plan, int point) {
     double moved = 0.0;
     for (const SmoothPath& path : plan.smooth_paths) {
@@ -62,7 +62,7 @@ class RowMaker {
 
   private:
     void takeFrame(const ObjectView& view) {
-        // A frame that it would be in, were it not hidden, does not show it.
+        // A fully occluded object is not shown by the frame.
         if (view.frame < 0 || view.visible_fraction <= 0.0) return;
         const auto& frame = plan_.trajectory.frames[static_cast<std::size_t>(view.frame)];
         row_.frame = view.frame;
@@ -74,7 +74,8 @@ class RowMaker {
         row_.distance_m = (center() - frame.pose.position).norm();
     }
 
-    /// A view that does what no frame does was found, and lost later.
+    /// Whether some position point captures the object (or captures it well) although no frame
+    /// does: the view was lost after the search.
     bool lostOnTheWay() {
         int furthest = -1;
         Reached how_far = Reached::Found;
@@ -167,7 +168,7 @@ class RowMaker {
         if (tally.loss() == Loss::Occluded) row_.occluder = tally.occluder();
     }
 
-    /// Captured, but never large: what became of the places nearer to it.
+    /// For an object captured but never large: the verdicts on candidates closer to it.
     [[nodiscard]] std::string whyNotLarger() const {
         double largest = row_.box_share;
         for (const std::vector<ObjectView>& frame : plan_.frame_views) {

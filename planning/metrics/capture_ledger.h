@@ -7,10 +7,10 @@
 
 namespace dollytrack::planning {
 
-/// One row for each target of a measured plan: how it is captured or, when it is not captured well,
-/// at which stage that was lost and why. Read off the plan alone, without looking again, so it
-/// costs next to nothing; what would help is searched for by findRemedies(). `left_out_for`: what
-/// the path leaves key frames out for, "to keep to max_length_m".
+/// One row per target of a measured plan: how it is captured or, if not captured well, the stage at
+/// which that was lost and why. Uses the plan only, without new estimates; findRemedies() searches
+/// for what would help. `left_out_for` is the reason given for key frames that are not on a path,
+/// for example "to keep to max_length_m".
 std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan,
                                      const std::string& left_out_for = "as no way leads there");
 

@@ -11,7 +11,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kSteps = 12;
-constexpr int kUsualFrames = 300;  // the budget at which planners are compared
+constexpr int kUsualFrames = 300;  // the budget of planner comparisons
 
 CoveragePoint pointOf(const Plan& plan, const PathParams& path, int max_frames) {
     CoveragePoint point;
@@ -26,7 +26,7 @@ CoveragePoint pointOf(const Plan& plan, const PathParams& path, int max_frames) 
     return point;
 }
 
-/// Even steps, and the first frames, which show the most each.
+/// Even steps, and the first few frames, which add the most each.
 std::set<int> frameBudgets(const PlanParams& params, const Plan& plan) {
     const int most = params.timing.max_frames > 0
                          ? params.timing.max_frames
@@ -67,8 +67,8 @@ Result<CoverageCurves> coverageCurves(Pipeline& pipeline, const PlanParams& para
         curves.by_frames.push_back(*point);
     }
     for (int i = 1; i <= lengths; ++i) {
-        // Walks are measured before smoothing cuts their corners, so the plan's own length would
-        // be too short for it: the last one is the plan itself.
+        // Walks are measured before smoothing shortens them, so the plan's own length could be too
+        // short for its own path: the last point is the plan itself.
         const JobContext part = nextPart();
         if (i == lengths) {
             curves.by_length.push_back(pointOf(plan, params.path, params.timing.max_frames));

@@ -21,21 +21,23 @@ struct CoveragePoint {
     double max_length_m = 0.0;  // 0: no limit
     int frames = 0;
     double path_length_m = 0.0;
-    int captured = 0;  // objects
+    int captured = 0;  // number of objects
     int well_captured = 0;
     double capture_rate = 0.0;
     double well_captured_rate = 0.0;
 };
 
-/// What budgets cost: few frames, short ways. Both rise to the plan without the other's limit.
+/// Captures against the budget of frames and of path length. Each curve ends at the plan's own
+/// values.
 struct CoverageCurves {
     std::vector<CoveragePoint> by_frames;
     std::vector<CoveragePoint> by_length;
 };
 
-/// Plans again and again on the pipeline, from the key frames on, under rising budgets: frames up
-/// to `max_frames`, or where that is off as many as the plan has key frames, or 300; metres up to
-/// the plan's own length. `plan` is what the parameters give. Errors as Pipeline::run().
+/// Plans repeatedly under rising budgets, reusing the pipeline's stages up to the key frames:
+/// frames up to `max_frames` (without it, the larger of 300 and the number of key frames), and
+/// metres up to the plan's length. `plan` must be the result of these parameters. Errors as
+/// Pipeline::run().
 Result<CoverageCurves> coverageCurves(Pipeline& pipeline, const PlanParams& params,
                                       const PlanEdits& edits, const Plan& plan,
                                       const JobContext& job);

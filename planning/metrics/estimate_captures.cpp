@@ -12,11 +12,11 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kExactFrames = 4;        // frames looked at by every pixel, for each of the orders
-constexpr std::size_t kMoreKeys = 12;  // key frames, where none of those shows the object well
+constexpr int kExactFrames = 4;        // frames estimated exactly per ordering
+constexpr std::size_t kMoreKeys = 12;  // further key frames, if none of those shows the object well
 
-/// The frames that are worth a look by every pixel, by three orders: most visible, most visible
-/// among those that show the object large, and of these the safest; then the safest key frames.
+/// Frames worth an exact estimate, by several orderings: most visible, most visible among those
+/// that show the object large, largest margin of these, and key frames of largest margin.
 std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& trajectory) {
     std::vector<int> frames;
     const auto take = [&](auto&& better) {
@@ -34,8 +34,8 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
                v.scanned_share < CaptureRules{}.min_scanned_share;
     });
     take([&](const ObjectView& a, const ObjectView& b) { return key(a) < key(b); });
-    // Among many alike the most visible may all be a little too small: also those that pass both
-    // conditions by the widest margin.
+    // The most visible of many similar frames may all be slightly too small: add those with the
+    // largest margin on both conditions.
     const auto margin = [](const ObjectView& v) {
         const CaptureRules rules;
         return std::tuple(-std::min(v.visible_fraction / rules.min_visible_fraction,
@@ -46,8 +46,8 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
         return margin(a) < margin(b);
     };
     take(safer);
-    // One of them was chosen for this object, and what it was chosen for shows at a close look
-    // only, where things stand one before the other.
+    // One key frame was chosen for this object, and in cluttered scenes only a dense estimate shows
+    // it.
     std::erase_if(coarse, [&](const ObjectView& v) {
         return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;
     });
@@ -57,9 +57,8 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     return frames;
 }
 
-/// Key frames that show something of the object, the most visible first. Surfaces that lie in one
-/// another look different to every few rays: what a key frame was chosen for may hide from the
-/// glance.
+/// Key frames that show part of the object, the most visible first. Coincident surfaces give
+/// different results with few rays, so the coarse pass may miss what a key frame was chosen for.
 std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& trajectory) {
     std::erase_if(coarse, [&](const ObjectView& v) {
         return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;
@@ -74,9 +73,9 @@ std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& t
 }
 
 using Glances = std::vector<ViewMemo::Look>;
-using ObjectViews = std::vector<ObjectView>;  // of one object, by rising frame
+using ObjectViews = std::vector<ObjectView>;  // of one object, by ascending frame
 
-/// A glance from each frame at all targets, by frame; those from known poses are remembered.
+/// Coarse estimates of all targets, by frame; cached poses are reused.
 std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
                                             const Trajectory& trajectory, ViewMemo& memo,
                                             const JobContext& job) {
@@ -88,7 +87,7 @@ std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
         entries[f] = memo.find(frames[f].pose);
         if (entries[f] == nullptr) fresh.push_back(f);
     }
-    // Object by object, since neighbouring frames see much the same of one.
+    // Object by object, for cache locality: neighbouring frames see much the same of one object.
     std::vector<std::vector<std::pair<std::size_t, ViewMemo::Look>>> seen(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = scene.objects[i].id;
@@ -168,7 +167,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     ObjectViews all;
     for (std::size_t i = 0; i < exact.size(); ++i) {
-        // Both by rising frame: the exact view takes the place of the coarse one.
+        // Both are sorted by frame: the exact view replaces the coarse one.
         auto better = exact[i].begin();
         for (ObjectView& view : coarse[i]) {
             const auto f = static_cast<std::size_t>(view.frame);

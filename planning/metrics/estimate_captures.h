@@ -16,13 +16,13 @@ struct CaptureEstimate {
     std::vector<std::vector<Eigen::AlignedBox2d>> frame_boxes;  // see imageBoxes()
 };
 
-/// How every target shows along a trajectory, estimated by rays: a coarse look at all frames that
-/// may show it, then a look at every pixel for the best few. `memo`, unless null,
-/// spares looks from poses it knows, and learns the others. Error: Cancelled.
+/// Estimates by rays how each target appears along a trajectory: a coarse pass over all frames that
+/// may show it, then exact estimates of the best few. `memo`, unless null, caches estimates by
+/// pose. Error: Cancelled.
 Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job, ViewMemo* memo = nullptr);
 
-/// The metrics about the motion itself. Error: Cancelled.
+/// Measures the motion: length, clearance, collisions, repeats. Error: Cancelled.
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                                             const std::vector<SmoothPath>& paths,
                                             const Trajectory& trajectory, const SweptSphere& sphere,

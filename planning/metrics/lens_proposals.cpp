@@ -13,10 +13,10 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kNarrowest = 10.0;
-constexpr double kWidest = 120.0;  // wider pinholes stretch what is at their rims
-constexpr double kWhole = 0.92;    // share of the image's length that an object may take
+constexpr double kWidest = 120.0;  // wider pinhole images are strongly stretched at the border
+constexpr double kWhole = 0.92;    // largest share of the image's length for an object
 
-/// Nothing where no near plane fits into the camera's sphere.
+/// A proposal with another lens; empty if no near plane fits in the camera's sphere.
 std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
     Proposal made = unchanged(what, std::nullopt);
     changeTo(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov_deg);
@@ -24,12 +24,12 @@ std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
     return made;
 }
 
-/// The scene through other lenses, one of each angle of view. Made when asked for.
+/// View estimators for other lenses, by angle of view, created on demand.
 class Lenses {
   public:
     explicit Lenses(const WhatIf& what) : what_(what) {}
 
-    /// Null where no camera has this lens.
+    /// The view estimator for a lens; null if no camera can have it.
     [[nodiscard]] const ViewEstimator* at(double hfov_deg) {
         const auto known = made_.find(hfov_deg);
         if (known != made_.end()) return &known->second;
@@ -47,7 +47,7 @@ class Lenses {
 
     [[nodiscard]] std::size_t count() const { return made_.size(); }
 
-    /// Only of a lens by which it was shown.
+    /// A proposal with a lens for which at() returned an estimator.
     [[nodiscard]] Proposal propose(double hfov_deg, const Pose& view) const {
         Proposal made = *withLens(what_, hfov_deg);
         made.view = view;
@@ -59,13 +59,13 @@ class Lenses {
     std::map<double, ViewEstimator> made_;
 };
 
-/// The angle of view that enlarges the image by `scale`, deg.
+/// The horizontal angle of view that enlarges the image by `scale`, deg.
 double scaled(double hfov_deg, double scale) {
     const double half = std::tan(hfov_deg * std::numbers::pi / 360.0);
     return 2.0 * std::atan(half / scale) * 180.0 / std::numbers::pi;
 }
 
-/// Longer lenses, where the object is too small: the least that enlarges it enough.
+/// Longer lenses for an object that is too small: the mildest that enlarges it enough.
 std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
     const double before = what.params.camera.hfov_deg;
     const auto lensFor = [&](const WhatIfPlace& p) {
@@ -100,7 +100,7 @@ std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
     return proposals;
 }
 
-/// Wider lenses, where the object does not fit: the least by which enough of it does.
+/// Wider lenses for an object that does not fit: the mildest that shows enough of it.
 std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
     const double before = what.params.camera.hfov_deg;
     const auto fits = [&](const WhatIfPlace& p) {
@@ -111,7 +111,7 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
         [](const WhatIfPlace& p) { return p.legal() && std::isfinite(p.fill) && p.fill > kWhole; },
         [](const WhatIfPlace& p) { return -p.fill; });
     if (cropped.empty() || before >= kWidest) return {};
-    // The widest lens tells where something hides it: what is cropped now says little of that.
+    // The widest lens shows whether the object is hidden; a cropped view says little about that.
     const ViewEstimator* widest = lenses.at(kWidest);
     if (widest == nullptr) return {};
     std::vector<double> promises(cropped.size());
@@ -122,7 +122,7 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
     double least = kWidest + 1.0;
     Pose view;
     const auto lookFrom = [&](std::size_t i) {
-        // More of it shows the wider the lens is: so halving finds the least.
+        // A wider lens shows more of it, so bisection finds the least angle.
         const Pose here = poseAt(what, *cropped[i]);
         double enough = std::min(least - 1.0, fits(*cropped[i]));
         if (enough <= before || !lenses.show(enough, here)) return;
@@ -135,7 +135,7 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
         least = enough;
         view = here;
     };
-    // Of the places that nearly promise it most fail when looked at exactly.
+    // Most candidates that nearly meet the requirement fail the exact estimate.
     for (const double asked : {1.0, kAlmost}) {
         std::size_t looked = 0;
         for (std::size_t i = 0; i < cropped.size() && looked < kLookedAt; ++i) {
@@ -147,7 +147,7 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
     }
     if (least > kWidest) return {};
     std::vector<Proposal> proposals = {lenses.propose(least, view)};
-    // A little more leaves the search more places to choose from.
+    // A slightly wider lens gives the search more candidates.
     const double more = std::min(std::ceil(least / 5.0 + 0.5) * 5.0, kWidest);
     if (more > least && lenses.show(more, view)) proposals.push_back(lenses.propose(more, view));
     return proposals;

@@ -13,8 +13,7 @@ namespace {
 constexpr double kPitchDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr int kMoreSteps = 5;
 
-/// The pitch band with one of its ends moved outwards by steps of up to a degree: onto whole
-/// degrees, which are easier to read.
+/// The pitch band with one limit moved outwards by steps of at most a degree, to whole degrees.
 ConstraintParams loosened(const ConstraintParams& from, bool down, int steps) {
     ConstraintParams to = from;
     if (down) {
@@ -25,12 +24,12 @@ ConstraintParams loosened(const ConstraintParams& from, bool down, int steps) {
     return to;
 }
 
-/// A place from which the object is above or below what the camera may look at.
+/// A position from which the object is above or below the pitch band.
 struct SteepPlace {
     const WhatIfPlace* place = nullptr;
     bool down = false;
-    int steps = 0;  // the least after which a coarse look promises what is asked for; 0: none does
-    double goodness = 0.0;  // when nothing limits the pitch
+    int steps = 0;  // fewest steps after which a coarse estimate meets the requirement; 0: none
+    double goodness = 0.0;  // without any limit of pitch
 };
 
 SteepPlace steepPlace(const WhatIf& what, const WhatIfPlace& place, double asked) {
@@ -48,7 +47,7 @@ SteepPlace steepPlace(const WhatIf& what, const WhatIfPlace& place, double asked
     const auto promises = [&](const ViewEstimator::Estimate& view) {
         return promise(view, what.well) >= asked;
     };
-    // Past this the object is in the image's middle.
+    // With this many steps the object is in the image centre.
     int enough = static_cast<int>(std::ceil(
                      steep.down ? from.min_pitch_deg - elevation * kPitchDegreesPerRadian
                                 : elevation * kPitchDegreesPerRadian - from.max_pitch_deg)) +
@@ -77,7 +76,7 @@ Proposal propose(const WhatIf& what, const SteepPlace& steep, int steps) {
     return made;
 }
 
-/// Those from which a coarse look promises `asked`, the least step first.
+/// The positions from which a coarse estimate reaches `asked`, fewest steps first.
 std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
     std::vector<SteepPlace> steep(what.places.size());
     parallelFor(what.places.size(), [&](std::size_t i) {
@@ -91,12 +90,12 @@ std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
     return steep;
 }
 
-/// The least loosening, checked exactly; none when no place shows what is asked for.
+/// The mildest loosening, verified by exact estimates; empty if no position meets the requirement.
 std::vector<Proposal> loosenedFor(const WhatIf& what) {
     const auto shows = [&](const Proposal& made) {
         return showsEnough(what.around.views, *made.view, what.object_id, what.well);
     };
-    // Of the many places that nearly promise it most fail when looked at exactly.
+    // Most candidates that nearly meet the requirement fail the exact estimate.
     for (const double asked : {1.0, kAlmost}) {
         std::size_t looked = 0;
         for (const SteepPlace& one : steepPlaces(what, asked)) {
@@ -109,7 +108,8 @@ std::vector<Proposal> loosenedFor(const WhatIf& what) {
                 if (!shows(milder)) break;
                 pinned = std::move(milder);
             }
-            // A little more spares the pin, where the search has more places to choose from then.
+            // A slightly looser band may make the pin unnecessary, since the search has more
+            // candidates.
             Proposal least = pinned;
             Proposal more = propose(what, one, steps + kMoreSteps);
             least.view.reset();
@@ -127,7 +127,7 @@ std::vector<Proposal> proposePitches(const WhatIf& what) {
     if (!pitchBand(what.params.constraints).restricts()) return {};
     WhatIf well = what;
     well.well = true;
-    // What is captured but small is next to no help: a looser band costs nothing but itself.
+    // Prefer views that capture well: a looser band has no other cost.
     std::vector<Proposal> proposals = loosenedFor(well);
     if (what.well) return proposals;
     for (Proposal& made : loosenedFor(what)) proposals.push_back(std::move(made));

@@ -8,24 +8,26 @@
 
 namespace dollytrack::planning {
 
-/// A plan's inputs with something changed.
+/// A plan's inputs with a change.
 struct PlanChange {
     PlanParams params;
     PlanEdits edits;
-    int without_object = 0;  // id of an object that is taken out of the scene; 0: none
+    int without_object = 0;  // id of an object removed from the scene; 0: none
     bool operator==(const PlanChange&) const = default;
 };
 
-/// Plans again with changes, to see what they do. Remembers outcomes, since what helps one object
-/// is often tried for the next.
+/// Plans again with changes, to test their effect. Caches results, since a change that helps one
+/// object is often tried for the next.
 class PlanTrials {
   public:
     explicit PlanTrials(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
 
-    /// Null when it cannot be planned at all, or the job was cancelled.
+    /// Plans with a change, or returns the cached result. Null if planning fails or the job is
+    /// cancelled.
     std::shared_ptr<const Plan> run(const PlanChange& change, const JobContext& job);
 
-    /// The planning of the whole scene or of the scene without an object, as of its last run.
+    /// The pipeline for the whole scene, or for the scene without an object, in the state of its
+    /// last run.
     Pipeline& pipeline(int without_object = 0);
 
     /// The scene, or a copy without the triangles of an object; ids stay.
@@ -34,7 +36,7 @@ class PlanTrials {
   private:
     std::shared_ptr<const Scene> scene_;
     std::map<int, std::shared_ptr<const Scene>> without_;
-    std::map<int, Pipeline> pipelines_;  // by the object that is taken out
+    std::map<int, Pipeline> pipelines_;  // by removed object
     std::vector<std::pair<PlanChange, std::shared_ptr<const Plan>>> known_;
 };
 

@@ -61,7 +61,7 @@ void changeTo(Proposal& made, const std::string& name, double& field, double val
 bool keepNearInSphere(Proposal& made) {
     constexpr double kLeast_m = 0.001;
     CameraParams& camera = made.change.params.camera;
-    // Distance of the near plane's corners for a near distance of 1.
+    // Distance of the near plane's corners at a near distance of 1.
     const double corner = makeIntrinsics(camera).unproject(0.0, 0.0).norm();
     const double farthest = camera.camera_radius_m / corner;
     if (farthest >= camera.near_m) return true;

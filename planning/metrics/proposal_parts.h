@@ -6,35 +6,37 @@
 #include <string>
 #include <vector>
 
-// What the kinds of remedies share.
+// Shared parts of all kinds of remedies.
 namespace dollytrack::planning {
 
-inline constexpr std::size_t kLookedAt = 24;    // places a kind of remedy looks at again, exactly
-inline constexpr std::size_t kMostOfAKind = 2;  // proposals of one kind
-inline constexpr double kAlmost = 0.9;          // of what a coarse look must show for an exact one
+inline constexpr std::size_t kLookedAt = 24;    // most candidates that a kind of remedy estimates
+                                                // exactly
+inline constexpr std::size_t kMostOfAKind = 2;  // most proposals of one kind
+inline constexpr double kAlmost = 0.9;          // share of the requirement that a coarse estimate
+                                                // must reach before an exact one is made
 
-/// How near a coarse look comes to what is asked for; 1: all of it.
+/// How close a coarse estimate comes to the requirement; 1: it meets it.
 double promise(const ViewEstimator::Estimate& seen, bool well);
 
-/// Well before captured, then with as much in sight and in the image as is to be had.
+/// Order of views: captured well counts most, then captured, then visible fraction and size.
 double goodness(const ViewEstimator::Estimate& seen);
 
-/// Places worth an exact look, by falling `order`.
+/// The positions that satisfy `fits`, sorted by descending `order`.
 std::vector<const WhatIfPlace*> bestFirst(const std::vector<WhatIfPlace>& places,
                                           const std::function<bool(const WhatIfPlace&)>& fits,
                                           const std::function<double(const WhatIfPlace&)>& order);
 
-/// The view from a place that is aimed within the pitch band.
+/// The view of the object from a position, within the pitch band.
 Pose poseAt(const WhatIf& what, const WhatIfPlace& place);
 
-/// With nothing changed yet.
+/// A proposal without any change yet.
 Proposal unchanged(const WhatIf& what, const std::optional<Pose>& view);
 
-/// Gives a parameter another value, and says so.
+/// Changes a parameter, and adds that to the remedy's settings and text.
 void changeTo(Proposal& made, const std::string& name, double& field, double value);
 
-/// Brings the near plane into the proposed camera's sphere; false where it would be nearer than
-/// near_m can be.
+/// Lowers near_m until the near plane fits in the proposed camera's sphere. Returns false if it
+/// would have to be below the least near_m.
 [[nodiscard]] bool keepNearInSphere(Proposal& made);
 
 }  // namespace dollytrack::planning

@@ -30,7 +30,7 @@ bool names(const std::vector<ObjectRef>& objects, int id) {
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// As pinText() has it: who pins what it says gets what was tried.
+/// The pose rounded as pinText() prints it, so that the printed pin is the one tried.
 Pose asWritten(const Pose& view) {
     const auto rounded = [](double value, double step) { return std::round(value / step) * step; };
     const Eigen::Vector3d ahead = view.forward();
@@ -38,7 +38,7 @@ Pose asWritten(const Pose& view) {
         rounded(std::asin(std::clamp(ahead.z(), -1.0, 1.0)), 0.1 / kDegreesPerRadian);
     Pose pose = view;
     for (double& value : pose.position) value = rounded(value, 1e-3);
-    if (std::abs(pitch) > 89.0 / kDegreesPerRadian) return pose;  // next to no heading
+    if (std::abs(pitch) > 89.0 / kDegreesPerRadian) return pose;  // almost no heading
     const double yaw = rounded(std::atan2(ahead.y(), ahead.x()), 0.1 / kDegreesPerRadian);
     pose.rotation = lookAlong(Eigen::Vector3d(std::cos(yaw) * std::cos(pitch),
                                               std::sin(yaw) * std::cos(pitch), std::sin(pitch)));
@@ -58,7 +58,7 @@ bool lostInSearch(const LedgerRow& row) {
            row.loss == Loss::TooSmall || row.loss == Loss::DoesNotFit;
 }
 
-/// What became of all the places around an object, in the words that candidates have.
+/// Tally of all positions around an object, with the verdicts of candidates.
 CandidateTally tallyOf(const std::vector<WhatIfPlace>& places) {
     CandidateTally tally;
     for (const WhatIfPlace& place : places) {
@@ -107,7 +107,8 @@ class Finder {
   private:
     [[nodiscard]] PlanChange unchanged() const { return {params_, edits_}; }
 
-    /// Plans with the proposal. True when it does what is asked for; its remedy is then complete.
+    /// Plans with the proposal. Returns whether it achieves what is asked for; its remedy is then
+    /// complete.
     bool works(Proposal& made, const LedgerRow& row) {
         const auto keeps = [&](const std::shared_ptr<const Plan>& plan) {
             if (!plan) return false;
@@ -128,7 +129,7 @@ class Finder {
         std::erase_if(pinned,
                       [&](const PinnedPoint& other) { return other.objects == pin.objects; });
         pinned.push_back(pin);
-        // Where everything hangs on a pixel, to the last bit.
+        // Try the rounded pose first, then the exact one: a capture may depend on single pixels.
         for (const Pose& pose : {asWritten(*made.view), *made.view}) {
             pinned.back().pose = pose;
             if (!keeps(trials_.run(made.change, job_))) continue;
@@ -139,13 +140,13 @@ class Finder {
         return false;
     }
 
-    /// What the proposal costs and brings beside what it is for.
+    /// Counts the other objects that the proposal loses and gains.
     void weigh(const Plan& with_it, int object_id, Proposal& made) const {
         made.lost = made.gained = 0;
         for (const ObjectCapture& before : plan_.captures) {
             const auto now =
                 std::ranges::find(with_it.captures, before.object_id, &ObjectCapture::object_id);
-            // What is put elsewhere is not there to be captured in the trial.
+            // A moved object is absent in the trial.
             if (before.object_id == object_id || now == with_it.captures.end()) continue;
             made.lost += before.captured && !now->captured ? 1 : 0;
             made.gained += !before.captured && now->captured ? 1 : 0;
@@ -164,8 +165,8 @@ class Finder {
         kept_balance_ = made.gained - made.lost;
     }
 
-    /// True with a remedy that costs no other object. One that does is kept, the one that brings
-    /// most, while the search for a better one goes on.
+    /// Returns true for a remedy that loses no other object. Otherwise keeps the one with the best
+    /// balance while the search goes on.
     bool takeFirst(std::vector<Proposal> proposals, LedgerRow& row) {
         for (Proposal& made : proposals) {
             if (job_.cancelled()) return false;
@@ -178,7 +179,7 @@ class Finder {
         return false;
     }
 
-    /// The least length that works, to 0.1 m, between one that does not and one that does.
+    /// Finds the smallest length that works, to 0.1 m, by bisection.
     void takeLeastLength(LedgerRow& row) {
         const double limit = params_.path.max_length_m;
         const auto tenths = [](double metres) { return std::ceil(metres * 10.0 - 1e-6) / 10.0; };
@@ -210,7 +211,7 @@ class Finder {
         }
     }
 
-    /// No view of it was found: is there one, or would there be?
+    /// No view was found: searches for a missed view, then for changes that would give one.
     void findElsewhere(LedgerRow& row) {
         const Subject subject = makeSubject(around_.views, {row.object_id});
         const auto places = whatIfPlaces(around_, subject, row.object_id, params_.seed, job_);
@@ -233,7 +234,7 @@ class Finder {
         if (!takeFirst(proposeMoves(what, trials_), row) && held_by_pitch) blamePitchBand(row);
     }
 
-    /// The dense look knows better than the few places of the search.
+    /// Corrects the reason by the dense sampling.
     void lookDenser(const std::vector<WhatIfPlace>& places, LedgerRow& row) const {
         if (row.captured || job_.cancelled() || places.empty()) return;
         const CandidateTally tally = tallyOf(places);
@@ -243,7 +244,7 @@ class Finder {
         row.reason = tally.reason(scene_);
     }
 
-    /// There are views of it where the camera may be, but it may not look at them.
+    /// Views exist where the camera may be, but the pitch band excludes them.
     void blamePitchBand(LedgerRow& row) const {
         const ConstraintParams& band = params_.constraints;
         const std::string range =
@@ -259,7 +260,7 @@ class Finder {
                      "capture it.";
     }
 
-    /// A view was found and lost on the way: undo what lost it.
+    /// A view was found and lost later: undo what lost it.
     void giveBack(LedgerRow& row) {
         std::vector<Proposal> proposals;
         switch (*row.loss) {
@@ -284,7 +285,7 @@ class Finder {
                 break;
         }
         if (takeFirst(std::move(proposals), row) || row.remedy) return;
-        // A pinned point is gone through at its very pose.
+        // The path passes through a pinned point at its exact pose.
         std::vector<Proposal> pins;
         for (const PositionPoint& point : plan_.position_points) {
             const auto& shown = row.captured ? point.well_captured : point.captured;
@@ -295,7 +296,7 @@ class Finder {
         takeFirst(std::move(pins), row);
     }
 
-    /// Proposals without a view of their own: planning again finds it, or they are no use.
+    /// A proposal without a view of its own: planning must find the view.
     [[nodiscard]] Proposal setting(const std::string& assignment, std::string text) const {
         Proposal made{unchanged(), {}, std::nullopt, false};
         made.remedy.settings = {assignment};
@@ -305,7 +306,7 @@ class Finder {
         return made;
     }
 
-    /// Frames that leave the first so many of these key frames in the plan.
+    /// Smallest budget of frames that keeps the first `count` of these key frames.
     [[nodiscard]] int framesFor(std::size_t count, const std::vector<int>& keys) const {
         PathEnds ends;
         ends.loop =
@@ -315,7 +316,8 @@ class Finder {
         return ends.visits;
     }
 
-    /// Key frames come in order of what they add; up to this object's first, and all of them.
+    /// Key frames are sorted by what they add: propose a budget up to this object's first one, and
+    /// one for all.
     [[nodiscard]] std::vector<Proposal> proposeBudgets(const LedgerRow& row) const {
         const std::vector<int> keys =
             chooseKeyFrames(plan_.position_points, objectWeights(scene_, edits_.regions));
@@ -341,7 +343,7 @@ class Finder {
         return params_.path.path_mode == PathMode::Tour && params_.path.max_length_m > 0.0;
     }
 
-    /// The other limits that leave key frames off a path.
+    /// The other limits that keep key frames off a path.
     [[nodiscard]] std::vector<Proposal> proposeTour() const {
         if (params_.path.path_mode == PathMode::LongestBranch) {
             return {setting("path_mode=tour", "path_mode tour instead of longest_branch")};
@@ -400,7 +402,7 @@ class Finder {
     const Surroundings& around_;
     PlanTrials& trials_;
     const JobContext& job_;
-    int kept_balance_ = 0;  // objects that the remedy kept brings, less those that it costs
+    int kept_balance_ = 0;  // objects that the kept remedy gains minus those it loses
 };
 
 }  // namespace

@@ -11,14 +11,13 @@
 
 namespace dollytrack::planning {
 
-/// Searches for what would get each object of `rows` captured, or captured well, that is not: the
-/// rows come back with their remedies. A remedy is kept only when planning again with it does what
-/// it promises; the mildest kind that does is taken:
-/// what was lost on the way given back (budget, path, smoothing, by hand), a pinned point at a
-/// legal place that the search missed, a looser pitch band, a no-go box or the height band out of
-/// the way, a smaller camera, another lens, and last an object put elsewhere. A row whose legal
-/// view was missed says so; what no place at all sees says that. `plan` is the outcome of these
-/// very parameters and edits. Plans several times, so it takes seconds. Error: Cancelled, and as
+/// Searches for a remedy for each object of `rows` that is not captured, or not captured well, and
+/// returns the rows with their remedies. A remedy is kept only if planning with it achieves what it
+/// promises. The mildest kind is taken: undoing what lost the view later (budget, path, smoothing,
+/// manual edit); pinning a legal view that the search missed; a looser pitch band; removing a no-go
+/// box or widening the height band; a smaller camera; another lens; moving an object. Also corrects
+/// a row's reason if the dense search knows better. `plan` must be the result of these parameters
+/// and edits. Plans several times, so it takes seconds. Errors: Cancelled, and those of
 /// Pipeline::run().
 Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& scene,
                                             const PlanParams& params, const PlanEdits& edits,

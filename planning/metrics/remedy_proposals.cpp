@@ -42,7 +42,7 @@ std::vector<Proposal> proposePins(const WhatIf& what) {
 std::vector<Proposal> proposeRegions(const WhatIf& what) {
     const AllowedRegion* region = what.around.sphere.region();
     std::vector<Proposal> proposals;
-    // An exact height is no band that could be a little wider.
+    // An exact height cannot be widened slightly.
     if (region == nullptr || region->hasLevels()) return proposals;
     const double reach = what.around.sphere.radius() + SweptSphere::kMargin;
     const FreeSpaceParams& band = what.params.free_space;
@@ -90,7 +90,7 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
 
 std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
     const auto radiusAt = [](const WhatIfPlace& p) {
-        // A place keeps a little more than the radius, and parameters are easier to read in cm.
+        // Subtract the margin, and round to centimetres.
         return std::floor((p.clearance_m - SweptSphere::kMargin) * 100.0 + 1e-6) / 100.0;
     };
     const CameraParams& camera = what.params.camera;
@@ -143,7 +143,7 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
         if (proposals.size() >= kMostOfAKind || done.contains(gone)) continue;
         if (!looked.contains(gone) && looked.size() == 2 * kMostOfAKind) continue;
         if (++looked[gone] > kLookedAt) continue;
-        // What it hides may be hidden by something else behind it: look without it.
+        // Behind the removed object something else may hide the target: estimate without it.
         const auto scene_without = trials.scene(gone);
         const RayCaster& rays_without = rays.try_emplace(gone, *scene_without).first->second;
         const ViewEstimator& views_without =

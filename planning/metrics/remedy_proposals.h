@@ -8,18 +8,18 @@
 
 namespace dollytrack::planning {
 
-/// A change that ought to help, and from where it would.
+/// A change that should help an object, and the view it would give.
 struct Proposal {
     PlanChange change;
-    Remedy remedy;             // without its pin; the text says the change alone
-    std::optional<Pose> view;  // that should capture the object then; to be pinned where planning
-                               // does not find it by itself
+    Remedy remedy;             // without its pin; the text describes the change only
+    std::optional<Pose> view;  // view that should then capture the object; pinned if planning does
+                               // not find it by itself
     bool needs_pin = false;
-    int lost = 0;    // other objects that are captured without it, and not with it
-    int gained = 0;  // and the other way round
+    int lost = 0;    // other objects captured without it, but not with it
+    int gained = 0;  // other objects captured with it, but not without it
 };
 
-/// What proposals are made from. Keeps references.
+/// Input of the proposals. Keeps references.
 struct WhatIf {
     const Surroundings& around;
     const PlanParams& params;
@@ -27,20 +27,21 @@ struct WhatIf {
     const Subject& subject;
     const std::vector<WhatIfPlace>& places;
     int object_id = 0;
-    bool well = false;  // captured well is asked for, not captured
+    bool well = false;  // whether it must be captured well, not only captured
 };
 
-/// Whether the view from a pose is what is asked for, by as many rays as captures are counted with.
+/// Whether the view from a pose meets the requirement, by exact estimate.
 bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bool well);
 
-// Each for one kind of remedy, the mildest change first, checked by rays from the very place.
+// Each proposes one kind of remedy, the mildest change first, verified by exact estimates from the
+// proposed pose.
 std::vector<Proposal> proposePins(const WhatIf& what);
-std::vector<Proposal> proposePitches(const WhatIf& what);  // a looser pitch band
-std::vector<Proposal> proposeRegions(const WhatIf& what);  // no-go boxes and the height band
+std::vector<Proposal> proposePitches(const WhatIf& what);  // looser pitch band
+std::vector<Proposal> proposeRegions(const WhatIf& what);  // no-go boxes and height band
 std::vector<Proposal> proposeSmallerCameras(const WhatIf& what);
 std::vector<Proposal> proposeLenses(const WhatIf& what);
-// For what does not fit, and where none of the places shows enough of it: the search looks more
-// closely at some, and may find a view through a wider lens. Nothing is checked.
+// Wider lenses for an object that does not fit, if no position shows enough of it. Not verified by
+// estimates: the search itself samples more closely and may find a view.
 std::vector<Proposal> proposeWiderUnseen(const WhatIf& what);
 std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials);
 

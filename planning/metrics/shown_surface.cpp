@@ -12,21 +12,22 @@
 namespace dollytrack::planning {
 namespace {
 
-/// A grid of rays over the image, and what it tells apart.
+/// A grid of rays over the image, and the size of surface patches.
 struct RayGrid {
     int columns = 32;
     int rows = 24;
-    double patch_m = 0.1;  // edge of a patch of surface
+    double patch_m = 0.1;  // edge of a patch
     [[nodiscard]] int rays() const { return columns * rows; }
 };
 constexpr RayGrid kFull;
 constexpr RayGrid kGlance = {16, 12, 0.2};
 constexpr double kNothingNew = 0.01;  // share of the rays
 
-// Rays go by blocks of this many rows and columns, so that neighbours in the list point alike.
+// Rays are ordered in blocks of this many rows and columns, so that neighbours in the list point in
+// similar directions.
 constexpr int kBlock = 4;
 
-/// The patch of surface under a point: its cell of a grid, and the object.
+/// Key of the surface patch at a point: grid cell and object.
 std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id, double patch_m) {
     std::uint64_t key = static_cast<std::uint64_t>(object_id);
     for (int axis = 0; axis < 3; ++axis) {
@@ -36,8 +37,8 @@ std::uint64_t patchAt(const Eigen::Vector3d& point, int object_id, double patch_
     return key;
 }
 
-/// Numbers keys from 0 by first appearance. Millions are asked about: all lie in one table.
-/// No key is 0, as no object's id is.
+/// Numbers keys from 0 in order of first appearance, in one open-addressing hash table. Keys must
+/// not be 0, which holds for object ids below 65536.
 class KeyNumbers {
   public:
     int operator[](std::uint64_t key) {
@@ -73,12 +74,12 @@ class KeyNumbers {
         }
     }
 
-    std::vector<Slot> slots_;  // a power of two of them
+    std::vector<Slot> slots_;  // their number is a power of two
     int count_ = 0;
 };
 
 struct Seen {
-    std::vector<std::uint64_t> patches;  // each once
+    std::vector<std::uint64_t> patches;  // without duplicates
     int on_targets = 0;
 };
 
@@ -121,7 +122,7 @@ SurfaceLooks::~SurfaceLooks() = default;
 
 Result<FrameSurfaces> SurfaceLooks::look(const Trajectory& trajectory, const JobContext& job) {
     const RayGrid& grid = detail_ == Detail::Full ? kFull : kGlance;
-    // Frames at new poses, and what they show.
+    // Frames at new poses, and the patches they show.
     std::vector<std::size_t> fresh;
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
         const bool is_new = shown_.try_emplace(keyOf(trajectory.frames[i].pose), nullptr).second;

@@ -13,51 +13,53 @@ namespace dollytrack::planning {
 
 class ViewEstimator;
 
-/// What the images of a trajectory show as a whole; see TrajectoryMetrics for the two rates.
+/// What the images of a trajectory show as a whole; see TrajectoryMetrics for both rates.
 struct ShownSurface {
     double repeat_rate = 0.0;
     double object_pixels = 0.0;
 };
 
-/// The patches of surface that each frame shows, numbered from 0: what tells repeats apart, for
-/// any choice of the frames.
+/// The surface patches that each frame shows, numbered from 0, to count repeats for any subset of
+/// the frames.
 class FrameSurfaces {
   public:
-    /// How many of the frames, taken in this order, show nothing new; see TrajectoryMetrics.
+    /// How many of these frames, in this order, show nothing new: new patches for fewer than 1 % of
+    /// the rays.
     [[nodiscard]] int repeats(const std::vector<std::size_t>& frames) const;
-    /// The same of all.
+    /// As above, for all frames.
     [[nodiscard]] int repeats() const;
 
-    /// Mean share of the rays that meet targets.
+    /// Mean share of the rays that hit targets, 0..1.
     [[nodiscard]] double objectPixels() const;
     [[nodiscard]] std::size_t frames() const { return shown_.size(); }
 
-    /// What one pose shows.
+    /// Patches visible from one pose.
     struct Shown {
-        std::vector<int> patches;  // each once
-        int on_targets = 0;        // rays
+        std::vector<int> patches;  // without duplicates
+        int on_targets = 0;        // number of rays
     };
 
   private:
     friend class SurfaceLooks;
     std::vector<std::shared_ptr<const Shown>> shown_;  // by frame
     int patches_ = 0;
-    int rays_ = 1;  // a frame
+    int rays_ = 1;  // per frame
 };
 
-/// Looks at surfaces through frames, by a grid of rays each, and remembers what poses show: the key
-/// frames of a trajectory stay where they are whatever its rate. For one scene that does not
-/// change.
+/// Samples the surfaces visible in frames by a grid of rays each, and caches the result by pose:
+/// key frames keep their poses at any frame rate. For one unchanging scene. Not thread-safe.
 class SurfaceLooks {
   public:
-    /// Glance: a quarter of the rays and patches of twice the size, for about the same answers.
+    /// Full: 32 x 24 rays and patches of 0.1 m. Glance: 16 x 12 rays and patches of 0.2 m, with
+    /// about the same results.
     enum class Detail { Full, Glance };
     explicit SurfaceLooks(const ViewEstimator& views, Detail detail = Detail::Full);
     ~SurfaceLooks();
     SurfaceLooks(const SurfaceLooks&) = delete;
     SurfaceLooks& operator=(const SurfaceLooks&) = delete;
 
-    /// Error: Cancelled.
+    /// Samples all frames of a trajectory at new poses. Error: Cancelled, which also clears the
+    /// cache.
     Result<FrameSurfaces> look(const Trajectory& trajectory, const JobContext& job);
 
   private:
@@ -68,7 +70,7 @@ class SurfaceLooks {
     std::map<std::array<double, 7>, std::shared_ptr<const FrameSurfaces::Shown>> shown_;
 };
 
-/// By a grid of rays through every frame. Error: Cancelled.
+/// Measures with full detail. Error: Cancelled.
 Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job);
 

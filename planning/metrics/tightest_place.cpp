@@ -17,14 +17,14 @@ struct Near {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The least distance on one piece, where it is less than `least` by kExact; else `least` itself.
+/// The smallest distance on one piece, if it is below `least` by more than kExact; else `least`.
 class PieceSearch {
   public:
     PieceSearch(const SmoothPath::Piece& piece, const RayCaster& rays, const Near& least)
         : piece_(piece),
           rays_(rays),
           least_(least),
-          // A quadratic Bezier curve is nowhere faster than at one of its ends.
+          // The speed of a quadratic Bezier curve is largest at one of its ends.
           speed_(2.0 * std::max((piece.control - piece.start).norm(),
                                 (piece.end - piece.control).norm())) {}
 
@@ -36,7 +36,8 @@ class PieceSearch {
   private:
     void search(double begin, double end) {
         const double middle = 0.5 * (begin + end);
-        const double reach = 0.5 * (end - begin) * speed_;  // of the camera from the middle
+        const double reach = 0.5 * (end - begin) * speed_;  // farthest the camera gets from the
+                                                            // middle
         const Eigen::Vector3d position = piece_.at(middle);
         const double distance = rays_.closest(position, least_.distance + reach).distance;
         if (distance < least_.distance) least_ = {distance, position};
@@ -86,7 +87,7 @@ TightestPlace findTightestPlace(const std::vector<SmoothPath>& paths, const Traj
         const std::vector<SmoothPath::Piece> move = moveBetween(path, from, to);
         pieces.insert(pieces.end(), move.begin(), move.end());
     }
-    // All pieces start from the same bound, so the result is the same for any number of threads.
+    // All pieces start from the same bound, so the result does not depend on the number of threads.
     std::vector<Near> on_pieces(pieces.size());
     parallelFor(pieces.size(),
                 [&](std::size_t i) { on_pieces[i] = PieceSearch(pieces[i], rays, least).run(); });

@@ -11,10 +11,10 @@ class RayCaster;
 
 namespace dollytrack::planning {
 
-/// Where the camera's centre comes nearest to a surface, to 0.1 mm: on its paths, and where a sway
-/// takes it off them, on its moves from frame to frame (moveBetween()). Clearance changes no faster
-/// than the camera moves, so pieces that cannot hold the least are left out unseen (branch and
-/// bound); thin things cannot be missed. Without frames the result names no object.
+/// Finds the minimum clearance of the camera's centre to a surface, to 0.1 mm, on the paths and,
+/// where shake moves the camera off them, on its moves between frames (see moveBetween()). Branch
+/// and bound: clearance changes no faster than the camera moves, so pieces that cannot contain the
+/// minimum are skipped, and no thin object is missed. Without frames, object_id is 0.
 TightestPlace findTightestPlace(const std::vector<SmoothPath>& paths, const Trajectory& trajectory,
                                 const RayCaster& rays);
 

@@ -13,34 +13,35 @@ namespace dollytrack::planning {
 class MovedThings;
 class ViewEstimator;
 
-/// Remembers how targets show from poses, for trajectories that share most of their frames with
-/// the ones looked at before: as one that is repaired, or smoothed a little differently. Whoever
-/// keeps one clears it when the camera or the scene changes; when things have only moved,
-/// forgetting is enough. For one thread.
+/// Cache of estimates of targets by pose, for trajectories that share most frames with earlier
+/// ones, as in repair or after small edits. The owner clears it when the camera or the scene
+/// changes; if objects only moved, forget() is enough. Not thread-safe.
 class ViewMemo {
   public:
     struct Look {
-        ObjectView view;  // its frame is not kept up to date
+        ObjectView view;  // its frame index is not maintained
         Eigen::AlignedBox2d box;
     };
     struct Entry {
-        std::vector<Look> looks;            // by rising object id
-        std::map<int, ObjectView> closely;  // by object id
+        std::vector<Look> looks;            // by ascending object id
+        std::map<int, ObjectView> closely;  // exact estimates, by object id
         unsigned used = 0;
     };
 
-    /// Begins a trajectory; forgets what the last few had no use for.
+    /// Starts a new trajectory; drops entries that the last few did not use.
     void begin();
-    /// Null when the pose was not looked at. Valid until begin().
+    /// Null if the pose is unknown. Valid until begin().
     [[nodiscard]] Entry* find(const Pose& pose);
     Entry& keep(const Pose& pose, std::vector<Look> looks);
     void clear() { entries_.clear(); }
-    /// Forgets what might show otherwise in the views that are now.
+    /// Drops entries that moved objects may have changed. `now` estimates views in the scene after
+    /// the move.
     void forget(const MovedThings& moved, const ViewEstimator& now);
 
   private:
-    static constexpr unsigned kKept = 4;          // trajectories
-    static constexpr std::size_t kMany = 20'000;  // frames; beyond, only the last one's are kept
+    static constexpr unsigned kKept = 4;          // trajectories for which unused entries are kept
+    static constexpr std::size_t kMany = 20'000;  // entries; beyond that, only those of the last
+                                                  // trajectory are kept
     std::map<std::array<double, 7>, Entry> entries_;
     unsigned now_ = 0;
 };

@@ -16,9 +16,9 @@ namespace {
 constexpr int kDirections = 700;
 constexpr int kRandomPlaces = 3000;
 constexpr double kLeastFill = 0.05;
-constexpr double kMostFill = 3.5;  // what a wide lens would still fit in
+constexpr double kMostFill = 3.5;  // what a wide lens could still fit in
 constexpr double kFillStep = 1.2;
-constexpr std::uint64_t kStream = 200'000;  // of random numbers, apart from the searches'
+constexpr std::uint64_t kStream = 200'000;  // of random numbers, apart from those of the searches
 
 std::vector<Eigen::Vector3d> positionsAround(const Surroundings& around, const Subject& subject,
                                              int object_id, int seed) {
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector3d> positionsAround(const Surroundings& around, const S
         for (double fill = kLeastFill; fill < kMostFill; fill *= kFillStep) {
             const double distance = distanceForFill(around.views, subject, direction, fill);
             positions.push_back(subject.center + direction * distance);
-            // With a band of heights most directions lead out of it.
+            // With a height band most positions are outside it: add the clamped ones.
             const Eigen::Vector3d moved = around.sphere.inBand(positions.back());
             if (moved != positions.back()) positions.push_back(moved);
         }

@@ -8,20 +8,22 @@
 
 namespace dollytrack::planning {
 
-/// A place in the air of a room and how it shows an object, whether or not the camera may be there.
+/// A position in the air of a room and the view of an object from it, whether or not the camera may
+/// be there.
 struct WhatIfPlace {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    double clearance_m = 0.0;          // to the nearest surface; exact where `roomy` is false
-    bool roomy = false;                // surfaces leave room for the camera's sphere
-    Verdict allowed = Verdict::Legal;  // or NoGo or HeightBand
-    double fill = 0.0;                 // see fillFrom(); infinite when it is too near
-    ViewEstimator::Estimate seen;      // a coarse look, by the camera that looks at it
+    double clearance_m = 0.0;          // to the nearest surface, m; exact if `roomy` is false
+    bool roomy = false;                // whether surfaces leave room for the camera sphere
+    Verdict allowed = Verdict::Legal;  // Legal, or the region's verdict, such as NoGo or HeightBand
+    double fill = 0.0;                 // see fillFrom(); infinite if too close
+    ViewEstimator::Estimate seen;      // coarse estimate, aimed at the object
 
     [[nodiscard]] bool legal() const { return roomy && allowed == Verdict::Legal; }
 };
 
-/// Places all around an object, dense: directions times distances, then places at random in the
-/// free space of the rooms. In a fixed order. Empty when cancelled.
+/// Dense positions around an object: many directions and distances, then random positions in the
+/// rooms' free space, regardless of no-go boxes and height band. In a fixed order. Empty if
+/// cancelled.
 std::vector<WhatIfPlace> whatIfPlaces(const Surroundings& around, const Subject& subject,
                                       int object_id, int seed, const JobContext& job);
 

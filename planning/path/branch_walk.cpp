@@ -12,13 +12,13 @@ class BranchWalk {
         const auto weightOf = [&](int key) {
             return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(key)];
         };
-        // Half of each end's weight: along a way every vertex but its ends counts whole. What was
-        // dropped leads nowhere.
+        // Half of each end's weight, so that along a path every vertex but its ends counts fully.
+        // Edges that are not in the tree are impassable.
         const auto steps = [&](const RoadmapEdge& edge) {
             return edge.in_tree ? 0.5 * (weightOf(edge.a) + weightOf(edge.b))
                                 : std::numeric_limits<double>::infinity();
         };
-        // In a tree the vertex furthest from anywhere is an end of the longest branch.
+        // In a tree the vertex farthest from any vertex is an end of the longest branch.
         const auto furthest = [&](const Ways& ways) {
             int best = 0;
             const auto worth = [&](int vertex) {
@@ -39,7 +39,7 @@ class BranchWalk {
         for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
         for (int i = 0; i < part.size(); ++i) {
             if (!part.point(i).fixed) continue;
-            // Back from the pinned point to the branch: the detour it takes.
+            // The detour from the branch to the fixed point.
             const auto way = trace(part, ways, i);
             for (auto step = way.rbegin(); step != way.rend(); ++step) {
                 const auto vertex = static_cast<std::size_t>(step->first);

@@ -6,9 +6,9 @@
 
 namespace dollytrack::planning {
 
-/// A walk along the branch of the part's tree with the largest weights of position points together
-/// (without weights: with most vertices). It leaves the branch for pinned points only, and comes
-/// back. With ends given it is the longest branch from there, or the one between them.
+/// A walk along the branch of the part's spanning tree with the largest sum of weights (by position
+/// point; empty: the most vertices). It leaves the branch for fixed points only, and returns. Given
+/// ends determine one or both ends of the branch. A closed walk returns along the branch.
 std::vector<PathVertex> walkBranch(const RoadmapPart& part, const std::vector<double>& weights,
                                    const WayEnds& ends);
 

@@ -38,7 +38,7 @@ bool isChosenByTour(const PathParams& path, const std::vector<PositionPoint>& po
         rooms.insert(point.component);
         rooms.insert(-1 - point.room);
     }
-    // A loop stays with two stops in each room.
+    // A loop keeps two stops in each room.
     return stay + (ends.loop ? 2 * static_cast<int>(rooms.size()) : 0) <= ends.visits;
 }
 

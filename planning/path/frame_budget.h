@@ -10,20 +10,20 @@ namespace dollytrack::planning {
 
 struct PathParams;
 
-/// Those of the key frames that the ends' limit of visits allows, the ones at both ends first. A
-/// loop comes back to one of each room.
+/// Drops key frames from the end of the list until `ends.visits` allows all. The given start and
+/// end are kept first. In a loop, the return to each room's first key frame counts as a visit.
 [[nodiscard]] std::vector<int> withinBudget(std::vector<int> key_frames,
                                             const std::vector<PositionPoint>& position_points,
                                             const PathEnds& ends);
 
-/// Whether tours choose among the key frames, where both metres and frames are few: what is dropped
-/// beforehand might lie on the way. Not where what has to stay may be more than the limit.
+/// Whether walkTours() chooses the key frames, if both the length and the number of frames are
+/// limited: dropping them beforehand could remove ones on the way. False if the pinned points alone
+/// may exceed the limit.
 [[nodiscard]] bool isChosenByTour(const PathParams& path,
                                   const std::vector<PositionPoint>& position_points,
                                   const PathEnds& ends);
 
-/// A budget may be smaller than the number of pinned points: refuses those of the plan's that are
-/// no key frames.
+/// Adds a refusal to the plan for every pinned point that a budget of frames dropped.
 void refusePinsOverBudget(const PlanEdits& edits, Plan& plan);
 
 }  // namespace dollytrack::planning

@@ -13,21 +13,22 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kWell = 3.0;       // what an object captured well is worth beside its capture
-constexpr int kRounds = 4;          // of shortening and taking in again
-constexpr double kLeast = 1e-9;     // metres below are rounding
-constexpr std::size_t kSeeds = 16;  // stops to grow from, besides none
-constexpr std::array<double, 2> kAppetites = {1.0, 2.0};  // exponents of worth over metres
-constexpr double kWorthOnly = 8.0;  // the same where it is stops that are few, not metres
-constexpr int kRungs = 32;          // of lengths that tours are made for, up to the whole
-constexpr double kRungShape = 1.5;  // exponent: more of them where lengths are short
-constexpr double kBeyond = 1.5;     // of the length asked for: walks skip corners of the ways
+constexpr double kWell = 3.0;       // additional worth of an object captured well
+constexpr int kRounds = 4;          // of re-ordering and insertion
+constexpr double kLeast = 1e-9;     // smaller lengths are rounding
+constexpr std::size_t kSeeds = 16;  // single stops from which tours are grown
+constexpr std::array<double, 2> kAppetites = {1.0, 2.0};  // exponents of worth in worth per metre
+constexpr double kWorthOnly = 8.0;  // exponent for cases where stops are limited, not metres
+constexpr int kRungs = 32;          // number of lengths for which tours are made, up to the whole
+constexpr double kRungShape = 1.5;  // exponent of their spacing; above 1: denser at short lengths
+constexpr double kBeyond = 1.5;     // relative to the requested length, since walks skip corners of
+                                    // the roadmap's paths
 
 double lengthOf(const BudgetedTour& tour) {
     return tourCost(tour.metres, tour.order);
 }
 
-/// The order through the same stops again, shorter where it can be.
+/// Shortens the order of the same stops, if possible.
 void reorder(BudgetedTour& tour) {
     CostMatrix cost(tour.order.size(), std::vector<double>(tour.order.size()));
     const auto at = [](const CostMatrix& matrix, int a, int b) {
@@ -45,7 +46,7 @@ void reorder(BudgetedTour& tour) {
     std::vector<int> order;
     for (const int i : shortTour(cost, {}, {place(tour.ends.first), place(tour.ends.last)}))
         order.push_back(tour.order[static_cast<std::size_t>(i)]);
-    // What is shorter by the weighed cost, which counts turns, may be longer in metres.
+    // An order with less cost, which includes turning, may be longer in metres.
     if (tourCost(tour.metres, order) < lengthOf(tour)) tour.order = std::move(order);
 }
 
@@ -60,14 +61,14 @@ class Budget {
         }
     }
 
-    /// From all stops down to the length.
+    /// Removes stops from the complete tours down to the length.
     void shrink() {
         leaveOut();
         fill();
     }
 
-    /// From the stops that have to stay, and one more, up to the length. `seed` counts the stops of
-    /// all tours in their order; beyond the last there is none more.
+    /// Inserts stops up to the length, starting from the fixed stops and one more. `seed` numbers
+    /// the stops of all tours; a number past the last adds none.
     void grow(std::size_t seed, std::vector<TourChoice>* on_the_way = nullptr) {
         on_the_way_ = on_the_way;
         std::size_t number = 0;
@@ -83,7 +84,8 @@ class Budget {
         fill();
     }
 
-    /// From here down to what has to stay, a stop at a time: what only this stop shows is least.
+    /// Removes stops one by one down to the fixed ones, those with the least worth of their own
+    /// first. Records each state.
     void leaveOutOneByOne(std::vector<TourChoice>& on_the_way) {
         const auto shown = [this](const BudgetedTour& tour, int stop, double metres) {
             return std::optional(Rank(worthOf(tour, stop, 1), -metres));
@@ -91,7 +93,7 @@ class Budget {
         while (dropOne(shown)) on_the_way.push_back(choice());
     }
 
-    /// The same by rank, the last first.
+    /// As leaveOutOneByOne(), but drops stops in reverse order of rank.
     void leaveOutByRank(std::vector<TourChoice>& on_the_way) {
         const auto last = [](const BudgetedTour& tour, int stop, double metres) {
             return std::optional(
@@ -100,7 +102,7 @@ class Budget {
         while (dropOne(last)) on_the_way.push_back(choice());
     }
 
-    /// From here up by the shortest detours, as long as they stay within the length.
+    /// Inserts stops in the order of the shortest detours, up to the length. Records each state.
     void takeInNearest(std::vector<TourChoice>& on_the_way) {
         on_the_way_ = &on_the_way;
         appetite_ = 0.0;
@@ -118,7 +120,7 @@ class Budget {
 
     [[nodiscard]] bool fits() const { return length_ <= max_; }
 
-    /// Of all that is shown.
+    /// Worth of everything shown.
     [[nodiscard]] double worth() const {
         const auto shown = [this](const std::map<int, int>& stops) {
             double sum = 0.0;
@@ -131,10 +133,10 @@ class Budget {
   private:
     struct Choice {
         std::size_t tour = 0;
-        std::size_t at = 0;  // in its order
+        std::size_t at = 0;  // position in the tour's order
         int stop = -1;       // -1: none
         double metres = 0.0;
-        double worth = 0.0;  // of objects a metre
+        double worth = 0.0;  // worth per metre
     };
 
     [[nodiscard]] double weightOf(int id) const {
@@ -146,7 +148,7 @@ class Budget {
         for (const int id : tour.shows_less[static_cast<std::size_t>(stop)]) captured_[id] += sign;
     }
 
-    /// What the stop alone shows, when that many others at the most show it too.
+    /// Worth of the stop's objects that at most `others` stops of the tours show.
     double worthOf(const BudgetedTour& tour, int stop, int others) {
         double sum = 0.0;
         for (const int id : tour.shows[static_cast<std::size_t>(stop)]) {
@@ -177,10 +179,10 @@ class Budget {
                stop == tour.ends.last;
     }
 
-    using Rank = std::pair<double, double>;  // of a stop to leave out: the least goes first
+    using Rank = std::pair<double, double>;  // the stop with the least rank is dropped first
 
-    /// Leaves out the stop of the least rank that need not stay. `rankOf` takes a tour, a stop and
-    /// the metres of its detour; where it gives nothing, the stop stays.
+    /// Drops the stop with the least rank that is not fixed. `rankOf(tour, stop, metres of its
+    /// detour)` returns nothing for stops that must stay. Returns false if no stop can be dropped.
     template <class RankOf>
     bool dropOne(const RankOf& rankOf) {
         Choice least;
@@ -206,7 +208,7 @@ class Budget {
         return true;
     }
 
-    /// Down to the length, by what a metre of detour shows.
+    /// Drops stops down to the length, those with the least worth per metre first.
     void leaveOut() {
         const auto shown_a_metre = [this](const BudgetedTour& tour, int stop,
                                           double metres) -> std::optional<Rank> {
@@ -224,7 +226,7 @@ class Budget {
         }
     }
 
-    /// True when a stop came back.
+    /// Inserts stops while one fits. Returns whether any was inserted.
     bool takeIn() {
         bool any = false;
         while (true) {
@@ -271,11 +273,11 @@ class Budget {
 
     std::vector<BudgetedTour>& tours_;
     double max_;
-    const std::vector<double>& weights_;  // by object, id - 1
-    double appetite_;                     // for worth rather than for short detours
+    const std::vector<double>& weights_;  // by object, at index id - 1
+    double appetite_;                     // exponent of worth; 0: only short detours count
     double length_ = 0.0;
-    std::vector<TourChoice>* on_the_way_ = nullptr;  // told of every stop that is taken in
-    std::map<int, int> well_;                        // by object, how many stops show it
+    std::vector<TourChoice>* on_the_way_ = nullptr;  // receives the state after every insertion
+    std::map<int, int> well_;                        // by object: number of stops that show it
     std::map<int, int> captured_;
 };
 
@@ -296,7 +298,8 @@ int addCopyOfStop(BudgetedTour& tour, int stop) {
 
 namespace {
 
-/// How long tours are made for: not what is asked for, but rungs that all budgets share.
+/// The lengths for which tours are made. They do not depend on the budget, so that budgets share
+/// them.
 std::vector<double> rungsUpTo(double max_length_m, double whole_m) {
     std::vector<double> rungs;
     for (int i = 0; i <= kRungs; ++i) {
@@ -307,13 +310,13 @@ std::vector<double> rungsUpTo(double max_length_m, double whole_m) {
     return rungs;
 }
 
-/// All ways that are tried for one rung.
+/// All candidate solutions for one length.
 std::vector<TourChoice> choicesAt(const std::vector<BudgetedTour>& tours, double rung,
                                   double next_rung, const std::vector<double>& weights) {
     std::size_t stops = 0;
     for (const BudgetedTour& tour : tours) stops += tour.order.size();
     const std::size_t seeds = std::min(kSeeds, stops);
-    // For each appetite: from all down, from none up, and from single stops along the tour up.
+    // For each exponent: remove from all stops, insert from none, and insert from single stops.
     const std::size_t ways = 2 + seeds;
     std::vector<std::vector<TourChoice>> tries(kAppetites.size() * ways + 1);
     parallelFor(tries.size(), [&](std::size_t i) {
@@ -338,7 +341,7 @@ std::vector<TourChoice> choicesAt(const std::vector<BudgetedTour>& tours, double
             if (all.back().worth > all[best].worth) best = all.size() - 1;
         }
     }
-    // Fewer stops, and what a few metres more would bring.
+    // Variants with fewer stops, and with a slightly larger length.
     std::vector<BudgetedTour> from = tours;
     for (std::size_t t = 0; t < from.size(); ++t) from[t].order = all[best].orders[t];
     std::vector<BudgetedTour> up = from;
@@ -375,7 +378,7 @@ double keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
     const std::vector<TourChoice> choices = tourChoices(tours, max_length_m, weights);
     auto best = std::ranges::find_if(
         choices, [&](const TourChoice& one) { return one.metres <= max_length_m; });
-    // What has to stay may be too long whatever is done.
+    // The fixed stops may exceed the length.
     if (best == choices.end()) best = std::ranges::min_element(choices, {}, &TourChoice::metres);
     for (std::size_t t = 0; t < tours.size(); ++t) tours[t].order = best->orders[t];
     return best->worth;

@@ -6,20 +6,22 @@
 
 namespace dollytrack::planning {
 
-/// A tour of one connected part that may have to leave out stops. A stop is an index into the
-/// matrices and into `shows` and `fixed`.
+/// A tour of one connected part of which stops may be dropped. A stop is an index into the
+/// matrices, `shows`, `shows_less`, `fixed` and `rank`.
 struct BudgetedTour {
-    CostMatrix metres;                    // between stops; a triangle's side never exceeds the rest
-    CostMatrix cost;                      // what shortTour() weighs
-    std::vector<std::vector<int>> shows;  // ids of what each stop captures well; below 0: no object
-    std::vector<std::vector<int>> shows_less;  // ids of what it captures, those included
-    std::vector<bool> fixed;                   // stays whatever it costs
-    TourEnds ends;                             // stay, too, and where they are
-    std::vector<int> order;                    // the stops in turn
-    std::vector<int> rank;  // of each stop among all tours', the most useful first; may be empty
+    CostMatrix metres;                    // path lengths between stops, m; must satisfy the
+                                          // triangle inequality
+    CostMatrix cost;                      // cost that shortTour() minimises
+    std::vector<std::vector<int>> shows;  // ids captured well at each stop; negative: not an object
+                                          // but worth as much
+    std::vector<std::vector<int>> shows_less;  // ids captured at each stop, including `shows`
+    std::vector<bool> fixed;                   // never dropped
+    TourEnds ends;                             // never dropped or moved
+    std::vector<int> order;                    // the stops in visiting order
+    std::vector<int> rank;  // by stop: rank among all tours, 0 is the most useful; may be empty
 };
 
-/// One way to go through some of the stops of all tours.
+/// A choice of stops and their order, for all tours.
 struct TourChoice {
     std::vector<std::vector<int>> orders;  // by tour
     double metres = 0.0;
@@ -27,23 +29,21 @@ struct TourChoice {
     double worth = 0.0;  // see keepWithinLength()
 };
 
-/// Adds a stop at the same place as another, to end a closed tour at; it stays in. The new index.
+/// Adds a fixed copy of a stop, as the end of a closed tour. Returns its index.
 int addCopyOfStop(BudgetedTour& tour, int stop);
 
-/// Ways worth a look for any budget up to that length, most of them no longer than one and a half
-/// times it, the worthiest first and of those the shortest. A smaller length gives a part of what a
-/// larger one gives, so that whoever takes the first that fits a budget of metres, of stops or of
-/// both loses nothing by a larger budget. Deterministic.
+/// Candidate solutions for all budgets up to `max_length_m`; most are at most 1.5 times as long.
+/// Sorted by worth, then by length. The candidates for a smaller length are a subset of those for a
+/// larger one, so that taking the first that fits a budget of metres or stops never gets worse with
+/// a larger budget. Deterministic.
 std::vector<TourChoice> tourChoices(const std::vector<BudgetedTour>& tours, double max_length_m,
                                     const std::vector<double>& weights = {});
 
-/// Shortens tours until together they are no longer than `max_length_m` (a heuristic of the
-/// orienteering problem): from all stops down, leaving out those that save the most metres for the
-/// objects lost, or from none or from one up, taking in those that show the most a metre; the best
-/// of tourChoices(). A larger length never shows less. An object captured counts by its weight, of
-/// index id - 1, and four times when captured well; without weights all count alike. Fixed stops
-/// stay, so a budget may be too small to keep; a tour may end up without stops. Returns the sum of
-/// what counts. Deterministic.
+/// Drops stops until all tours together are at most `max_length_m` long, by heuristics of the
+/// orienteering problem: greedy removal by worth per metre, greedy insertion, and re-ordering, from
+/// several starts. A larger length never gives a smaller worth. An object captured counts its
+/// weight (index id - 1; 1 if `weights` is empty), one captured well four times that. Fixed stops
+/// stay even if the length is exceeded; a tour may end up empty. Returns the worth. Deterministic.
 double keepWithinLength(std::vector<BudgetedTour>& tours, double max_length_m,
                         const std::vector<double>& weights = {});
 

@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Depth-first search: edges to vertices already reached close a cycle and are dropped.
+/// Depth-first search: edges to vertices already reached close a cycle and leave the tree.
 void dropCycleEdges(const RoadmapPart& part) {
     std::vector<bool> reached(part.keys.size(), false);
     std::vector<int> stack = {0};
@@ -46,7 +46,7 @@ void addPruneSteps(const RoadmapPart& part, AlgorithmSteps& steps) {
     }
 }
 
-/// Where the way of each part begins and ends.
+/// The ends of each part's path.
 std::vector<WayEnds> endsOf(const std::vector<RoadmapPart>& parts, const PathEnds& ends) {
     int spare = std::numeric_limits<int>::max();
     if (ends.visits > 0 && !ends.chosen_by_tour) {
@@ -89,7 +89,7 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
     std::stable_sort(parts.begin(), parts.end(), [](const RoadmapPart& a, const RoadmapPart& b) {
         return a.size() > b.size();
     });
-    // Rooms that have trajectories of their own in their order, largest first.
+    // Sort by room, if each room has its own trajectory; rooms are numbered by size.
     std::stable_sort(parts.begin(), parts.end(), [](const RoadmapPart& a, const RoadmapPart& b) {
         return a.point(0).room < b.point(0).room;
     });

@@ -10,7 +10,7 @@
 
 namespace dollytrack::planning {
 
-/// One connected part of the roadmap, with its vertices numbered 0.. .
+/// One connected part of the roadmap, with vertices numbered from 0. Keeps references.
 class RoadmapPart {
   public:
     RoadmapPart(Roadmap& roadmap, const std::vector<PositionPoint>& points, int group);
@@ -27,13 +27,13 @@ class RoadmapPart {
         return (*points_)[static_cast<std::size_t>(keys[static_cast<std::size_t>(vertex)])];
     }
     [[nodiscard]] int size() const { return static_cast<int>(keys.size()); }
-    /// The vertex of a position point; -1 when it is in another part, or none.
+    /// The vertex of a position point; -1 if it is in another part or negative.
     [[nodiscard]] int vertexOf(int position_point) const {
         return position_point < 0 ? -1 : local_[static_cast<std::size_t>(position_point)];
     }
 
-    std::vector<int> keys;                // position points, by local number
-    std::vector<std::vector<int>> edges;  // roadmap edges at each vertex
+    std::vector<int> keys;                // position points, by vertex
+    std::vector<std::vector<int>> edges;  // indices of roadmap edges, by vertex
 
   private:
     Roadmap* roadmap_;
@@ -41,14 +41,15 @@ class RoadmapPart {
     std::vector<int> local_;
 };
 
-/// The ends of one part's way, by its vertices; -1: any.
+/// Ends of one part's path, as vertices; -1: any.
 struct WayEnds {
     int first = -1;
     int last = -1;
-    bool closed = false;  // back to the first
+    bool closed = false;  // returns to the first
 };
 
-/// Cheapest ways from one vertex: for each vertex the cost and the edge it is reached by.
+/// Shortest-path tree from one vertex (Dijkstra): by vertex, the cost and the edge that leads to it
+/// (-1: none).
 struct Ways {
     std::vector<double> cost;
     std::vector<int> by_edge;
@@ -57,11 +58,11 @@ struct Ways {
 Ways waysFrom(const RoadmapPart& part, int start,
               const std::function<double(const RoadmapEdge&)>& weigh);
 
-/// The vertices from the root of the ways to the end, each with the edge that leads to it; -1:
-/// none.
+/// The vertices from the root of the tree to `end`, each with the edge that leads to it; -1 at the
+/// root.
 std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const Ways& ways, int end);
 
-/// Corners from one vertex to another along an edge, both ends left out.
+/// Inner corners of an edge, in the direction towards the vertex `to`.
 std::vector<Eigen::Vector3d> cornersAlong(const RoadmapPart& part, int edge, int to);
 
 PathVertex keyVertex(const RoadmapPart& part, int vertex);

@@ -6,9 +6,9 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kHalvings = 8;
-constexpr double kShortest_m = 1e-3;  // only what has to stay is visited
+constexpr double kShortest_m = 1e-3;  // so short that only fixed stops are visited
 
-/// Before smoothing, which makes it no longer.
+/// Length before smoothing, which never makes it longer.
 double lengthOf(const Paths& taken) {
     double length = 0.0;
     for (const CameraPath& path : taken.paths) {
@@ -24,7 +24,7 @@ double lengthOf(const Paths& taken) {
 Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double max_length_m,
                                                std::size_t most_frames) {
     std::optional<Paths> longest;
-    /// Keeps the paths of this length if they are few enough frames.
+    /// Keeps the paths of this length if they have few enough frames.
     const auto fits = [&](double length_m) -> Result<bool> {
         Result<Paths> taken = timed.take(length_m);
         if (!taken) return tl::unexpected<Error>(std::move(taken.error()));

@@ -9,21 +9,23 @@
 
 namespace dollytrack::planning {
 
-/// The paths through a roadmap, with the cycle edges marked.
+/// Paths through a roadmap, with the edges outside the spanning tree marked.
 struct Paths {
     Roadmap roadmap;
     std::vector<CameraPath> paths;
 };
 
-/// How paths are taken and measured while their length is searched for.
+/// Functions that find paths and measure them, for a search over their length.
 struct TimedPaths {
-    std::function<Result<Paths>(double max_length_m)> take;   // 0: any length
-    std::function<Result<std::size_t>(const Paths&)> frames;  // at the motion's limits
+    std::function<Result<Paths>(double max_length_m)> take;   // finds paths of at most this length;
+                                                              // 0: any length
+    std::function<Result<std::size_t>(const Paths&)> frames;  // number of frames at the limits of
+                                                              // motion
 };
 
-/// Paths whose frames are at most `most_frames`: those of the greatest length that a bisection
-/// finds, up to `max_length_m` (0: any). Nothing where even the paths that must be taken have more
-/// frames. Errors: those of `take` and `frames`.
+/// The longest paths with at most `most_frames` frames, found by bisection over the length, up to
+/// `max_length_m` (0: any). Empty if even the shortest possible paths have more frames. Errors:
+/// those of `take` and `frames`.
 Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double max_length_m,
                                                std::size_t most_frames);
 

@@ -10,14 +10,15 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kNeighbours = 8;
-constexpr double kGain = 1e-9;    // smaller improvements are rounding
-constexpr double kNever = 1e6;    // cost of an end that is not the one asked for
-constexpr int kLongestMoved = 3;  // stops of a stretch that is moved
+constexpr double kGain = 1e-9;    // smaller gains are rounding
+constexpr double kNever = 1e6;    // cost of a wrong end
+constexpr int kLongestMoved = 3;  // most stops of a segment that Or-opt moves
 constexpr int kKicksPerStop = 4;
-constexpr std::uint32_t kKicked = 30;  // stops of a stretch that a kick swaps with the next one
+constexpr std::uint32_t kKicked = 30;  // most stops of a segment that a kick swaps with the next
+                                       // one
 
-/// For each stop those that cost least to go to. A shorter tour has a link to one of them where
-/// the old one had a longer link, so that the search need not look at every pair.
+/// By stop, its nearest stops. Any shorter tour has a link to one of them where the old tour has a
+/// longer link, so most pairs need not be tested.
 std::vector<std::vector<int>> nearestOf(const CostMatrix& cost) {
     const std::size_t count = std::min(kNeighbours, cost.size() - 1);
     std::vector<std::vector<int>> nearest(cost.size());
@@ -37,7 +38,7 @@ std::vector<std::vector<int>> nearestOf(const CostMatrix& cost) {
     return nearest;
 }
 
-/// A tour that is improved by reversing stretches. All changes are reversals, so that they can be
+/// A tour that is improved by reversing segments. All changes are reversals, so that they can be
 /// undone.
 class Tour {
   public:
@@ -94,8 +95,8 @@ class Tour {
         }
     }
 
-    /// Cost of the step between two stops; none before the first and after the last (-1), but for
-    /// wrong ends.
+    /// Cost of the step between two stops. Before the first and after the last stop (-1) it is 0,
+    /// or kNever at a wrong end.
     [[nodiscard]] double link(int a, int b) const {
         return cost_[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     }
@@ -133,7 +134,7 @@ class Tour {
         waiting_.push_back(stop);
     }
 
-    /// Until nothing near a stop that was touched helps.
+    /// Repeats local moves until none near a changed stop improves the tour.
     void settle() {
         while (!waiting_.empty()) {
             const int stop = waiting_.back();
@@ -143,7 +144,7 @@ class Tour {
         }
     }
 
-    /// What reversing the stretch from place i to j gains.
+    /// Gain of reversing the segment from position i to j.
     [[nodiscard]] double gainOfReversal(int i, int j) const {
         return step(stop(i - 1), stop(i)) + step(stop(j), stop(j + 1)) -
                step(stop(i - 1), stop(j)) - step(stop(i), stop(j + 1));
@@ -159,10 +160,10 @@ class Tour {
         return true;
     }
 
-    /// Puts one of its nearest next to the stop, by one reversal (2-opt).
+    /// Makes one of its nearest stops a neighbour of the stop, by one reversal (2-opt).
     bool reverseFrom(int a) {
         const int i = place(a);
-        // A shorter tour has a new link that is shorter than an old one at its stop.
+        // A shorter tour has a new link that is shorter than an old one at the same stop.
         const double longest = std::max(step(stop(i - 1), a), step(a, stop(i + 1)));
         for (const int c : nearest_[static_cast<std::size_t>(a)]) {
             if (link(a, c) >= longest) break;
@@ -173,7 +174,7 @@ class Tour {
         return false;
     }
 
-    /// Puts a short stretch that ends at the stop beside one of its nearest (Or-opt).
+    /// Moves a short segment that ends at the stop next to one of its nearest stops (Or-opt).
     bool moveFrom(int a) {
         for (int length = 1; length <= kLongestMoved; ++length) {
             for (const bool to_the_right : {true, false}) {
@@ -195,7 +196,7 @@ class Tour {
         return false;
     }
 
-    /// Moves the stretch between the stops at places j and j + 1, the way round that costs less.
+    /// Moves the segment between positions j and j + 1, in the cheaper direction.
     bool tryMove(int first, int last, int j) {
         if (j >= first - 1 && j <= last) return false;
         const int before = stop(first - 1);
@@ -209,7 +210,7 @@ class Tour {
         for (const int k : {first - 1, first, last, last + 1, j, j + 1}) lookAt(stop(k));
         const int length = last - first + 1;
         if (j > last) {
-            // The stretch and what it passes, each reversed and then both, change places.
+            // Swap the segment and the stops it passes: reverse both together, then each.
             reverse(first, j);
             reverse(first, j - length);
             if (straight <= turned) reverse(j - length + 1, j);
@@ -222,7 +223,7 @@ class Tour {
         return true;
     }
 
-    /// Two stretches beside each other change places: what no move above undoes at once.
+    /// Swaps two adjacent segments (double bridge), which single moves above cannot undo.
     void swapStretches(Random& random) {
         const auto count = static_cast<std::uint32_t>(stops_.size());
         const std::uint32_t most = std::min(kKicked, (count - 2) / 2);
@@ -245,7 +246,7 @@ class Tour {
     TourEnds ends_;
     std::vector<std::vector<int>> nearest_;
     std::vector<int> stops_;
-    std::vector<int> at_;  // by stop, its place in the tour
+    std::vector<int> at_;  // position in the tour, by stop
     std::vector<int> waiting_;
     std::vector<bool> waits_;
     std::vector<std::pair<int, int>> done_;  // reversals since the last kick

@@ -9,18 +9,17 @@ namespace dollytrack::planning {
 /// Square matrix of costs between stops.
 using CostMatrix = std::vector<std::vector<double>>;
 
-/// Stops that the tour must begin and end with, two different ones; -1: any.
+/// First and last stop of the tour, which must differ; -1: any.
 struct TourEnds {
     int first = -1;
     int last = -1;
 };
 
-/// A short open tour through all stops: nearest neighbour, improved by reversing stretches (2-opt)
-/// and moving short ones (Or-opt) until neither helps; then again and again two stretches swap
-/// places, which stays where it ends in a shorter tour (iterated local search; Lourenco, Martin
-/// and Stuetzle 2003). Only the nearest of each stop are looked at, so work grows little faster
-/// than the number of stops. Deterministic. Costs must be symmetric and finite. A cancelled job
-/// ends it early.
+/// A short open tour through all stops, as stop indices: nearest neighbour, then 2-opt and Or-opt
+/// until neither improves, then iterated local search with random segment swaps (Lourenco, Martin
+/// and Stuetzle, 2003). Candidate moves are limited to the 8 nearest neighbours of each stop, so
+/// run time grows little faster than the number of stops. Costs must be symmetric and finite.
+/// Deterministic. Cancelling the job ends it early with a valid tour.
 std::vector<int> shortTour(const CostMatrix& cost, const JobContext& job = {},
                            const TourEnds& ends = {});
 

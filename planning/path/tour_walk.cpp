@@ -17,12 +17,13 @@ double metres(const RoadmapEdge& edge) {
     return edge.length_m;
 }
 
-constexpr double kMostCut = 1.4;  // times the length allowed: what smoothing might make shorter
+constexpr double kMostCut = 1.4;  // relative to the allowed length: smoothing may shorten a walk by
+                                  // up to this factor
 
-/// A tour of one part in the making: the shortest ways between its key frames, and their order.
+/// A tour of one part: shortest paths between its key frames, and their order.
 struct TourOfPart {
     std::vector<Ways> ways;     // from each vertex
-    std::vector<int> vertices;  // by stop: a closed tour stops twice at its first
+    std::vector<int> vertices;  // by stop; a closed tour contains its first vertex twice
     BudgetedTour plan;
 };
 
@@ -48,7 +49,8 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         plan.shows.push_back(point.well_captured);
         plan.shows_less.push_back(point.captured);
         if (point.fixed && point.pin < 0) {
-            // What is asked for beside objects, of a must-see region or an anchor, is worth one.
+            // A constraint viewpoint, of a must-see region or an anchor, is worth as much as an
+            // object.
             const int asked = -1 - part.keys[i];
             plan.shows.back().push_back(asked);
             plan.shows_less.back().push_back(asked);
@@ -67,14 +69,14 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
     return tour;
 }
 
-/// What is walked from stop to stop, without the corners of the roadmap that can be skipped. Tours
-/// that are weighed against each other share most of their legs, so each is made once.
+/// The legs between stops, without corners of the roadmap that can be skipped. Candidate tours
+/// share most legs, so each is made once.
 class Legs {
   public:
     Legs(const RoadmapPart& part, const TourOfPart& tour, const SweptSphere& sphere)
         : part_(part), tour_(tour), sphere_(sphere) {}
 
-    /// Metres of the walk through these stops; smoothing cuts corners off it.
+    /// Length of the walk through these stops, m, before smoothing.
     double lengthOf(const std::vector<int>& order) {
         make(order);
         double sum = 0.0;
@@ -82,7 +84,7 @@ class Legs {
         return sum;
     }
 
-    /// Of the straight lines between them, which no walk is shorter than.
+    /// Sum of the straight distances between the stops, a lower bound of the walk's length.
     [[nodiscard]] double leastLengthOf(const std::vector<int>& order) const {
         double sum = 0.0;
         for (std::size_t i = 1; i < order.size(); ++i) {
@@ -161,8 +163,7 @@ class Legs {
     std::map<std::pair<int, int>, Leg> legs_;
 };
 
-/// Metres that no smoothing of the walk can be shorter than: every corner cut as far back as it
-/// may.
+/// Lower bound of the walk's length after smoothing, m: every corner cut by the largest set-back.
 double leastFlown(const std::vector<PathVertex>& walk, double corner_distance_m) {
     double sum = 0.0;
     for (std::size_t i = 1; i < walk.size(); ++i) {
@@ -187,7 +188,7 @@ double sumOver(std::vector<Legs>& legs, const TourChoice& choice, const Measure&
     return sum;
 }
 
-/// The worthiest tours that keep to the budget as they will be flown.
+/// The tours of highest worth that fit the budget after smoothing.
 TourChoice choose(const std::vector<TourOfPart>& tours, std::vector<Legs>& legs,
                   const TourBudget& budget, const JobContext& job) {
     TourChoice all;
@@ -226,7 +227,7 @@ TourChoice choose(const std::vector<TourOfPart>& tours, std::vector<Legs>& legs,
     for (TourChoice& choice : choices) {
         if (job.cancelled() || fits(choice)) return std::move(choice);
     }
-    // What has to stay is too long.
+    // The fixed stops exceed the budget.
     return std::move(*std::ranges::min_element(choices, [](const auto& a, const auto& b) {
         return std::pair(a.stops, a.metres) < std::pair(b.stops, b.metres);
     }));

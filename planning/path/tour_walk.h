@@ -11,20 +11,21 @@ namespace dollytrack::planning {
 class SweptSphere;
 struct RoadmapParams;
 
-/// How far the tours may go together, and what each object is worth when some must be left out.
+/// Budget of all tours together, and the worth of objects if stops must be dropped.
 struct TourBudget {
-    double max_length_m = 0.0;           // 0: any length
-    int max_stops = 0;                   // with a length; 0: any number
-    std::vector<double> object_weights;  // of index id - 1; empty: all alike
-    std::vector<int> rank;  // of position points as key frames, the most useful first; or empty
+    double max_length_m = 0.0;           // 0: no limit
+    int max_stops = 0;                   // used only with a length; 0: no limit
+    std::vector<double> object_weights;  // by object, at index id - 1; empty: all 1
+    std::vector<int> rank;  // by position point: rank among key frames, 0 is the most useful; may
+                            // be empty
     std::function<double(const CameraPath&)> flown_m;  // see PathEnds
     double corner_distance_m = 0.0;
 };
 
-/// A walk through every key frame of each part: in the order of shortTour() over the shortest ways
-/// in the roadmap, each leg without the corners it can skip. Together they keep to the budget: the
-/// first of tourChoices() whose walk does, so that a larger budget never shows less; the walk of a
-/// part may be empty then.
+/// A walk through the key frames of each part, in the order of shortTour() over shortest paths in
+/// the roadmap; each leg skips unnecessary corners. Under a budget, the first of tourChoices()
+/// whose walks fit it, so that a larger budget never shows less; the walk of a part may then be
+/// empty.
 std::vector<std::vector<PathVertex>> walkTours(const std::vector<RoadmapPart>& parts,
                                                const std::vector<WayEnds>& ends,
                                                const SweptSphere& sphere, const TourBudget& budget,

@@ -13,7 +13,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// What keeps key frames off the path, as a sentence's part.
+/// The reason for key frames that are not on the path, as a phrase.
 std::string leftOutFor(const PlanParams& params) {
     if (params.path.path_mode == PathMode::LongestBranch) {
         return "as path_mode=longest_branch takes one branch of the tree only";

@@ -18,9 +18,10 @@ namespace dollytrack::planning {
 class AllowedRegion;
 class FreeSpace;
 
-/// The whole method as a chain of stages: free space, targets, viewpoints, what was placed by hand,
-/// key frames, roadmap, linking, path, smoothing, timing, repair, metrics. Keeps what each stage
-/// made; a later run repeats only the stages whose parameters, or whose input, have changed.
+/// The whole method as a chain of stages: free space, targets, viewpoints, manual edits,
+/// constraints, key frames, roadmap, linking, path, smoothing, gaze, timing, repair, metrics.
+/// Caches the output of each stage; a later run repeats only the stages whose parameters or input
+/// have changed.
 class Pipeline {
   public:
     using OnTrajectory = std::function<void(std::shared_ptr<const Plan>)>;
@@ -30,20 +31,19 @@ class Pipeline {
     Pipeline(Pipeline&&) noexcept;
     Pipeline& operator=(Pipeline&&) noexcept;
 
-    /// Plans another scene from now on. When it has the same triangles in the same objects and
-    /// places (sameGeometry()), and so differs in roles, classes, fronts and sizes only, ray
-    /// structures and free space are kept, and searches repeated only for observation points that
-    /// change. When objects have moved (movedObjects()), the map is made anew, and what was
-    /// searched and looked at is kept where they cannot have been met. The plan is the one from
-    /// scratch.
+    /// Replaces the scene. If `same_geometry` (see sameGeometry(): only roles, classes, fronts and
+    /// sizes may differ), ray structures and free space are kept, and searches are repeated only
+    /// for observation points that change. If objects only moved (see movedObjects()), the map is
+    /// updated, and searches and estimates that the moves cannot affect are kept. Otherwise
+    /// everything is cleared. The plan equals one made from scratch.
     void setScene(std::shared_ptr<const Scene> scene, bool same_geometry);
 
-    /// The edits name objects by their numbers in this scene (findObjects() brings them up to
-    /// date). Errors: Cancelled; Usage when parameters contradict each other; BadInput when the
-    /// scene has no room for the camera. A scene without targets, or of which nothing can be
-    /// captured, gives an empty trajectory.
-    /// `on_trajectory` is called from within, with the plan as far as its timed trajectory, before
-    /// the metrics are measured, when they have to be: a picture can follow sooner.
+    /// Plans with these parameters and edits. Edits refer to objects by their ids in this scene
+    /// (findObjects() updates them). A scene without capturable targets gives an empty trajectory.
+    /// `on_trajectory` is called before the metrics are measured, unless they are cached, with a
+    /// plan that is complete up to its trajectory. Errors: Cancelled; Usage if parameters
+    /// contradict each other; BadInput if the scene has no room for the camera; Failed if a clip or
+    /// budget of frames is too small.
     Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const PlanEdits& edits,
                                             const JobContext& job,
                                             const OnTrajectory& on_trajectory = {});
@@ -51,10 +51,10 @@ class Pipeline {
         return run(params, {}, job);
     }
 
-    /// Free space of the last run, or null before one came that far.
+    /// Free space of the last run; null if none got that far.
     [[nodiscard]] std::shared_ptr<const FreeSpace> freeSpace() const;
     [[nodiscard]] std::shared_ptr<const RayCaster> rays() const;
-    /// What the edits and the height band allow, as of the last run.
+    /// Allowed region of the last run (no-go boxes, height band); null if none got that far.
     [[nodiscard]] std::shared_ptr<const AllowedRegion> region() const;
 
   private:

@@ -30,7 +30,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// What tells floors from walls; other classes are of no account to where the camera may be.
+/// Classes of the structure objects; other classes do not affect where the camera may be.
 std::vector<int> structureClasses(const Scene& scene) {
     std::vector<int> classes;
     for (const Object& object : scene.objects) {
@@ -49,7 +49,7 @@ void warnOfUnscanned(const FreeSpace& map) {
                     100.0 * *map.scannedShare()));
 }
 
-/// The position point of the pinned one that bears the name; -1 without one, or when it is refused.
+/// The position point of the pin with this name; -1 if there is none or it was refused.
 int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::string& name) {
     if (name.empty()) return -1;
     const std::vector<PositionPoint>& points = placed.viewpoints.position_points;
@@ -62,10 +62,10 @@ int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::st
     return -1;
 }
 
-/// How many key frames a budget of frames has room for; 0: any number.
+/// Largest number of key frames for the budget of frames; 0: no limit.
 int mostVisits(const PlanParams& params) {
     if (params.body.heading == Heading::Free) return params.timing.max_frames;
-    // Beside a key frame's own: turning to it and back, and two corners on the way to it.
+    // The key frame itself, turning to it and back, and two corners on the way to it.
     constexpr int kFramesPerVisit = 7;
     return params.timing.max_frames > 0 ? std::max(1, params.timing.max_frames / kFramesPerVisit)
                                         : 0;
@@ -127,7 +127,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
     const HeadingLimit heading = headingLimit(params.body);
     const Surroundings around{*views, *free_space, sphere, pitch, heading};
     PathEnds ends;
-    // Made when they are asked for: a sphere that stays in its room where each has a trajectory.
+    // Created if needed: with one trajectory per room, the sphere must stay in its room.
     std::optional<SweptSphere> in_room;
     const auto moves = [&]() -> const SweptSphere& { return in_room ? *in_room : sphere; };
     const auto around_moves = [&] {
@@ -137,7 +137,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         return timeTrajectory(smooth, points().viewpoints.position_points,
                               points().viewpoints.observation_points, with, pitch, heading);
     };
-    // Each key, glances and turns on the spot too, needs a frame of its own.
+    // Each key needs a frame, including look-aside views and turns on the spot.
     const auto leastOf = [&](const std::vector<SmoothPath>& smooth) {
         return static_cast<int>(leastFrames(smooth, points().viewpoints.position_points,
                                             points().viewpoints.observation_points, pitch,
@@ -153,7 +153,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         return paths_of_keys;
     };
     const auto timed = [&](std::vector<SmoothPath> smooth, const TimingParams& with) {
-        // Timing adds keys of its own where the camera looks along its motion.
+        // With a heading limit, timing adds keys of its own, which have no image motion.
         if (limitsImageMotion(with) && !heading.restricts()) {
             smooth = withImageMotion(std::move(smooth));
         }
@@ -166,7 +166,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             .and_then([&](Trajectory&& steady) -> Result<Trajectory> {
                 if (with.max_frames <= 0 || keepsFrameRate(with)) return std::move(steady);
                 const int least = leastOf(smooth);
-                FrameLooks looks(*views);  // of this call: repairs are tried in parallel
+                FrameLooks looks(*views);  // local to the call, since repairs are tried in parallel
                 return dropRepeats(
                     std::move(steady), with.max_repeat_rate,
                     [&](int max_frames) { return within(std::max(max_frames, least)); }, looks,
@@ -178,7 +178,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                                        params.shake, pitch, params.seed, job);
             });
     };
-    TimingParams timing_of_part = params.timing;  // a part of a clip has no length of its own
+    TimingParams timing_of_part = params.timing;  // a part of a clip has no duration of its own
     timing_of_part.keep_frame_rate = keepsFrameRate(params.timing);
     timing_of_part.duration_s = 0.0;
     const auto smoothOne = [&](const CameraPath& path) {
@@ -192,7 +192,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         const auto pose = [&](const SmoothPath::Key& key) { return at.pose(key); };
         std::size_t keys = 0;
         for (const SmoothPath& each : all) keys += each.keys.size();
-        TimingParams share = params.timing;  // the budget of frames, shared by the paths' keys
+        TimingParams share = params.timing;  // the budget of frames, shared out by the paths' keys
         if (share.max_frames > 0 && keys > path.keys.size()) {
             const double part = static_cast<double>(path.keys.size()) / static_cast<double>(keys);
             share.max_frames = std::max(1, static_cast<int>(share.max_frames * part));
@@ -286,7 +286,7 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                     pointWeights(points().viewpoints.position_points, weights),
                     weights,
                     keepsFrameRate(params.timing) ? 0 : mostVisits(params)};
-            // One point for both ends is a loop, whatever the parameter says.
+            // The same point for both ends is a loop, whatever the parameter says.
             ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
             const auto& all = points().viewpoints.position_points;
             ends.chosen_by_tour = isChosenByTour(params.path, all, ends);

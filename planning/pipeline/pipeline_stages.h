@@ -26,8 +26,8 @@
 
 namespace dollytrack::planning {
 
-/// The stages of a pipeline with what each of them made, and what each depends on. For pipeline.cpp
-/// and the stages' own .cpp alone.
+/// The stages of a pipeline, with the inputs and output of each. Internal to pipeline.cpp and
+/// pipeline_stages.cpp.
 struct Pipeline::Stages {
     using V = unsigned;  // version of an earlier stage's output
 
@@ -71,19 +71,20 @@ struct Pipeline::Stages {
     Stage<std::tuple<V, V, RepairParams, int>, Repaired> repair;
     Stage<std::tuple<V, RepairParams>, Metrics> metrics;
 
-    // Whether the last run asked for more points than objects need, so that `asked` holds.
+    // Whether the last run needed constraint viewpoints, so that `asked` is valid.
     bool asks = false;
     [[nodiscard]] const PlacedPoints& points() const { return asks ? asked->placed : *placed; }
-    /// Never the same for different points.
+    /// Version of points(); differs whenever the points do.
     [[nodiscard]] V pointsVersion() const {
         return asks ? 2 * asked.version() + 1 : 2 * placed.version();
     }
 
     RunMemory memory;
     std::vector<StageTime> times;
-    std::string left_out_for;  // of the last run's parameters, see captureLedger()
+    std::string left_out_for;  // reason for the last run's parameters; see captureLedger()
 
-    /// Runs one stage, timed, unless the job was cancelled before it.
+    /// Runs and times one stage. Error: Cancelled if the job was cancelled before it, or the
+    /// stage's own.
     template <class StageType, class Inputs, class Make>
     Status run(std::string_view name, StageType& stage, const Inputs& inputs, const JobContext& job,
                Make&& make) {
@@ -98,7 +99,7 @@ struct Pipeline::Stages {
         return status;
     }
 
-    /// The map of the last run that made one.
+    /// The map of the last run.
     [[nodiscard]] MapInUse mapped() const {
         return {free_space.version(), region.version(), free_space.share(), region.share()};
     }

@@ -10,7 +10,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// What is a target now was not looked at before.
+/// An object that is a target only now has no cached views.
 bool haveSameRoles(const Scene& a, const Scene& b) {
     return std::ranges::equal(a.objects, b.objects, {}, &Object::role, &Object::role);
 }
@@ -53,8 +53,8 @@ void RunMemory::refreshSearches(const MapInUse& map, const SearchInputs& inputs)
     const std::pair in(map.free_space_version, map.region_version);
     const bool same_inputs = searched_with_ == inputs;
     if (searched_in_ != in || !same_inputs) {
-        // A band of heights hangs on the floors, which may be what has moved; in a scan all that is
-        // in the image counts, not only what lies before the target.
+        // A height band depends on the floors, which may have moved; in a scan the whole image
+        // counts, not only the space in front of the target.
         if (!same_inputs || !map_searched_ || map.region->hasBand() ||
             map.free_space->scannedShare().has_value()) {
             searches.clear();

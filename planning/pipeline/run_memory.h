@@ -20,15 +20,15 @@ class AllowedRegion;
 class FreeSpace;
 class ViewEstimator;
 
-/// The map as stages have it: versions tell whether it is still the same.
+/// The current map; versions tell whether it has changed.
 struct MapInUse {
     unsigned free_space_version = 0;
     unsigned region_version = 0;
-    std::shared_ptr<const FreeSpace> free_space;  // null before there is one
+    std::shared_ptr<const FreeSpace> free_space;  // null before the first map
     std::shared_ptr<const AllowedRegion> region;
 };
 
-/// What a search depends on beside the scene and its map.
+/// Inputs of a search other than the scene and its map.
 struct SearchInputs {
     CameraParams camera;
     ViewpointParams viewpoints;
@@ -40,26 +40,26 @@ struct SearchInputs {
     bool operator==(const SearchInputs&) const = default;
 };
 
-/// What runs leave to later ones beyond the stages' outputs: searches, what poses show, parts of
-/// the ray structure. Where things have only moved it forgets what they may have touched, and a run
-/// that uses the rest plans exactly as one from scratch. Runs may be cancelled in between.
+/// Caches that runs leave to later ones beyond the stages' outputs: searches, estimates by pose,
+/// and parts of the ray structure. If objects only moved, it drops what the moves may affect; a run
+/// that uses the rest gives exactly the plan made from scratch. Runs may be cancelled at any time.
 class RunMemory {
   public:
-    /// Those that hold, after the call below that is named like them.
+    /// Valid after refreshSearches() (`searches`) or refreshShown() (`shown`, `seen`).
     SearchMemo searches;
     ShownMemo shown;
     ViewMemo seen;
 
-    /// Takes a scene of the same objects, of which those named (rising) stand elsewhere, or none
-    /// do; `rays` and `map` are those of the scene before.
+    /// Records a new scene with the same objects, of which `moved` (ids, ascending; may be empty)
+    /// changed their pose. `rays` and `map` are those of the scene before.
     void noteMoves(const Scene& before, const Scene& now, const std::vector<int>& moved,
                    std::shared_ptr<const RayCaster> rays, const MapInUse& map);
 
-    /// The scene's ray structure, with what has not moved shared.
+    /// The ray structure of the scene; objects that did not move share the earlier one's.
     [[nodiscard]] RayCaster cast(const Scene& scene);
 
-    /// The objects (ids, rising) that have moved since the last call: since there was the map of
-    /// surfaces, or of free space, that is to be made anew.
+    /// The objects (ids, ascending) that moved since the last call, that is since the surface map
+    /// or the free space was last built. Clears the list.
     [[nodiscard]] std::vector<int> takeMovedSinceSurfaces() {
         return std::exchange(moved_since_surfaces_, {});
     }
@@ -67,29 +67,29 @@ class RunMemory {
         return std::exchange(moved_since_free_space_, {});
     }
 
-    /// Forgets searches that do not hold in this map or with these inputs.
+    /// Drops searches that are not valid for this map or these inputs.
     void refreshSearches(const MapInUse& map, const SearchInputs& inputs);
 
-    /// Forgets what may show otherwise in the views of now.
+    /// Drops cached views that are not valid for the current views.
     void refreshShown(unsigned views_version, const CameraParams& camera,
                       const ViewEstimator& views);
 
   private:
-    std::pair<unsigned, unsigned> searched_in_;  // versions of map and region
+    std::pair<unsigned, unsigned> searched_in_;  // versions of free space and region
     std::optional<SearchInputs> searched_with_;
     unsigned shown_in_ = 0;  // version of the views
     std::optional<CameraParams> shown_with_;
 
-    // What has moved since the ray structure was made, and that.
-    std::vector<int> moved_since_cast_;  // rising
+    // Objects moved since the ray structure was built, and that structure.
+    std::vector<int> moved_since_cast_;  // ids, ascending
     std::shared_ptr<const RayCaster> rays_before_;
 
-    // What has moved since the maps were made, whether or not that came to an end: then there is
-    // none to go on from.
-    std::vector<int> moved_since_surfaces_;  // rising
+    // Objects moved since the maps were built. If a build was cancelled, there is no earlier map to
+    // update.
+    std::vector<int> moved_since_surfaces_;  // ids, ascending
     std::vector<int> moved_since_free_space_;
 
-    // What has moved since searches and views were made, and the map of then.
+    // Objects moved since searches and views were made, and the map at that time.
     MovedThings moved_since_searched_;
     MovedThings moved_since_shown_;
     std::shared_ptr<const FreeSpace> map_searched_;  // only while something has moved

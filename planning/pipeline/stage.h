@@ -8,13 +8,13 @@
 
 namespace dollytrack::planning {
 
-/// Remembers the last output of a function of its inputs and makes it anew only when they change.
-/// `version` grows with every new output: a later stage takes it as one of its inputs.
+/// Caches the last output of a function and recomputes it only when its inputs change. `version`
+/// grows with every new output; later stages take it as an input.
 template <class Inputs, class Output>
 class Stage {
   public:
     /// Calls make() -> Result<Output> unless the inputs equal those of the last success. After a
-    /// failure nothing is remembered.
+    /// failure the stage is empty.
     template <class Make>
     Status update(const Inputs& inputs, Make&& make) {
         reused_ = inputs_ && *inputs_ == inputs;
@@ -29,7 +29,7 @@ class Stage {
         return {};
     }
 
-    /// Whether update() would keep what there is.
+    /// Whether update() with these inputs would keep the output.
     [[nodiscard]] bool holds(const Inputs& inputs) const { return inputs_ && *inputs_ == inputs; }
 
     [[nodiscard]] const Output& operator*() const { return *output_; }

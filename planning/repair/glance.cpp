@@ -13,10 +13,11 @@ namespace {
 
 constexpr double kReach_m = 5.0;
 constexpr std::size_t kTargetsTried = 16;
-constexpr double kMostDetour = 0.5 * std::numbers::pi;  // rad, turned more than without the glance
-constexpr double kDetourCost = 0.2;                     // score a radian
+constexpr double kMostDetour = 0.5 * std::numbers::pi;  // rad, turning in addition to that without
+                                                        // the view
+constexpr double kDetourCost = 0.2;                     // score per radian
 
-/// Centres of the targets nearest to a place.
+/// Centres of the targets nearest to a position.
 std::vector<Eigen::Vector3d> nearestTargets(const Scene& scene, const Eigen::Vector3d& place) {
     std::vector<std::pair<double, const Object*>> near;
     for (const Object& object : scene.objects) {
@@ -35,7 +36,7 @@ std::vector<Eigen::Vector3d> nearestTargets(const Scene& scene, const Eigen::Vec
     return centers;
 }
 
-/// The score that an image with these boxes would have in the middle of the run.
+/// Score of an image with these boxes in the run, after the frames before it.
 double scoreWithin(const Trajectory& trajectory,
                    const std::vector<std::vector<Eigen::AlignedBox2d>>& boxes, const LowRun& run,
                    std::vector<Eigen::AlignedBox2d> shown, const ScoreWeights& weights) {
@@ -51,7 +52,7 @@ double scoreWithin(const Trajectory& trajectory,
     return imageScores(part, shows, weights).back();
 }
 
-/// Index of the key frame at which a stretch begins; past the end without one.
+/// Index of the key frame at which a stretch starts; keys.size() if there is none.
 std::size_t firstKeyOf(const SmoothPath& path, std::size_t stretch) {
     std::size_t met = 0;
     for (std::size_t i = 0; i < path.keys.size(); ++i) {
@@ -108,7 +109,7 @@ std::vector<SmoothPath> withGlances(std::vector<SmoothPath> paths,
         key.arc_m = begin + glance.share * (end - begin);
         key.position = end > begin ? path.at(key.arc_m) : path.keys[from].position;
         key.looks_at = glance.looks_at;
-        // Behind the glances of the stretch that come before.
+        // Insert after earlier look-aside views of the stretch.
         path.keys.insert(path.keys.begin() + static_cast<std::ptrdiff_t>(to), key);
     }
     return paths;

@@ -9,21 +9,21 @@
 
 namespace dollytrack::planning {
 
-/// A look aside between two key frames.
+/// A look-aside view between two key frames.
 struct Glance {
     StretchName stretch;
-    double share = 0.5;                                  // of the way along the stretch's arc
-    Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // world
+    double share = 0.5;                                  // of the stretch's arc length, 0..1
+    Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // point to look at, world, m
 };
 
-/// Where the camera could look from the middle of a low run so that the image there scores best:
-/// at one of the nearest targets, without turning much more than it does anyway. Nothing when no
-/// target shows from there, or none in reach scores as much as the threshold.
+/// The point to look at from the middle of a low-scoring run that gives the best image score there.
+/// Candidates are the nearest targets within 5 m that need at most 90 degrees of additional
+/// turning. Empty if no view reaches the threshold.
 [[nodiscard]] std::optional<Eigen::Vector3d> findGlance(
     const RepairContext& context, const Trajectory& trajectory,
     const std::vector<std::vector<Eigen::AlignedBox2d>>& boxes, const LowRun& run);
 
-/// The paths with the glances put in between their key frames.
+/// The paths with the look-aside views inserted as keys between their key frames.
 [[nodiscard]] std::vector<SmoothPath> withGlances(std::vector<SmoothPath> paths,
                                                   const std::vector<Glance>& glances);
 

@@ -7,7 +7,7 @@ namespace dollytrack::planning {
 
 std::vector<StretchName> stretchesOf(const Trajectory& trajectory) {
     std::vector<StretchName> names(trajectory.frames.size());
-    std::size_t keys = 0;  // met so far on this path
+    std::size_t keys = 0;  // key frames so far on this path
     for (std::size_t i = 0; i < names.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
         if (i == 0 || frame.path != trajectory.frames[i - 1].path) keys = 0;

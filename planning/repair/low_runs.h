@@ -9,14 +9,15 @@
 
 namespace dollytrack::planning {
 
-/// The way from one key frame of a path to its next.
+/// A stretch: the part of a path between two successive key frames, by the path's index and the
+/// stretch's number on it.
 struct StretchName {
     std::size_t path = 0;
     std::size_t number = 0;
     auto operator<=>(const StretchName&) const = default;
 };
 
-/// Frames in a row that score low, none of them a key frame.
+/// Consecutive frames that score low, none of them a key frame.
 struct LowRun {
     StretchName stretch;
     std::size_t first = 0;  // index in the trajectory
@@ -24,14 +25,14 @@ struct LowRun {
     [[nodiscard]] std::size_t size() const { return last - first + 1; }
 };
 
-/// The stretch of each frame; a key frame belongs to the one that ends there.
+/// The stretch of each frame; a key frame belongs to the stretch that ends there.
 [[nodiscard]] std::vector<StretchName> stretchesOf(const Trajectory& trajectory);
 
-/// Runs of frames that score less than the threshold, each within one stretch.
+/// Runs of frames with scores below the threshold, each within one stretch.
 [[nodiscard]] std::vector<LowRun> lowRuns(const Trajectory& trajectory,
                                           const std::vector<double>& scores, double threshold);
 
-/// The median of the scores, times `share`.
+/// The median of the scores, times `share`; 0 without scores.
 [[nodiscard]] double lowThreshold(std::vector<double> scores, double share);
 
 [[nodiscard]] ScoreTally tally(const std::vector<double>& scores, double threshold);

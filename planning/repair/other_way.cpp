@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kWaysTried = 4;
 constexpr int kIterations = 400;
-constexpr double kLongest = 1.5;    // times the way taken so far
-constexpr double kLongest_m = 0.5;  // and as much more
+constexpr double kLongest = 1.5;    // factor of the present length
+constexpr double kLongest_m = 0.5;  // added to that
 
 std::vector<Eigen::Vector3d> cornersBetween(const CameraPath& path, std::size_t from,
                                             std::size_t to) {
@@ -24,7 +24,7 @@ std::vector<Eigen::Vector3d> cornersBetween(const CameraPath& path, std::size_t 
     return corners;
 }
 
-/// The part of the path between its two vertices, by other corners.
+/// The part of the path between the two vertices, with other corners.
 CameraPath partBy(const CameraPath& path, std::size_t from, std::size_t to,
                   const std::vector<Eigen::Vector3d>& corners) {
     CameraPath part;

@@ -6,10 +6,10 @@
 
 namespace dollytrack::planning {
 
-/// Another way between two key frames of a path, which scores better than the one it takes.
-/// `from` and `to` are indices of their vertices. Tries a few ways by RRT*, makes a trajectory of
-/// each and takes the one with the smallest share of low frames. Nothing when none has a smaller
-/// share than `low_share`, or all are much longer.
+/// Searches a detour between two key frames of a path, the vertices `from` and `to`: plans up to
+/// four paths by RRT*, makes a trajectory of each, and returns the part of the path with the
+/// smallest share of low frames. Empty if no share is below `low_share`, or all detours are longer
+/// than 1.5 times the present part plus 0.5 m.
 [[nodiscard]] std::optional<CameraPath> findOtherWay(const RepairContext& context,
                                                      const CameraPath& path, std::size_t from,
                                                      std::size_t to, double low_share,

@@ -17,19 +17,19 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr std::size_t kShortRun = 2;  // frames; not worth another way
-constexpr int kAttempts = 3;          // a round, each with fewer changes
+constexpr std::size_t kShortRun = 2;  // frames; too short for a detour
+constexpr int kAttempts = 3;          // per round, each with fewer changes
 
-/// What may be changed about a trajectory.
+/// The parts of a trajectory that repair can change.
 struct Design {
     std::vector<CameraPath> paths;
-    std::vector<SmoothPath> smooth;  // of the paths, without glances
+    std::vector<SmoothPath> smooth;  // without look-aside views
     std::vector<Glance> glances;
 };
 
-/// A design, carried out and looked at.
+/// A design with its trajectory and scores.
 struct Trial {
-    std::vector<SmoothPath> smooth;  // with glances
+    std::vector<SmoothPath> smooth;  // with look-aside views
     Trajectory trajectory;
     CaptureEstimate estimate;
     std::vector<double> scores;
@@ -41,7 +41,7 @@ struct Change {
     std::optional<CameraPath> other_way;
 };
 
-/// Index of a path's vertex at its n-th key frame.
+/// Index of a path's vertex at its n-th key frame (from 0).
 std::size_t vertexOfKey(const CameraPath& path, std::size_t n) {
     for (std::size_t i = 0; i < path.vertices.size(); ++i) {
         if (path.vertices[i].position_point >= 0 && n-- == 0) return i;
@@ -60,7 +60,7 @@ std::map<StretchName, ScoreTally> tallies(const Trial& trial, double threshold) 
     return result;
 }
 
-/// Frames that captures rest on: each object's best ones.
+/// Frames that captures need: the best ones of each object.
 std::set<int> neededFrames(const std::vector<ObjectCapture>& captures) {
     std::set<int> frames;
     for (const ObjectCapture& capture : captures) {
@@ -70,7 +70,7 @@ std::set<int> neededFrames(const std::vector<ObjectCapture>& captures) {
     return frames;
 }
 
-/// The stretches on which objects were captured that no longer are.
+/// The stretches with objects that are no longer captured, or captured well.
 std::set<StretchName> lostOn(const Trial& before, const Trial& after) {
     const std::vector<StretchName> stretches = stretchesOf(before.trajectory);
     std::set<StretchName> lost;
@@ -101,7 +101,7 @@ class Repair {
         return lookAt(std::move(trial));
     }
 
-    /// The trial, whose trajectory is there, with what its frames show.
+    /// Completes a trial that has its trajectory with captures and scores.
     [[nodiscard]] Result<Trial> lookAt(Trial trial) const {
         Result<CaptureEstimate> estimate =
             estimateCaptures(context_.around.views, trial.trajectory, job_, memo_);
@@ -111,7 +111,7 @@ class Repair {
         return trial;
     }
 
-    /// One change for each stretch with low frames that is not given up.
+    /// One change for each stretch with low frames, unless given up.
     std::vector<Change> propose(const Design& design, const Trial& trial, int round) {
         std::map<StretchName, LowRun> longest;
         for (const LowRun& run : lowRuns(trial.trajectory, trial.scores, context_.threshold)) {
@@ -135,7 +135,7 @@ class Repair {
         return changes;
     }
 
-    /// The design with those changes. Error: Cancelled.
+    /// The design with these changes. Error: Cancelled.
     [[nodiscard]] Result<Design> apply(Design design, const std::vector<Change>& changes) const {
         std::set<std::size_t> rerouted;
         for (const Change& change : changes) {
@@ -161,7 +161,7 @@ class Repair {
         return design;
     }
 
-    /// Those of the changes that mend their stretch and lose nothing.
+    /// The changes that improve their stretch and lose no capture.
     std::vector<Change> keepGood(const std::vector<Change>& changes, const Trial& before,
                                  const Trial& after) {
         const auto was = tallies(before, context_.threshold);
@@ -214,7 +214,7 @@ class Repair {
         return change;
     }
 
-    /// Where the middle of a run lies on the way between its key frames.
+    /// Position of the middle of a run between its key frames, as a share of arc length.
     [[nodiscard]] static double shareOf(const Design& design, const Trial& trial,
                                         const LowRun& run) {
         const SmoothPath& path = design.smooth[run.stretch.path];
@@ -229,10 +229,10 @@ class Repair {
     ViewMemo* memo_;
     const JobContext& job_;
     std::set<StretchName> given_up_;
-    std::map<StretchName, int> refused_;  // how many changes of it were
+    std::map<StretchName, int> refused_;  // number of refused changes, by stretch
 };
 
-/// Leaves out low frames that neither stand on a key frame nor are needed for a capture.
+/// Removes low frames that are neither key frames nor needed for a capture. Returns their number.
 int dropLow(Trial& trial, double threshold) {
     const std::set<int> needed = neededFrames(trial.estimate.captures);
     std::vector<TrajectoryFrame> kept;
@@ -285,7 +285,7 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         if (changes.empty()) break;
         report.rounds = round + 1;
-        // All at once; then again with those that were good.
+        // Try all changes together, then again only the good ones.
         for (int attempt = 0; attempt < kAttempts && !changes.empty(); ++attempt) {
             const std::size_t tried = changes.size();
             const Result<Design> changed = repair.apply(design, changes);
@@ -295,7 +295,8 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
             if (trial) changes = repair.keepGood(changes, best, *trial);
             const bool loses = !trial || !lostOn(best, *trial).empty();
             if (changes.size() < tried) continue;
-            // A budget of frames may be too small for all, or a change far off costs a capture.
+            // The budget of frames may be too small for all changes, or a change elsewhere loses a
+            // capture.
             if (loses) {
                 changes = repair.keepHalf(std::move(changes));
                 continue;

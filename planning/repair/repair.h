@@ -15,7 +15,7 @@ struct Surroundings;
 
 [[nodiscard]] bool asksForRepair(const RepairParams& params);
 
-/// A trajectory with what it was made from.
+/// A trajectory with the paths it was made from, and the report of its repair.
 struct Repaired {
     std::vector<CameraPath> paths;
     std::vector<SmoothPath> smooth_paths;
@@ -23,21 +23,20 @@ struct Repaired {
     RepairReport report;
 };
 
-/// How paths become trajectories; repair makes them anew.
+/// Functions that make trajectories from paths.
 struct TrajectoryMaker {
     std::function<Result<SmoothPath>(const CameraPath&)> smooth;
     std::function<Result<Trajectory>(const std::vector<SmoothPath>&)> time;
-    /// Times a part of a path, to which no budget of length applies.
+    /// Times a part of a path, without any budget of frames or length.
     std::function<Result<Trajectory>(const SmoothPath&)> time_part;
 };
 
-/// Mends frames that score low (paper, 3.2.4), in rounds: where such frames follow each other
-/// between two key frames the camera first glances at objects on its way (the paper's fine-tuning
-/// of poses), and takes another way, found by RRT*, where that does not help. A stretch keeps its
-/// change only when fewer of its frames are low and their mean score is no less. With
-/// `drop_low_frames` those that still are low are left out. Key frames stay as they are, but where
-/// another way rounds their corner otherwise, and no object that was captured, or captured well, is
-/// lost. `memo`, unless null, remembers what frames show. Error: Cancelled.
+/// Repairs frames that score low (paper, 3.2.4), in rounds. A run of such frames between two key
+/// frames first gets a look-aside view (the paper's fine-tuning of poses); if that does not help, a
+/// detour found by RRT*. A stretch keeps a change only if fewer of its frames are low, their mean
+/// score does not fall, and no object loses its capture. With `drop_low_frames`, frames still low
+/// are removed, except key frames and those that a capture needs. Key frames keep their poses
+/// unless a detour rounds their corner differently. `memo` may be null. Error: Cancelled.
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
                                   const Surroundings& around, const RepairParams& params, int seed,
                                   const JobContext& job, ViewMemo* memo = nullptr);

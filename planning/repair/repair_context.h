@@ -5,12 +5,12 @@
 
 namespace dollytrack::planning {
 
-/// What each step of a repair needs to know. References must outlive it.
+/// Input shared by all steps of a repair. Keeps references.
 struct RepairContext {
     const TrajectoryMaker& maker;
     const Surroundings& around;
     ScoreWeights weights;
-    double threshold = 0.0;  // a frame that scores less is low
+    double threshold = 0.0;  // frames with a smaller score are low
     int seed = 1;
 };
 

@@ -11,12 +11,12 @@
 namespace dollytrack::planning {
 namespace {
 
-// A few edges a sample make the tour's ways short; more would only cost time.
+// A few edges per sample make the tours short; more would only cost time.
 constexpr int kEdgesPerSample = 4;
 
-/// The search itself is sequential by nature (each pick depends on what is joined), but its one
-/// costly question is not: whether a pair is collision-free. So the pairs that the search can ask
-/// about, the few with the best priority for each sample, are answered beforehand in parallel.
+/// A pair of key frames and whether the move between them is free. The search is sequential, since
+/// each choice depends on earlier edges, but collision tests are not: those of the pairs that the
+/// search can ask for are made beforehand, in parallel.
 struct Pair {
     int a = 0;
     int b = 0;
@@ -39,7 +39,7 @@ Cost cost(const PositionPoint& near, const PositionPoint& sample, double near_si
             angleBetween(near.pose.forward(), sample.pose.forward())};
 }
 
-/// Other key frames of the same room in the order that Near would give them for this sample.
+/// Other key frames of the same component and room, in the order in which Near returns them.
 std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std::vector<int>& keys,
                             const std::vector<double>& sizes, int sample,
                             const RoadmapParams& params) {
@@ -60,7 +60,7 @@ std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std:
     return result;
 }
 
-/// Near, Edge, CollisionFree: called before the edge, or the refused one, is added.
+/// Adds the steps Near, Edge and CollisionFree. Call before adding the edge or the refused edge.
 void addEdgeSteps(Roadmap& roadmap, int sample, int near, const Cost& terms, const Sweep& sweep) {
     using Kind = AlgorithmStep::Kind;
     AlgorithmStep step{Kind::Near, sample, near};
@@ -89,7 +89,7 @@ std::vector<double> targetSizes(const Scene& scene,
         for (const int id : observation_points[o].objects) {
             for (const Eigen::Vector3d& corner : scene.object(id).box.corners()) box.extend(corner);
         }
-        // A view placed by hand may stand for nothing.
+        // A view placed by hand may have no objects.
         sizes.push_back(box.isEmpty() ? 0.0 : box.sizes().norm());
     }
     return sizes;
@@ -102,7 +102,7 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
     const auto position = [&](int i) -> const Eigen::Vector3d& {
         return position_points[static_cast<std::size_t>(i)].pose.position;
     };
-    // No sample gets further than this in its order: it has as many edges or refusals by then.
+    // Samples never need more partners: they reach their limit of edges or refusals before.
     std::vector<std::vector<int>> partners(key_frames.size());
     parallelFor(key_frames.size(), [&](std::size_t i) {
         partners[i] = byPriority(position_points, key_frames, sizes, key_frames[i], params);

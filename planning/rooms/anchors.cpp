@@ -14,12 +14,12 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kStep_m = 0.1;
-constexpr double kHighest_m = 0.8;   // up and down from where a place is wanted
-constexpr double kFarthest_m = 1.5;  // that a view stands before an opening
+constexpr double kHighest_m = 0.8;   // largest vertical offset from the wished position
+constexpr double kFarthest_m = 1.5;  // from an opening to the camera
 constexpr double kNearest_m = 0.3;
 constexpr double kLooksAhead_m = 2.0;
 
-/// A missing ceiling is none.
+/// Openings in ceilings and floors do not count.
 bool isWindow(const Opening& hole) {
     return std::abs(hole.outwards.z()) <= 0.5;
 }
@@ -28,7 +28,7 @@ class Finder {
   public:
     explicit Finder(const Surroundings& around) : around_(around) {}
 
-    /// The legal place nearest above or below.
+    /// The legal position nearest above or below.
     [[nodiscard]] std::optional<Eigen::Vector3d> legalNear(const Eigen::Vector3d& wish) const {
         const Eigen::Vector3d start = around_.sphere.inBand(wish);
         for (double off = 0.0; off <= kHighest_m; off += kStep_m) {
@@ -41,7 +41,7 @@ class Finder {
     }
 
     void doorway(const Doorway& door, std::vector<Pose>& views) const {
-        // Some way to both sides as well: the narrowest place may be no cell's middle.
+        // Also try beside the centre: the narrowest point may not be at the centre of a cell.
         for (const double along : {0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3}) {
             const auto place = legalNear(door.center + along * door.through);
             if (!place) continue;
@@ -54,7 +54,7 @@ class Finder {
         for (double back = kFarthest_m; back >= kNearest_m; back -= kStep_m) {
             const auto place = legalNear(hole.center_in_world - back * hole.outwards);
             if (!place || around_.free_space.componentAt(*place) != hole.component) continue;
-            // The centre of a large opening may have something before it.
+            // The centre of a large opening may be blocked.
             const Eigen::Vector3d way = hole.center_in_world - *place;
             const RayHit hit = around_.views.rays().cast(*place, way, 1.0);
             if (hit.object_id != 0) continue;
@@ -102,7 +102,7 @@ std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
     };
     if (wants(Anchors::Doorways)) {
         for (Doorway door : rooms.doorways()) {
-            // Rooms are numbered by size.
+            // Rooms are numbered by size, the largest first.
             if (door.room_a > door.room_b) door.through = -door.through;
             finder.doorway(door, add(Anchors::Doorways));
         }

@@ -10,18 +10,18 @@ namespace dollytrack::planning {
 
 class RoomPlan;
 
-/// One anchor with the views of it: none where the camera finds no place there.
+/// An anchor with views of it; none if the camera fits nowhere near it.
 struct AnchorViews {
-    Anchors kind = Anchors::Doorways;  // one kind, never None or All
+    Anchors kind = Anchors::Doorways;  // never None or All
     std::vector<Pose> views;
 };
 
-/// The kinds that are asked for, in their order.
+/// The single kinds that `wanted` includes, in their order.
 std::vector<Anchors> anchorKinds(Anchors wanted);
 
-/// Views at what joins and opens rooms, where the camera may be: in each doorway, looking from the
-/// larger room into the smaller one; before each opening in a wall, looking out; at both ends of
-/// each corridor, looking along it. One entry an anchor of the scene.
+/// Views of doorways, openings and corridors: in each doorway, looking from the larger room into
+/// the smaller one; in front of each opening in a wall, looking out; at both ends of each corridor,
+/// looking along it. One entry per anchor in the scene.
 std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
                                      const Surroundings& around);
 

@@ -13,16 +13,17 @@
 namespace dollytrack::planning {
 namespace {
 
-// Of the camera's centre above the floor: over a threshold or a rug, and below every sill.
+// Largest height of the camera's centre above the floor: above thresholds and rugs, below window
+// sills.
 constexpr double kWalks_m = 0.5;
 
-/// In columns.
+/// Coordinates of a column, in columns.
 Eigen::Vector2d placeOf(std::size_t column, const VoxelGrid& plane) {
     const int i = static_cast<int>(column);
     return {i % plane.count[0], i / plane.count[0]};
 }
 
-/// Cuts the borders of a plan into connected stretches.
+/// Splits the borders of a plan into connected stretches.
 class Borders {
   public:
     Borders(const VoxelGrid& plane, const std::vector<int>& parts, const AirColumns& air)
@@ -76,7 +77,7 @@ class Borders {
             border.columns.push_back(at);
             const int x = static_cast<int>(at) % nx;
             const int y = static_cast<int>(at) / nx;
-            // Two steps: thin posts and rounding do not cut a border.
+            // Two columns: thin posts and rounding do not split a border.
             for (int dy = -2; dy <= 2; ++dy) {
                 for (int dx = -2; dx <= 2; ++dx) {
                     if (x + dx < 0 || x + dx >= nx || y + dy < 0 || y + dy >= plane_.count[1]) {
@@ -125,7 +126,7 @@ AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column
         if (part_of_column[i] == kNoPart) return;
         air.walks[i] = air.low[i] - floors.below(at(low)) <= kWalks_m ? 1 : 0;
     });
-    // In walls the floor beside them counts: a parapet is no floor to walk on.
+    // In wall columns use the floor beside the wall: the top of a parapet is not a floor.
     std::vector<int> nearest(columns, kNoPart);
     for (std::size_t i = 0; i < columns; ++i) {
         if (air.walks[i] != 0) nearest[i] = static_cast<int>(i);

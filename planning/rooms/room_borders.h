@@ -11,31 +11,33 @@ namespace dollytrack::planning {
 class FloorHeights;
 class FreeSpace;
 
-/// The heights at which the camera fits, by column of the plan.
+/// By column of the plan: the heights at which the camera fits.
 struct AirColumns {
     std::vector<char> fits;
-    std::vector<char> walks;        // it fits near the floor: not over a table or in a window
-    std::vector<double> low, high;  // m
+    std::vector<char> walks;        // 1 if it fits near the floor, not only above a table or in a
+                                    // window
+    std::vector<double> low, high;  // z of the lowest and highest cell, m
 };
 
 AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
                    const FreeSpace& free_space, const FloorHeights& floors);
 
-/// A connected stretch along which two parts of the plan touch and the camera can walk across.
+/// A connected stretch along which two parts of the plan touch and the camera can move across.
 struct Border {
     int a = 0;
     int b = 0;
-    std::vector<std::size_t> columns;                   // of part a, next to part b, rising
-    Eigen::Vector2d through = Eigen::Vector2d::Zero();  // sum of the steps from a to b
+    std::vector<std::size_t> columns;                   // of part a, next to part b, ascending
+    Eigen::Vector2d through = Eigen::Vector2d::Zero();  // sum of the steps from a to b, not
+                                                        // normalised
 };
 
 std::vector<Border> findBorders(const VoxelGrid& plane, const std::vector<int>& part_of_column,
                                 const AirColumns& air);
 
-/// How far apart its ends are, m.
+/// Distance between its farthest columns, m, including one column's width.
 double widthOf(const Border& border, const VoxelGrid& plane);
 
-/// The column of the border that is nearest to its middle.
+/// The column of the border nearest to its centroid.
 std::size_t middleOf(const Border& border, const VoxelGrid& plane);
 
 }  // namespace dollytrack::planning

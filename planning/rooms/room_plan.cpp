@@ -16,13 +16,13 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kWidestGap_m = 1.8;  // between walls, of a doorway
+constexpr double kWidestGap_m = 1.8;  // of a doorway, between walls
 constexpr double kWidestLintel_m = 3.0;
-constexpr double kLeastRoom_m2 = 0.8;  // to walk in
+constexpr double kLeastRoom_m2 = 0.8;  // area to walk in
 constexpr double kCorridorWidth_m = 1.8;
-constexpr double kCorridorShape = 2.5;  // times longer than wide
+constexpr double kCorridorShape = 2.5;  // length over width
 
-/// Numbers that were found to be one.
+/// Disjoint sets of parts.
 class Joined {
   public:
     explicit Joined(int count) : parent_(static_cast<std::size_t>(count)) {
@@ -41,7 +41,7 @@ class Joined {
     std::vector<int> parent_;
 };
 
-/// Area over which the camera can walk, by part.
+/// Area over which the camera can move, by part, m2.
 std::vector<double> walkedAreas(const VoxelGrid& plane, const FloorPlan& plan,
                                 const AirColumns& air) {
     std::vector<double> area(static_cast<std::size_t>(plan.parts), 0.0);
@@ -53,8 +53,8 @@ std::vector<double> walkedAreas(const VoxelGrid& plane, const FloorPlan& plan,
     return area;
 }
 
-/// Parts too small for a room (a threshold, the corner behind a door, what is outside a window) go
-/// to their neighbours; then all columns get a part, those first over which the camera can walk.
+/// Merges parts too small for a room (a threshold, the corner behind a door, outside a window) into
+/// their neighbours, then assigns all other columns, walkable ones first.
 void fillPlan(const VoxelGrid& plane, const AirColumns& air, FloorPlan& plan) {
     const std::vector<double> area = walkedAreas(plane, plan, air);
     std::vector<int>& parts = plan.part_of_column;
@@ -65,7 +65,7 @@ void fillPlan(const VoxelGrid& plane, const AirColumns& air, FloorPlan& plan) {
     spread(plane, parts, [](std::size_t) { return true; });
 }
 
-/// Whether the places of a room lie along a line, and its ends.
+/// Sets whether a room is a corridor, and the ends of its longer axis.
 void judgeShape(PlanRoom& room, const std::vector<Eigen::Vector2d>& places) {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const auto& place : places) mean += place;
@@ -90,15 +90,15 @@ void judgeShape(PlanRoom& room, const std::vector<Eigen::Vector2d>& places) {
     room.far_end = {far_end.x(), far_end.y(), height};
 }
 
-/// Whether most of a border lies under a lintel, in what the floor plan counts as a wall.
+/// Whether most of a border lies under a lintel, in columns that the floor plan counts as wall.
 bool isUnderLintel(const Border& border, const std::vector<int>& drawn) {
     const auto in_wall = std::count_if(border.columns.begin(), border.columns.end(),
                                        [&](std::size_t i) { return drawn[i] == kNoPart; });
     return 2 * in_wall >= static_cast<std::ptrdiff_t>(border.columns.size());
 }
 
-/// Joins parts across the borders that are too wide for a doorway, until none is left, and returns
-/// the others. `drawn` is the plan with its walls.
+/// Merges parts across borders too wide for a doorway until none is left. Returns the other
+/// borders. `drawn` is the plan with its walls.
 std::vector<Border> joinRooms(const VoxelGrid& plane, const AirColumns& air,
                               const std::vector<int>& drawn, FloorPlan& plan) {
     while (true) {
@@ -115,15 +115,15 @@ std::vector<Border> joinRooms(const VoxelGrid& plane, const AirColumns& air,
             done = false;
         }
         if (done) return doorways;
-        // What was two stretches to two parts may be one to both of them together.
+        // Two separate borders may become one when their parts are merged.
         for (int& part : plan.part_of_column) {
             if (part != kNoPart) part = joined.root(part);
         }
     }
 }
 
-/// The number of each part's room, the one with the largest area to walk in first; parts that were
-/// joined to others have none of their own.
+/// The room number of each part, by walkable area, the largest first; 0 for parts merged into
+/// others.
 std::vector<int> numberRooms(const VoxelGrid& plane, const AirColumns& air, const FloorPlan& plan) {
     const std::vector<double> area = walkedAreas(plane, plan, air);
     std::vector<std::pair<double, std::size_t>> order;
@@ -214,7 +214,7 @@ int RoomPlan::roomAt(const Eigen::Vector3d& place) const {
 bool RoomPlan::inOneRoom(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
                          const Eigen::Vector3d& end, Eigen::Vector3d& where) const {
     const int room = roomAt(start);
-    // No longer than its control polygon, and nowhere faster than twice its longer side.
+    // Upper bound of the curve's speed |B'(t)|.
     const double speed = 2.0 * std::max((control - start).norm(), (end - control).norm());
     const int steps = std::max(1, static_cast<int>(std::ceil(speed / (0.5 * plane_.resolution_m))));
     for (int i = 1; i <= steps; ++i) {

@@ -13,16 +13,16 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kShrink = 0.6;
-constexpr int kHalvings = 4;            // between a set-back that is safe and one that is not
+constexpr int kHalvings = 4;            // bisection steps between a free set-back and a refused one
 constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother than a stop
 constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
 constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
 constexpr int kGrid = 16;
 constexpr int kGlance = 10;
-// Where so many rays meet the object and nearly all see it, a glance is sure enough.
+// With this many rays on the object and nearly all unoccluded, a coarse estimate is enough.
 constexpr int kEnoughRays = 30;
 constexpr double kNearlyWhole = 0.96;  // visible fraction
-constexpr double kFarEnough = 1.0;     // m; a larger clearance is not told apart
+constexpr double kFarEnough = 1.0;     // m; cap of the reported clearance
 
 struct Curve {
     Eigen::Vector3d start, corner, end;
@@ -41,7 +41,7 @@ class Smoother {
     [[nodiscard]] Corner roundCorner(std::size_t i) const {
         Corner corner;
         corner.vertex = static_cast<int>(i);
-        // A fixed point is gone through, not past.
+        // The path passes through fixed points exactly.
         if (isFixed(i)) {
             corner.shortened = true;
             return corner;
@@ -59,7 +59,7 @@ class Smoother {
             return corner;
         }
         wish = furthest(i, wish);
-        // What only just keeps its captures is looked at by every pixel, but not each set-back.
+        // Dense sampling decides the final set-back only.
         while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Look::Sure)) {
             wish = furthest(i, kShrink * wish);
         }
@@ -69,7 +69,7 @@ class Smoother {
         return corner;
     }
 
-    /// The paper's: nothing is looked at, neither obstacles nor captures.
+    /// The paper's rounding: tests neither obstacles nor captures.
     [[nodiscard]] Corner roundBlindly(std::size_t i) const {
         const Eigen::Vector3d in = at(i) - at(i - 1);
         const Eigen::Vector3d out = at(i + 1) - at(i);
@@ -109,7 +109,7 @@ class Smoother {
     }
 
   private:
-    enum class Look { Quick, Sure };  // quick: rays that can be wrong by a little
+    enum class Look { Quick, Sure };  // Quick: few rays, which may be slightly wrong
 
     [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
         return path_.vertices[i].position;
@@ -120,8 +120,8 @@ class Smoother {
         return key >= 0 && points_[static_cast<std::size_t>(key)].fixed;
     }
 
-    /// Whether a camera that looks along its motion has to stop there: to turn a sharp corner, or
-    /// aside to its target.
+    /// Whether a camera that looks along its motion must stop here: at a sharp corner, or to turn
+    /// to a target at the side.
     [[nodiscard]] bool turnsOnTheSpot(std::size_t i, const Eigen::Vector3d& in,
                                       const Eigen::Vector3d& out) const {
         const HeadingLimit& limit = around_.heading;
@@ -139,9 +139,9 @@ class Smoother {
                 at(i) + set_back * (at(i + 1) - at(i)).normalized()};
     }
 
-    /// The largest set-back up to `wish` that there is room for, to a few per cent.
+    /// The largest set-back up to `wish` that allows(), to a few per cent.
     [[nodiscard]] double furthest(std::size_t i, double wish) const {
-        double refused = 0.0;  // the least one that was
+        double refused = 0.0;  // the smallest refused one
         while (wish >= kLeastSetBack && !allows(i, wish)) {
             refused = wish;
             wish *= kShrink;
@@ -154,7 +154,7 @@ class Smoother {
         return wish;
     }
 
-    /// The sweep, the cheaper question, comes first.
+    /// Whether the set-back is collision-free and keeps the captures; the cheaper test comes first.
     [[nodiscard]] bool allows(std::size_t i, double set_back) const {
         const Curve curve = curveAt(i, set_back);
         return around_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
@@ -192,7 +192,7 @@ class Smoother {
     double set_back_;
 };
 
-/// Sweeps the pieces as they will be flown, not what they were made from.
+/// Tests the final pieces for collisions and clearance, not the corners they were made from.
 void sweepPieces(SmoothPath& smooth, const SweptSphere& sphere) {
     std::vector<Sweep> sweeps(smooth.pieces.size());
     parallelFor(sweeps.size(), [&](std::size_t i) {

@@ -9,18 +9,19 @@ namespace dollytrack::planning {
 struct SmoothingParams;
 struct Surroundings;
 
-/// Rounds the corners of a path with quadratic Bezier curves (paper, 3.2.3), from
-/// `corner_distance_m` before to after each corner, at most half a leg. Where the swept camera
-/// sphere would touch something, or a key frame would lose an object it captures, the set-back
-/// shrinks; reversals, pinned points and corners that allow none stop and turn. Error: Cancelled.
+/// Rounds the corners of a path with quadratic Bezier curves (paper, 3.2.3) that start and end
+/// `corner_distance_m` from each corner, at most half a leg. The distance (set-back) shrinks until
+/// the swept camera is free and the key frame at the corner still captures its objects. At
+/// reversals, fixed points and corners where no set-back is possible, the camera stops and turns.
+/// Error: Cancelled.
 Result<SmoothPath> smoothPath(const CameraPath& path,
                               const std::vector<PositionPoint>& position_points,
                               const std::vector<ObservationPoint>& observation_points,
                               const Surroundings& around, const SmoothingParams& params,
                               const JobContext& job);
 
-/// The paper's own smoothing, for comparison: every corner rounded at the same set-back, at most
-/// half a leg, whatever is in the way; what it hits is counted in the result.
+/// The paper's smoothing, for comparison: the same set-back at every corner, at most half a leg,
+/// without any tests. Collisions are counted in the result.
 SmoothPath smoothBlindly(const CameraPath& path, double corner_distance_m,
                          const Surroundings& around);
 

@@ -12,13 +12,13 @@
 namespace dollytrack::planning {
 namespace {
 
-// Things are modelled to stand on each other within this; more is a gap one can see through.
+// Contact tolerance, m: objects are modelled to touch within this; more is a visible gap.
 constexpr double kTouch = 0.06;
 
-// Surfaces nearer than this are one to a ray, which may meet either first.
+// Surfaces closer than this coincide for a ray, which may hit either first.
 constexpr double kShared = 1e-4;
 
-/// What else has a surface where the ray leaves the object, as a wall has behind a picture.
+/// Another object with a surface where the ray leaves this one, as a wall behind a picture; or 0.
 int sharesSurface(const Scene& scene, const RayCaster& rays, int self,
                   const Eigen::Vector3d& on_surface, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d before = on_surface - kShared * direction;
@@ -38,7 +38,7 @@ struct Contact {
 std::optional<Contact> castPast(const Scene& scene, const RayCaster& rays, int self,
                                 const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                 double reach, double begin = 0.0) {
-    std::optional<double> left;  // where the ray met the object itself last
+    std::optional<double> left;  // where the ray last met the object itself
     for (int i = 0; i < 16; ++i) {
         const RayHit hit = rays.cast(origin, direction, reach, begin);
         if (hit.object_id == 0) break;
@@ -51,7 +51,7 @@ std::optional<Contact> castPast(const Scene& scene, const RayCaster& rays, int s
     return other == 0 ? std::nullopt : std::optional(Contact{other, *left});
 }
 
-/// What most of five rays down from the object's underside meet.
+/// The object hit by most of five rays down from the underside; or 0.
 int restsOn(const Scene& scene, const RayCaster& rays, const Object& object) {
     std::map<int, int> votes;
     for (const auto& [x, y] :
@@ -74,7 +74,7 @@ int restsOn(const Scene& scene, const RayCaster& rays, const Object& object) {
     return best;
 }
 
-/// Whether the carrier also covers the object from above, as a shelf's next board does.
+/// Whether the carrier also covers the object from above, as the next board of a shelf does.
 bool isCovered(const Scene& scene, const RayCaster& rays, const Object& object,
                const Object& carrier) {
     const double top = carrier.box.center.z() + carrier.box.half_size.z();
@@ -84,7 +84,7 @@ bool isCovered(const Scene& scene, const RayCaster& rays, const Object& object,
     return hit && hit->object_id == carrier.id;
 }
 
-/// The horizontal direction in which the view out of the carrier is longest.
+/// The horizontal direction with the longest free view out of the carrier.
 Eigen::Vector3d openSide(const Scene& scene, const RayCaster& rays, const Object& object,
                          const Object& carrier) {
     double longest = -1.0;
@@ -101,7 +101,7 @@ Eigen::Vector3d openSide(const Scene& scene, const RayCaster& rays, const Object
     return best;
 }
 
-/// The nearest upright surface beside the object, and the way off it.
+/// The nearest object beside this one within the tolerance, and the direction away from it.
 std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const Scene& scene, const RayCaster& rays,
                                                        const Object& object) {
     std::optional<std::pair<int, Eigen::Vector3d>> best;
@@ -110,8 +110,8 @@ std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const Scene& scene, const
         const double angle = object.box.yaw + i * 0.5 * std::numbers::pi;
         const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
         const double half = object.box.half_size[i % 2];
-        // Only what lies about the object's side: something inside its box, like the thing in a
-        // cupboard, holds nothing up.
+        // Only surfaces near the object's side count: an object inside its box, as in a cupboard,
+        // does not hold it.
         const auto hit = castPast(scene, rays, object.id, object.box.center, direction,
                                   half + kTouch, std::max(0.0, half - kTouch));
         if (!hit || hit->distance - half >= nearest) continue;
@@ -121,7 +121,7 @@ std::optional<std::pair<int, Eigen::Vector3d>> hangsAt(const Scene& scene, const
     return best;
 }
 
-/// What is just above the object's top, as a ceiling is above a lamp's cord; 0: nothing.
+/// The object just above this one's top, as the ceiling above a lamp's cord; or 0.
 int hangsFrom(const Scene& scene, const RayCaster& rays, const Object& object) {
     Eigen::Vector3d origin = object.box.center;
     const double half = object.box.half_size.z();

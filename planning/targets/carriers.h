@@ -15,19 +15,21 @@ namespace dollytrack::planning {
 
 struct TargetParams;
 
-/// What holds an object, and how.
+/// The supporting surface of an object, and how it supports it.
 struct Carriage {
     TargetKind kind = TargetKind::Single;
-    int carrier = 0;  // object id; structure counts with Suspension only; 0: none
-    Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // Suspension: away from the carrier;
-                                                        // Shelf: towards the open side
+    int carrier = 0;  // id of the supporting object; structure only with Suspension; 0: none
+    Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // Suspension: away from the carrier; Shelf:
+                                                        // towards the open side; else zero
     bool small = false;
-    /// What it stands on or hangs at, whatever its size; structure counts. 0: nothing near.
+    /// Id of the object that it stands on or hangs from, whatever its size, structure included; 0:
+    /// none within 6 cm.
     int holder = 0;
-    bool hangs = false;  // at the holder; else it stands on it
+    bool hangs = false;  // hangs from the holder instead of standing on it
 };
 
-/// One entry an object of the scene, found by short rays below and around it.
+/// Finds the supporting surfaces of all targets, by short rays below and around each. One entry per
+/// object of the scene, at index id - 1; entries of other objects are empty.
 std::vector<Carriage> findCarriers(const Scene& scene, const RayCaster& rays,
                                    const TargetParams& params);
 

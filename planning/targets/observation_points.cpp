@@ -14,12 +14,12 @@
 namespace dollytrack::planning {
 namespace {
 
-// A group is held together while each member's box still takes this share of the image; above the
-// 5 % that counts as well captured, because estimates and drawings differ a little.
+// Least share of the image of each member's box in a group. Above the 5 % that count as well
+// captured, since estimates and rendered images differ slightly.
 constexpr double kUsefulShare = 0.1;
 constexpr double kGroupFill = 0.9;
 
-/// Turns a direction by M: yaw about the vertical, then raised by the pitch.
+/// Applies the offsets M: yaw about the vertical, then pitch upwards.
 Eigen::Vector3d turned(const Eigen::Vector3d& direction, const ViewpointParams& params) {
     constexpr double kRadians = std::numbers::pi / 180.0;
     const Eigen::Vector3d unit = direction.normalized();
@@ -31,7 +31,8 @@ Eigen::Vector3d turned(const Eigen::Vector3d& direction, const ViewpointParams& 
     return {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
 }
 
-/// R before M: mean direction from the carrier through its load; the carrier's normal; the front.
+/// Direction R before the offsets: mean direction from the carrier to its objects, the carrier's
+/// normal, or the object's front.
 Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<Carriage>& carriages,
                                  const std::vector<int>& objects) {
     const Carriage& first = carriages[static_cast<std::size_t>(objects.front()) - 1];
@@ -42,8 +43,8 @@ Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<Carriage>
     const Object& carrier = scene.object(first.carrier);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const int id : objects) sum += scene.object(id).box.center - carrier.box.center;
-    // Carriers at a wall are seen from the room: a load at the back edge must not turn the
-    // camera into the wall.
+    // Add the front of the carrier, so that objects at the back edge of one at a wall do not turn
+    // the view into the wall.
     const Eigen::Vector3d mean = sum / static_cast<double>(objects.size());
     return mean + mean.norm() * carrier.front;
 }
@@ -54,7 +55,7 @@ class Grouping {
              const ViewpointParams& params)
         : views_(views), carriages_(carriages), params_(params) {}
 
-    /// Adds the objects as one observation point when one view holds them, else in halves.
+    /// Adds the objects as one observation point if one view can hold them, else in halves.
     void add(std::vector<int> objects) {
         ObservationPoint point = make(objects);
         if (objects.size() == 1 || holds(point)) {

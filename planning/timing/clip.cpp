@@ -38,7 +38,7 @@ Status validateClip(const PlanParams& params) {
                     "path_mode");
     }
     const int frames = clipFrames(timing);
-    // Planning estimates what every frame sees; longer clips take minutes to plan and days to
+    // Planning estimates what every frame sees; longer clips would take minutes to plan and days to
     // render.
     constexpr int kMostFrames = 100'000;
     if (timing.duration_s > 0.0 && timing.duration_s * timing.frame_rate > kMostFrames + 0.5) {
@@ -69,7 +69,7 @@ tl::unexpected<Error> tooShortClip(const TimingParams& params) {
 }
 
 std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {
-    constexpr double kSame = 1e-6;  // of the interval
+    constexpr double kSame = 1e-6;  // relative to the interval
     const auto frames = static_cast<int>(trajectory.frames.size());
     if (keepsFrameRate(params) && params.duration_s <= 0.0 && 2 * frames < params.max_frames) {
         return fmt::format(

@@ -10,24 +10,25 @@ namespace dollytrack::planning {
 struct PlanParams;
 struct TimingParams;
 
-/// Whether budgets must leave the frame rate alone: a clip of a given length or rate.
+/// Whether the frame rate is fixed, by keep_frame_rate or duration_s, so that budgets must not
+/// lower it.
 [[nodiscard]] bool keepsFrameRate(const TimingParams& params);
 
-/// Whether a budget of frames is spread by how far the image moves; see max_image_motion_dps.
+/// Whether frames of a budget are distributed by image motion; see max_image_motion_dps.
 [[nodiscard]] bool limitsImageMotion(const TimingParams& params);
 
-/// Frames that a trajectory at a kept frame rate may have: exactly so many with `duration_s`, at
-/// most so many with `max_frames`; 0: any number.
+/// Number of frames of a trajectory with fixed frame rate: exactly that many with `duration_s`, at
+/// most that many with keep_frame_rate and `max_frames`; 0: no limit.
 [[nodiscard]] int clipFrames(const TimingParams& params);
 
-/// Error: Usage, where the length of a clip contradicts other parameters.
+/// Error: Usage, if the length of a clip contradicts other parameters or is too long.
 [[nodiscard]] Status validateClip(const PlanParams& params);
 
-/// Error: Failed, for a clip that is too short for what must be visited.
+/// Error: Failed, for a clip too short for the views that must be visited.
 [[nodiscard]] tl::unexpected<Error> tooShortClip(const TimingParams& params);
 
-/// A sentence saying that a budget lowered the frame rate and which option keeps it, or that a kept
-/// frame rate left most of the frames unused; empty where neither happened.
+/// A phrase saying that a budget lowered the frame rate and which option keeps it, or that a fixed
+/// frame rate left more than half of the frames unused; empty if neither happened.
 [[nodiscard]] std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params);
 
 }  // namespace dollytrack::planning

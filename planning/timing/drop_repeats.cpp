@@ -11,14 +11,18 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kRateHalvings = 10;
-constexpr double kSurely = 0.75;  // of the limit: a glance that finds fewer needs no closer look
-constexpr double kAim = 0.9;      // of the limit, to be sure to meet it
-// Places of another rate lie beside those glanced at, so the last word is a look at them.
+constexpr double kSurely = 0.75;  // relative to the limit: a coarse rate below this needs no fine
+                                  // measurement
+constexpr double kAim = 0.9;      // target, relative to the limit
+// At another rate frames lie beside those sampled coarsely, so fine measurements have the last
+// word.
 constexpr int kLooks = 12;
 constexpr int kLooksUp = 3;
-constexpr double kAlike = 0.05;     // of the frames: so few more are not worth another look
-constexpr double kBelow = 0.99;     // of the limit: fewer than that, not just as many
-constexpr double kStricter = 0.96;  // of the frames, after a look that found too many repeats
+constexpr double kAlike = 0.05;     // relative to the number of frames: smaller gains are not worth
+                                    // a measurement
+constexpr double kBelow = 0.99;     // relative to the limit, so that the result is below it
+constexpr double kStricter = 0.96;  // factor of the number of frames after a measurement above the
+                                    // limit
 
 int keyFrames(const Trajectory& trajectory) {
     return static_cast<int>(
@@ -26,7 +30,7 @@ int keyFrames(const Trajectory& trajectory) {
                       [](const TrajectoryFrame& frame) { return frame.position_point >= 0; }));
 }
 
-/// Indices of the key frames, and one past the last frame.
+/// Indices of the key frames, and the number of frames.
 std::vector<std::size_t> keysOf(const Trajectory& trajectory) {
     std::vector<std::size_t> keys;
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
@@ -36,8 +40,8 @@ std::vector<std::size_t> keysOf(const Trajectory& trajectory) {
     return keys;
 }
 
-/// About the frames that remain at a lower rate: as many of each stretch between two key frames as
-/// its share allows, evenly, and all key frames.
+/// Approximate frames at a lower rate: all key frames, and a share of the frames between them,
+/// evenly spaced.
 std::vector<std::size_t> atLowerRate(const std::vector<std::size_t>& keys, double share) {
     std::vector<std::size_t> frames;
     for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
@@ -49,8 +53,8 @@ std::vector<std::size_t> atLowerRate(const std::vector<std::size_t>& keys, doubl
     return frames;
 }
 
-/// As many more frames than `low`, and fewer than `high`, as are few enough by a closer look:
-/// glances are coarse, and lead too low.
+/// Searches for more frames than `low` and fewer than `high` that still meet the limit, by fine
+/// measurements: the coarse search tends to end too low.
 Result<Trajectory> addFrames(Trajectory thinned, int low, int high, const TimeWithin& time_within,
                              const std::function<Result<bool>(const Trajectory&)>& repeats_little) {
     for (int look = 0; look < kLooksUp && high - low > 1 + kAlike * high; ++look) {
@@ -81,7 +85,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     };
     if (isFew(1.0, kSurely * max_repeat_rate)) return trajectory;
 
-    // The highest rate at which, as far as the frames glanced at can tell, few enough repeat.
+    // The most frames that meet a repeat rate, estimated from the coarse sampling.
     const auto framesAt = [&](double rate) {
         double few = 0.0;
         double many = 1.0;
@@ -100,7 +104,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     const double limit = kBelow * max_repeat_rate;
     double rate = kAim * max_repeat_rate;
     int low = framesAt(rate);
-    // The fewest frames that are known to hold too many repeats, or all there are.
+    // The fewest frames known to exceed the limit, or all.
     int high = static_cast<int>(trajectory.frames.size());
     Result<Trajectory> thinned = time_within(low);
     for (int look = 0; look < kLooks && thinned && low > least; ++look) {
@@ -108,7 +112,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
         if (!found) return tl::unexpected<Error>(found.error());
         if (*found <= limit) break;
         high = low;
-        // As many more as were found now will be found again.
+        // Correct the target by the ratio found.
         rate *= kAim * max_repeat_rate / *found;
         low = std::max(least, std::min(framesAt(rate), static_cast<int>(kStricter * low)));
         thinned = time_within(low);

@@ -9,8 +9,8 @@
 
 namespace dollytrack::planning {
 
-/// What frames were found to show: poses that trajectories of one scene share are looked at once.
-/// For one thread.
+/// Caches of the surfaces that frames show, coarse and fine, for trajectories of one scene that
+/// share poses. Not thread-safe.
 struct FrameLooks {
     explicit FrameLooks(const ViewEstimator& views)
         : glances(views, SurfaceLooks::Detail::Glance), closer(views) {}
@@ -18,13 +18,13 @@ struct FrameLooks {
     SurfaceLooks closer;
 };
 
-/// Makes the trajectory anew with at most so many frames; key frames all stay.
+/// Times the trajectory again with at most `max_frames` frames; all key frames stay.
 using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
 
-/// Lowers the frame rate of a trajectory until few of its frames show nothing new, at the most
-/// `max_repeat_rate` of them as far as a dozen looks can tell, or only key frames are left:
-/// pictures between two views that show the same as both cost rendering and teach nothing. Errors:
-/// Cancelled, and those of `time_within`.
+/// Lowers the frame rate of a trajectory until at most `max_repeat_rate` of its frames show nothing
+/// new (see TrajectoryMetrics), or only key frames are left. Uses at most 15 fine measurements, so
+/// the rate found may be slightly too low. Unchanged if the limit is 1 or there are no key frames.
+/// Errors: Cancelled, and those of `time_within`.
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
                                const TimeWithin& time_within, FrameLooks& looks,
                                const JobContext& job);

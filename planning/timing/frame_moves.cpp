@@ -5,7 +5,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kOnPath = 1e-6;      // m; below it is rounding
+constexpr double kOnPath = 1e-6;      // m; smaller offsets are rounding
 constexpr double kSamePlace = 1e-12;  // m
 
 SmoothPath::Piece straight(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -16,7 +16,7 @@ SmoothPath::Piece straight(const Eigen::Vector3d& from, const Eigen::Vector3d& t
     return piece;
 }
 
-/// The part of a curve between two of its parameters, which is such a curve itself.
+/// The part of a curve between two parameters, as a Bezier curve.
 SmoothPath::Piece partOf(const SmoothPath::Piece& piece, double begin, double end) {
     if (!piece.curved) return straight(piece.at(begin), piece.at(end));
     SmoothPath::Piece part;
@@ -48,7 +48,7 @@ std::vector<SmoothPath::Piece> moveBetween(const SmoothPath& path, const Traject
         if (end_m <= begin_m) continue;
         SmoothPath::Piece part = partOf(piece, piece.parameterAt(begin_m - piece.begin_m),
                                         piece.parameterAt(end_m - piece.begin_m));
-        // A sway that grows evenly with the curve's parameter keeps it a curve of its degree.
+        // An offset linear in the curve's parameter leaves it a quadratic Bezier curve.
         const auto aside = [&](double arc_m) -> Eigen::Vector3d {
             return first_aside + (arc_m - from.arc_m) / way * (last_aside - first_aside);
         };

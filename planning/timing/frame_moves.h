@@ -7,13 +7,13 @@
 
 namespace dollytrack::planning {
 
-/// The camera's way from one frame of a path to the next, by curves that join: along the path, and
-/// where a sway takes it off the path, as far beside it as the sway goes from the one frame to the
-/// other. This is the one motion between frames: what is proven free, and what is measured.
+/// The camera's motion between two successive frames, as connected curves: along the path, plus an
+/// offset interpolated linearly in arc length between the frames' offsets from the path (by shake).
+/// This motion is the one proven collision-free and measured.
 std::vector<SmoothPath::Piece> moveBetween(const SmoothPath& path, const TrajectoryFrame& from,
                                            const TrajectoryFrame& to);
 
-/// Whether the camera stands beside its path there, or its path is but a place.
+/// Whether the frame is off its path, or the path has no length.
 [[nodiscard]] bool isOffPath(const SmoothPath& path, const TrajectoryFrame& frame);
 
 }  // namespace dollytrack::planning

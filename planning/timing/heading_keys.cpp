@@ -9,12 +9,13 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr double kSameView = 0.05 * kRadian;  // no turn worth a frame
-constexpr double kSameLine = 0.5 * kRadian;   // as smoothing leaves corners alone
+constexpr double kSameView = 0.05 * kRadian;  // a smaller turn is not worth a frame
+constexpr double kSameLine = 0.5 * kRadian;   // the angle below which smoothing leaves corners
+                                              // alone
 constexpr double kSamePlace_m = 1e-9;
 constexpr double kLooksAhead_m = 2.0;
 
-/// Unit direction of motion, by the parameter of a piece.
+/// Unit direction of motion at a parameter of a piece.
 Eigen::Vector3d motionAt(const SmoothPath::Piece& piece, double t) {
     if (!piece.curved) return (piece.end - piece.start).normalized();
     return ((1.0 - t) * (piece.control - piece.start) + t * (piece.end - piece.control))
@@ -47,7 +48,7 @@ class KeyMaker {
     }
 
   private:
-    /// A key inside a piece: passed where its view is allowed, else the camera stops for it.
+    /// Adds a key inside a piece: in passing if its view is allowed, else with turns on the spot.
     void pass(const SmoothPath::Key& key, const SmoothPath::Piece& piece) {
         const Eigen::Vector3d view = pose_at_(key).forward();
         const double t = piece.parameterAt(key.arc_m - piece.begin_m);
@@ -69,7 +70,7 @@ class KeyMaker {
         if (isUpright(motion)) return;
         const Eigen::Vector3d ahead(motion.x(), motion.y(), 0.0);
         const bool is_here = !made_.empty() && made_.back().arc_m >= arc_m - kSamePlace_m;
-        // Nearly one line goes on without a stop.
+        // Small changes of direction need no stop.
         const double same = is_here && made_.back().position_point < 0 ? kSameLine : kSameView;
         if (is_here && angleFromAbove(view_, ahead) <= same && !isUpright(view_)) return;
         SmoothPath::Key key;
@@ -83,7 +84,7 @@ class KeyMaker {
     const std::function<Pose(const SmoothPath::Key&)>& pose_at_;
     HeadingLimit limit_;
     std::vector<SmoothPath::Key> made_;
-    Eigen::Vector3d view_ = Eigen::Vector3d::UnitZ();  // of the last key made
+    Eigen::Vector3d view_ = Eigen::Vector3d::UnitZ();  // of the last key
 };
 
 }  // namespace

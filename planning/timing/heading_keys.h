@@ -8,10 +8,10 @@
 
 namespace dollytrack::planning {
 
-/// The path with more keys, which turn the camera along its motion: at the ends of each curve, and
-/// where it turns a corner or aside to a key frame, on the spot. From key to key the camera then
-/// turns the shorter way between two views that the limit allows all along, so that all views
-/// between them are allowed, too. The path is one that was smoothed under this limit.
+/// Adds keys that turn the camera along its motion: at both ends of each curve, and on the spot at
+/// corners and at key frames whose view is not allowed in passing. Between keys the camera then
+/// turns the shorter way between two allowed views, so that all views are allowed. The path must
+/// have been smoothed with the same limit. Returns it unchanged without a limit.
 [[nodiscard]] SmoothPath withHeadingKeys(const SmoothPath& path,
                                          const std::function<Pose(const SmoothPath::Key&)>& pose_at,
                                          const HeadingLimit& limit);

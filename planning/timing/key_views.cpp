@@ -19,7 +19,7 @@ Pose KeyViews::pose(const SmoothPath::Key& key) const {
     if (key.position_point < 0) return aim(key.position, key.looks_at, pitch_);
     const PositionPoint& p = point(key);
     if (p.fixed) return {key.position, p.pose.rotation};
-    // Smoothing moves other keys a little, and they turn to keep their target in the middle.
+    // Smoothing moves other keys slightly; the camera turns to keep the target in the image centre.
     const auto& target = targets_[static_cast<std::size_t>(p.observation_point)].position;
     return aim(key.position, target, pitch_);
 }

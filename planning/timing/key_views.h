@@ -16,11 +16,11 @@ class KeyViews {
              const PitchBand& pitch)
         : points_(points), targets_(targets), pitch_(pitch) {}
 
-    /// The point that the camera looks at, world. For a pinned point or a limited pitch it lies on
-    /// the actual viewing ray, at the target's distance.
+    /// The point that the camera looks at, world, m. For a fixed point or a limited pitch it lies
+    /// on the actual viewing ray, at the target's distance.
     [[nodiscard]] Eigen::Vector3d target(const SmoothPath::Key& key) const;
 
-    /// Pose at a key; the pitch limit is applied unless the point is pinned.
+    /// Pose at a key. The pitch limit is applied unless the point is fixed.
     [[nodiscard]] Pose pose(const SmoothPath::Key& key) const;
 
   private:

@@ -8,11 +8,11 @@
 namespace dollytrack::planning {
 namespace {
 
-// More than any camera does; finite, so that arithmetic stays so.
+// More than any camera does, but finite, so that arithmetic stays finite.
 constexpr double kNoLimit = 1e6;
 
-/// By MotionPreset. Nobody has published what easy and hard mean; these are a slow pan for feature
-/// trackers, a calm walk through a room, and a hurried one that blurs.
+/// By MotionPreset. There is no published definition of easy and hard; these are a slow pan for
+/// feature trackers, a calm walk through a room, and a fast one with motion blur.
 struct Preset {
     double speed_mps, acceleration_mps2, turn_dps, turn_acceleration_dps2;
 };

@@ -15,10 +15,11 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kFade_s = 0.5;         // from none to all of the sway
-constexpr double kSwayShrink = 0.6;     // a try at a smaller sway
-constexpr double kLeastShare = 0.1;     // a smaller sway is none
-constexpr int kSwayGrid = 16;           // of rays, to see whether a key frame keeps its captures
+constexpr double kFade_s = 0.5;         // from none to full shake
+constexpr double kSwayShrink = 0.6;     // factor of each reduction
+constexpr double kLeastShare = 0.1;     // smaller shares become 0
+constexpr int kSwayGrid = 16;           // rays per side, to test whether a key frame keeps its
+                                        // captures
 constexpr std::uint64_t kStream = 977;  // of random numbers
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -43,7 +44,7 @@ class Shaker {
         parallelFor(steady_.size(), [&](std::size_t i) { sways_[i] = sway.at(steady_[i].time_s); });
     }
 
-    /// How much of the sway is left where a path ends or a key frame would lose a capture.
+    /// Sets the share of shake at ends of paths and at key frames, and fades around them.
     void fadeAtKeys() {
         parallelFor(steady_.size(), [&](std::size_t i) {
             if (!joined(i) || !joined(i + 1)) {
@@ -60,11 +61,11 @@ class Shaker {
         spread(turned_);
     }
 
-    /// Shrinks the sway around moves that touch something; false when there was none.
+    /// Reduces the shake around colliding moves. Returns false if none collides.
     bool shrinkAtCollisions() {
-        std::vector<char> touches(steady_.size(), 0);  // the move to this frame
+        std::vector<char> touches(steady_.size(), 0);  // whether the move to this frame collides
         parallelFor(steady_.size(), [&](std::size_t i) {
-            // Without any sway the camera keeps to its path, which smoothing has proven.
+            // Without shake the camera follows its path, which smoothing has proven.
             if (!joined(i) || (moved_[i - 1] <= 0.0 && moved_[i] <= 0.0)) return;
             touches[i] = !isFree(i);
         });
@@ -76,7 +77,7 @@ class Shaker {
             for (const std::size_t end : {i - 1, i}) {
                 const double less = moved_[end] * kSwayShrink;
                 shares[end] = std::min(shares[end], less < kLeastShare ? 0.0 : less);
-                // What was checked was another place.
+                // The captures were tested with another position.
                 if (steady_[end].position_point >= 0) shares[end] = turned_[end] = 0.0;
             }
         }
@@ -90,7 +91,7 @@ class Shaker {
     [[nodiscard]] Pose pose(std::size_t i) const { return shaken(i, moved_[i], turned_[i]); }
 
   private:
-    /// Whether the camera moves to this frame from the one before.
+    /// Whether the camera moves to this frame from the previous one.
     [[nodiscard]] bool joined(std::size_t i) const {
         return i > 0 && i < steady_.size() && steady_[i].path == steady_[i - 1].path;
     }
@@ -114,7 +115,7 @@ class Shaker {
         return pose;
     }
 
-    /// About the level axis across the view, so that the roll of the sway stays.
+    /// Rotates about the horizontal axis across the view, so that the shake's roll stays.
     [[nodiscard]] Eigen::Quaterniond tiltedBack(const Eigen::Quaterniond& rotation) const {
         const Eigen::Vector3d forward = rotation * Eigen::Vector3d::UnitZ();
         const double elevation = elevationOf(forward);
@@ -130,7 +131,7 @@ class Shaker {
         return frame;
     }
 
-    /// The move to this frame.
+    /// Whether the move to this frame is collision-free.
     [[nodiscard]] bool isFree(std::size_t i) const {
         const auto path = static_cast<std::size_t>(steady_[i].path);
         const auto move = moveBetween(paths_[path], swayed(i - 1), swayed(i));
@@ -152,7 +153,7 @@ class Shaker {
         });
     }
 
-    /// No share may differ from its neighbour's by more than the fade allows.
+    /// Limits the difference between shares of neighbouring frames to what the fade allows.
     void spread(std::vector<double>& shares) const {
         const double step = interval_s_ / kFade_s;
         for (std::size_t i = 1; i < shares.size(); ++i) {
@@ -172,7 +173,7 @@ class Shaker {
     const ShakeParams& params_;
     PitchBand pitch_;
     std::vector<Vector6> sways_;
-    std::vector<double> moved_, turned_;  // shares of the sway, 0..1
+    std::vector<double> moved_, turned_;  // share of the shake, 0..1
 };
 
 }  // namespace
@@ -182,12 +183,12 @@ Sway::Sway(const ShakeParams& params, int seed) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
     for (auto& channel : waves_) {
         if (params.shake == ShakeKind::Sinusoidal) {
-            // Not one beat for all: the camera would sway along a line.
+            // Different frequencies; with one the camera would move along a line.
             const double hertz = params.shake_hz * random.uniform(0.8, 1.25);
             channel.push_back({1.0, kTurn * hertz, random.uniform(0.0, kTurn)});
             continue;
         }
-        // A hand: slow drift is largest, tremor smallest.
+        // Handheld: slow drift is largest, tremor smallest.
         constexpr int kWaves = 8;
         double sum = 0.0;
         for (int i = 0; i < kWaves; ++i) {
@@ -220,7 +221,7 @@ Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Traject
     if (params.shake == ShakeKind::None || trajectory.frames.empty()) return trajectory;
     Shaker shaker(paths, trajectory, position_points, views, sphere, params, pitch, seed);
     shaker.fadeAtKeys();
-    // Ends: each round lowers some share, and one below the least is none.
+    // This ends: each round lowers some share, and small shares become 0.
     while (!job.cancelled() && shaker.shrinkAtCollisions()) {
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");

@@ -16,8 +16,8 @@ class SweptSphere;
 class ViewEstimator;
 struct ShakeParams;
 
-/// How a shaken camera sways: six numbers of -1..1 over time, of which three move it along its own
-/// axes and three turn it about them. Equal seeds sway alike, whatever the frame rate.
+/// Camera shake over time: six values in -1..1, three translations along and three rotations about
+/// the camera's own axes. The same seed gives the same shake at any frame rate.
 class Sway {
   public:
     Sway(const ShakeParams& params, int seed);
@@ -31,12 +31,10 @@ class Sway {
     std::array<std::vector<Wave>, 6> waves_;
 };
 
-/// Shakes a trajectory timed on `paths`. Every move from frame to frame (moveBetween()) is proven
-/// free again: where it would touch something the sway shrinks, down to none, and there the camera
-/// keeps to its path. It fades
-/// out towards both ends of a path, pinned points, and key frames that it would cost a capture.
-/// Where the sway would look steeper than the band allows the camera is tilted back to its edge.
-/// Error: Cancelled.
+/// Shakes a trajectory timed on `paths`. Each move between frames (see moveBetween()) is proven
+/// collision-free; where it collides the shake is reduced, down to none. It also fades out at both
+/// ends of a path, at fixed points and at key frames that would lose a capture. Views steeper than
+/// the pitch band are tilted back to its limit. Error: Cancelled.
 Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Trajectory trajectory,
                                    const std::vector<PositionPoint>& position_points,
                                    const ViewEstimator& views, const SweptSphere& sphere,

@@ -12,22 +12,25 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-9;   // m
-constexpr int kCurveSteps = 4;   // per part of a curve; even, so that a stop to a stop is exact
+constexpr int kCurveSteps = 4;   // per part of a curve; even, so that a motion from rest to rest is
+                                 // exact
 constexpr int kRampSteps = 2;    // from rest to full speed
-constexpr int kShortSteps = 8;   // of a straight part too short for both ramps
+constexpr int kShortSteps = 8;   // on a straight part too short for both ramps
 constexpr int kCruiseSteps = 4;  // between the ramps
-// In a curve, what is left of the limit serves speeding up and braking: sqrt(1 - 0.8^2) of it.
+// In a curve, the lateral acceleration takes at most this share of the limit; sqrt(1 - 0.8^2) is
+// left for speeding up and braking.
 constexpr double kAcross = 0.8;
-// Directions that differ by less are one line with rounding in it; more is a stop.
+// Directions that differ by less are one line with rounding errors; others are a corner where the
+// camera stops.
 constexpr double kStraightAngle = 0.51 * std::numbers::pi / 180.0;
-// A kink of such a line may jolt the camera by what the acceleration gives in this time.
+// A kink in such a line may change the velocity by what the acceleration allows in this time.
 constexpr double kJolt_s = 0.002;
 
-// A curve round a corner sharper than this turns back on itself: the camera stops at its tip.
+// A curve around a corner sharper than this reverses: the camera stops at its tip.
 constexpr double kTurnsBack = 179.0 * std::numbers::pi / 180.0;
-constexpr double kBesideTip = 0.6;  // of the acceleration
+constexpr double kBesideTip = 0.6;  // share of the acceleration
 
-/// Direction in which a piece begins or ends.
+/// Direction of a piece at its start or end.
 Eigen::Vector3d beginOf(const SmoothPath::Piece& piece) {
     return piece.curved ? piece.control - piece.start : piece.end - piece.start;
 }
@@ -39,7 +42,7 @@ double kinkBetween(const Eigen::Vector3d& in, const Eigen::Vector3d& out) {
     return std::atan2(in.cross(out).norm(), in.dot(out));
 }
 
-/// Squared speed at which the camera may go from one piece on to the next.
+/// Squared speed limit at the joint of two pieces.
 double jointLimit2(const SmoothPath::Piece& before, const SmoothPath::Piece& after,
                    const MotionLimits& limits) {
     const double kink = kinkBetween(endOf(before), beginOf(after));
@@ -54,7 +57,7 @@ SpeedTrack::SpeedTrack(const SmoothPath& path, const MotionLimits& limits) {
     cut(path, limits);
     key_limit2_.assign(key_nodes_.size(), kInfinity);
     for (std::size_t k = 0; k + 1 < key_nodes_.size(); ++k) {
-        // Two keys at one place: the camera stands while it turns.
+        // Two keys at one position: the camera turns on the spot.
         if (key_nodes_[k] == key_nodes_[k + 1]) nodes_[key_nodes_[k]].limit2 = 0.0;
     }
     nodes_[key_nodes_.front()].limit2 = 0.0;
@@ -101,7 +104,7 @@ void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to
         double before = parameter(0);
         for (int i = 1; i <= kCurveSteps; ++i) {
             const double after = parameter(i);
-            // Sharpest at one of the step's ends, or at the curve's own middle between them.
+            // The curvature is largest at one of the step's ends, or at the middle of the curve.
             const double middle = std::clamp(0.5, before, after);
             const double bend = std::max(
                 {piece.curvature(before), piece.curvature(middle), piece.curvature(after), 1e-9});
@@ -114,7 +117,7 @@ void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to
         }
         return;
     }
-    // Beside its tip, what such a curve bends takes a part of the acceleration.
+    // Near the tip of such a curve, its curvature takes part of the acceleration.
     const double acceleration = (turns_back ? kBesideTip : 1.0) * limits.acceleration_mps2;
     const double ramp = 0.5 * most2 / acceleration;
     const auto evenly = [&](double begin, double end, int count) {
@@ -177,7 +180,7 @@ double SpeedTrack::speed2(std::size_t node, double cap2) const {
 double SpeedTrack::timeAtCap(std::size_t stretch, double cap2) const {
     double time = 0.0;
     const std::size_t begin = key_nodes_[stretch];
-    // The keys' own slowest speeds belong to the neighbouring stretches.
+    // The slowest speeds at the keys belong to the neighbouring stretches.
     double speed = std::sqrt(nodes_[begin].fastest2);
     for (std::size_t i = begin; i < key_nodes_[stretch + 1]; ++i) {
         const bool last = i + 1 == key_nodes_[stretch + 1];
@@ -206,7 +209,7 @@ std::vector<std::size_t> SpeedTrack::settle(double interval_s,
             if (key_nodes_[s] == key_nodes_[s + 1]) continue;
             const double time = interval_s * static_cast<double>(intervals[s]);
             if (timeAtCap(s, 0.0) >= time * (1.0 - 1e-9)) continue;
-            // Too fast at the ends to take so long: at the mean speed it can.
+            // Too fast at the ends to take that long: limit both keys to the mean speed.
             const double mean =
                 (nodes_[key_nodes_[s + 1]].arc_m - nodes_[key_nodes_[s]].arc_m) / time;
             for (const std::size_t key : {s, s + 1}) {
@@ -226,7 +229,7 @@ double SpeedTrack::capFor(std::size_t stretch, double time_s) const {
     }
     const double length = nodes_[key_nodes_[stretch + 1]].arc_m - nodes_[key_nodes_[stretch]].arc_m;
     const double wanted = length / time_s;
-    // The mean speed grows with the cap, nearly as fast: regula falsi (Illinois) on it.
+    // The mean speed grows almost linearly with the cap: solve by regula falsi (Illinois).
     const auto excess = [&](double cap) { return length / timeAtCap(stretch, cap * cap) - wanted; };
     double low = 0.0;
     double high = std::sqrt(most2);
@@ -235,7 +238,7 @@ double SpeedTrack::capFor(std::size_t stretch, double time_s) const {
     if (at_high <= 0.0) return most2;
     if (at_low >= 0.0) return 0.0;
     double cap = high;
-    int side = 0;  // of the last step; an end that stays twice counts half
+    int side = 0;  // side of the last step; an end kept twice has its value halved
     for (int i = 0; i < 60; ++i) {
         cap = (low * at_high - high * at_low) / (at_high - at_low);
         const double at_cap = excess(cap);

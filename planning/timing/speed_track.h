@@ -8,31 +8,31 @@
 
 namespace dollytrack::planning {
 
-/// How fast the camera may be along one smoothed path, and how fast it is when it passes each key
-/// frame at a whole number of frame intervals. The path is cut into short steps; within a step the
-/// acceleration is constant, so that speed is continuous and its square is linear over arc length.
+/// Speed profile along one smoothed path: the limits of speed, and the speed at which the camera
+/// passes each key at a whole number of frame intervals. The path is divided into short steps of
+/// constant acceleration, so that speed is continuous and its square is linear in arc length.
 class SpeedTrack {
   public:
     SpeedTrack(const SmoothPath& path, const MotionLimits& limits);
 
     [[nodiscard]] std::size_t stretchCount() const { return key_nodes_.size() - 1; }
 
-    /// Frame intervals that each stretch from key to key takes, at the fewest found: no less than
-    /// `least_times_s` and what the limits of motion ask for. Settles the speed at each key.
+    /// The number of frame intervals for each stretch between keys, the fewest found: at least
+    /// `least_times_s` and what the limits of motion require. Fixes the speed at each key.
     std::vector<std::size_t> settle(double interval_s, const std::vector<double>& least_times_s);
 
-    /// Arc lengths at even times within a stretch that takes `time_s` in all, the ends left out;
-    /// after settle(), which has to have given it that time.
+    /// Arc lengths, m, at equal time steps within a stretch that takes `time_s`, ends excluded.
+    /// Call after settle(), with the time it gave the stretch.
     [[nodiscard]] std::vector<double> arcs(std::size_t stretch, double time_s,
                                            std::size_t intervals) const;
 
   private:
     struct Node {
         double arc_m = 0.0;
-        double limit2 = 0.0;    // of the squared speed here
-        double gain2 = 0.0;     // most that the squared speed changes to the next node
-        double fastest2 = 0.0;  // with the speeds at the keys
-        double slowest2 = 0.0;  // likewise: no camera brakes harder
+        double limit2 = 0.0;    // squared speed limit here
+        double gain2 = 0.0;     // largest change of the squared speed to the next node
+        double fastest2 = 0.0;  // largest squared speed, given the speeds at the keys
+        double slowest2 = 0.0;  // smallest squared speed that braking allows
     };
 
     void cut(const SmoothPath& path, const MotionLimits& limits);

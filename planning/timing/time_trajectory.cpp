@@ -21,9 +21,9 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kMostFrames = 1'000'000;
-constexpr std::size_t kGrain = 8;  // stretches a thread takes at once
+constexpr std::size_t kGrain = 8;  // stretches per task
 
-/// The motion from one key frame to the next.
+/// The motion from one key to the next.
 struct Stretch {
     const SmoothPath::Key* from = nullptr;
     const SmoothPath::Key* to = nullptr;
@@ -32,13 +32,13 @@ struct Stretch {
     Eigen::Vector3d from_target, to_target;
 };
 
-/// One continuous motion, by its stretches.
+/// A continuous motion along one path.
 struct Motion {
     const SmoothPath* path = nullptr;
     std::size_t path_index = 0;
     SpeedTrack track;
     std::size_t first_stretch = 0;
-    std::vector<double> least_times_s;  // of the stretches, by their turns
+    std::vector<double> least_times_s;  // by stretch, from their turns
     std::vector<std::size_t> intervals;
 
     [[nodiscard]] std::size_t frames() const {
@@ -70,7 +70,7 @@ TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key,
     return frame;
 }
 
-/// The frames after the stretch's first key up to its second, from `frames` on.
+/// Writes the frames after the stretch's first key up to its second, starting at `frames`.
 void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const KeyViews& views,
                double interval_s, TrajectoryFrame* frames) {
     const std::size_t count = motion.intervals[index];
@@ -84,8 +84,9 @@ void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const 
         frame.path = static_cast<int>(motion.path_index);
         frame.component = motion.path->component;
         frame.arc_m = arcs[i - 1];
-        frame.pose.position = s.to->arc_m <= s.from->arc_m ? s.from->position  // at one place
-                                                           : motion.path->at(frame.arc_m);
+        // turning on the spot
+        frame.pose.position =
+            s.to->arc_m <= s.from->arc_m ? s.from->position : motion.path->at(frame.arc_m);
         frame.pose.rotation = s.turn.at(s.pace.turnedAt(share));
         const double distance = (1.0 - share) * from_distance + share * to_distance;
         frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
@@ -115,7 +116,8 @@ double settleBetween(std::vector<Motion>& motions, double low, double high, std:
     return high;
 }
 
-/// The shortest frame interval found, to 0.1 %, that keeps to the budget; all is settled at it.
+/// Finds the shortest frame interval, to 0.1 %, that meets the budget, and times the motions with
+/// it.
 double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t max_frames,
                     double precision = 0.001) {
     const std::size_t wanted = settleAll(motions, interval_s);
@@ -133,7 +135,8 @@ double settleWithin(std::vector<Motion>& motions, double interval_s, std::size_t
 /// as close below as possible. Returns the interval that gives as many frames at the limits.
 double settleInto(std::vector<Motion>& motions, double interval_s, std::size_t frames) {
     constexpr double kPrecision = 1e-9;
-    constexpr int kMostHalvings = 40;  // a camera that never moves takes no frames more
+    constexpr int kMostHalvings = 40;  // if the camera never moves, the number of frames does not
+                                       // grow
     if (settleAll(motions, interval_s) > frames) {
         return settleWithin(motions, interval_s, frames, kPrecision);
     }
@@ -148,7 +151,7 @@ double settleInto(std::vector<Motion>& motions, double interval_s, std::size_t f
     return high;
 }
 
-/// The camera stands at the end of its way until there are so many frames.
+/// Repeats the last frame until there are so many frames.
 void standStill(Trajectory& trajectory, std::size_t frames) {
     if (trajectory.frames.empty()) return;
     TrajectoryFrame last = trajectory.frames.back();
@@ -221,8 +224,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
             const double travel_s = (to.arc_m - stretches[i].from->arc_m) / limits.speed_mps;
             least_s = to.slowdown * std::max(least_s, travel_s);
         }
-        if (motion_rps > 0.0)
-            least_s = std::max(least_s, to.image_motion_rad / motion_rps);
+        if (motion_rps > 0.0) least_s = std::max(least_s, to.image_motion_rad / motion_rps);
         motions[begins[i].first].least_times_s.push_back(least_s);
     }
     Trajectory trajectory;
@@ -230,7 +232,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     const auto most_frames =
         static_cast<std::size_t>(keepsFrameRate(params) ? clipFrames(params) : params.max_frames);
     const bool whole_clip = params.duration_s > 0.0;
-    // At the limits of motion; a clip is flown more slowly.
+    // Frame interval with motion at its limits; in a clip of given duration the motion is slower.
     const double settled_s = whole_clip ? settleInto(motions, interval_s, most_frames)
                              : keepsFrameRate(params)
                                  ? settleWithin(motions, interval_s, 0)
@@ -245,7 +247,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
                     "frame_rate");
     }
     trajectory.frames.resize(total);
-    std::vector<std::size_t> first_frames;  // of each stretch
+    std::vector<std::size_t> first_frames;  // by stretch
     std::size_t frames = 0;
     for (const Motion& motion : motions) {
         trajectory.frames[frames++] = frameAtKey(motion, motion.path->keys.front(), views);

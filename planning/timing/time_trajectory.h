@@ -12,22 +12,23 @@ namespace dollytrack::planning {
 
 struct TimingParams;
 
-/// Puts frames on the smoothed paths at a fixed rate under the limits of motion (motionLimits()),
-/// one of them exactly on each key frame: the time from key to key is about the least the limits
-/// allow, rounded up to whole frames. Speed is continuous; the camera stands still at both ends of
-/// a path and where it turns a corner on the spot, and slows down in tight curves. From key to key
-/// it turns from rest to rest, roll-free; pinned points keep their pose to the last bit. No
-/// frame looks steeper than the band allows, turns included. With
-/// `max_frames` the rate is lowered until the budget holds, down to one frame a key. Error: Failed
-/// when there are more keys than frames allowed. Under a heading limit the camera looks along its
-/// motion (see withHeadingKeys()), and each turn on the spot needs frames as well.
+/// Times smoothed paths: places frames at a fixed rate under the limits of motion (motionLimits()),
+/// one exactly at each key. The time between keys is close to the least that the limits allow,
+/// rounded up to whole frames, and longer where Key::slowdown or max_image_motion_dps ask for it.
+/// Speed is continuous; the camera stands still at both ends of a path and at corners without a
+/// curve. Between keys it turns roll-free, from rest to rest, within the pitch band. Fixed points
+/// keep their exact pose. With `max_frames` the rate is lowered to meet the budget, down to one
+/// frame per key. With `duration_s` the motion is slowed to fill the clip exactly. Under a heading
+/// limit the camera looks along its motion (see withHeadingKeys()), and turns on the spot need
+/// frames as well. Errors: Failed if there are more keys than `max_frames`; Usage if there would be
+/// more than a million frames.
 Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& paths,
                                   const std::vector<PositionPoint>& position_points,
                                   const std::vector<ObservationPoint>& observation_points,
                                   const TimingParams& params, const PitchBand& pitch = {},
                                   const HeadingLimit& heading = {});
 
-/// The fewest frames that these paths can be timed with.
+/// The fewest frames with which these paths can be timed: one per key.
 [[nodiscard]] std::size_t leastFrames(const std::vector<SmoothPath>& paths,
                                       const std::vector<PositionPoint>& position_points,
                                       const std::vector<ObservationPoint>& observation_points,

@@ -11,15 +11,16 @@ namespace {
 
 // Slerp may rise this much above its ends before heading and elevation are interpolated instead.
 constexpr double kDetour = 10.0 * std::numbers::pi / 180.0;
-// From steep views the shortest way to what lies behind leads over the top, where the heading
+// From steep views, the shortest rotation to a view behind passes the vertical, where the heading
 // flips.
 constexpr double kSteepTurn = 50.0 * std::numbers::pi / 180.0;
 constexpr double kLargeTurn = 0.5 * std::numbers::pi;
-// So near the vertical the heading of a view is that of its camera's right side, and slerp would
-// leave or reach it with a leap.
+// This close to the vertical the heading is defined by the camera's right side, and slerp would
+// start or end with a jump.
 constexpr double kVertical = 85.0 * std::numbers::pi / 180.0;
 
-/// From the camera's right side, which is level and has a direction straight down, too.
+/// Heading from the camera's right axis, which is horizontal and defined even looking straight
+/// down.
 double heading(const Eigen::Quaterniond& rotation) {
     const Eigen::Vector3d right = rotation * Eigen::Vector3d::UnitX();
     return std::atan2(right.x(), -right.y());
@@ -28,7 +29,7 @@ double elevation(const Eigen::Vector3d& forward) {
     return std::asin(std::clamp(forward.z(), -1.0, 1.0));
 }
 
-/// How far slerp leads the view above the steeper of its ends, rad.
+/// Largest rise of slerp above the steeper end, rad.
 double risesBy(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double highest) {
     double risen = 0.0;
     for (int i = 1; i < 16; ++i) {
@@ -38,8 +39,8 @@ double risesBy(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, dou
     return risen;
 }
 
-/// Whether slerp keeps the view within the band all the way. It turns the view about one axis, so
-/// its height follows a cosine, whose peaks are known.
+/// Whether slerp keeps the view within the band. It rotates about one axis, so the view's height
+/// follows a cosine with known peaks.
 bool slerpStaysIn(const PitchBand& band, const Eigen::Quaterniond& from,
                   const Eigen::Quaterniond& to) {
     if (!band.restricts()) return true;
@@ -98,7 +99,7 @@ void Turn::measure() {
         const double sine = step.vec().norm();
         const double angle = 2.0 * std::atan2(sine, step.w());
         turned_[i] = turned_[i - 1] + angle;
-        // Below this an axis is rounding.
+        // For smaller angles the axis is rounding noise.
         if (angle > 1e-6) {
             const Eigen::Vector3d axis = step.vec() / sine;
             if (last_step > 0.0) {
@@ -111,8 +112,8 @@ void Turn::measure() {
     }
 }
 
-/// Inverse of the table by cubic pieces that join with one slope: straight ones would make the
-/// turning rate jump from step to step.
+/// Inverse of the table by cubic Hermite pieces: linear ones would make the turning rate jump from
+/// step to step.
 double Turn::shareAt(double turned) const {
     const auto above = std::upper_bound(turned_.begin() + 1, turned_.end() - 1, turned);
     const auto i = static_cast<std::size_t>(above - turned_.begin());
@@ -120,7 +121,7 @@ double Turn::shareAt(double turned) const {
     constexpr double kStep = 1.0 / kSteps;
     const auto begin = static_cast<double>(i - 1) * kStep;
     if (width <= 0.0) return begin;
-    // Shares a radian at a step's end; never so steep that the cubic would turn back.
+    // Slope at a step's end, limited so that the cubic stays monotonic.
     const auto slope = [&](std::size_t j) {
         const std::size_t low = j == 0 ? 0 : j - 1;
         const std::size_t high = j == kSteps ? kSteps : j + 1;

@@ -8,24 +8,23 @@
 
 namespace dollytrack::planning {
 
-/// The turn of a camera from one roll-free orientation to another, itself roll-free. Follows slerp,
-/// except where that would pass so near the vertical that the heading spins: there heading and
-/// elevation are interpolated, and likewise where it would leave a band of elevations that both
-/// ends are in. Measured by the angle turned, so that an even pace is an even turn:
-/// taking the roll out makes slerp faster in some parts than in others.
+/// A camera rotation between two roll-free orientations, roll-free throughout. It follows slerp,
+/// except where that passes so close to the vertical that the heading would spin, or leaves the
+/// pitch band that holds both ends; there heading and elevation are interpolated. It is
+/// parametrised by the angle turned, because removing the roll makes slerp's speed uneven.
 class Turn {
   public:
     Turn() = default;
     Turn(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, const PitchBand& band = {});
 
-    /// The whole angle turned by on the way, rad.
+    /// Total angle turned, rad.
     [[nodiscard]] double angle() const { return turned_.back(); }
 
-    /// Orientation after an angle of 0..angle(); the ends are met to the last bit.
+    /// Orientation after an angle of 0..angle(), rad; exact at both ends.
     [[nodiscard]] Eigen::Quaterniond at(double turned) const;
 
-    /// How much the axis of turning changes a radian turned, at the most. At an even pace of
-    /// w rad/s the angular velocity changes by w * w * bend() rad/s2.
+    /// Largest change of the unit rotation axis per radian turned. At a constant rate w (rad/s) the
+    /// angular acceleration is w * w * bend(), rad/s2.
     [[nodiscard]] double bend() const { return bend_; }
 
   private:
@@ -40,7 +39,7 @@ class Turn {
     bool by_angles_ = false;
     double heading_ = 0.0, heading_change_ = 0.0;
     double elevation_ = 0.0, elevation_change_ = 0.0;
-    std::array<double, kSteps + 1> turned_{};  // at even shares, rad
+    std::array<double, kSteps + 1> turned_{};  // angle at equal steps of the interpolation, rad
     double bend_ = 0.0;
 };
 

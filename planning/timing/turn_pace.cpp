@@ -7,7 +7,8 @@ namespace dollytrack::planning {
 
 TurnPace::TurnPace(const Turn& turn, const MotionLimits& limits) : angle_(turn.angle()) {
     if (angle_ <= 0.0) return;
-    // Of the acceleration, a moving axis takes its part; what is left speeds up and slows down.
+    // Largest share of the acceleration limit that the moving axis may take; the rest speeds up and
+    // slows down.
     constexpr double kAcross = 0.8;
     const double most = limits.turn_acceleration_rps2;
     const double bend = std::max(turn.bend(), 1e-9);

@@ -5,18 +5,18 @@
 
 namespace dollytrack::planning {
 
-/// The pace of a turn that begins and ends at rest: speeds up evenly, goes on at one rate and slows
-/// down evenly, so that angular velocity is continuous.
+/// Timing of a turn from rest to rest with a trapezoidal rate: constant acceleration, constant
+/// rate, constant deceleration.
 class TurnPace {
   public:
     TurnPace() = default;
     TurnPace(const Turn& turn, const MotionLimits& limits);
 
-    /// The least time that the limits allow.
+    /// The shortest time that the limits allow, s.
     [[nodiscard]] double time() const { return time_s_; }
 
-    /// The angle turned by at a share of the time, 0..1, however much time is taken: a turn that
-    /// takes longer is slower all along.
+    /// Angle turned, rad, at a share 0..1 of the time. A turn that takes longer is slower
+    /// throughout.
     [[nodiscard]] double turnedAt(double share) const;
 
   private:

@@ -26,7 +26,7 @@ std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
     return views;
 }
 
-/// As the parameter has it.
+/// The kind's name in the parameter list.
 std::string nameOf(Anchors kind) {
     ConstraintParams params;
     params.anchors = kind;
@@ -92,7 +92,7 @@ Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector
     asked.must_see = std::move(*found);
     for (const MustSee& region : asked.must_see) {
         for (const int kept : region.kept) {
-            // Those beyond are views of earlier regions, which are fixed.
+            // Larger indices are views of earlier regions, which are fixed already.
             if (static_cast<std::size_t>(kept) < keys.size()) {
                 points[static_cast<std::size_t>(keys[static_cast<std::size_t>(kept)])].fixed = true;
             }
@@ -109,7 +109,7 @@ Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector
     }
     if (asked_for > before) findCaptured(around.views, points, memo);
     for (std::size_t i = before; i < asked_for; ++i) {
-        // As a point placed by hand, it stands for what it captures.
+        // Like a point placed by hand, it stands for the objects it captures.
         const auto target = static_cast<std::size_t>(points[i].observation_point);
         viewpoints.observation_points[target].objects = points[i].captured;
     }

@@ -14,31 +14,31 @@ namespace dollytrack::planning {
 
 class RoomPlan;
 
-/// An anchor and the position points that visit it.
+/// An anchor (doorway, opening or corridor) and the position points that visit it.
 struct AskedAnchor {
     Anchors kind = Anchors::Doorways;
     std::vector<int> points;
 };
 
-/// Points with those added that a person asks for beside the objects', each with its room.
+/// Viewpoints extended by the ones that constraints ask for: must-see regions, anchors, room views.
 struct AskedPoints {
     PlacedPoints placed;
     std::vector<MustSee> must_see;
     std::vector<TourRoom> tour_rooms;
-    Anchors anchors = Anchors::None;  // the kinds asked for
+    Anchors anchors = Anchors::None;  // kinds wanted by the constraints
     std::vector<AskedAnchor> found_anchors;
 };
 
-/// The anchors of each kind asked for, and how many of them have a view on the way.
+/// For each wanted kind, the number of anchors found, and how many have a viewpoint on the paths.
 std::vector<AnchorTally> countAnchors(const AskedPoints& asked,
                                       const std::vector<SmoothPath>& paths);
 
-/// Whether the plan of rooms is needed.
+/// Whether the constraints need a RoomPlan.
 bool asksForRooms(const ConstraintParams& constraints);
 
-/// Adds the views of must-see regions and of anchors as fixed points and completes what they
-/// capture, adds room views as far as the budget allows, and numbers the rooms when each has a
-/// trajectory of its own. `rooms` is given when asksForRooms(). Error: Cancelled.
+/// Adds viewpoints of must-see regions and anchors as fixed position points, and completes the
+/// lists of objects that all points capture. Adds room views if wanted. Sets each point's room if
+/// each room gets its own trajectory. `rooms` must be given if asksForRooms(). Error: Cancelled.
 Result<AskedPoints> addAskedPoints(const PlacedPoints& placed, const std::vector<Region>& must_see,
                                    const PlanParams& params, const RoomPlan* rooms,
                                    const Surroundings& around, ShownMemo* memo,

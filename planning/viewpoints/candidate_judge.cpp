@@ -11,15 +11,17 @@ namespace {
 
 constexpr double kFractionMargin = 0.04;
 constexpr double kAreaMargin = 1.12;
-constexpr double kSure = 0.92;  // visible fraction that a close look cannot mistake by its margin
-// A quarter of those rays decides, but where what they find is this near to the rule.
+constexpr double kSure = 0.92;  // visible fraction at which sampling errors cannot exceed the
+                                // margin
+// A quarter of the exact grid's rays decides, unless their result is this close to the rule.
 constexpr int kNearlyExactGrid = 36;
 constexpr double kClear = 0.02;  // of the visible fraction
-// A view is worth little more when a last sliver comes into sight, so fill may decide then.
+// Step by which visible fractions are rounded, so that a last sliver does not outweigh fill.
 constexpr double kFractionStep = 0.03;
 constexpr int kGlance = 4;
 constexpr double kHopeless = 0.45;   // well below what counts as captured
-constexpr double kMayCapture = 0.6;  // the least that a finer look might correct to captured
+constexpr double kMayCapture = 0.6;  // least visible fraction that denser sampling may correct to
+                                     // captured
 
 double seenInSteps(double visible_fraction) {
     return std::round(visible_fraction / kFractionStep) * kFractionStep;
@@ -73,9 +75,9 @@ double highestQuality() {
 CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
                                double wished_fill)
     : around_(around), point_(point), subject_(makeSubject(around.views, point.objects)) {
-    // What is wished for is an area: a thing as high as wide takes fill * fill of the shorter
-    // side's square, and a slender one less even when it spans as much. So let it span more, in the
-    // range searched; and yet more until its box takes what counts as well captured.
+    // The wished fill is meant as an area: an object as high as wide takes fill * fill of the
+    // square on the shorter side, a slender one less. So slender objects get a larger fill, up to
+    // 0.85, and up to 0.92 until the box is large enough to count as well captured.
     const double slender = std::max(1e-3, slenderness(around.views, subject_, point.direction));
     const double shorter =
         static_cast<double>(
@@ -96,14 +98,14 @@ Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fil
     return own ? Verdict::TooClose : Verdict::InObstacle;
 }
 
-/// Whether a view from a free place is of any use, whatever it shows of the target.
+/// Whether a legal position is in a gap between surfaces, or sees too little of a scan.
 Verdict CandidateJudge::viewVerdict(const Pose& pose) const {
     if (isInGap(around_.sphere, around_.views, pose.position)) return Verdict::InGap;
     return around_.views.scannedShare(pose) < CaptureRules{}.min_scanned_share ? Verdict::Unscanned
                                                                                : Verdict::Legal;
 }
 
-/// A glance with few rays: most bad places hide most of the target, and need no closer look.
+/// Samples with few rays first: most bad candidates hide most of the target and need no more.
 bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
     for (const int id : point_.objects) {
         const auto glance = around_.views.estimate(pose, id, kGlance);
@@ -159,7 +161,7 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
                (well ? kWellWorth : 0.0);
     }
     judged.candidate.visible_fraction = worst;
-    // A view that crops its target is not what was asked for, but still shows most of it.
+    // A view that crops its target still shows most of it, so cropping only lowers the quality.
     const double over = std::max(0.0, judged.candidate.fill - 0.95);
     const double off = std::abs(std::log(std::max(judged.candidate.fill, 0.01) / wished_fill_));
     const double lost = 0.3 * off + over;

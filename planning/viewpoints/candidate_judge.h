@@ -9,31 +9,34 @@
 
 namespace dollytrack::planning {
 
-/// A candidate with what its view is worth.
+/// A candidate with the quality of its view.
 struct Judged {
     Candidate candidate;
-    double quality = -1.0;  // below 0: not legal
-    double at_most = 0.0;   // no finer look values the place higher; 0: nor captures anything
-    int order = 0;          // among candidates of equal quality the first is taken
+    double quality = -1.0;  // higher is better; below 0: not legal
+    double at_most = 0.0;   // upper bound of `quality` with any denser sampling; 0: no object can
+                            // be captured
+    int order = 0;          // tie-breaker among equal quality: the lowest order wins
     bool all_well = false;  // every object is captured well, with a margin
-    std::vector<ShownObject> shown;  // by a fine look: those captured well, with a margin
-    double nearness = 0.0;  // 0..2, of the worst object: how much of what capturing it well asks
-                            // for is reached, by its visible fraction and by its box
+    std::vector<ShownObject> shown;  // objects captured well, with a margin; only after fine
+                                     // sampling
+    double nearness = 0.0;  // 0..2, of the worst object: min(1, visible fraction / required) +
+                            // min(1, box share / required)
 };
 
-/// By a close look; where that finds the object safely captured with little to spare, and every
-/// pixel says that it is not, by every pixel. Of hundreds of places the best is often one that some
-/// rays flatter.
+/// Estimates by estimateClosely(). If that says safely captured but only just, verifies with denser
+/// grids, up to one ray per pixel, and returns the denser estimate if it disagrees. The best of
+/// hundreds of candidates is often one that a sparse grid overrates.
 [[nodiscard]] ViewEstimator::Estimate estimateSurely(const ViewEstimator& views, const Pose& pose,
                                                      int object_id, int grid);
 
-/// Quality of a view that shows all in full and as large as wished for.
+/// Quality of a view that shows all objects fully and at the wished size.
 [[nodiscard]] double highestQuality();
 
-/// How carefully a candidate is looked at: rays along each side of each object's extent.
+/// Sampling density of a candidate's view: rays along each side of an object's extent.
 enum class Look : int { Coarse = 8, Closer = 14, Fine = 24 };
 
-/// Judges places for one observation point: legality first, the view by rays second.
+/// Judges candidate positions for one observation point: first whether they are legal, then the
+/// view by ray sampling. Keeps references. Immutable.
 class CandidateJudge {
   public:
     CandidateJudge(const Surroundings& around, const ObservationPoint& point, double wished_fill);
@@ -55,12 +58,13 @@ class CandidateJudge {
     double wished_fill_;
 };
 
-/// See Judged::nearness; the margins are added to the fraction asked for, and times the box.
+/// See Judged::nearness. `fraction_margin` is added to the required visible fraction; the required
+/// box share is multiplied by `area_margin`.
 double nearnessOf(const ViewEstimator::Estimate& estimate, double fraction_margin = 0.0,
                   double area_margin = 1.0);
 
-/// Estimates by rays and pixels of drawings differ a little: what is to count as well captured
-/// must pass the rules with this much to spare.
+/// Whether the estimate passes the capture rules with a margin for the difference between sampling
+/// rays and rendered pixels.
 bool isSafelyWellCaptured(const ViewEstimator::Estimate& estimate);
 bool isSafelyCaptured(const ViewEstimator::Estimate& estimate);
 

@@ -21,8 +21,8 @@ Eigen::Vector3d onSphere(double z, double angle) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// The rooms' cells near a place, by number. There are hundreds of thousands of cells and few are
-/// picked, so they are counted in blocks, not listed.
+/// The rooms' cells near a position, by number. Hundreds of thousands of cells exist and few are
+/// drawn, so they are counted in blocks instead of listed.
 class CellsNear {
   public:
     CellsNear(const FreeSpace& free_space, const SweptSphere& sphere, Eigen::Vector3d center,
@@ -50,7 +50,7 @@ class CellsNear {
         for (const Eigen::Vector3f& cell : block->cells) {
             if (isNear(cell) && passed++ == number) return cell.cast<double>();
         }
-        return center_;  // never: the block holds it
+        return center_;  // unreachable: the block holds the cell
     }
 
   private:
@@ -86,7 +86,8 @@ std::vector<Eigen::Vector3d> directionsInCone(const Eigen::Vector3d& axis, doubl
 }
 
 std::vector<Eigen::Vector3d> directionsAllAround(const Eigen::Vector3d& axis, int count) {
-    constexpr double kHighest = 0.996;  // sin 85 deg: straight down a roll-free camera has no up
+    constexpr double kHighest = 0.996;  // sin 85 deg: a roll-free camera looking straight down has
+                                        // no defined heading
     constexpr double kLowest = -0.866;  // sin -60 deg
     std::vector<Eigen::Vector3d> directions;
     for (int i = 0; i < count; ++i) {
@@ -111,7 +112,8 @@ std::vector<Eigen::Vector3d> randomPlaces(const FreeSpace& free_space, const Swe
                                           const ViewEstimator& views, const Subject& subject,
                                           double least_fill, double most_fill, int count,
                                           Random& random) {
-    // Cells in the shell of useful distances only: most of a large house is of no use to a mug.
+    // Draw only from cells in the useful distance, since most of a large house is too far from a
+    // small object.
     const CellsNear nearby(free_space, sphere, subject.center,
                            furthestUseful(views, subject, least_fill));
     std::vector<Eigen::Vector3d> places;

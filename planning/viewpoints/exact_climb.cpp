@@ -7,17 +7,19 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kNearlyThere = 1.94;  // of nearness, by every pixel: with less it is hopeless
+constexpr double kNearlyThere = 1.94;  // least nearness, by exact estimates, at which the search
+                                       // continues
 constexpr std::size_t kClimbParents = 5;
 constexpr std::size_t kClimbChildren = 48;
 constexpr int kClimbGenerations = 30;
-constexpr double kClimbFirstSpread = 0.15;  // of the distance to the target
+constexpr double kClimbFirstSpread = 0.15;  // relative to the distance to the target
 constexpr double kLeastSpread = 0.005;
-constexpr double kClimbShrinking = 0.6;  // of the spread, when no child is nearer than its parents
+constexpr double kClimbShrinking = 0.6;  // factor of the spread if no child is better than its
+                                         // parents
 
 struct Looked {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    double nearness = 0.0;  // as Judged has it, without the margins
+    double nearness = 0.0;  // see Judged::nearness; without margins
     bool well = false;
 };
 
@@ -32,7 +34,7 @@ class Climb {
         return {position, nearnessOf(seen), isWellCaptured(makeView(seen, object_id_, 0))};
     }
 
-    /// Of places beside the parents, those that a glance finds legal and near enough.
+    /// Random positions around the parents that are legal and near enough by a coarser estimate.
     [[nodiscard]] std::vector<Looked> lookBeside(const std::vector<Looked>& parents, double spread,
                                                  Random& random, std::vector<Judged>& tried) const {
         std::vector<Eigen::Vector3d> places;

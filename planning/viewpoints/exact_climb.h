@@ -8,17 +8,19 @@
 
 namespace dollytrack::planning {
 
-/// Of Judged::nearness: with less by fewer rays, every pixel says no more.
+/// Candidates whose ray-sampled Judged::nearness is below this are never captured when every pixel
+/// is tested.
 constexpr double kMayBeThere = 1.86;
 
 struct Climbed {
-    std::optional<Eigen::Vector3d> place;  // legal, and captures the object well by every pixel
-    std::vector<Judged> tried;             // all places looked from, but for those given
+    std::optional<Eigen::Vector3d> place;  // legal position that captures the object well, without
+                                           // margins; empty if none was found
+    std::vector<Judged> tried;             // all candidates sampled, apart from the given ones
 };
 
-/// The last resort for an object that is missed only just: looks by every pixel and without the
-/// margins (ViewEstimator::estimateExactly(), isWellCaptured()), first at the places given, then
-/// ever closer beside the best of them, where that misses little. At most some 1,400 looks.
+/// Last stage of the search, for an object that is missed only just: an evolutionary search with
+/// ViewEstimator::estimateExactly() and isWellCaptured(), without margins. It starts with the first
+/// 5 of `places` and samples ever closer to the best ones. At most about 1,400 exact estimates.
 Climbed climbToCapture(const Surroundings& around, const CandidateJudge& judge, int object_id,
                        const std::vector<Eigen::Vector3d>& places, Random& random);
 

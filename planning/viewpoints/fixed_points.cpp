@@ -7,7 +7,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kLooksAt_m = 2.0;  // where a view that meets nothing is said to look
+constexpr double kLooksAt_m = 2.0;  // distance of the target of a view that hits nothing
 constexpr double kFarthest_m = 10.0;
 
 }  // namespace

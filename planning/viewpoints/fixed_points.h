@@ -5,11 +5,11 @@
 
 namespace dollytrack::planning {
 
-/// Adds a position point that the trajectory goes through at this very pose, with an observation
-/// point where it looks. It stands for no object; what it captures is for findCaptured() to say.
+/// Adds a fixed position point (the trajectory passes through this very pose) and an observation
+/// point for it, at lookedAt(). The lists of captured objects stay empty until findCaptured().
 void addFixedPoint(const Pose& pose, const Surroundings& around, Viewpoints& viewpoints);
 
-/// Where a view looks: the surface it meets, or a little way on where it meets none near by.
+/// The surface point at the centre of a view, or a point 2 m ahead if there is none within 10 m.
 Eigen::Vector3d lookedAt(const Pose& pose, const ViewEstimator& views);
 
 }  // namespace dollytrack::planning

@@ -11,14 +11,15 @@
 namespace dollytrack::planning {
 namespace {
 
-// Small cameras are for small scenes, whose rooms must not count as gaps.
+// Small cameras are used in small scenes, whose rooms must not count as gaps.
 constexpr double kMostReach_m = 0.6;
 constexpr double kReachInRadii = 6.0;
 constexpr int kGapDirections = 96;
-constexpr int kGapLines = kGapDirections / 2;  // the directions below are opposite to those above
+constexpr int kGapLines = kGapDirections / 2;  // lines along the upper half of the directions
 constexpr int kGapLinesNeeded = kGapLines / 3;
-constexpr double kFacing = -0.5;  // cosine between the normals of surfaces that face each other
-// A third of the lines is within reach only where the gap is no wider than 2/3 of it.
+constexpr double kFacing = -0.5;  // largest cosine between the normals of facing surfaces
+// Nearest surface as a share of the reach: for a third of the lines to be within reach, the gap
+// must be no wider than 2/3 of it.
 constexpr double kNearestWall = 1.0 / 3.0;
 
 bool endsBetween(const ViewEstimator& views, const Eigen::Vector3d& place,

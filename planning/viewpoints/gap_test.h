@@ -7,12 +7,12 @@ namespace dollytrack::planning {
 class SweptSphere;
 class ViewEstimator;
 
-/// Surfaces farther from a place than this make no gap of it, m.
+/// Longest line between two facing surfaces that still makes a gap, m.
 [[nodiscard]] double gapReach(double camera_radius_m);
 
-/// Whether a place lies in a gap, such as that between a cupboard and the wall, under a bed or in a
-/// shelf: a third of all lines through it end on both sides, within gapReach(), on surfaces that
-/// face each other. In the corner of a room surfaces do not.
+/// Whether a position is in a gap, for example between a cupboard and the wall, under a bed or in a
+/// shelf: at least a third of the lines through it meet facing surfaces on both sides, no more than
+/// gapReach() apart. In the corner of a room the surfaces do not face each other.
 [[nodiscard]] bool isInGap(const SweptSphere& sphere, const ViewEstimator& views,
                            const Eigen::Vector3d& place);
 

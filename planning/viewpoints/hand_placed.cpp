@@ -21,7 +21,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kFirstGrid = 8;
-constexpr double kLeastVisibleByHand = 0.6;  // visible fraction at a glance
+constexpr double kLeastVisibleByHand = 0.6;  // visible fraction in a coarse estimate
 
 std::vector<int> idsOf(const std::vector<ObjectRef>& objects, const Scene& scene) {
     std::vector<int> ids;
@@ -41,14 +41,14 @@ std::string metres(double value) {
     return fmt::format("{:.2f} m", value);
 }
 
-/// "35.0 degrees down"
+/// Elevation in words: "35.0 degrees down".
 std::string upOrDown(const Eigen::Vector3d& forward) {
     const double degrees = elevationOf(forward) * 180.0 / std::numbers::pi;
     return fmt::format("{:.1f} degrees {}", std::abs(degrees), degrees < 0.0 ? "down" : "up");
 }
 
-/// The object that a place is inside of: its surface is met in five of six directions at least
-/// (what stands on a floor may share its underside with it). 0: none.
+/// The object that encloses a position, or 0: at least five of six axis-parallel rays hit it. (An
+/// object on the floor may share its underside with it.)
 int enclosing(const RayCaster& rays, const Eigen::Vector3d& place) {
     std::map<int, int> met;
     for (int axis = 0; axis < 3; ++axis) {
@@ -62,7 +62,7 @@ int enclosing(const RayCaster& rays, const Eigen::Vector3d& place) {
     return 0;
 }
 
-/// Why a pinned point is not legal, in words; nothing when it is.
+/// Why a pinned point is not legal, as a sentence; empty if it is.
 std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surroundings& around) {
     RefusedPin refused;
     const Eigen::Vector3d& place = pin.pose.position;
@@ -145,7 +145,7 @@ class HandPlacing {
         bool done = false;  // placed or refused
     };
 
-    /// An observation point with what the search found for it, or what was placed instead.
+    /// Copies an observation point, with the position point found for it or the pinned one instead.
     void takeOver(std::size_t index) {
         Viewpoints& points = placed_.viewpoints;
         const ObservationPoint& target = found_.observation_points[index];
@@ -172,7 +172,7 @@ class HandPlacing {
             found_.position_points[static_cast<std::size_t>(searched)]);
     }
 
-    /// A position point at a pin, for an observation point that is there already.
+    /// Adds a position point at a pin, for an existing observation point.
     void addPoint(int pin, std::size_t target_index) {
         Viewpoints& points = placed_.viewpoints;
         const ObservationPoint& target = points.observation_points[target_index];
@@ -213,7 +213,7 @@ class HandPlacing {
         if (isCaptured(view)) point.captured.push_back(id);
     }
 
-    /// A pin for which the search has no observation point gets one of its own.
+    /// Adds an observation point for a pin that matches none, and its position point.
     void addPin(int pin) {
         const Pose& pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
         ObservationPoint target;

@@ -10,16 +10,16 @@ namespace dollytrack::planning {
 
 class ShownMemo;
 
-/// Points as they are after what a person placed and removed by hand.
+/// Viewpoints after manual edits, and the pins that were refused.
 struct PlacedPoints {
     Viewpoints viewpoints;
     std::vector<RefusedPin> refused;
 };
 
-/// Puts pinned points in the place of those that the search found for the same objects, adds the
-/// others, and takes removed ones out. A pin that is not legal is refused with its reason, and the
-/// found one stays. Then completes what every point captures (see findCaptured()); a pin that was
-/// placed from a view gets an observation point that stands for what it captures.
+/// Applies manual edits: a pinned point replaces the point found for the same objects or is added;
+/// removed points are dropped. An illegal pin is refused with a reason, and the found point stays.
+/// Then completes what each point captures, by findCaptured(). A pin made from a view gets an
+/// observation point for the objects it captures.
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
                          const Surroundings& around, ShownMemo* memo = nullptr);
 

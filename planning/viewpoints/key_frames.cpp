@@ -13,11 +13,11 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kGlanceCells = 6;
-constexpr double kLeastVisibleAsKeyFrame = 0.7;  // visible fraction
+constexpr double kLeastVisibleAsKeyFrame = 0.7;  // visible fraction in a coarse estimate
 constexpr int kGrid = 16;
-// Share of its own view's box at which an object may ride along in another view.
+// Least size of an object's box in another point's view, relative to its own view.
 constexpr double kRidesAlong = 0.6;
-// Share of an object's box in the image, cut off at its borders, from which on it may show well.
+// Share of an object's extent that must lie in the image for it to be shown well.
 constexpr double kMostlyInside = 0.6;
 
 bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
@@ -41,7 +41,7 @@ ShownMemo::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point
         if (std::ranges::find(point.own, object.id, &ShownObject::object_id) != point.own.end()) {
             continue;
         }
-        // A coarse look spares the closer one where it is clear that little shows.
+        // A coarse estimate avoids the dense one if the object is clearly hidden.
         const auto glance = views.estimate(pose, object.id, kGlanceCells);
         if (glance.tells() && glance.visible_fraction < kLeastVisibleAsKeyFrame) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
@@ -72,7 +72,7 @@ void ShownMemo::forget(const MovedThings& moved, const ViewEstimator& now) {
 }
 
 void ShownMemo::keep(const Pose& pose, Entry entry) {
-    // The drag of a point would fill it without end.
+    // Bounds the cache while a point is being dragged.
     constexpr std::size_t kMost = 20'000;
     if (entries_.size() >= kMost) entries_.clear();
     entries_.insert_or_assign(keyOf(pose), std::move(entry));

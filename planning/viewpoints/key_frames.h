@@ -11,34 +11,37 @@ namespace dollytrack::planning {
 
 class ViewEstimator;
 
-/// Remembers what poses show, so that moving one point by hand does not look from all others again.
-/// Whoever keeps one clears it when the views change: the scene, its targets, or the camera.
+/// Cache of the objects that poses show, so that moving one point does not resample all others. The
+/// owner clears it when the scene, its targets or the camera change.
 class ShownMemo {
   public:
     struct Entry {
-        std::vector<ShownObject> known;  // beforehand: nothing was looked at for these
-        std::vector<ShownObject> shown;  // those included
-        std::vector<int> looked_at;      // ids that it rests on
+        std::vector<ShownObject> known;  // given in advance, not sampled
+        std::vector<ShownObject> shown;  // objects captured well, including `known`
+        std::vector<int> looked_at;      // ids of the sampled objects
     };
     [[nodiscard]] const Entry* find(const PositionPoint& point) const;
     void keep(const Pose& pose, Entry entry);
     void clear() { entries_.clear(); }
-    /// Forgets what might show otherwise in the views that are now.
+    /// Drops the entries that moved objects may have changed. `now` estimates views in the scene
+    /// after the move.
     void forget(const MovedThings& moved, const ViewEstimator& now);
 
   private:
     std::map<std::array<double, 7>, Entry> entries_;  // by position and rotation
 };
 
-/// CaptureGet of the paper's Algorithm 1: completes the lists of objects that each position point
-/// captures and captures well, its own and every other. Another point's object counts only while
-/// it shows nearly as large as in its own best view, so that sharing never trades fill away.
+/// CaptureGet of the paper's Algorithm 1: completes, for each position point, the lists of objects
+/// that it captures and captures well. An object of another point counts only if its box is at
+/// least 60 % as large as in that point's view, so that key frames shared by objects do not show
+/// them much smaller. `memo` may be null.
 void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
                   ShownMemo* memo = nullptr);
 
-/// A small choice of position points that together capture all that all of them capture (greedy
-/// set cover; well captured counts first), in order of what each adds. Fixed ones come first, all
-/// of them; room views come last, in their own order. An object counts by its weight, of index id - 1; without weights all count alike.
+/// A small set of position points that captures everything any of them captures, by greedy set
+/// cover; objects captured well count most. Order: all fixed points, then the chosen ones by what
+/// they add, then all room views. Each object counts with its weight (at index id - 1), or 1 if
+/// `weights` is empty. Returns indices.
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
                                  const std::vector<double>& weights = {});
 

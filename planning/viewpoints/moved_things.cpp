@@ -13,7 +13,7 @@
 namespace dollytrack::planning {
 namespace {
 
-// Surfaces are asked for in floats; what passes a thing by less than this counts as meeting it.
+// Ray queries use floats: a ray that passes an object by less than this counts as hitting it.
 constexpr double kMovedTolerance_m = 0.002;
 
 const std::vector<Eigen::Vector3f>& cellsOf(const FreeSpace& map, const AllowedRegion* region,
@@ -53,8 +53,8 @@ Eigen::AlignedBox3d reachedBox(const ViewEstimator& views, int object_id) {
         box.extend(corner);
     }
     for (const Eigen::Vector3d& point : views.extremes(object_id)) box.extend(point);
-    // Rays end where they leave the object's hull, which is a little wider than the object, and a
-    // little later still: by ten-thousandths of coordinates and distances.
+    // Rays end behind the object's hull, which is slightly wider than the object, with relative
+    // margins of some 1e-4.
     const double furthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.02 + 5e-4 * furthest);
     return {box.min() - margin, box.max() + margin};
@@ -68,7 +68,7 @@ void MovedThings::add(const std::vector<int>& objects,
     for (const Eigen::AlignedBox3d& box : boxes) {
         const Eigen::Vector3d hair = Eigen::Vector3d::Constant(kMovedTolerance_m);
         const Eigen::AlignedBox3d grown(box.min() - hair, box.max() + hair);
-        // A drag leaves many boxes in one another's place.
+        // Dragging an object adds many boxes inside one another.
         const bool known = std::ranges::any_of(
             boxes_, [&](const Eigen::AlignedBox3d& other) { return other.contains(grown); });
         if (!known) boxes_.push_back(grown);
@@ -96,8 +96,8 @@ bool MovedThings::meet(const Eigen::AlignedBox3d& box) const {
 }
 
 bool MovedThings::cross(const Eigen::Vector3d& from, const Eigen::AlignedBox3d& target) const {
-    // The rays fill a body that widens evenly from the point to the box. Cut into pieces, each in
-    // a box swept along the middle line.
+    // The rays fill a cone from the point to the box; cut it into pieces and bound each by a box
+    // swept along the axis.
     constexpr int kPieces = 8;
     Eigen::AlignedBox3d around = target;
     around.extend(from);
@@ -117,7 +117,7 @@ bool MovedThings::cross(const Eigen::Vector3d& from, const Eigen::AlignedBox3d& 
 MapChange::MapChange(const FreeSpace& before, const AllowedRegion* region_before,
                      const FreeSpace& now, const AllowedRegion* region_now)
     : before_(before), now_(now) {
-    // Cells are listed by rising z, y and x.
+    // Cells are sorted by z, y and x.
     const auto order = [](const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
         return std::tuple(a.z(), a.y(), a.x()) < std::tuple(b.z(), b.y(), b.x());
     };

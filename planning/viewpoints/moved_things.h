@@ -10,25 +10,26 @@ class AllowedRegion;
 class FreeSpace;
 class ViewEstimator;
 
-/// All that the rays of an estimate of this object can pass through at its own place, m.
+/// Box around an object, with a margin, in which all rays cast for its estimate end; world, m.
 Eigen::AlignedBox3d reachedBox(const ViewEstimator& views, int object_id);
 
-/// Objects that stand elsewhere than when something was looked at.
+/// Objects that moved since cached results were computed, with bounding boxes of where they were
+/// and are.
 class MovedThings {
   public:
-    /// Objects and the boxes around their corners, where they were and where they are.
+    /// Adds objects and the bounding boxes of their old and new poses.
     void add(const std::vector<int>& objects, const std::vector<Eigen::AlignedBox3d>& boxes);
     void clear();
 
     [[nodiscard]] bool empty() const { return objects_.empty(); }
-    [[nodiscard]] const std::vector<int>& objects() const { return objects_; }  // rising
+    [[nodiscard]] const std::vector<int>& objects() const { return objects_; }  // ascending
     [[nodiscard]] const std::vector<Eigen::AlignedBox3d>& boxes() const { return boxes_; }
     [[nodiscard]] bool isOne(int object_id) const;
 
-    /// Whether one is, or was, nearer to the point than that.
+    /// Whether an old or new box is within `distance_m` of the point.
     [[nodiscard]] bool near(const Eigen::Vector3d& point, double distance_m) const;
-    /// Whether one may meet, or have met, a ray from the point to anywhere in the box. Never false
-    /// when one does.
+    /// Whether an old or new box may intersect a ray from the point to the target box.
+    /// Conservative: never false if one does.
     [[nodiscard]] bool cross(const Eigen::Vector3d& from, const Eigen::AlignedBox3d& target) const;
     [[nodiscard]] bool meet(const Eigen::AlignedBox3d& box) const;
 
@@ -37,39 +38,40 @@ class MovedThings {
     std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
-/// All that a search asked of the scene and of its map.
+/// The parts of scene and map that a search result depends on.
 struct LookedAt {
     struct Place {
         Eigen::Vector3d position;
-        bool looked = false;  // along rays to the target; else whether the camera fits there only
+        bool looked = false;  // whether rays were cast from here; else only the camera's fit was
+                              // tested
     };
     std::vector<Place> places;
-    Eigen::AlignedBox3d target;                                // see reachedBox()
-    Eigen::Vector3d sampled_around = Eigen::Vector3d::Zero();  // places came from the rooms' cells
-    double sampled_within_m = -1.0;                            // nearer to this than that; below 0:
-                                                               // none did
+    Eigen::AlignedBox3d target;  // see reachedBox()
+    // centre of the region from which random cells were drawn
+    Eigen::Vector3d sampled_around = Eigen::Vector3d::Zero();
+    // radius of that region; negative: nothing was drawn
+    double sampled_within_m = -1.0;
 };
 
-/// Where the maps of two scenes differ, as far as a search can tell.
+/// Differences between the maps of two scenes that can affect a search.
 class MapChange {
   public:
-    /// The region, where it restricts anything, decides which cells there are to sample from.
-    /// References must outlive it.
+    /// The regions, unless null, restrict the cells to sample from. Keeps references.
     MapChange(const FreeSpace& before, const AllowedRegion* region_before, const FreeSpace& now,
               const AllowedRegion* region_now);
 
-    /// Whether the cell at a place has another state or belongs to a room of another number.
+    /// Whether the cell at a position changed its state or its room number.
     [[nodiscard]] bool at(const Eigen::Vector3d& place) const;
-    /// Whether the rooms' cells to sample from differ nearer to a point than that.
+    /// Whether the cells to sample from differ within a distance of a point.
     [[nodiscard]] bool within(const Eigen::Vector3d& center, double distance_m) const;
 
   private:
     const FreeSpace& before_;
     const FreeSpace& now_;
-    std::vector<Eigen::Vector3f> cells_;  // in one of the maps only
+    std::vector<Eigen::Vector3f> cells_;  // cells in only one of the maps
 };
 
-/// Whether a search might find something else now. Never false when it would.
+/// Whether a search may have a different result now. Conservative: never false if it would.
 [[nodiscard]] bool isTouched(const LookedAt& looked, const MovedThings& moved, const MapChange& map,
                              double camera_radius_m);
 

@@ -17,35 +17,38 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr std::size_t kRefined = 5;  // candidates looked at again with the fine grid
+constexpr std::size_t kRefined = 5;  // candidates resampled with the fine grid
 constexpr int kConeDirections = 20;
 constexpr int kAroundDirections = 64;
 constexpr int kHardPlaces = 400;
 constexpr int kRandomPlaces = 160;
 constexpr double kLeastRandomFill = 0.08;
-// What reaches beyond the image may still show enough of itself: a wardrobe in a narrow room.
+// An object larger than the image may still show enough of itself: a wardrobe in a narrow room.
 constexpr double kMostRandomFill = 2.0;
 constexpr int kCeilingDirections = 12;
 constexpr double kCeilingHalfAngle = 0.35;  // rad
 constexpr int kHardDirections = 200;
 constexpr int kEnoughGood = 12;
-// Where sampling found nothing, places breed: the best few, and others beside them.
+// Evolutionary search around the best candidates, if sampling found no good view.
 constexpr std::size_t kParents = 8;
 constexpr int kGenerations = 10;
 constexpr std::size_t kChildren = 48;
-constexpr double kFirstSpread = 0.3;  // of the distance to the target
-constexpr double kShrinking = 0.75;   // of the spread, from one generation to the next
-constexpr double kHope = 1.1;         // of nearness a spread: with less they cannot get there
-constexpr double kWorthAnotherSearch = 0.4;  // of nearness missing
-constexpr double kWorthLuck = 0.2;           // the same, for the last search
-constexpr double kApart = 0.25;              // of the spread: nearer parents are too much alike
-constexpr double kNegligible = 0.01;         // of a view's quality
-constexpr int kEarlyLooks = 2;               // fine ones, in the hope that the search may end
+constexpr double kFirstSpread = 0.3;         // relative to the distance to the target
+constexpr double kShrinking = 0.75;          // factor of the spread per generation
+constexpr double kHope = 1.1;                // nearness that one unit of spread can still gain
+constexpr double kWorthAnotherSearch = 0.4;  // largest missing nearness for another round of
+                                             // directions
+constexpr double kWorthLuck = 0.2;           // largest missing nearness for a last random search
+constexpr double kApart = 0.25;              // least distance between parents, relative to the
+                                             // spread
+constexpr double kNegligible = 0.01;         // difference in quality
+constexpr int kEarlyLooks = 2;               // fine samplings tried during the coarse pass, to end
+                                             // the search early
 // The range of fill that the paper searches.
 constexpr double kLeastFill = 0.35;
 constexpr double kMostFill = 0.85;
 
-/// Whether rays decided, rather than the place alone.
+/// Whether the verdict needed rays, and not the position alone.
 bool isLookedFrom(Verdict verdict) {
     return verdict == Verdict::Legal || verdict == Verdict::OccludedBy ||
            verdict == Verdict::Cropped || verdict == Verdict::TooSmall ||
@@ -68,8 +71,8 @@ class Search {
         const double half_angle = params_.cone_half_angle_deg * std::numbers::pi / 180.0;
         tryDirections(directionsInCone(point_.direction, half_angle, kConeDirections),
                       {1.0, 0.8, 1.25});
-        // A group whose cone holds no good view is split; only single objects are worth more
-        // search.
+        // A group without a good view in its cone is split; only single objects are searched
+        // further.
         if (!refineBest() && point_.objects.size() == 1) {
             tryDirections(directionsAllAround(point_.direction, kAroundDirections),
                           {1.0, 0.75, 0.55});
@@ -90,11 +93,11 @@ class Search {
                        const std::vector<double>& shares_of_wish) {
         const double wish = judge_.wishedFill();
         for (const Eigen::Vector3d& wanted : directions) {
-            // Directions come with the best first: among so many good views there is a best one.
+            // Directions are sorted, the best first: stop after enough good views.
             const auto good = std::count_if(pending_.begin(), pending_.end(),
                                             [](const Judged& judged) { return judged.all_well; });
             if (good >= kEnoughGood) break;
-            // With a pitch band most directions look too steeply: keep to it instead.
+            // With a pitch band most directions are too steep: clamp them to the band.
             const Eigen::Vector3d direction =
                 around_.pitch.restricts() ? Eigen::Vector3d(-intoBand(-wanted, around_.pitch))
                                           : wanted;
@@ -103,7 +106,7 @@ class Search {
                     std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
                 const double distance =
                     distanceForFill(around_.views, judge_.subject(), direction, fill);
-                // With a band of heights most directions lead out of it: keep to it instead.
+                // With a height band most positions are outside it: clamp them to the band.
                 const bool legal = take(judge_.judge(
                     around_.sphere.inBand(judge_.subject().center + direction * distance),
                     Look::Coarse));
@@ -112,8 +115,7 @@ class Search {
         }
     }
 
-    /// Whether the place tried last is all that can be wished for, by a fine look: then it is taken
-    /// and the search is over.
+    /// Whether the last candidate is as good as possible by fine sampling; then it is the result.
     bool isAsGoodAsAny() {
         if (early_looks_ == kEarlyLooks ||
             pending_.back().quality < highestQuality() - kNegligible) {
@@ -136,8 +138,8 @@ class Search {
         }
     }
 
-    /// What stands between tall things shows from straight above alone, and what is low itself
-    /// would be as large as wished from beyond the ceiling.
+    /// An object between tall ones may only be visible from straight above, where the wished
+    /// distance of a low object would be above the ceiling.
     void tryFromTheCeiling() {
         const Eigen::Vector3d& center = judge_.subject().center;
         double above = 0.0;
@@ -158,7 +160,7 @@ class Search {
         for (Judged& judged : judgeAll(places, Look::Coarse)) take(std::move(judged));
     }
 
-    /// Judges places of a search that takes long: what other threads have nothing better to do for.
+    /// Judges candidates in parallel, for the long stages of the search.
     std::vector<Judged> judgeAll(const std::vector<Eigen::Vector3d>& places, Look look) const {
         std::vector<Judged> judged(places.size());
         parallelFor(places.size(),
@@ -166,13 +168,14 @@ class Search {
         return judged;
     }
 
-    /// What is judged again at the same place, finer, sees nothing that this did not.
+    /// Records what a candidate depends on. Finer sampling at the same position depends on nothing
+    /// more.
     void note(const Judged& judged) {
         looked_.places.push_back(
             {judged.candidate.position, isLookedFrom(judged.candidate.verdict)});
     }
 
-    /// Whether the place is legal and worth a finer look.
+    /// Adds a candidate. Returns whether it is legal and worth finer sampling.
     bool take(Judged judged) {
         note(judged);
         candidates_.push_back(judged.candidate);
@@ -183,7 +186,8 @@ class Search {
         return true;
     }
 
-    /// Looks again, finer, at the best of what is new; true when the best found captures all well.
+    /// Resamples the best new candidates with the fine grid. Returns whether the best view captures
+    /// all objects well.
     bool refineBest() {
         const auto count = std::min(kRefined, pending_.size());
         std::partial_sort(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(count),
@@ -191,7 +195,7 @@ class Search {
                               return std::pair(a.quality, b.order) > std::pair(b.quality, a.order);
                           });
         for (std::size_t i = 0; i < count; ++i) {
-            // Most things show in full from the first place already.
+            // Most objects are fully visible from the first candidate already.
             constexpr double kRounding = 1e-9;
             if (pending_[i].at_most <= (best_ ? best_->quality : 0.0) + kRounding) continue;
             Judged fine = judge_.judge(pending_[i].candidate.position, Look::Fine);
@@ -201,7 +205,7 @@ class Search {
         return best_ && best_->all_well;
     }
 
-    /// The places nearest to a view that captures well, none too near to a better one.
+    /// Keeps the candidates with the highest nearness, at a distance from one another.
     void chooseParents(double spread) {
         std::stable_sort(
             promising_.begin(), promising_.end(), [](const Judged& a, const Judged& b) {
@@ -220,13 +224,13 @@ class Search {
         promising_ = std::move(parents);
     }
 
-    /// Searches on beside the best places found, ever closer to them. Many an object shows from a
-    /// small region only, between two things or just above one, that no sample meets.
+    /// Samples around the best candidates with shrinking spread. Many objects are visible only from
+    /// a small region, for example between two objects, that random samples miss.
     void breed() {
         double spread = kFirstSpread;
         for (int generation = 0; generation < kGenerations; ++generation) {
             chooseParents(spread);
-            // What the places nearby can add shrinks with them.
+            // The possible gain shrinks with the spread.
             if (promising_.empty() || missing() > kHope * spread) return;
             std::vector<Eigen::Vector3d> children;
             for (std::size_t i = 0; i < kChildren; ++i) {
@@ -242,7 +246,8 @@ class Search {
             chooseParents(spread);
             for (Judged& one : promising_) {
                 if (!one.all_well) break;
-                // A place that does not stand a finer look breeds on by what that says.
+                // If fine sampling rejects a candidate, it stays a parent with its corrected
+                // nearness.
                 one = judge_.judge(one.candidate.position, Look::Fine);
                 if (one.all_well) {
                     best_ = std::move(one);
@@ -253,7 +258,7 @@ class Search {
         }
     }
 
-    /// How far the best place found is from capturing all well.
+    /// Nearness that the best candidate lacks.
     [[nodiscard]] double missing() const { return 2.0 - promising_.front().nearness; }
 
     void searchHard() {
@@ -265,7 +270,8 @@ class Search {
         breed();
         if (best_ && best_->all_well) return;
         if (takeJustCaptured() || missing() > kWorthLuck) return;
-        // Once more from other places: whether a gap is met is luck, and few things get here.
+        // Once more with other random candidates: hitting a small region is chance, and few objects
+        // get here.
         tryRandomPlaces(0.15, 1.0, kHardPlaces);
         if (refineBest()) return;
         breed();
@@ -273,7 +279,7 @@ class Search {
         takeJustCaptured();
     }
 
-    /// Better captured only just than not.
+    /// Accepts a view that captures the object without the safety margins.
     bool takeJustCaptured() {
         chooseParents(kFirstSpread);
         std::vector<Eigen::Vector3d> places;
@@ -310,8 +316,8 @@ class Search {
             return found;
         }
         for (const int id : point_.objects) {
-            // By every pixel and without the margins: this very pose is flown to, and an object
-            // that can be captured only just is better captured than not.
+            // Exact and without margins: the trajectory passes through this pose, and an object
+            // captured only just is better than none.
             const ObjectView view = makeView(around_.views.estimateExactly(p.pose, id), id, 0);
             if (isWellCaptured(view)) {
                 p.well_captured.push_back(id);
@@ -331,7 +337,7 @@ class Search {
     Random random_;
     std::vector<Candidate> candidates_;
     std::vector<Judged> pending_;
-    std::vector<Judged> promising_;  // legal places of a single object, for breed()
+    std::vector<Judged> promising_;  // legal candidates of a single object, for breed()
     std::optional<Judged> best_;
     int early_looks_ = 0;
     LookedAt looked_;

@@ -5,9 +5,9 @@
 
 namespace dollytrack::planning {
 
-/// The search for one observation point: in the cone around its direction first; for a single
-/// object that no place there captures well, all around it, anywhere in free space, and at last
-/// closer and closer to the places that nearly do.
+/// Searches the best view of one observation point. Stages: in the cone around its direction; then,
+/// only for a single object not captured well so far: all around, at random cells, from the
+/// ceiling, and by an evolutionary search around the best candidates.
 FoundView searchView(const Surroundings& around, const ObservationPoint& point,
                      const ViewpointParams& params, Random random);
 

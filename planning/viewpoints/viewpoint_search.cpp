@@ -12,7 +12,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Random numbers of a search's own: by its first object, and whether it is alone in it.
+/// Random stream of a search: by its first object, and whether it is a group.
 std::uint64_t streamOf(const ObservationPoint& point) {
     const auto id = static_cast<std::uint64_t>(point.objects.front());
     return 2 * id + (point.objects.size() > 1 ? 1 : 0);
@@ -52,7 +52,7 @@ Result<Viewpoints> searchViewpoints(const Surroundings& around,
     Viewpoints result;
     result.observation_points = std::move(observation_points);
     std::size_t begin = 0;
-    // The second round searches for the members that the first split off their groups.
+    // The second round searches for the members split off in the first.
     for (int round = 0; round < 2; ++round) {
         const std::size_t end = result.observation_points.size();
         std::vector<FoundView> found(end - begin);

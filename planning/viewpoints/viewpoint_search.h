@@ -20,7 +20,7 @@ class SweptSphere;
 class ViewEstimator;
 struct ViewpointParams;
 
-/// What the viewpoint searches look at. References must outlive the call.
+/// Input of the viewpoint searches. Keeps references.
 struct Surroundings {
     const ViewEstimator& views;
     const FreeSpace& free_space;
@@ -30,29 +30,31 @@ struct Surroundings {
 };
 
 struct Viewpoints {
-    std::vector<ObservationPoint> observation_points;  // those given, then members split off
-    std::vector<ViewpointSearch> searches;             // one an observation point
+    std::vector<ObservationPoint> observation_points;  // the given ones, then members split off
+                                                       // their groups
+    std::vector<ViewpointSearch> searches;             // by observation point
     std::vector<PositionPoint> position_points;
 };
 
-/// What the search for one observation point found.
+/// Result of the search for one observation point.
 struct FoundView {
     ViewpointSearch search;
     std::optional<PositionPoint> best;
-    std::vector<int> not_well;               // members that the best view does not capture well
-    std::shared_ptr<const LookedAt> looked;  // what it rests on
+    std::vector<int> not_well;               // members of the group that the best view does not
+                                             // capture well
+    std::shared_ptr<const LookedAt> looked;  // what the result depends on
 };
 
-/// Remembers searches, for the next run in the same free space with the same parameters and seed:
-/// there a search depends on its observation point alone. Whoever keeps one clears it when any of
-/// those change; when things have only moved, forgetting what they touch is enough.
+/// Cache of search results. A search depends on its observation point alone, given the same map,
+/// parameters and seed. The owner clears it when any of these change; if objects only moved,
+/// forget() is enough.
 class SearchMemo {
   public:
     [[nodiscard]] const FoundView* find(const ObservationPoint& point) const;
     void keep(const ObservationPoint& point, FoundView found);
     void clear() { entries_.clear(); }
     [[nodiscard]] bool empty() const { return entries_.empty(); }
-    /// Forgets the searches that might find something else now. Returns how many are left.
+    /// Drops results that moved objects may have changed. Returns the number of entries left.
     std::size_t forget(const MovedThings& moved, const MapChange& map, double camera_radius_m);
 
   private:
@@ -60,14 +62,14 @@ class SearchMemo {
         ObservationPoint point;
         FoundView found;
     };
-    std::map<std::vector<int>, Entry> entries_;  // by objects
+    std::map<std::vector<int>, Entry> entries_;  // by the point's objects
 };
 
-/// Sets P (paper, eq. 1 and 3.2.1): for each observation point the best legal place in the cone
-/// around its direction; where the cone has none that captures well, where searchView() goes on.
-/// Members that their group's view does not capture well get a view of their own.
-/// What is searched for one observation point does not depend on the others, so that excluding
-/// an object leaves their places alone. Error: Cancelled.
+/// Finds the set P (paper, eq. 1 and 3.2.1): for each observation point the best legal candidate in
+/// the cone around its direction, or elsewhere if none there captures well (see searchView).
+/// Members that their group's view does not capture well get an observation point and view of their
+/// own. Points are searched independently, so that excluding one object leaves the views of the
+/// others unchanged. `memo` may be null. Error: Cancelled.
 Result<Viewpoints> searchViewpoints(const Surroundings& around,
                                     std::vector<ObservationPoint> observation_points,
                                     const ViewpointParams& params, int seed, const JobContext& job,

@@ -2,8 +2,8 @@
 
 namespace dollytrack::planning {
 
-/// The grid for ViewEstimator::estimate() that tells, of many places, which are worth an exact
-/// look.
+/// Rays per side for ViewEstimator::estimate() in the coarse pass over many candidates; promising
+/// ones are then sampled exactly.
 inline constexpr int kCoarseGrid = 14;
 
 }  // namespace dollytrack::planning

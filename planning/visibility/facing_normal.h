@@ -7,7 +7,7 @@
 
 namespace dollytrack::planning {
 
-/// Unit normal of the triangle that a ray met, on the side that the ray came from.
+/// Unit normal of the triangle that a ray hit, flipped to face the ray's origin.
 inline Eigen::Vector3f facingNormal(const Scene& scene, const RayHit& hit,
                                     const Eigen::Vector3d& direction) {
     const Triangle& triangle = scene.triangles[hit.triangle];

@@ -6,7 +6,8 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Sizes of the subject as seen from a direction: width, height, and half depth to the camera.
+/// Sizes of the subject seen from a direction, m: width, height, and depth from the centre towards
+/// the camera.
 struct Sizes {
     double width = 0.0;
     double height = 0.0;
@@ -18,7 +19,7 @@ Sizes sizesFrom(const Subject& subject, const Eigen::Vector3d& direction) {
     Sizes sizes;
     for (const Eigen::Vector3d& point : subject.points) {
         const Eigen::Vector3d p = axes.transpose() * (point - subject.center);
-        // To both sides of the centre, since the camera looks at the centre.
+        // Symmetric about the centre, since the camera looks at the centre.
         sizes.width = std::max(sizes.width, 2.0 * std::abs(p.x()));
         sizes.height = std::max(sizes.height, 2.0 * std::abs(p.y()));
         sizes.half_depth = std::max(sizes.half_depth, -p.z());
@@ -64,7 +65,7 @@ double distanceForFill(const ViewEstimator& views, const Subject& subject,
     double beyond =
         std::max(sizes.width * k.fx / (fill * k.width), sizes.height * k.fy / (fill * k.height));
     // The formula puts the whole outline on the face nearest to the camera. Most outlines lie
-    // further back and look smaller, so move in by what the corners really take.
+    // farther back and appear smaller, so move closer by the share that the points really take.
     for (int i = 0; i < 2; ++i) {
         const double reached =
             fillFrom(views, subject, subject.center + direction * (sizes.half_depth + beyond));

@@ -8,28 +8,29 @@
 
 namespace dollytrack::planning {
 
-/// What a view should show, as points: the extremes of all objects of an observation point.
+/// The objects of an observation point as extreme points, for framing.
 struct Subject {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // looked at, world
-    std::vector<Eigen::Vector3d> points;               // world
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // point to look at, world, m
+    std::vector<Eigen::Vector3d> points;               // extreme points of the objects, world, m
 };
 
 Subject makeSubject(const ViewEstimator& views, const std::vector<int>& objects);
 
-/// Share of the image's length that the subject takes in the tighter direction, when it is looked
-/// at from `position`; measured to both sides of the middle, so that 1 touches the image's edge.
-/// Infinite when part of it lies behind the near plane.
+/// Share of the image's width or height, whichever is larger, that the subject takes when the
+/// camera at `position` looks at its centre. Measured symmetrically about the image centre, so that
+/// 1 touches the image's border. Infinite if part of the subject is nearer than the near plane.
 double fillFrom(const ViewEstimator& views, const Subject& subject,
                 const Eigen::Vector3d& position);
 
 /// Distance from the subject's centre along `direction` (unit, towards the camera) at which it
-/// fills the wished share: D = h + max(S_w v / (fill width), S_h v / (fill height)), with the
-/// half depth h and the sizes S seen from that direction (paper, eq. 1 as corrected), then
-/// adjusted for perspective.
+/// takes the share `fill` of the image: D = h + max(S_w v / (fill width), S_h v / (fill height)),
+/// with the half depth h and the sizes S seen from that direction (paper, eq. 1 as corrected), then
+/// corrected for perspective. In m.
 double distanceForFill(const ViewEstimator& views, const Subject& subject,
                        const Eigen::Vector3d& direction, double fill);
 
-/// Height over width of the subject on the image, or its inverse; 0..1.
+/// Ratio of the shorter to the longer side of the subject in the image, each as a share of the
+/// image's side; 0..1.
 double slenderness(const ViewEstimator& views, const Subject& subject,
                    const Eigen::Vector3d& direction);
 

@@ -10,14 +10,15 @@ namespace dollytrack::planning {
 
 class ViewEstimator;
 
-/// Rays along each side of an object where many frames are looked at.
+/// Rays per side of an object's extent where many frames are sampled.
 constexpr int kGlanceGrid = 7;
 
-/// A cheap look, without rays, at whether an image from there could capture the object: half of
-/// its extent lies in the image, and it is not too small.
+/// Quick test without rays whether a view could capture the object: at least half of its extent
+/// lies in the image, and that part is large enough. Ignores occlusion. Targets only.
 [[nodiscard]] bool mayCapture(const ViewEstimator& views, const Pose& pose, int object_id);
 
-/// Boxes, px, around what is visible of each target that is half in the image, in sight.
+/// Boxes, px, around the visible part of each target that passes mayCapture() and is not fully
+/// occluded.
 [[nodiscard]] std::vector<Eigen::AlignedBox2d> imageBoxes(const ViewEstimator& views,
                                                           const Pose& pose);
 

@@ -9,7 +9,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kRight = 0.5 * std::numbers::pi;
-// What is moved into the band stays this far inside: a quaternion's elevation is rounded.
+// Clamped elevations stay this far inside the band, since a quaternion's elevation is rounded.
 constexpr double kPitchTolerance = 1e-9;
 
 }  // namespace
@@ -45,7 +45,7 @@ Eigen::Vector3d intoBand(const Eigen::Vector3d& direction, const PitchBand& band
     const double allowed = band.nearest(elevation);
     if (allowed == elevation) return direction.normalized();
     const double level = direction.head<2>().norm();
-    // Straight up or down there is no heading to keep.
+    // A vertical direction has no heading to keep.
     const Eigen::Vector2d heading =
         level > 1e-9 ? Eigen::Vector2d(direction.head<2>() / level) : Eigen::Vector2d::UnitX();
     return {std::cos(allowed) * heading.x(), std::cos(allowed) * heading.y(), std::sin(allowed)};

@@ -9,10 +9,11 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kFineEdge_m = 0.2;    // no edge of a scan's triangles is longer, mostly
-constexpr double kFineShare = 0.9;     // of the surface's area
-constexpr std::size_t kFewest = 2000;  // triangles of a scan; a small model may be as fine
-constexpr double kFacesInwards = 0.1;  // mean cosine between fronts and the way to the middle
+constexpr double kFineEdge_m = 0.2;    // longest edge of a fine triangle
+constexpr double kFineShare = 0.9;     // least share of the surface area in fine triangles
+constexpr std::size_t kFewest = 2000;  // least number of triangles: a small model may be as fine
+constexpr double kFacesInwards = 0.1;  // mean cosine between normals and the direction to the
+                                       // centre
 
 bool isUnseenFloor(const Object& object) {
     return object.name == io::kUnseenFloor;

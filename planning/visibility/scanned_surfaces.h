@@ -9,23 +9,26 @@
 
 namespace dollytrack::planning {
 
-/// Unit directions spread evenly over the sphere (a Fibonacci lattice).
+/// `count` unit directions, evenly distributed over the sphere (Fibonacci lattice), from the top
+/// down.
 std::vector<Eigen::Vector3d> directionsOnSphere(int count);
 
-/// Tells scans from modelled scenes, and what a ray met in a scan. A scan shows surfaces from the
-/// side that the scanner saw; behind them, and where there are none, nothing is known. In a
-/// modelled scene the back of a surface and an open side are as meant. Keeps a reference.
+/// Distinguishes scans from modelled scenes, and front from back hits in a scan. A scan knows
+/// surfaces only from the side of the scanner; space behind them, and openings without surface, are
+/// unobserved. In a modelled scene backs and openings are intended. Keeps a reference.
 class ScannedSurfaces {
   public:
     explicit ScannedSurfaces(const Scene& scene);
 
-    /// Whether the scene was scanned: it was made of a point cloud, or nearly all of its surface is
-    /// a fine mesh. Modelled walls, floors and ceilings have large triangles.
+    /// Whether the scene is a scan: it was made from a point cloud, or is a mesh of at least 2000
+    /// triangles with at least 90 % of its area in triangles with edges of at most 0.2 m. Modelled
+    /// walls, floors and ceilings have large triangles.
     [[nodiscard]] bool isScan() const { return is_scan_; }
 
     enum class Met { Nothing, Front, Back };
-    /// A floor that was put under a point cloud counts as nothing. Where most of the triangles face
-    /// away from the room their order says nothing, and each side counts as the front.
+    /// Side of the surface that a ray with this direction hit. The floor added under a point cloud
+    /// counts as Nothing. If the triangles do not mostly face the room's centre, their orientation
+    /// is unreliable and every hit counts as Front.
     [[nodiscard]] Met met(const RayHit& hit, const Eigen::Vector3d& direction) const;
 
   private:

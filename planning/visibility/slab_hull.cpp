@@ -9,7 +9,7 @@
 namespace dollytrack::planning {
 namespace {
 
-// One of each pair of opposite directions to a cell's neighbours.
+// One of each pair of opposite directions to the neighbours of a cube.
 constexpr std::array<std::array<int, 3>, SlabHull::kSlabs> kNormals = {{{1, 0, 0},
                                                                         {0, 1, 0},
                                                                         {0, 0, 1},
@@ -23,9 +23,9 @@ constexpr std::array<std::array<int, 3>, SlabHull::kSlabs> kNormals = {{{1, 0, 0
                                                                         {1, 1, -1},
                                                                         {1, -1, 1},
                                                                         {-1, 1, 1}}};
-// Wider by this share, so that float rounding never lets a ray miss what it grazes.
+// Relative enlargement, so that float rounding never lets a ray miss a surface it grazes.
 constexpr float kSlack = 1e-4F;
-// Keeps the speed across a slab that a ray runs along from being zero.
+// Avoids a division by zero for rays parallel to a slab.
 constexpr float kParallel = 1e-20F;
 
 }  // namespace
@@ -71,7 +71,7 @@ Eigen::Array<float, SlabHull::From::kAtOnce, 1> SlabHull::From::exits(
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Lanes enter = Lanes::Constant(-kInfinity);
     Lanes leave = Lanes::Constant(kInfinity);
-    // Slab by slab, so that what one ray asks is never gathered across a register.
+    // One slab at a time for all rays: no horizontal operations across a SIMD register.
     for (int k = 0; k < kSlabs; ++k) {
         const Lanes speed = directions[0] * hull_->normals_[0][k] +
                             directions[1] * hull_->normals_[1][k] +

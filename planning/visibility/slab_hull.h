@@ -8,27 +8,27 @@
 
 namespace dollytrack::planning {
 
-/// A tight convex cover of an object: 13 slabs, whose normals point to the 26 neighbours of a
-/// cube's cell, in axes turned with the object's box. Spares tracing rays that pass the object by.
+/// Bounding 26-DOP of an object: 13 slabs whose normals point to the 26 neighbours of a cube, in
+/// axes rotated with the object's box. Culls rays that miss the object.
 class SlabHull {
   public:
     static constexpr int kSlabs = 13;
-    using Slabs = Eigen::Array<float, kSlabs + 3, 1>;  // padded to whole registers
+    using Slabs = Eigen::Array<float, kSlabs + 3, 1>;  // padded to whole SIMD registers
 
     SlabHull() = default;
     SlabHull(const Scene& scene, const Object& object);
 
-    /// The hull as seen from one point, for asking about many directions.
+    /// The hull relative to one ray origin, for many directions.
     class From {
       public:
         From(const SlabHull& hull, const Eigen::Vector3d& origin);
 
-        /// As many directions as are asked about at once: x, y and z of each.
+        /// Number of directions per call, as SIMD lanes: x, y and z of each.
         static constexpr int kAtOnce = 4;
         using Directions = std::array<Eigen::Array<float, kAtOnce, 1>, 3>;
 
-        /// For each, the t at which origin + t * direction leaves the hull, a hair late; negative
-        /// when the ray misses the hull or the hull lies behind it.
+        /// For each direction, the t at which origin + t * direction leaves the hull, rounded up
+        /// slightly; negative if the ray misses the hull or the hull lies behind the origin.
         [[nodiscard]] Eigen::Array<float, kAtOnce, 1> exits(const Directions& directions) const;
 
       private:

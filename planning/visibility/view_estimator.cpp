@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// The 26 directions to the neighbours of a cube's cell.
+/// The 26 directions to the neighbours of a cube.
 std::vector<Eigen::Vector3f> neighbourDirections() {
     std::vector<Eigen::Vector3f> directions;
     for (int x = -1; x <= 1; ++x) {
@@ -54,17 +54,17 @@ ViewEstimator::Estimate outsideImage() {
     return estimate;
 }
 
-/// Square cells, so that thin objects get as many rays along their length as their shape asks.
+/// Edge of square cells, px, so that thin objects get enough rays along their length.
 double cellFor(const Eigen::AlignedBox2d& area, double grid) {
     return std::max(1.0, std::sqrt(area.sizes().prod()) / grid);
 }
 
 }  // namespace
 
-/// What one estimate works with; kept by each thread to spare the allocations.
+/// Buffers of one estimate, reused by each thread to avoid allocations.
 struct ViewEstimator::Scratch {
     std::vector<Eigen::Vector2d> pixels;
-    std::vector<RayCaster::BundleRay> rays;  // one a pixel
+    std::vector<RayCaster::BundleRay> rays;  // one per pixel
     std::vector<RayHit> hits;
 };
 
@@ -74,8 +74,8 @@ ViewEstimator::Scratch& ViewEstimator::aimRays(const Pose& pose, const Eigen::Al
     const int rows = std::max(1, static_cast<int>(std::ceil(area.sizes().y() / cell)));
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
 
-    // Rays that pass the object by say nothing, and none need go further than behind it. In blocks,
-    // so that neighbours in the list are neighbours in the image.
+    // Skip rays that miss the hull, and end the others behind it. Work in blocks, so that
+    // neighbours in the list are neighbours in the image.
     constexpr int kBlock = SlabHull::From::kAtOnce;
     SlabHull::From::Directions directions;
     std::array<Eigen::Vector2d, kBlock> asked;
@@ -145,8 +145,8 @@ std::optional<Eigen::AlignedBox2d> ViewEstimator::extent(const Pose& pose, int o
         if (p.z() < near_m_) return std::nullopt;
         inner.extend(intrinsics_.project(p));
     }
-    // 26 directions leave up to 4 % of a ball's radius uncovered on each side. Whole pixels, so
-    // that rays through the middles of cells of one pixel are the pixels' own.
+    // 26 directions leave up to 4 % of a sphere's radius uncovered on each side. Round to whole
+    // pixels, so that with cells of one pixel the rays go through pixel centres.
     const Eigen::Vector2d margin = 0.05 * inner.sizes() + Eigen::Vector2d::Constant(1.0);
     return Eigen::AlignedBox2d((inner.min() - margin).array().floor().matrix(),
                                (inner.max() + margin).array().ceil().matrix());
@@ -232,7 +232,7 @@ ViewEstimator::Estimate ViewEstimator::estimateClosely(const Pose& pose, int obj
     const auto denser = [](double sides, double wanted, std::size_t rays) {
         return std::min(sides * std::sqrt(wanted / static_cast<double>(rays)), kDensest);
     };
-    // Rather fewer rays meet the object than meet its hull, and those are known without tracing.
+    // Slightly fewer rays hit the object than its hull, whose hits are known without tracing.
     const double wanted = kOverHull * least_rays;
     double sides = grid;
     Scratch* scratch = &aim(sides);

@@ -15,51 +15,55 @@
 
 namespace dollytrack::planning {
 
-/// Answers "how does this object show from here?" by rays, without drawing anything.
-/// Keeps references: scene and rays must outlive it. Const, usable from many threads.
+/// Estimates by ray casting how an object appears in a view, without rendering. Keeps references to
+/// scene and rays. Immutable; safe to call from many threads.
 class ViewEstimator {
   public:
     ViewEstimator(const Scene& scene, const RayCaster& rays, const CameraParams& camera);
 
     struct Estimate {
-        double visible_fraction = 0.0;  // as ObjectView defines it
-        double visible_px = 0.0;        // as if the image were 640 x 480
+        double visible_fraction = 0.0;  // see ObjectView
+        double visible_px = 0.0;        // scaled to an image of 640 x 480
         double box_share = 0.0;
         double mask_share = 0.0;
-        Eigen::AlignedBox2d visible_box;  // around the visible part, px; empty without one
+        Eigen::AlignedBox2d visible_box;  // around the visible part, px; empty if nothing is
+                                          // visible
         int rays_on_silhouette = 0;
-        bool cropped = false;         // part of the silhouette lies outside the image
-        int occluder = 0;             // id of the object that hides most of it
-        double occluder_share = 0.0;  // of the silhouette, hidden by that object
+        bool cropped = false;         // whether part of the silhouette lies outside the image
+        int occluder = 0;             // id of the object that hides the largest part; 0: none
+        double occluder_share = 0.0;  // share of the silhouette hidden by that object
 
-        /// Whether enough rays met the silhouette for its visible fraction to say anything.
+        /// Whether enough rays hit the silhouette (6) for the visible fraction to be meaningful.
         [[nodiscard]] bool tells() const { return rays_on_silhouette >= 6; }
     };
 
-    /// Rays through the middles of an even grid of about `grid` x `grid` cells over the object's
-    /// extent in the image; never denser than the pixels.
+    /// Samples the object's extent in the image with rays on a regular grid of about `grid` x
+    /// `grid` square cells, never denser than pixels. Zero if part of the object is nearer than the
+    /// near plane; `cropped` if it lies outside the image. Targets only.
     [[nodiscard]] Estimate estimate(const Pose& pose, int object_id, int grid) const;
 
-    /// The grid by which is decided what counts as captured: a denser one changes no answer.
+    /// The grid that decides whether an object is captured; a denser one does not change the
+    /// result.
     static constexpr int kExactGrid = 72;
     [[nodiscard]] Estimate estimateExactly(const Pose& pose, int object_id) const {
         return estimate(pose, object_id, kExactGrid);
     }
 
-    /// As estimate(); where the silhouette is but a small part of its extent, as of a thin thing
-    /// seen aslant, with as many cells more as `least_rays` on it ask for.
+    /// As estimate(), with a denser grid if fewer than about `least_rays` rays hit the silhouette,
+    /// as for a thin object seen obliquely.
     [[nodiscard]] Estimate estimateClosely(const Pose& pose, int object_id, int grid,
                                            int least_rays = 200) const;
 
-    /// Of a scan: the share of the image that shows the front of scanned surface, by few rays; the
-    /// rest shows what was not scanned, or the backs of walls. 1 for a modelled scene.
+    /// For a scan, the share of the image that shows the front of scanned surface, by 16 x 12 rays;
+    /// the rest is unobserved or shows backs. 1 for a modelled scene.
     [[nodiscard]] double scannedShare(const Pose& pose) const;
 
-    /// Extent of the object's silhouette on the unbounded image, px; nothing when part of it is
-    /// behind the near plane. At most a few per cent too large.
+    /// Bounding box of the object's silhouette on the unbounded image, px, at most a few per cent
+    /// too large. Empty if part of the object is nearer than the near plane. Targets only.
     [[nodiscard]] std::optional<Eigen::AlignedBox2d> extent(const Pose& pose, int object_id) const;
 
-    /// Extreme points of the object, world: their convex hull is nearly the object's own.
+    /// Up to 26 extreme points of a target, world, m; their convex hull is close to the object's.
+    /// Empty for other objects.
     [[nodiscard]] const std::vector<Eigen::Vector3d>& extremes(int object_id) const {
         return extremes_[static_cast<std::size_t>(object_id) - 1];
     }
@@ -72,7 +76,7 @@ class ViewEstimator {
 
   private:
     struct Scratch;
-    /// One ray a cell that meets the object's hull.
+    /// Creates one ray per cell that meets the object's hull.
     Scratch& aimRays(const Pose& pose, const Eigen::AlignedBox2d& area, double cell,
                      const SlabHull::From& hull) const;
     [[nodiscard]] Estimate trace(const Pose& pose, int object_id, double cell,
@@ -87,7 +91,7 @@ class ViewEstimator {
     std::vector<SlabHull> hulls_;
 };
 
-/// How the object shows in a frame of a trajectory.
+/// Converts an estimate to the view of an object in a frame.
 ObjectView makeView(const ViewEstimator::Estimate& estimate, int object_id, int frame);
 
 }  // namespace dollytrack::planning
