@@ -19,7 +19,7 @@ constexpr int kSide = 4096;  // of the texture, px; every OpenGL 4.5 driver supp
 struct Placed {
     int object_id = 0;
     PixelRect rect;  // in the image
-    int x = 0;       // on the sheet
+    int x = 0;       // on the texture
     int y = 0;
 };
 

@@ -12,8 +12,8 @@ struct DatasetOrder {
     DatasetCard card;
 };
 
-/// Returns Usage for unknown names, for a range without frames, and for a lens that does not fit
-/// the camera.
+/// Describes the dataset that these settings ask for. Returns Usage for unknown names, for a range
+/// without frames, and for a lens that does not fit the camera.
 [[nodiscard]] Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
                                                  const Trajectory& trajectory,
                                                  const DatasetSettings& settings,

@@ -86,7 +86,7 @@ class SceneRenderer {
     /// that of draw(). Only one batch may be pending.
     [[nodiscard]] Status startSilhouettes(const View& view, std::span<const int> object_ids,
                                           int beyond = 3);
-    /// The counts in the order of the ids. Waits for them.
+    /// Pixel counts of the batch from startSilhouettes(), in the order of its ids. Waits for them.
     [[nodiscard]] std::vector<std::uint64_t> finishSilhouettes();
 
   private:

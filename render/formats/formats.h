@@ -36,7 +36,7 @@ struct Format {
     /// Description of the files for dataset.json.
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
     const char* modality = nullptr;  // required modality; null: none
-    double bytes_per_pixel = 0.0;    // of the files per frame, on the high side
+    double bytes_per_pixel = 0.0;    // estimate for a frame's files, on the high side
     bool outlines_things = false;    // gives object positions in the undistorted pictures
 };
 

@@ -19,7 +19,7 @@ std::string numbersText(const Vector& values) {
     return text;
 }
 
-/// "tx ty tz qx qy qz qw"
+/// A pose as "tx ty tz qx qy qz qw".
 [[nodiscard]] inline std::string positionQuaternionText(const Eigen::Vector3d& position,
                                                         const Eigen::Quaterniond& rotation) {
     return numbersText(position) + " " + numbersText(rotation.coeffs());

@@ -30,7 +30,7 @@ class CaptureCounter {
     /// Ids of the targets that the last frame shows well.
     [[nodiscard]] const std::vector<int>& wellShown() const { return well_shown_; }
 
-    /// Views of the last frame.
+    /// Views (visibility and size of targets) of the last frame.
     [[nodiscard]] std::span<const ObjectView> lastViews() const {
         return std::span(views_).subspan(last_views_);
     }

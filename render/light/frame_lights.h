@@ -16,8 +16,8 @@ namespace dollytrack::render {
 
 /// Light of each frame of a dataset. If LightParams::light_varies is set, light depends on the
 /// frame's number in the whole trajectory. Irradiance grids of lamps, emission, sky and sun are
-/// baked once and summed with weights per frame. The exposure is fixed by the scene's nominal
-/// light, so stronger light gives a brighter picture.
+/// baked once and summed with weights per frame. The exposure suits the nominal light, so stronger
+/// light gives a brighter picture; LightParams::exposure_ev may vary it.
 class FrameLights {
   public:
     /// Bakes the grids. The volume is empty if the job was cancelled.
@@ -27,7 +27,7 @@ class FrameLights {
 
     /// Whether light differs between frames.
     [[nodiscard]] bool vary() const { return !parts_.empty(); }
-    /// The scene's nominal light.
+    /// Light volume of the nominal light, without variation.
     [[nodiscard]] const LightVolume& volume() const { return volume_; }
     /// Light volume of a frame for SceneRenderer::changeLight(). Its `lamps` grid is empty, because
     /// it is the same in all frames.

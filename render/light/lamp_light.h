@@ -20,8 +20,8 @@ namespace dollytrack::render {
                                             const RayCaster& rays, Random& random);
 
 /// The same for the rig's own_lamps (the scene's lamps), by cell. Their light falls off so steeply
-/// that cells beside a surface, found among the bounces, take the light at that surface. Incomplete
-/// if the job is cancelled.
+/// that cells next to a surface, found with `bounces`, store the light at that surface instead of
+/// at their centre. Incomplete if the job is cancelled.
 [[nodiscard]] std::vector<Eigen::Vector3f> ownLampsByCell(const LightRig& rig,
                                                           const RayCaster& rays,
                                                           const LightCells& cells,

@@ -41,7 +41,8 @@ struct LightVolume {
     Eigen::Vector3f own_color = Eigen::Vector3f::Ones();
     float dimmed = 1.0F;    // dimming of sky, sun and emission relative to the rig; see balanced()
     float exposure = 1.0F;  // a white surface in average light becomes light grey (0.62)
-    // Factors of visible emission, besides `dimmed`; see showsOutside().
+    // Factors of visible emission, besides `dimmed`: of objects that do not show the outside, and
+    // of those that do (see showsOutside()).
     float lamps_shine = 1.0F;
     float outside_shines = 1.0F;
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();  // factor of the visible sky

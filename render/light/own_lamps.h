@@ -34,7 +34,7 @@ struct OwnLamp {
 /// wall 0.3 m away gets about twice as bright, the room hardly.
 constexpr double kOwnIntensity = 0.04;
 
-/// Only the largest lamps are used beyond this number.
+/// Largest number of own lamps; if a scene has more, the largest lamps are used.
 constexpr std::size_t kMostOwnLamps = 64;
 
 /// Finds the lamps among the scene's objects except those `taken` (by id - 1), largest first. The

@@ -49,7 +49,7 @@ class TracedReflections {
     const LightVolume& light_;
     TracedSurface surface_;
     SunRays sun_rays_;
-    std::vector<bool> outside_;  // see showsOutside()
+    std::vector<bool> outside_;  // by id - 1, see showsOutside()
     /// An object with smooth surfaces.
     struct Smooth {
         int id;

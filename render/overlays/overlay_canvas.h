@@ -11,7 +11,7 @@ namespace dollytrack::render {
 /// The image that overlays are drawn into, over a copy of a picture. Row 0 is the top.
 class OverlayCanvas {
   public:
-    /// Returns Usage if the driver does not support the size.
+    /// Creates the images. Returns Usage if the driver does not support the size.
     [[nodiscard]] static Result<OverlayCanvas> create(int width, int height);
 
     [[nodiscard]] int width() const { return width_; }

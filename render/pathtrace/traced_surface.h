@@ -68,8 +68,8 @@ class TracedSurface {
     const std::vector<Eigen::Vector3f>& normals_;
     std::vector<Surface> kinds_;
     bool any_seen_through_ = false;
-    std::array<float, 256> linear_{};  // of sRGB bytes
-    std::array<float, 256> plain_{};   // of other bytes, 0..1
+    std::array<float, 256> linear_{};  // linear values of sRGB bytes
+    std::array<float, 256> plain_{};   // values of other bytes, 0..1
 };
 
 /// Share that a thin glass sheet reflects with both faces, for the cosine between ray and normal

@@ -21,7 +21,7 @@ struct NodeKeys {
 /// Reader of binary glTF 2.0 files, independent of the writer's code.
 class GlbFile {
   public:
-    /// Returns BadInput, describing the problem, for an invalid file.
+    /// Reads a file. Returns BadInput, describing the problem, if it is invalid.
     static Result<GlbFile> read(const std::filesystem::path& path);
 
     [[nodiscard]] const nlohmann::json& json() const { return json_; }

@@ -13,7 +13,8 @@ namespace dollytrack::verify {
 /// A table of comma-separated values with a header line.
 class NumberTable {
   public:
-    /// Returns BadInput, naming the line, if a row's length differs from the header's.
+    /// Reads a file. Returns BadInput, naming the line, if a row's length differs from the
+    /// header's.
     static Result<NumberTable> read(const std::filesystem::path& path);
 
     [[nodiscard]] std::size_t rows() const { return rows_.size(); }

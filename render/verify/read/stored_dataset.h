@@ -82,7 +82,8 @@ struct StoredDataset {
 /// forward; m.
 Eigen::Isometry3d cameraFromBox(const StoredObject& object, const StoredFrame& frame);
 
-/// Returns BadInput if dataset.json is missing, not written by Dollytrack, or incomplete.
+/// Reads dataset.json in a folder. Returns BadInput if it is missing, incomplete, or not written by
+/// Dollytrack.
 Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder);
 
 }  // namespace dollytrack::verify

@@ -44,7 +44,8 @@ struct StoredCamera {
 inline constexpr std::array kStoredRigImages = {"rgb", "depth", "instance", "semantic",
                                                 "normal_world"};
 
-/// Returns BadInput, describing what is missing or wrong in dataset.json.
+/// Reads the rig's cameras from dataset.json. Returns BadInput, describing what is missing or
+/// wrong.
 Result<std::vector<StoredCamera>> readStoredRig(const StoredDataset& dataset);
 
 /// All image files that the rig must have; none if dataset.json is invalid.
