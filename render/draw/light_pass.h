@@ -47,7 +47,7 @@ class LightPass {
     void drawOcclusion(const GpuScene& scene, const View& view, const LookImages& looks,
                        RenderTarget& target);
 
-    // Shades the target's surface buffer. `shine` is SurfacePass::shine().
+    /// Shades the target's surface buffer. `shine` is SurfacePass::shine().
     void drawPicture(const View& view, float shine, RenderTarget& target);
     /// Adds a multisampled surface buffer to the target's sum, each sample with weight `share`.
     /// Pixels whose samples agree are shaded once.

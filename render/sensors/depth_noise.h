@@ -31,11 +31,11 @@ struct DepthLimits {
 };
 [[nodiscard]] DepthLimits depthLimits(DepthNoise model);
 
-/// Standard deviation of depth (m) on a white, matt surface seen frontally.
+/// Standard deviation of depth (m) where dimness() is 1.
 [[nodiscard]] double depthDeviation(DepthNoise model, double depth_m);
 
-/// Factor of the noise on a darker or more slanted surface: 1 where reflectance times cosine is
-/// 0.5, larger for darker and grazing surfaces up to kMostDim.
+/// Factor of kinect_azure's noise by surface, from 0.5 to kMostDim: 1 where reflectance times
+/// cosine is 0.5, larger on darker surfaces and at grazing angles.
 inline constexpr double kMostDim = 4.0;
 [[nodiscard]] double dimness(double reflectance, double cos_to_normal);
 
