@@ -60,7 +60,7 @@ void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
             const double longest = expected.cwiseAbs().maxCoeff() + to.off_px + kTolerance_px;
             if (unknown && (to.may_be_behind || longest >= file.largest_px)) continue;
             const double off = (Eigen::Vector2d(uv[0], uv[1]) - expected).norm();
-            // Single precision limits motions far outside the image to about 1e-7 of their length.
+            // Single precision stores long motions only to about 1e-7 of their length.
             const double allowed =
                 kTolerance_px + file.rounding_px + to.off_px + 1e-6 * expected.norm();
             if (!unknown && off <= allowed) continue;

@@ -68,7 +68,7 @@ std::vector<ObjectMask> objectMasks(int width, int height, std::span<const std::
 std::string compressCounts(std::span<const std::uint32_t> counts) {
     std::string text;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        // From the third count on, COCO stores differences to the count before the previous one,
+        // From the fourth count on, COCO stores differences to the count before the previous one,
         // because adjacent columns are similar.
         std::int64_t value = counts[i];
         if (i > 2) value -= counts[i - 2];
