@@ -60,7 +60,7 @@ class LightCells {
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero();
     double size_m_ = 0.0;
     std::array<int, 3> along_ = {0, 0, 0};
-    std::vector<char> in_air_;        // by cell
+    std::vector<char> in_air_;        // by cell: it is in free space
     std::vector<std::uint8_t> open_;  // by cell, one bit per axis: the next cell is visible
 };
 

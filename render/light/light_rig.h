@@ -24,7 +24,7 @@ struct Lamp {
     [[nodiscard]] double radiance() const;  // as seen from below
 };
 
-/// m: nothing within this distance of a lamp casts a shadow, because a real lamp's shade may hang
+/// Distance from a lamp within which nothing casts its shadow, m: a real lamp's shade may hang
 /// where the lamp is placed.
 constexpr double kLampShade = 0.4;
 

@@ -18,8 +18,8 @@ struct OwnLamp {
     OrientedBox shade;       // contains the ball; nothing inside it casts a shadow of this lamp
     int object_id = 0;
 
-    /// Apparent radius of the ball from a point. Points very near or inside the ball, on a shade
-    /// that it does not fit into, are lit by a smaller ball.
+    /// Apparent radius of the ball from a point. It shrinks near and inside the ball, so that a
+    /// shade too small for the ball is lit, too.
     [[nodiscard]] double radiusFrom(const Eigen::Vector3d& place) const;
     /// Radiance of the ball with that radius.
     [[nodiscard]] double radianceFrom(const Eigen::Vector3d& place) const;

@@ -45,9 +45,9 @@ class FrameRays {
     static constexpr double kDrawing = 5e-5;      // error of single precision, per metre of depth
     // Rasterisation snaps vertices to 1/256 px and computes in single precision.
     static constexpr double kNudge_px = 0.01;
-    // m per px: depth of steeper surfaces comes from ray casts instead of rasterisation.
+    // Slope, m per px, above which depth comes from ray casts instead of rasterisation.
     static constexpr double kSteep = 0.05;
-    // m: largest depth error of rasterisation.
+    // Largest depth error of rasterisation, m.
     static constexpr double kDrawn_m = kNudge_px * kSteep;
 
   private:
