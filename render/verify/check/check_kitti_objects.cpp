@@ -106,8 +106,8 @@ class FrameCheck {
         }
     }
 
-    /// The expected label. Truncation and occlusion need amodal masks; here they are only clamped to
-    /// their ranges.
+    /// The expected label. Truncation and occlusion need amodal masks; here they are only clamped
+    /// to their ranges.
     [[nodiscard]] Label labelOf(const StoredObject& object, const ObjectPixels& seen,
                                 const Label& found) const {
         Label label{};
