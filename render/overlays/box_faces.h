@@ -16,9 +16,9 @@ struct BoxFace {
     std::array<std::uint8_t, 4> rgba;        // shaded by the face's direction
 };
 
-/// The visible faces of boxes. Faces between touching boxes are dropped. Equal neighbouring faces
-/// of equal colour are merged, which leaves a fraction of the faces of a grid map. Coordinates are
-/// rounded to 0.1 mm.
+/// The visible faces of boxes. Among boxes with yaw 0, equal faces of two touching boxes are
+/// dropped and neighbouring faces of equal size and colour are merged, which leaves a fraction of
+/// the faces of a grid map. Sizes and positions are rounded to 0.1 mm.
 [[nodiscard]] std::vector<BoxFace> visibleFaces(const std::vector<OverlayBox>& boxes);
 
 }  // namespace dollytrack::render

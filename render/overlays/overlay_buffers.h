@@ -11,7 +11,7 @@ class OverlayBuffers {
   public:
     OverlayBuffers();
 
-    /// Replaces the overlay. Faces shared by two boxes are dropped, because they are invisible.
+    /// Replaces the overlay. Faces shared by two boxes are dropped; see visibleFaces().
     void upload(const Overlay& overlay);
 
     [[nodiscard]] bool empty() const {
