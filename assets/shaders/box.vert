@@ -1,5 +1,6 @@
 #version 450 core
-// A box along the axes as twelve triangles, without any vertex data; see surface.vert.
+// An axis-aligned box as twelve triangles, without vertex buffers; for the uniforms see
+// surface.vert.
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;
@@ -8,7 +9,7 @@ layout(location = 3) uniform vec2 depth_span;
 layout(location = 4) uniform vec3 low;
 layout(location = 5) uniform vec3 high;
 
-// Corners by their bits: x, y, z. Two triangles a side.
+// Corner numbers; bits 0, 1, 2 select high x, y, z. Two triangles per side.
 const int kCorners[36] = int[36](0, 2, 4, 4, 2, 6, 1, 3, 5, 5, 3, 7, 0, 1, 4, 4, 1, 5,
                                  2, 3, 6, 6, 3, 7, 0, 1, 2, 2, 1, 3, 4, 5, 6, 6, 5, 7);
 

@@ -1,5 +1,5 @@
 #version 450 core
-// The finished picture from the mean of several looks: linear light as sRGB.
+// Encodes the accumulated mean, linear light, as the finished sRGB picture.
 
 layout(binding = 0) uniform sampler2D sum;
 

@@ -1,8 +1,7 @@
 #version 450 core
-// Glass over what is already in the surface buffer: it tints the colour behind it and, the more it
-// is looked along, whitens it by what it reflects of the room; light comes later, and takes the
-// room for about as bright as what is behind. Depth and label become its own, for the labels treat
-// everything as opaque.
+// Glass over the surface buffer. It tints the colour behind it and, at grazing angles, whitens it
+// with the reflected room. Shading follows later and assumes the room is about as bright as the
+// surface behind. In depth and label, glass is opaque.
 
 in vec3 offset_in_world;
 in vec3 normal_in_world;
@@ -13,7 +12,8 @@ flat in uint surface_id;
 
 layout(location = 3) uniform vec2 depth_span;  // see surface.vert
 layout(location = 4) uniform int textured;
-layout(location = 5) uniform float tint;  // 0: only depth and label (the holes of cut-outs)
+layout(location = 5) uniform float tint;  // 0: write depth and label only (also for the holes of
+                                          // cut-outs)
 layout(location = 6) uniform vec4 cut_plane;
 layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
@@ -25,9 +25,9 @@ layout(location = 0) out vec4 out_color;
 layout(location = 3) out float out_depth;
 layout(location = 4) out uint out_id;
 
-const float kRoom = 0.75;  // root of a room's albedo, as colours are here
+const float kRoom = 0.75;  // square root of a room's albedo
 
-// Both faces of a thin sheet, with Schlick's Fresnel.
+// Reflectance of both faces of a thin sheet, with Schlick's Fresnel approximation.
 float sheetReflectance() {
     float facing = abs(dot(normalize(normal_in_world), normalize(offset_in_world)));
     float face = 0.04 + 0.96 * pow(1.0 - facing, 5.0);
@@ -39,11 +39,12 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
-// Surfaces steeper than this, m a pixel, are marked: drawing places a pixel within a hundredth of
-// one, which on a gentler surface is less than half a millimetre of depth.
+// Steeper surfaces, m per pixel, are marked. Rasterisation is exact to a hundredth of a pixel,
+// which on gentler surfaces is less than half a millimetre of depth.
 const float kSteep = 0.05;
 
-// Negative where the surface is too steep for drawing to tell its depth; see readDrawnDepth().
+// Negative where the surface is so steep that its rasterised depth is unreliable; see
+// readDrawnDepth().
 float markedDepth(float z) {
     if (depth_span.y > 0.0) return z;
     float slope = fwidth(gl_FragCoord.w) * z * z;
@@ -57,7 +58,7 @@ void main() {
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
     vec4 color = surface_color;
     if (textured != 0) color *= texture(base_texture, texture_uv);
-    float reflected = sqrt(sheetReflectance());  // over black it is right, over white a little much
+    float reflected = sqrt(sheetReflectance());  // exact over black, slightly too strong over white
     float tinted = (1.0 - reflected) * color.a;
     float share = reflected + tinted;
     out_color = vec4((reflected * vec3(kRoom) + tinted * color.rgb) / share, share * tint);

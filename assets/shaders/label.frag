@@ -1,5 +1,5 @@
 #version 450 core
-// Depth and label alone, of everything.
+// Depth and label only; every surface is opaque.
 
 in vec3 offset_in_world;
 flat in vec4 surface_traits;
@@ -19,11 +19,12 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
-// Surfaces steeper than this, m a pixel, are marked: drawing places a pixel within a hundredth of
-// one, which on a gentler surface is less than half a millimetre of depth.
+// Steeper surfaces, m per pixel, are marked. Rasterisation is exact to a hundredth of a pixel,
+// which on gentler surfaces is less than half a millimetre of depth.
 const float kSteep = 0.05;
 
-// Negative where the surface is too steep for drawing to tell its depth; see readDrawnDepth().
+// Negative where the surface is so steep that its rasterised depth is unreliable; see
+// readDrawnDepth().
 float markedDepth(float z) {
     if (depth_span.y > 0.0) return z;
     float slope = fwidth(gl_FragCoord.w) * z * z;

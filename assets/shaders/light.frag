@@ -1,36 +1,37 @@
 #version 450 core
-// Lights surface buffers. Light comes from the baked volume: the light of the lamps, with its
-// direction and soft shadows, and the light that the room's surfaces throw back. Where nothing is
-// hit it is worked out, too, and left: on the processor branches save nothing.
+// Shades the surface buffer. Light comes from the baked volume: direct lamp light with its
+// direction and soft shadows, and indirect light from the room's surfaces. Background pixels are
+// shaded, too, and discarded, because branches save nothing on the CPU.
 
 layout(location = 0) uniform mat3 world_from_camera;
 layout(location = 1) uniform vec4 unproject;
 layout(location = 2) uniform vec3 camera_position;
 layout(location = 3) uniform vec3 volume_low;
 layout(location = 4) uniform vec3 volume_scale;  // volume texture coordinates per metre
-layout(location = 5) uniform float lift_m;       // off the surface, out of the cell behind it
+layout(location = 5) uniform float lift_m;       // offset off the surface, out of the cell behind
+                                                 // it
 layout(location = 6) uniform float exposure;
 layout(location = 7) uniform vec3 lamp_color;
-layout(location = 8) uniform vec4 backdrop;      // linear, where nothing is hit; a = 0: the sky
+layout(location = 8) uniform vec4 backdrop;      // linear background colour; a = 0: the sky
 layout(location = 9) uniform int orthographic;
-layout(location = 10) uniform float glow;        // of emission, for one unit
+layout(location = 10) uniform float glow;        // factor of emission
 layout(location = 17) uniform vec2 image_size;   // px
 
-#ifdef LOOKS  // several looks at each pixel, as light
+#ifdef LOOKS  // multisampled surface buffer
 const int kLooks = 4;  // as in look_images.h
-layout(location = 11) uniform float share;          // of each in the mean
-layout(location = 25) uniform vec2 offset[kLooks];  // from the pixel's middle, px
+layout(location = 11) uniform float share;          // weight of each sample
+layout(location = 25) uniform vec2 offset[kLooks];  // sample position, from the pixel's centre, px
 layout(location = 12) uniform vec2 depth_span;      // see surface.vert
 #endif
 
-#ifdef SENSOR  // light before the tone curve is added up
-layout(location = 13) uniform vec4 sum_lens;     // as unproject, of the sum
+#ifdef SENSOR  // accumulates linear light before the tone curve
+layout(location = 13) uniform vec4 sum_lens;     // as unproject, for the accumulated image
 layout(location = 14) uniform vec4 distortion;   // k1 k2 p1 p2
 layout(location = 15) uniform float distortion_k3;
 layout(location = 16) uniform vec4 row_time;     // slope, offset, half exposure; see weightOfRow
 #endif
 
-layout(location = 24) uniform vec3 own_color;    // of the scene's own lamps
+layout(location = 24) uniform vec3 own_color;    // light colour of the scene's own lamps
 
 #ifdef SUN
 layout(location = 18) uniform vec3 sun_irradiance;
@@ -43,12 +44,13 @@ layout(location = 23) uniform float sun_blur;  // half width of the soft edge, m
 layout(binding = 7) uniform sampler2DShadow sun_depth;
 layout(binding = 8) uniform sampler2D sun_let_through;
 
-// The share of the sun's light that reaches a surface; the edge of a shadow is as soft as the
-// sun's disc makes it a few metres away.
-// @param face  across the surface as it is, of any length; n may be smoothed or a map's
+// The share of sunlight that reaches a surface. The shadow's edge is as soft as the sun's disc
+// makes it at a distance of a few metres.
+// @param face  geometric normal, of any length; n may be smoothed or mapped
 float sunAt(vec3 p, vec3 n, vec3 face) {
-    // Off the surface, as far as a texel of the filter may lie above or below it. Neighbours across
-    // an outline span no face: there as far off as from one along the sun's light.
+    // Offset the point along its face by the reach of the shadow filter. Across an outline,
+    // neighbouring pixels span no face; there the offset follows n, as on a surface along the sun's
+    // rays.
     vec3 off = face * (sign(dot(face, n)) / max(length(face), 1e-20));
     float leans = dot(off, to_sun);
     if (dot(off, n) < 0.2) {
@@ -59,7 +61,7 @@ float sunAt(vec3 p, vec3 n, vec3 face) {
     vec3 q = sun_from_world * (p + lift * off - sun_eye);
     vec2 middle = 0.5 + q.xy * sun_scale.xy;
     vec2 apart = sun_blur * sun_scale.xy;
-    // Beyond all that casts shadows there is no depth left, and no shadow either.
+    // Beyond all shadow casters the depth is clamped, which means no shadow.
     float depth = max(1.0 - q.z * sun_scale.z, 0.0);
     float sum = 0.0;
     for (int y = -1; y <= 1; ++y) {
@@ -67,8 +69,8 @@ float sunAt(vec3 p, vec3 n, vec3 face) {
             sum += texture(sun_depth, vec3(middle + vec2(x, y) * apart, depth));
         }
     }
-    // Beside the far edges of a building half of the filter looks past all of it: that half lets
-    // nothing through, or light would leak along the joints of floors and walls.
+    // At a building's outer edges half of the filter lies beyond it. Discounting that half stops
+    // light leaking along the joints of floors and walls.
     return max(2.0 * sum / 9.0 - 1.0, 0.0) * texture(sun_let_through, middle).r;
 }
 #endif
@@ -83,37 +85,42 @@ layout(binding = 1) uniform sampler2D normals;
 layout(binding = 2) uniform sampler2D surface;
 #endif
 layout(binding = 3) uniform sampler2D occlusion;
-layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: irradiance from all around
-layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps; a: own share
-layout(binding = 6) uniform sampler3D slope_volume;    // of the ambient light, see light_volume.h
+layout(binding = 4) uniform sampler3D ambient_volume;  // rgb: ambient irradiance
+layout(binding = 5) uniform sampler3D lamp_volume;     // irradiance vector of the lamps; a: share
+                                                       // of the scene's own lamps
+layout(binding = 6) uniform sampler3D slope_volume;    // slope of the ambient light, see
+                                                       // light_volume.h
 #ifdef REFLECTIONS
-layout(binding = 14) uniform sampler2D reflections;  // light; a: share of it in place of the room's
+layout(binding = 14) uniform sampler2D reflections;  // traced light; a: how much of it replaces the
+                                                     // ambient reflection
 #endif
-layout(binding = 13) uniform sampler1D sky_colors;     // linear, by the sine of a way's height
+layout(binding = 13) uniform sampler1D sky_colors;     // linear, by the sine of a direction's
+                                                       // elevation
 
 layout(location = 0) out vec4 out_rgb;
 
-// Leaves dark and middle tones alone and rolls off towards white, so that lamps do not clip.
+// Tone curve: identity up to 0.55, then a smooth roll-off, so that lamps do not clip.
 vec3 toneCurve(vec3 c) {
     vec3 high = max(c - 0.55, 0.0);
     return min(c, 0.55) + 0.45 * high / (high + 0.45);
 }
 
 #ifdef SENSOR
-// What the tone curve makes this of; of full white something very bright.
+// Inverse of the tone curve; values near 1 map to a large finite value.
 vec3 beforeToneCurve(vec3 shown) {
     vec3 high = min(max(shown - 0.55, 0.0) / 0.45, 0.999);
     return min(shown, 0.55) + 0.45 * high / (1.0 - high);
 }
 
-// The integral of a hat of height 1 that stands on -1 to 1, from there to x.
+// Integral from -1 to x of the hat function of height 1 on [-1, 1].
 float hatUpTo(float x) {
     float inside = clamp(x, -1.0, 1.0);
     return 0.5 + inside - 0.5 * inside * abs(inside);
 }
 
-// What share the look has of the sensor's row that looks here through its lens. Light changes evenly
-// from one look to the next: a row has the integral of the look's hat over its exposure.
+// Weight of this exposure sample in the sensor row that this pixel maps to through the lens. Light
+// is interpolated linearly between samples, so the weight is the integral of the sample's hat
+// function over the row's exposure.
 float weightOfRow() {
     vec2 at = gl_FragCoord.xy * sum_lens.xy + sum_lens.zw;
     float r2 = dot(at, at);
@@ -132,17 +139,17 @@ vec3 encode(vec3 linear) {
 }
 #endif
 
-// What a look sees.
+// The surface at one sample.
 struct Seen {
     vec3 albedo;
     float special;  // metallic or emission
     vec3 normal;
     float roughness;
-    float z;  // 0: nothing
+    float z;  // planar depth, m; 0: nothing was hit
 };
 
 #ifdef LOOKS
-// Planar depth of what has this value in the depth buffer, m.
+// Converts a depth-buffer value to planar depth, m.
 float planarDepth(float depth) {
     float z = depth_span.y > 0.0 ? depth_span.x + (1.0 - depth) * depth_span.y
                                  : depth_span.x / depth;
@@ -150,7 +157,7 @@ float planarDepth(float depth) {
 }
 #endif
 
-// @param look  of several; otherwise there is one
+// @param look  sample number; 0 without multisampling
 Seen seenBy(int look) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef LOOKS
@@ -165,7 +172,7 @@ Seen seenBy(int look) {
     return Seen(color.rgb * color.rgb, color.a, facing.xyz, abs(facing.w), z);
 }
 
-// @param at  in the image, px
+// @param at  image position, px
 vec3 rayThrough(vec2 at) {
     vec2 aside = at * unproject.xy + unproject.zw;
     return world_from_camera * (orthographic != 0 ? vec3(0.0, 0.0, 1.0) : vec3(aside, 1.0));
@@ -176,9 +183,9 @@ vec3 positionOf(float z, vec2 at, vec3 ray) {
     return camera_position + (orthographic != 0 ? world_from_camera * vec3(aside, z) : ray * z);
 }
 
-// What a GGX layer makes of light from one direction, of irradiance 1 across it: with Schlick's
-// Fresnel and Hammon's approximation of Smith's masking (PBR Diffuse Lighting for GGX+Smith
-// Microsurfaces, 2017). In the unit of irradiance, which a white surface throws back whole.
+// Response of a GGX layer to directional light of irradiance 1, in units where a white diffuse
+// surface returns 1. Uses Schlick's Fresnel approximation and Hammon's approximation of Smith
+// masking (PBR Diffuse Lighting for GGX+Smith Microsurfaces, 2017).
 vec3 highlight(vec3 n, vec3 view, vec3 to_light, vec3 f0, float alpha) {
     vec3 facet = normalize(view + to_light);
     float light = max(dot(n, to_light), 0.0);
@@ -192,9 +199,9 @@ vec3 highlight(vec3 n, vec3 view, vec3 to_light, vec3 f0, float alpha) {
     return (f0 + (1.0 - f0) * (grazing2 * grazing2 * grazing)) * shape;
 }
 
-// The share that a GGX layer throws back of the same light from everywhere: a fit (Karis, Physically
-// Based Shading on Mobile, 2014) of single reflections, and what gives back those from facet to facet
-// (Turquin, Practical multiple scattering compensation, 2019).
+// Share of uniform ambient light that a GGX layer reflects: a fit for single scattering (Karis,
+// Physically Based Shading on Mobile, 2014) with compensation for multiple scattering (Turquin,
+// Practical multiple scattering compensation, 2019).
 struct Layer {
     vec3 thrown_back;
     vec3 gain;
@@ -207,7 +214,7 @@ Layer layerOf(float eye, vec3 f0, float roughness) {
     return Layer(max(f0 * (fit.z - grazing) + fit.w + grazing, vec3(0.0)) * gain, gain);
 }
 
-// Before the tone curve.
+// Linear light before the tone curve.
 vec3 lightFrom(Seen seen, vec2 pixel) {
     vec3 ray = rayThrough(pixel);
     vec3 n = seen.normal;
@@ -228,9 +235,9 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
     float facing_lamp = max(0.0, dot(n, to_lamp));
     vec3 ambient = around * (1.0 + dot(slope, n));
 
-    // The occlusion of a quarter of the pixels, brought up without crossing depth edges.
+    // Half-resolution occlusion, already blurred within depth edges.
     float open = texture(occlusion, gl_FragCoord.xy / image_size).r;
-    // Light thrown around in a corner of a bright colour darkens less.
+    // Interreflection in brightly coloured corners reduces the darkening.
     vec3 open_color = mix(vec3(open), vec3(1.0), 0.35 * albedo * (1.0 - open));
 
     vec3 irradiance = ambient * open_color +
@@ -247,17 +254,18 @@ vec3 lightFrom(Seen seen, vec2 pixel) {
     vec3 view = -normalize(ray);
     vec3 mirror = reflect(-view, n);
     vec3 f0 = mix(vec3(0.04), albedo, metallic);
-    // Radiance has half as much again of the irradiance's slope.
+    // The slope of radiance is 1.5 times that of irradiance.
     vec3 room = around * max(0.0, 1.0 + 1.5 * dot(slope, mirror));
 #ifdef REFLECTIONS
-    // Of what the pixel's middle sees. Rough things beside a mirror (as in traced_reflections.cpp)
-    // have no part in it.
+    // Traced for the pixel's centre. Rough surfaces beside a mirror (threshold as in
+    // traced_reflections.cpp) do not use it.
     vec4 traced = texelFetch(reflections, ivec2(gl_FragCoord.xy), 0);
     room = mix(room * open, traced.rgb, seen.roughness < 0.3 ? traced.a : 0.0);
 #else
     room *= open;
 #endif
-    // A lamp is as wide as a hand at arm's length; mirrors would show it in a halo.
+    // Lamps have an extent, here a fixed widening of the highlight; on mirrors it would show as a
+    // halo.
     float alpha = max(seen.roughness * seen.roughness, 0.002);
     float lamp_alpha = min(alpha + min(0.2 * seen.roughness, 0.1), 1.0);
     Layer layer = layerOf(dot(n, view), f0, seen.roughness);
@@ -277,7 +285,7 @@ vec3 skyAt(vec2 pixel) {
     return backdrop.a > 0.0 ? backdrop.rgb : texture(sky_colors, 0.5 + 0.5 * rise).rgb;
 }
 
-// Both are worked out: light is looked up by what neighbours see, too.
+// Both are always computed: texture lookups need the derivatives of neighbouring pixels.
 vec3 shown(Seen seen, vec2 pixel) {
     vec3 light = toneCurve(lightFrom(seen, pixel));
     vec3 sky = skyAt(pixel);
@@ -285,7 +293,7 @@ vec3 shown(Seen seen, vec2 pixel) {
 }
 
 #ifdef LOOKS
-// Whether light falls on both in the same way, and the tone curve is straight between them.
+// Whether two samples receive the same light and lie on a straight part of the tone curve.
 bool alike(Seen a, Seen b) {
     return abs(a.z - b.z) <= 0.02 * a.z && dot(a.normal, b.normal) >= 0.99 * sign(a.z) &&
            abs(a.roughness - b.roughness) < 0.03 && abs(a.special - b.special) < 0.02 &&
@@ -295,7 +303,7 @@ bool alike(Seen a, Seen b) {
 
 void main() {
 #if defined(ALIKE)
-    // Where all see the same, it is lit once; the others are left to the shader that lights each.
+    // Pixels whose samples agree are shaded once; another variant shades the samples of the rest.
     Seen first = seenBy(0);
     Seen mean = first;
     bool same = true;
@@ -310,11 +318,11 @@ void main() {
     mean.normal = mean.z > 0.0 ? normalize(mean.normal) : mean.normal;
     mean.z /= float(kLooks);
     out_rgb = vec4(float(kLooks) * share * shown(mean, gl_FragCoord.xy), 1.0);
-    if (!same) discard;  // last: neighbours look up light by it
+    if (!same) discard;  // last, because neighbouring pixels need its derivatives
 #elif defined(LOOKS)
     vec3 sum = vec3(0.0);
     for (int i = 0; i < kLooks; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
-    out_rgb = vec4(share * sum, 1.0);  // the mean is taken of light
+    out_rgb = vec4(share * sum, 1.0);  // averages linear light
 #elif defined(SENSOR)
     Seen seen = seenBy(0);
     vec3 light = lightFrom(seen, gl_FragCoord.xy);

@@ -1,14 +1,13 @@
 #version 450 core
-// How much of the near surroundings stands in front of a surface point: darkens corners and the
-// contact of things with what they stand on, at a scale the light volume is too coarse for. Half
-// resolution. Each sample contributes by how far it rises above the tangent plane.
+// Screen-space ambient occlusion (SSAO) at half resolution: darkens corners and contacts at a scale
+// too fine for the light volume. Each sample occludes by its height above the tangent plane.
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec4 unproject;  // x scale, y scale, x offset, y offset, full pixels
 layout(location = 2) uniform float pixels_per_radian;  // orthographic: pixels per metre
 layout(location = 3) uniform int orthographic;
 
-#ifdef LOOKS  // that of the first
+#ifdef LOOKS  // reads the first sample of the multisampled buffer
 layout(location = 4) uniform vec2 depth_span;  // see surface.vert
 
 layout(binding = 1) uniform sampler2DMS normals;
@@ -37,7 +36,7 @@ vec3 pointAt(ivec2 pixel) {
 }
 
 #ifdef MAPS
-// That of the surface without its map, from the neighbours that lie nearest in depth.
+// The geometric normal, without the normal map, from the neighbours nearest in depth.
 vec3 flatNormal(vec3 p, ivec2 pixel, ivec2 size) {
     vec3 across[2];
     for (int axis = 0; axis < 2; ++axis) {
@@ -71,7 +70,7 @@ void main() {
     if (facing.w < 0.0) n = flatNormal(p, pixel, size);
 #endif
     float reach = clamp(kRadius * pixels_per_radian / (orthographic != 0 ? 1.0 : p.z), 4.0, 160.0);
-    // The pattern turns from pixel to pixel in a 4 x 4 tile, which the blur that follows averages.
+    // The sampling pattern rotates within a 4 x 4 tile; the following blur averages over the tile.
     ivec2 tile = ivec2(gl_FragCoord.xy) & 3;
     float turn = float((tile.x * 4 + ((tile.y * 7) & 15)) & 15) * (6.2831853 / 16.0);
     vec2 way = vec2(cos(turn), sin(turn));

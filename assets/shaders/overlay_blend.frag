@@ -1,5 +1,5 @@
 #version 450 core
-// Lays the image of an overlay's blocks and triangles over the picture.
+// Blends the image of an overlay's blocks and triangles over the picture.
 
 layout(binding = 0) uniform sampler2D overlay;
 

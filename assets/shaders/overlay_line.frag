@@ -1,6 +1,6 @@
 #version 450 core
-// A line with round ends and soft edges. Wide lines get a thin dark rim, so that they stand out
-// from a bright wall as from a dark floor.
+// A line with round ends and antialiased edges. Wide lines get a thin dark rim, to stand out from
+// bright and dark backgrounds.
 
 noperspective in vec2 place;
 flat in vec4 color;
@@ -22,7 +22,7 @@ void main() {
         rim = 0.45 * clamp(radius + 1.4 - away, 0.0, 1.0);
     }
     float cover = max(core, rim);
-    float thin = min(1.0, 2.0 * shape.y);  // below a pixel wide: fainter, not thinner
+    float thin = min(1.0, 2.0 * shape.y);  // lines thinner than a pixel become fainter instead
     float body = cover > 0.0 ? core / cover : 0.0;
     out_rgba = vec4(color.rgb * mix(0.25, 1.0, body), color.a * cover * thin * opacity);
 }

@@ -1,21 +1,22 @@
 #version 450 core
-// A line of an overlay becomes a rectangle on the screen, a little larger than the line itself.
+// Turns an overlay line into a screen rectangle slightly larger than the line.
 
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 rgba;
-layout(location = 3) in vec4 style;  // width and dash, px; joined at from, joined at to
+layout(location = 3) in vec4 style;  // width and dash, px; whether it joins another line at from,
+                                     // at to
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;
 layout(location = 2) uniform vec4 lens;
 layout(location = 3) uniform vec2 depth_span;
-layout(location = 4) uniform vec2 size;  // of the picture, px
+layout(location = 4) uniform vec2 size;  // of the image, px
 layout(location = 5) uniform float pixel_scale;
-// A line on a floor is not in it: share of the depth, in orthographic views metres.
+// Draws lines on a surface in front of it: a share of the depth, in orthographic views metres.
 layout(location = 7) uniform float bias;
 
-noperspective out vec2 place;  // along the line from its beginning and across it, px
+noperspective out vec2 place;  // along the line from its start, and across it, px
 flat out vec4 color;
 flat out vec3 shape;  // length, radius, dash, px
 
@@ -32,13 +33,13 @@ void main() {
     color = rgba;
     shape = vec3(0.0, 0.5 * style.x * pixel_scale, style.y * pixel_scale);
     place = vec2(0.0);
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside: nothing is drawn
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside the clip volume: nothing is drawn
     if (a.z < near_m && b.z < near_m) return;
     if (a.z < near_m) a = mix(b, a, (b.z - near_m) / (b.z - a.z));
     if (b.z < near_m) b = mix(a, b, (a.z - near_m) / (a.z - b.z));
     vec2 p = onScreen(a);
     vec2 q = onScreen(b);
-    // Depth as the scene's: linear on the screen in either kind of view.
+    // Depth as in surface.vert: linear in screen space for both projections.
     vec2 depths = depth_span.y > 0.0
                       ? 1.0 - (vec2(a.z, b.z) - bias - depth_span.x) / depth_span.y
                       : depth_span.x / ((1.0 - bias) * vec2(a.z, b.z));
@@ -46,8 +47,8 @@ void main() {
     float along = length(way);
     way = along > 1e-4 ? way / along : vec2(1.0, 0.0);
     shape.x = along;
-    // Ends are round; where lines join each pixel belongs to one of them, or translucent ones would
-    // show beads.
+    // Free ends are round. Joined ends are cut, so that each pixel belongs to one line; otherwise
+    // overlapping translucent ends would show as beads.
     float reach = max(shape.y, 0.5) + (shape.y > 0.9 ? 1.4 : 0.6);
     int corner = gl_VertexID & 3;
     bool at_end = (corner & 1) != 0;

@@ -1,5 +1,5 @@
 #version 450 core
-// Signs, by their distance functions: soft edges at any size, and a dark rim around each.
+// Marks drawn by signed distance functions: antialiased at any size, with a dark rim.
 
 in vec2 offset;
 flat in vec4 color;
@@ -15,7 +15,8 @@ float bar(vec2 p, vec2 half_size) {
     return length(max(d, 0.0)) + min(max(d.x, d.y), 0.0);
 }
 
-// Signed distance to the sign's outline, px; below 0 inside. Shapes as OverlayMark counts them.
+// Signed distance to the mark's outline, px; negative inside. Shape numbers are those of
+// OverlayMark.
 float outline(vec2 p, float radius) {
     int kind = int(shape.y + 0.5);
     float stroke = max(0.16 * radius, 0.75 * pixel_scale);
@@ -24,10 +25,10 @@ float outline(vec2 p, float radius) {
         float arm = 1.41421356 * radius - stroke;
         return min(bar(turned, vec2(arm, stroke)), bar(turned, vec2(stroke, arm)));
     }
-    if (kind == 2) return bar(p, vec2(0.886 * radius));  // of a dot's area
+    if (kind == 2) return bar(p, vec2(0.886 * radius));  // same area as a dot
     if (kind == 3) return abs(length(p) - (radius - stroke)) - stroke;
     if (kind == 4 && dot(shape.zw, shape.zw) > 0.5) {
-        // A head with its tip ahead.
+        // An arrow head pointing along its direction.
         vec2 q = vec2(dot(p, shape.zw), abs(dot(p, vec2(-shape.w, shape.z)))) / radius;
         float side = dot(q - vec2(1.0, 0.0), vec2(0.4243, 0.9055));
         return max(side, -q.x - 0.6) * radius;
@@ -38,7 +39,7 @@ float outline(vec2 p, float radius) {
 void main() {
     float away = outline(offset, shape.x);
     float core = clamp(0.5 - away, 0.0, 1.0);
-    // Thin strokes drown in a strong rim.
+    // A strong rim would hide thin strokes.
     float strength = int(shape.y + 0.5) == 1 ? 0.4 : 0.7;
     float rim = strength * clamp(1.6 - away, 0.0, 1.0);
     float cover = max(core, rim);

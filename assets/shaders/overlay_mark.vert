@@ -1,5 +1,5 @@
 #version 450 core
-// A sign of an overlay becomes a square on the screen around its point.
+// Turns an overlay mark into a screen square around its point.
 
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec3 direction;
@@ -14,9 +14,9 @@ layout(location = 4) uniform vec2 size;
 layout(location = 5) uniform float pixel_scale;
 layout(location = 7) uniform float bias;  // see overlay_line.vert
 
-out vec2 offset;           // from the middle, px
+out vec2 offset;           // from the centre, px
 flat out vec4 color;
-flat out vec4 shape;       // radius, px; shape; where an arrow points on the screen
+flat out vec4 shape;       // radius, px; shape; screen direction of an arrow
 
 void main() {
     vec3 p = camera_from_world * (at - camera_position);
@@ -29,7 +29,7 @@ void main() {
     if (p.z < depth_span.x) return;
     bool parallel = depth_span.y > 0.0;
     vec2 clip = parallel ? lens.xy * p.xy + lens.zw : (lens.xy * p.xy + lens.zw * p.z) / p.z;
-    // How the point moves on the screen when it goes ahead.
+    // Screen velocity of the point when it moves along `direction`.
     vec2 way = (parallel ? lens.xy * ahead.xy
                          : lens.xy * (ahead.xy * p.z - p.xy * ahead.z) / (p.z * p.z)) * size;
     float speed = length(way);

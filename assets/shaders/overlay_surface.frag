@@ -1,12 +1,12 @@
 #version 450 core
-// Blocks and triangles of an overlay, the foremost of each pixel, into an image of their own. The
-// edges of blocks are drawn a pixel wide, and fade where blocks are too small to have any.
+// Draws the frontmost block or triangle of an overlay per pixel into a separate image. Block edges
+// are one pixel wide and fade where blocks become too small.
 
 flat in vec4 color;
 in vec2 on_face;
 
 layout(location = 3) uniform vec2 depth_span;
-layout(location = 4) uniform vec2 opacity;  // before and behind the scene's surfaces
+layout(location = 4) uniform vec2 opacity;  // in front of and behind the scene's surfaces
 layout(location = 5) uniform float bias;    // see overlay_line.vert
 
 layout(binding = 0) uniform sampler2D surface;

@@ -1,9 +1,9 @@
 #version 450 core
-// A corner of a block or of a loose triangle of an overlay.
+// A vertex of an overlay's block or triangle.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 rgba;
-layout(location = 2) in vec2 cell;  // whole numbers on the edges of blocks
+layout(location = 2) in vec2 cell;  // integers on the edges of blocks
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;

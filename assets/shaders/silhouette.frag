@@ -1,5 +1,5 @@
 #version 450 core
-// Marks what an object covers.
+// Marks the pixels that an object covers.
 
 layout(location = 0) out float inside;
 

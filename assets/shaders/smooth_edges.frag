@@ -1,6 +1,7 @@
 #version 450 core
-// Antialiasing of the finished picture: where brightness jumps, the pixel is blended along the
-// edge, found from the differences of its four corners. Flat areas pass unchanged.
+// Edge antialiasing of the finished picture (FXAA-like): where brightness jumps, the pixel is
+// blended along the edge. The edge direction comes from brightness at the pixel's four corners.
+// Flat areas stay unchanged.
 
 layout(binding = 0) uniform sampler2D picture;
 
@@ -23,8 +24,8 @@ void main() {
         out_rgb = vec4(here, 1.0);
         return;
     }
-    // The gradient runs across the edge; a short filter along it turns stairs into slopes and
-    // leaves what lies beside the edge alone.
+    // The gradient runs across the edge. A short filter along the edge smooths stair steps and
+    // keeps pixels beside the edge.
     vec2 gradient = vec2(ne + se - nw - sw, sw + se - nw - ne);
     vec2 along = normalize(vec2(-gradient.y, gradient.x) + 1e-5) * texel;
     vec3 sum = 0.28 * texture(picture, at).rgb;

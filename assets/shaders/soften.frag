@@ -1,5 +1,5 @@
 #version 450 core
-// Averages the occlusion over its 4 x 4 pattern, leaving out what lies at another depth.
+// Blurs the ambient occlusion over its 4 x 4 pattern, ignoring pixels at other depths.
 
 layout(binding = 3) uniform sampler2D occlusion;  // and planar depth
 

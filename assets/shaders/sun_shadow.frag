@@ -1,6 +1,5 @@
 #version 450 core
-// What the sun sees of a scene, depth alone; and of panes of glass the share of light that they
-// let through.
+// Shadow map of the sun: depth, and for glass panes the transmitted share of light.
 
 in vec3 offset_in_world;
 in vec2 texture_uv;
@@ -10,7 +9,7 @@ layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 4) uniform int textured;
 layout(location = 5) uniform float alpha_cut;  // texels below are holes; 0: none
 layout(location = 6) uniform vec3 eye;
-layout(location = 7) uniform vec3 shades_low;  // what lies outside casts no shadow
+layout(location = 7) uniform vec3 shades_low;  // surfaces outside this box cast no shadow
 layout(location = 8) uniform vec3 shades_high;
 layout(location = 9) uniform int glass;
 

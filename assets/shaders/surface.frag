@@ -1,6 +1,6 @@
 #version 450 core
-// Fills the surface buffer: everything later passes need to know of the point a pixel's centre
-// sees. Lighting comes after, once a pixel.
+// Fills the surface buffer (G-buffer) with the surface at each pixel's centre. Shading follows in a
+// later pass, once per pixel.
 
 in vec3 offset_in_world;
 in vec3 normal_in_world;
@@ -11,13 +11,14 @@ flat in uint surface_id;
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 3) uniform vec2 depth_span;  // see surface.vert
-layout(location = 6) uniform vec4 cut_plane;   // structure above it is left away, see view.h
+layout(location = 6) uniform vec4 cut_plane;   // structure above it is cut, see view.h
 layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
 layout(location = 9) uniform float ceiling_z;
 
-layout(location = 13) uniform vec2 emission_share;  // of lamps, and of what shows the outside
-layout(location = 14) uniform float outside_dark;  // square root of how much less light there is
+layout(location = 13) uniform vec2 emission_share;  // factors of emission: lamps; objects that show
+                                                    // the outside
+layout(location = 14) uniform float outside_dark;  // square root of the dimming of the outside
 
 layout(binding = 0) uniform sampler2D base_texture;
 
@@ -31,21 +32,22 @@ layout(binding = 10) uniform sampler2D roughness_map;  // green
 layout(binding = 11) uniform sampler2D metallic_map;   // blue
 layout(binding = 12) uniform sampler2D emission_map;
 
-// Less is drowned by what the surface throws back, and has no step of its own in the buffer.
+// Weaker emission is lost in reflected light and has no step of its own in the buffer.
 const float kFaintest = 0.0625;
 #endif
 
-layout(location = 0) out vec4 out_color;     // square root of linear; a: metallic or emission
-layout(location = 1) out vec4 out_normal;    // on the side that is seen; w: roughness, negative
+layout(location = 0) out vec4 out_color;     // rgb: square root of linear colour; a: metallic or
+                                             // emission
+layout(location = 1) out vec4 out_normal;    // xyz: on the visible side; w: roughness, negative
                                              // where a map turned the normal
-layout(location = 2) out float out_surface;  // planar depth of the lit surface, m
-layout(location = 3) out float out_depth;    // planar depth of the label, m
+layout(location = 2) out float out_surface;  // planar depth of the shaded surface, m
+layout(location = 3) out float out_depth;    // planar depth of the labelled surface, m
 layout(location = 4) out uint out_id;
 
-// Less emission has no step of its own in the buffer.
+// Weaker emission has no step of its own in the buffer.
 const float kLeastShine = 0.03;
 
-// Linear light of sRGB's encoding, within 0.7 of its 255 steps.
+// Linear value of an sRGB colour: a cubic fit, within 0.7 of 255 steps.
 vec3 decode(vec3 srgb) {
     return srgb * (0.059573 + srgb * (0.361492 + srgb * (0.900017 - 0.321082 * srgb)));
 }
@@ -55,11 +57,12 @@ float depthHere() {
                               : 1.0 / gl_FragCoord.w;
 }
 
-// Surfaces steeper than this, m a pixel, are marked: drawing places a pixel within a hundredth of
-// one, which on a gentler surface is less than half a millimetre of depth.
+// Steeper surfaces, m per pixel, are marked. Rasterisation is exact to a hundredth of a pixel,
+// which on gentler surfaces is less than half a millimetre of depth.
 const float kSteep = 0.05;
 
-// Negative where the surface is too steep for drawing to tell its depth; see readDrawnDepth().
+// Negative where the surface is so steep that its rasterised depth is unreliable; see
+// readDrawnDepth().
 float markedDepth(float z) {
     if (depth_span.y > 0.0) return z;
     float slope = fwidth(gl_FragCoord.w) * z * z;
@@ -67,7 +70,7 @@ float markedDepth(float z) {
 }
 
 #ifdef MAPS
-vec3 to_u;  // along the surface
+vec3 to_u;  // tangents along u and v
 vec3 to_v;
 
 void findFrame() {
@@ -80,7 +83,7 @@ void findFrame() {
     to_v = (down * uv_right.x - right * uv_down.x) * turn;
 }
 
-// The normal that the map makes of the smoothed one, in the frame that u and v span here.
+// Applies the normal map to the smoothed normal, in the local frame of u and v.
 vec3 mappedNormal(vec3 n) {
     vec3 along_u = to_u - dot(to_u, n) * n;
     vec3 said = 2.0 * texture(normal_map, texture_uv).xyz - 1.0;
@@ -93,9 +96,9 @@ vec3 mappedNormal(vec3 n) {
 }
 #endif
 
-// The normal on the side that is seen, whichever way the file winds the face. That of a smoothed
-// face is turned by the face: near the outline it may look a little past the side by itself, and
-// there it is laid along the outline, for a surface that is seen does not face away.
+// The normal on the visible side, whatever the winding order. A smoothed normal is flipped together
+// with its face. Near an outline it may still point away from the viewer; then it is projected onto
+// the outline, because a visible surface does not face away.
 vec3 seenNormal(vec3 face, vec3 along) {
     if (dot(face, along) > 0.0) face = -face;
     vec3 n = normalize(normal_in_world);
@@ -110,7 +113,7 @@ vec3 seenNormal(vec3 face, vec3 along) {
 void main() {
     float z = depthHere();
     float marked = markedDepth(z);
-    // Before anything is left away: neighbours that end early have no place to compare with.
+    // Derivatives come before any discard: discarded neighbours have none.
     vec3 face = cross(dFdx(offset_in_world), dFdy(offset_in_world));
 #ifdef MAPS
     findFrame();
@@ -138,12 +141,12 @@ void main() {
 #endif
     float shine = 8.0 * surface_traits.z * share;
     float special = shine > kLeastShine ? 0.5 + min(shine, 8.0) / 16.0 : 0.49 * metallic;
-    // What shone as the day does is dark without it.
+    // Surfaces that emit daylight turn dark without it.
     if (outside && surface_traits.z > 0.0) color *= outside_dark;
     float roughness = surface_traits.x;
 #ifdef MAPS
     if (has_map.y != 0) roughness *= texture(roughness_map, texture_uv).g;
-    // The occlusion is that of the surface itself, see occlusion.frag.
+    // Ambient occlusion uses the unmapped normal, see occlusion.frag.
     if (has_map.x != 0) roughness = -max(roughness, 0.001);
     if (has_map.w != 0) {
         if (outside) share *= outside_dark * outside_dark;

@@ -1,20 +1,21 @@
 #version 450 core
-// One vertex of the scene. Clip space comes straight from the pinhole camera (x right, y down,
-// z forward), so row 0 of the picture is its top; depth is near / z, which loses no precision far
-// away and needs no far plane. Parallel rays need one: there depth falls evenly from 1 to 0.
+// One vertex of the scene. Clip space follows the pinhole camera (x right, y down, z forward), so
+// that row 0 of the image is its top. Depth is near / z, which keeps its precision at a distance
+// and needs no far plane. Orthographic views have one: their depth falls linearly from 1 to 0.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
-layout(location = 3) in vec4 base_color;  // square root of linear
-layout(location = 4) in vec4 traits;      // roughness, metallic, emission (1 = 8); structure: above
-                                        // 1/2, what shows the outside: a quarter off
+layout(location = 3) in vec4 base_color;  // square root of linear colour
+layout(location = 4) in vec4 traits;      // roughness, metallic, emission / 8, kind: above 1/2 is
+                                          // structure, 1/4 or 3/4 shows the outside
 layout(location = 5) in uint object_id;
 
 layout(location = 0) uniform mat3 camera_from_world;
 layout(location = 1) uniform vec3 camera_position;
 layout(location = 2) uniform vec4 lens;  // 2 fx / w, 2 fy / h, 2 cx / w - 1, 2 cy / h - 1
-layout(location = 3) uniform vec2 depth_span;  // near plane, m; depth of an orthographic view or 0
+layout(location = 3) uniform vec2 depth_span;  // near plane, m; depth range of an orthographic
+                                               // view, m, else 0
 
 out vec3 offset_in_world;
 out vec3 normal_in_world;

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::uint32_t kLevels = 1U << 20U;  // exact in a 32-bit float
 
-constexpr std::int64_t kLarge = 4;  // times the image: what may cover more is not counted whole
-constexpr int kStep = 4;            // rows and columns
+constexpr std::int64_t kLarge = 4;  // times the image area: larger objects are subsampled
+constexpr int kStep = 4;            // rows and columns per subsample
 
 int stepsUp(int pixels) {
     return (pixels + kStep - 1) / kStep;
 }
 
-/// Grown to whole steps from the image's corner.
+/// Grows the rectangle to a multiple of kStep from the image's corner.
 PixelRect inSteps(const PixelRect& rect) {
     const auto down = [](int value) {
         return kStep * static_cast<int>(std::floor(static_cast<double>(value) / kStep));
@@ -81,8 +81,8 @@ Status SilhouetteCounter::start(const GpuScene& scene, const View& view,
     glBindVertexArray(scene.positions_layout.get());
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
-    // Each object is drawn flat at a depth of its own, nearer than all before: a pixel passes the
-    // test the first time the object covers it and never again. That saves clearing the canvas.
+    // Each object is drawn at a constant depth nearer than all before: a pixel passes the depth
+    // test when the object first covers it and never again. This saves clearing the buffer.
     glDepthFunc(GL_GREATER);
     for (std::size_t i = 0; i < object_ids.size(); ++i) {
         const auto object = static_cast<std::size_t>(object_ids[i]) - 1;

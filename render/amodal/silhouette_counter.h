@@ -12,42 +12,44 @@
 
 namespace dollytrack::render {
 
-/// Counts the pixels that objects would cover if each stood alone before an unbounded image. Of an
-/// object that may cover many times the image, one pixel in sixteen is counted outside of it.
+/// Counts the pixels that each object would cover if it stood alone in front of a much larger
+/// image. For objects that may cover more than four times the image, only one pixel in sixteen is
+/// counted outside the image.
 class SilhouetteCounter {
   public:
     SilhouetteCounter() = default;
     [[nodiscard]] static Result<SilhouetteCounter> create();
 
-    /// See SceneRenderer::startSilhouettes.
+    /// See SceneRenderer::startSilhouettes().
     [[nodiscard]] Status start(const GpuScene& scene, const View& view,
                                std::span<const int> object_ids, int beyond);
     [[nodiscard]] std::vector<std::uint64_t> finish();
 
   private:
-    /// A depth image that remembers which pixels the current object has already covered.
+    /// A depth buffer that remembers which pixels the current object has already covered.
     struct Canvas {
         int width = 0;
         int height = 0;
         gl::Texture depth;
         gl::Framebuffer frame;
-        std::uint32_t used = 0;  // levels of depth used since it was cleared
+        std::uint32_t used = 0;  // depth levels used since the last clear
 
         void resize(int new_width, int new_height);
         void begin();
-        /// A depth nearer than all before.
+        /// Returns a depth nearer than all earlier ones; clears the buffer when the levels run out.
         double nextLevel();
     };
 
-    /// Queries that make up the count of an object; -1: none.
+    /// Occlusion queries that make up an object's count; -1: none.
     struct Asked {
         int pixels = -1;
         int sixteenths = -1;
-        int sixteenths_inside = -1;  // where `pixels` has the image
+        int sixteenths_inside = -1;  // the part of `sixteenths` that `pixels` counts already
     };
 
     Asked ask(const View& view, const Piece& piece, const PixelRect& rect, const PixelRect& limits);
-    /// @return the query of what the part of the view, or a rectangle in it, shows of the piece
+    /// Draws a piece in a part of the view, or in a rectangle of it. @return index of the query
+    /// that counts its pixels
     int count(const View& part, const Piece& piece, Canvas& canvas,
               const PixelRect* rect = nullptr);
     [[nodiscard]] std::uint64_t resultOf(int query) const;
@@ -57,7 +59,7 @@ class SilhouetteCounter {
     Canvas large_;
     std::vector<gl::Query> queries_;  // reused
     int next_query_ = 0;
-    std::vector<Asked> asked_;  // of each id
+    std::vector<Asked> asked_;  // in the order of the ids
 };
 
 }  // namespace dollytrack::render

@@ -13,18 +13,17 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr int kSide = 4096;  // of the sheet, px; every driver of OpenGL 4.5 has more
+constexpr int kSide = 4096;  // of the texture, px; every OpenGL 4.5 driver supports more
 
-/// Where a mask lies on the sheet.
+/// Position of a mask on the texture.
 struct Placed {
     int object_id = 0;
     PixelRect rect;  // in the image
-    int x = 0;       // on the sheet
+    int x = 0;       // on the texture
     int y = 0;
 };
 
-/// Rows of rectangles, as they come; those beyond the first that does not fit are left for the next
-/// sheet.
+/// Shelf packing in the given order; returns the first mask that no longer fits.
 std::size_t arrange(std::vector<Placed>& masks, std::size_t first, int side, int& height) {
     int x = 0;
     int y = 0;
@@ -92,7 +91,7 @@ Result<std::vector<WholeMask>> WholeMaskDrawer::draw(const GpuScene& scene, cons
         for (std::size_t i = first; i < end; ++i) {
             const Placed& mask = placed[i];
             glViewport(mask.x, mask.y, mask.rect.width(), mask.rect.height());
-            // Lines and points have no place here, but a viewport does not cut them.
+            // A viewport clips triangles but not lines and points; the scissor does.
             glScissor(mask.x, mask.y, mask.rect.width(), mask.rect.height());
             setCamera(program_.get(), cutOut(view, mask.rect));
             const Piece& piece = scene.whole_objects[static_cast<std::size_t>(mask.object_id) - 1];

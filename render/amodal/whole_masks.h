@@ -11,14 +11,14 @@
 
 namespace dollytrack::render {
 
-/// What an object would cover of the image if nothing stood before it.
+/// Amodal mask: the pixels that an object would cover if nothing stood in front of it.
 struct WholeMask {
     int object_id = 0;
-    int x0 = 0;  // px, of the rectangle that the mask lies in
+    int x0 = 0;  // px, rectangle of the image that contains the mask
     int y0 = 0;
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> inside;  // by pixel of the rectangle, rows from the top: 0 or 255
+    std::vector<std::uint8_t> inside;  // by pixel of the rectangle, row 0 at the top: 0 or 255
 
     [[nodiscard]] bool covers(int x, int y) const {
         return x >= x0 && y >= y0 && x < x0 + width && y < y0 + height &&
@@ -27,12 +27,14 @@ struct WholeMask {
     }
 };
 
-/// Draws objects one by one, side by side on one large image. Pixels are those of the picture.
+/// Draws amodal masks, many side by side on one large texture. The pixel grid is that of the
+/// picture.
 class WholeMaskDrawer {
   public:
     [[nodiscard]] static Result<WholeMaskDrawer> create();
 
-    /// The masks of those that reach into the image, in the order of the ids.
+    /// The masks of the objects whose bounding boxes reach into the image, in the order of the ids.
+    /// Returns Failed on OpenGL errors, such as exhausted graphics memory.
     [[nodiscard]] Result<std::vector<WholeMask>> draw(const GpuScene& scene, const View& view,
                                                       std::span<const int> object_ids);
 
@@ -40,7 +42,7 @@ class WholeMaskDrawer {
     gl::Program program_;
     gl::Texture sheet_;
     gl::Framebuffer frame_;
-    int side_ = 0;  // of the sheet, px
+    int side_ = 0;  // of the texture, px
 };
 
 }  // namespace dollytrack::render

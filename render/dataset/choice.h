@@ -11,7 +11,7 @@
 
 namespace dollytrack::render {
 
-/// For a guess at what was meant by " RGB".
+/// Lower case without spaces, to suggest a name for input such as " RGB".
 inline std::string lowerTrimmed(std::string_view text) {
     std::string plain;
     for (const char c : text) {
@@ -24,8 +24,8 @@ inline std::string lowerTrimmed(std::string_view text) {
     return plain;
 }
 
-/// "'normal_camera' or 'normal_world'" for "normals": names that begin so, or the closest one;
-/// empty where none is close.
+/// Names to suggest for a wrong one: those that start with it without a plural s, else the closest.
+/// For "normals": "'normal_camera' or 'normal_world'". Empty if none is close.
 inline std::string meantNames(std::string_view wrong, const std::vector<std::string>& known) {
     std::string_view stem = wrong;
     if (stem.size() > 3 && stem.ends_with('s')) stem.remove_suffix(1);
@@ -40,9 +40,9 @@ inline std::string meantNames(std::string_view wrong, const std::vector<std::str
     return close.empty() ? close : "'" + close + "'";
 }
 
-/// The rows of a table that `names` name, in the table's order; all of them where one is "all",
-/// the standard ones when it is empty. A row has a `name` and a `standard`. Error: Usage, with the
-/// closest name, at `where`.
+/// Selects the rows of a table by name, in the table's order: all of them for "all", the standard
+/// ones if `names` is empty. A row must have `name` and `standard`. Returns Usage at `where`,
+/// suggesting the closest name, for an unknown one.
 template <class Row>
 Result<std::vector<const Row*>> chooseRows(std::span<const Row> table,
                                            const std::vector<std::string>& names,

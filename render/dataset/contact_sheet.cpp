@@ -24,7 +24,7 @@ void writeText(cv::Mat& page, const std::string& text, int x, int y, double size
                 cv::LINE_AA);
 }
 
-/// Disparity is bright where it is large, near; black is nothing.
+/// Near (large disparity) is bright; black is no surface.
 cv::Mat disparityPicture(const cv::Mat& disparity) {
     double largest = 1.0;
     cv::minMaxLoc(disparity, nullptr, &largest);
@@ -36,7 +36,7 @@ cv::Mat disparityPicture(const cv::Mat& disparity) {
     return bgr;
 }
 
-/// Bright is near; black is nothing.
+/// Near is bright; black is no surface.
 cv::Mat depthPicture(const cv::Mat& millimetres) {
     double farthest = 1.0;
     cv::minMaxLoc(millimetres, nullptr, &farthest);
@@ -48,7 +48,7 @@ cv::Mat depthPicture(const cv::Mat& millimetres) {
     return bgr;
 }
 
-/// Neighbouring ids get colours far apart: hues a golden angle from each other.
+/// Hues of consecutive ids differ by the golden angle.
 cv::Vec3b idColor(int id) {
     if (id == 0) return {0, 0, 0};
     const int hue = static_cast<int>(static_cast<unsigned>(id) * 137U % 360U);
@@ -80,11 +80,11 @@ cv::Mat labelPicture(const cv::Mat& labels, const Color& color) {
     return bgr;
 }
 
-/// 8-bit BGR of an image that was read unchanged.
+/// Converts an image that was read unchanged to 8-bit BGR.
 cv::Mat pictureOf(const cv::Mat& image, std::string_view modality, const ClassTable& classes) {
     const auto of_class = [&](int id) { return classColor(classes, id); };
     if (image.type() == CV_8UC3) return image;
-    if (image.type() == CV_16UC3) {  // normals, places in an object
+    if (image.type() == CV_16UC3) {  // normals, object coordinates
         cv::Mat bgr;
         image.convertTo(bgr, CV_8U, 1.0 / 257.0);
         return bgr;
@@ -98,7 +98,7 @@ cv::Mat pictureOf(const cv::Mat& image, std::string_view modality, const ClassTa
     return labelPicture<std::uint8_t>(image, of_class);
 }
 
-/// Empty when the file is gone or damaged. Labels are not blended into other labels.
+/// Empty if the file is missing or damaged. Labels are resampled without blending.
 cv::Mat thumbnail(const io::GuardedFolder& folder, const std::string& file,
                   std::string_view modality, const ClassTable& classes) {
     try {
@@ -126,7 +126,7 @@ std::vector<int> chooseSheetFrames(const std::vector<bool>& is_key) {
     const std::size_t count = std::min<std::size_t>(frames.size(), kMaxPictures);
     std::vector<int> chosen;
     for (std::size_t i = 0; i < count; ++i) {
-        // The first and the last are among them.
+        // Includes the first and the last.
         chosen.push_back(frames[count == 1 ? 0 : i * (frames.size() - 1) / (count - 1)]);
     }
     return chosen;

@@ -11,19 +11,18 @@
 
 namespace dollytrack::render {
 
-/// A picture on a contact sheet: an image file in a dataset's folder, and a line of text below it.
+/// A picture of a contact sheet: an image file in the dataset folder and its caption.
 struct SheetPicture {
     std::string file;
     std::string caption;
 };
 
-/// The frames to show: evenly chosen among the key frames, which show what the trajectory is for;
-/// among all frames where few are key frames. `is_key` has an entry for each.
+/// At most 24 evenly spaced frames: among the key frames if there are at least 12, else among all.
+/// `is_key` has one entry per frame.
 [[nodiscard]] std::vector<int> chooseSheetFrames(const std::vector<bool>& is_key);
 
-/// A page of small pictures of one modality, the first look at what was rendered, as a JPEG file's
-/// bytes. Depth becomes grey (near is bright), ids and classes become colours. Error: BadInput for
-/// a file that is gone or damaged.
+/// Encodes a JPEG page of thumbnails of one modality. Depth becomes grey (near is bright), ids and
+/// classes become colours. Returns BadInput if a file is missing or damaged.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeContactSheet(
     const io::GuardedFolder& folder, const std::vector<SheetPicture>& pictures,
     const Modality& modality, const ClassTable& classes, const std::string& title);

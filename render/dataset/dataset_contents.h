@@ -25,45 +25,46 @@
 
 namespace dollytrack::render {
 
-/// One frame of a dataset whose images are written.
+/// One exported frame: pose and results, without images.
 struct DatasetFrame {
     TrajectoryFrame camera;
-    int source_frame = 0;           // its index in the trajectory
-    std::string room;               // "room 1"
-    double clearance_m = 0.0;       // from the camera's centre to the nearest surface, exact
-    std::vector<int> well_shown;    // ids of the targets it shows well
-    std::vector<ObjectMask> masks;  // of all objects; empty when no format needs them
-    std::vector<InstanceInFrame> instances;  // of the things seen; empty when nothing needs them
-    std::optional<PictureQuality> quality;   // of the picture; none without a modality rgb
+    int source_frame = 0;           // frame number in the trajectory
+    std::string room;               // for example "room 1"
+    double clearance_m = 0.0;       // exact distance from the camera centre to the nearest surface
+    std::vector<int> well_shown;    // ids of the targets that it shows well
+    std::vector<ObjectMask> masks;  // visible masks of all objects; empty unless a format needs
+                                    // them
+    std::vector<InstanceInFrame> instances;  // of visible objects; empty unless needed
+    std::optional<PictureQuality> quality;   // of the colour picture; none without modality rgb
 };
 
-/// Everything a format writes from: the dataset but for the images themselves.
+/// Everything that formats write from, except the images themselves.
 struct DatasetContents {
     const Scene& scene;
     CameraParams camera;
-    ModalitySet modalities;            // whose images are in the dataset
+    ModalitySet modalities;            // modalities in the dataset
     std::vector<DatasetFrame> frames;  // by index
-    CameraMotion camera_motion = {};   // through the whole trajectory, of which frames are a part
-    double frame_interval_s = 0.1;     // of that trajectory
+    CameraMotion camera_motion = {};   // continuous motion along the whole trajectory
+    double frame_interval_s = 0.1;     // of the whole trajectory
     double imu_rate_hz = 200.0;
     ScoreWeights score = {};
-    std::vector<int> flow_distances = {1};  // in frames, each at least 1
+    std::vector<int> flow_distances = {1};  // in frames of the dataset, each at least 1
     double stereo_baseline_m = 0.1;
-    std::vector<ObjectMotion> motions = {};  // of the objects that move
+    std::vector<ObjectMotion> motions = {};  // of moving objects, by frame of the dataset
     FoldSettings folds = {};
     SensorParams sensor = {};
     LightParams light = {};
-    Rig rig = {};                       // further cameras, that ride on the planned one
-    std::filesystem::path folder = {};  // where the images are, for what is made from them
+    Rig rig = {};                       // additional cameras, fixed to the planned one
+    std::filesystem::path folder = {};  // folder of the images, for files made from them
 
-    /// A frame's index in the trajectory: what numbers its random numbers, so that a part of the
-    /// frames has the bytes that all would have.
+    /// A frame's number in the trajectory. It seeds random numbers, so that exporting a part of the
+    /// frames gives the same bytes.
     [[nodiscard]] int sourceFrame(int index) const {
         return frames[static_cast<std::size_t>(index)].source_frame;
     }
 
-    /// What other files show or refer to: the colour pictures, else the sensor's, else the first
-    /// there are, else the first of what is no picture.
+    /// The modality that other files show or refer to: rgb, else rgb_sensor, else the first that is
+    /// a picture, else the first of all.
     [[nodiscard]] const Modality& pictureModality() const {
         for (const std::string_view first : {std::string_view("rgb"), kRgbSensor}) {
             for (const Modality* modality : modalities) {

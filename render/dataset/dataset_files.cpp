@@ -28,7 +28,7 @@ Result<std::vector<std::uint8_t>> contactSheet(const io::GuardedFolder& folder,
     std::vector<SheetPicture> pictures;
     for (const int index : chooseSheetFrames(is_key)) {
         const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
-        // Not printf(), which writes another point in another locale.
+        // printf() would use the locale's decimal separator.
         pictures.push_back(
             {contents.pictureFile(index),
              fmt::format("{}   {:.1f} s   {:.24}", index, frame.camera.time_s, frame.room)});
@@ -75,7 +75,7 @@ Status writeDatasetFiles(const io::GuardedFolder& folder, const DatasetContents&
     const nlohmann::ordered_json json = datasetCardJson(contents, card);
     const std::string text =
         json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-    // Everything it vouches for is on the disk before it appears.
+    // All files that dataset.json lists must be on disk before it appears.
     if (Status status = folder.syncAll(); !status) return status;
     return folder.write("dataset.json", text);
 }

@@ -9,8 +9,9 @@
 
 namespace dollytrack::render {
 
-/// Writes what a dataset holds beside its images: the formats' files, the contact sheet under this
-/// title, and dataset.json when all the others are on the disk. `card` has the images' hashes.
+/// Writes the dataset's files besides its images: the formats' files, the contact sheet with this
+/// title and, after all others are synced to disk, dataset.json. `card` must contain the images'
+/// hashes.
 [[nodiscard]] Status writeDatasetFiles(const io::GuardedFolder& folder,
                                        const DatasetContents& contents, DatasetCard card,
                                        const std::string& title);

@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Within the dataset's folder, so that both lie on one disk and nothing around it is written to.
+// Inside the dataset's folder, so that both are on one disk and nothing outside is written.
 constexpr const char* kNewFolder = ".dollytrack-new";
-// What the dataset.json of the old dataset is called, in the folder of the new one, while that one
-// takes its place. Where it is, the new dataset counts.
+// Name of the old dataset.json in the new dataset's folder while the new one takes its place. If
+// this file exists, the new dataset is the valid one.
 constexpr const char* kReplacedCard = "replaced.json";
 constexpr int kMostLevels = 8;
 
-/// Whether a descriptor still is what its path names: the export before may just have ended and
+/// Whether a descriptor still refers to the file at `path`; another export may just have ended and
 /// removed its journal.
 bool isAt(int descriptor, const fs::path& path) {
     struct stat held {};
@@ -36,7 +36,7 @@ bool isAt(int descriptor, const fs::path& path) {
            held.st_ino == named.st_ino && held.st_dev == named.st_dev;
 }
 
-/// The folder and those around it that do not exist yet, innermost first.
+/// The folder and its missing parents, innermost first.
 std::vector<fs::path> missingFolders(const fs::path& folder) {
     std::vector<fs::path> missing;
     std::error_code error;
@@ -47,12 +47,12 @@ std::vector<fs::path> missingFolders(const fs::path& folder) {
     return missing;
 }
 
-/// Whether another export holds the lock, and keeps it. One that was just killed may hold it until
-/// the system has taken its memory back.
+/// Whether another export keeps the lock for two seconds. An export that was just killed may hold
+/// it until the system has freed its memory.
 bool isTaken(int lock) {
     constexpr int kTries = 40;
     for (int i = 0; i < kTries; ++i) {
-        // Some file systems know no locks: there, two exports are the user's to keep apart.
+        // Some file systems have no locks; there the user must keep exports apart.
         if (::flock(lock, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
@@ -64,7 +64,7 @@ std::string folderOf(const std::string& file) {
     return slash == std::string::npos ? std::string() : file.substr(0, slash);
 }
 
-/// Relative paths of all that lies in a folder which is ours alone.
+/// Relative paths of everything in a folder that only this program writes to.
 Status listAll(const io::GuardedFolder& folder, const std::string& within, int levels,
                std::vector<std::string>& files, std::vector<std::string>& folders) {
     const Result<std::vector<std::string>> names = folder.list(within);
@@ -94,7 +94,7 @@ DatasetFolder::~DatasetFolder() {
             unfinished().removeEmpty(folder);
         }
         if (made_staged_) folder_.removeEmpty(kNewFolder);
-        // Before the lock goes: another export may mark it as its own at once.
+        // Before the lock is released: another export may create its own mark at once.
         (void)folder_.remove(kJournalFile);
     }
     for (const fs::path& folder : made_around_) ::rmdir(folder.c_str());
@@ -109,13 +109,13 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
                                            const fs::path& root) {
     std::vector<fs::path> made_around = missingFolders(folder);
     Result<io::GuardedFolder> opened = io::GuardedFolder::makeBelow(folder, root);
-    // Another export that is refused may just remove a folder around both.
+    // Another refused export may be removing a parent folder right now.
     for (int i = 0; !opened && i < 3; ++i) opened = io::GuardedFolder::makeBelow(folder, root);
     if (!opened) return tl::unexpected(opened.error());
     DatasetFolder claimed(std::move(*opened));
     claimed.made_around_ = std::move(made_around);
     const io::GuardedFolder& own = claimed.folder_;
-    // An empty journal is what an export left that was killed before it began.
+    // An empty journal was left by an export that was killed before it began.
     const auto journal = own.find(kJournalFile);
     const bool was_marked = journal && journal->st_size > 0;
     const Result<bool> complete = hasOurCard(own);
@@ -157,7 +157,7 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
             return tl::unexpected(status.error());
         }
     }
-    // Another export may have ended before the lock was had.
+    // Another export may have finished before this one got the lock.
     const Result<bool> complete_now = hasOurCard(own);
     if (!complete_now) return tl::unexpected(complete_now.error());
     claimed.complete_ = *complete_now;
@@ -204,11 +204,11 @@ Result<std::vector<std::string>> DatasetFolder::leftFiles(const std::set<std::st
 Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const {
     const std::optional<std::uint64_t> now = folder_.freeBytes();
     const Result<std::vector<std::string>> left = leftFiles(keep);
-    if (!now || !left) return {};  // begin() says what is in the way
+    if (!now || !left) return {};  // begin() will report the problem
     std::uint64_t free = *now;
     for (const std::string& file : std::set<std::string>(left->begin(), left->end())) {
         const auto held = unfinished().find(file);
-        // What it takes on the disk, and only when no other name keeps it there.
+        // Only files without further hard links free their disk space.
         if (held && held->st_nlink == 1) free += static_cast<std::uint64_t>(held->st_blocks) * 512U;
     }
     if (bytes <= free) return {};
@@ -221,7 +221,7 @@ Status DatasetFolder::checkSpace(std::uint64_t bytes, const std::set<std::string
 }
 
 Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::string>& keep) {
-    // Said now, not when all is drawn: where the new dataset has its place nothing must stand.
+    // Checked before drawing: nothing may be in the way of the new dataset's files.
     std::set<std::string> wanted = names.folders;
     for (const std::string& file : names.files) wanted.insert(folderOf(file));
     wanted.erase("");
@@ -252,7 +252,7 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
     if (!staged_ && !isComplete()) emptied.merge(readJournal(folder_).names.folders);
     emptied.erase("");
     for (const std::string& folder : emptied) unfinished().removeEmpty(folder);
-    if (staged_ && !isComplete() && keep.empty()) {  // the old one was taken away
+    if (staged_ && !isComplete() && keep.empty()) {  // the old dataset was deleted
         staged_.reset();
         folder_.removeEmpty(kNewFolder);
     } else if (!staged_ && isComplete()) {
@@ -262,7 +262,7 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
         made_staged_ = true;
     }
     for (const std::string& folder : names.folders) {
-        if (folder == kFoldFolder) continue;  // made with the first list, where there are any
+        if (folder == kFoldFolder) continue;  // created with the first list, if any
         for (std::size_t end = 0; end != std::string::npos;) {
             end = folder.find('/', end + 1);
             const std::string around = folder.substr(0, end);
@@ -293,7 +293,7 @@ Status DatasetFolder::moveIntoPlace() {
         }
         emptied.erase("");
         for (const std::string& folder : emptied) folder_.removeEmpty(folder);
-        for (const std::string& file : *files) {  // those that are not there have moved already
+        for (const std::string& file : *files) {  // missing ones were moved already
             const Result<bool> moved = staged_->move(file, folder_, file);
             if (!moved) return tl::unexpected(moved.error());
         }
@@ -315,7 +315,7 @@ Status DatasetFolder::removeStaged() {
     for (const std::string& file : files) {
         if (Status status = staged_->remove(file); !status) return status;
     }
-    std::ranges::reverse(folders);  // the innermost first
+    std::ranges::reverse(folders);  // innermost first
     for (const std::string& folder : folders) staged_->removeEmpty(folder);
     staged_.reset();
     folder_.removeEmpty(kNewFolder);
@@ -324,8 +324,7 @@ Status DatasetFolder::removeStaged() {
 
 Status DatasetFolder::finish() {
     if (staged_) {
-        // With this rename the old dataset is none any more, and the new one is the one that
-        // counts.
+        // This rename makes the new dataset the valid one.
         const Result<bool> moved = folder_.move(kCardFile, *staged_, kReplacedCard);
         if (!moved) return tl::unexpected(moved.error());
         Status status;

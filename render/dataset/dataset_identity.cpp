@@ -48,7 +48,7 @@ std::string toText(const ScoreWeights& score) {
                        score.squared);
 }
 
-/// Rises when the same scene is lit otherwise: frames of both do not belong into one dataset.
+/// Increase it when lighting changes: frames lit differently must not be mixed in one dataset.
 constexpr int kLight = 5;
 
 std::string pictureText(const PictureParams& picture) {

@@ -5,7 +5,7 @@
 
 namespace dollytrack::render {
 
-/// All that decides over a dataset's bytes.
+/// Everything that determines a dataset's bytes.
 [[nodiscard]] DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
                                          const DatasetOrigin& origin);
 

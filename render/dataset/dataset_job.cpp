@@ -18,16 +18,16 @@ namespace dollytrack::render {
 struct DatasetJob::Impl : FrameDrawing {
     using FrameDrawing::FrameDrawing;
     std::optional<DatasetFolder> folder;
-    std::optional<Counted> already_counted;  // the folder holds the complete dataset
+    std::optional<Counted> already_counted;  // the folder contains the complete dataset
     std::optional<FrameLedger> ledger;
     std::optional<FrameWriter> writer;  // its threads report to the ledger
 
     [[nodiscard]] int frameCount() const { return static_cast<int>(order.contents.frames.size()); }
 
-    /// An earlier dataset in the folder goes here, when nothing is left that could fail early.
+    /// Prepares the folder. Comes last, because it replaces an earlier dataset's unfinished files.
     Status beginFolder(const DatasetIdentity& identity, JournalContents earlier);
 
-    /// Ends what is on its way, also after an error: it is in the journal then.
+    /// Completes the frames in progress, also after an error, so that the journal has them.
     Status drain() {
         Status status = context->makeCurrent();
         if (status) status = pipeline->countLast(&*ledger);
@@ -79,7 +79,7 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
         return fail(ErrorCode::Failed, "finish() came before the last frame");
     }
     if (Status status = drain(); !status) return tl::unexpected(status.error());
-    if (!folder->isThere()) {  // what is written now would make it again, without pictures
+    if (!folder->isThere()) {  // writing now would create it anew without the images
         return fail(ErrorCode::CannotWrite, "the dataset cannot be finished",
                     settings.folder.string());
     }
@@ -169,7 +169,7 @@ int DatasetJob::framesDone() const {
 
 Result<bool> DatasetJob::step() {
     if (framesDone() == frameCount()) return false;
-    if (!folderIsThere()) {  // what is written now would be lost, or go where the folder went
+    if (!folderIsThere()) {  // writing now would go to a deleted or moved folder
         return fail(ErrorCode::CannotWrite, "the dataset cannot be written on",
                     impl_->settings.folder.string());
     }
@@ -189,7 +189,7 @@ Result<DatasetSummary> DatasetJob::finish() {
 
 int DatasetJob::keep() {
     if (!impl_->ledger) return frameCount();
-    // What fails here failed before, or costs a frame that is rendered again.
+    // A failure here only means that a frame is rendered again.
     const Status drained = impl_->drain();
     const Status synced = impl_->ledger->sync();
     if (!drained) log::debug("export", describe(drained.error()));

@@ -28,67 +28,70 @@
 
 namespace dollytrack::render {
 
-/// Where a dataset goes and how much of the trajectory it holds.
+/// Settings of an export.
 struct DatasetSettings {
     std::filesystem::path folder;
-    std::filesystem::path root;  // a folder around it, below which no link is followed; empty: none
+    std::filesystem::path root;  // a parent folder; symbolic links below it are not followed;
+                                 // empty: none
     FrameRange range;
-    std::vector<std::string> modalities;  // names of modalities.h; empty: the standard ones
-    std::vector<std::string> formats;     // names of formats/formats.h; likewise
-    bool overwrite = false;  // replaces a complete dataset when the new one is; allows other files
-    bool resume = false;     // continues what an export left in the folder
+    std::vector<std::string> modalities;  // names, see modalities.h; empty: the standard ones
+    std::vector<std::string> formats;     // names, see formats/formats.h; empty: the standard ones
+    bool overwrite = false;  // replaces a complete dataset once the new one is complete; allows
+                             // foreign files
+    bool resume = false;     // continues an unfinished export in the folder
     CaptureRules rules;
-    double imu_rate_hz = 200.0;             // samples a second in imu.csv
+    double imu_rate_hz = 200.0;             // samples per second in imu.csv
     std::vector<int> flow_distances = {1};  // in frames of the dataset
     double stereo_baseline_m = 0.1;
     PictureParams picture;
-    LightParams light;    // of colour pictures
+    LightParams light;    // of the colour pictures
     SensorParams sensor;  // of rgb_sensor and depth_sensor
-    ScoreWeights score;   // of the scores in frames.csv
+    ScoreWeights score;   // for the scores in frames.csv
     FoldSettings folds;   // for cross-validation
-    Rig rig;              // further cameras; with any, the modality `cameras` is written
+    Rig rig;              // additional cameras; if any, the modality `cameras` is written
 };
 
-/// Whether all names are known, and what they need is there. Errors: Usage.
+/// Checks that all modality and format names are known and their requirements are met. Returns
+/// Usage if not.
 [[nodiscard]] Status checkChoices(const DatasetSettings& settings);
 
-/// Whether an export with these settings could begin, as far as can be said without the scene:
-/// names, and whether the folder can be written. Errors as DatasetJob::begin().
+/// Checks what can be checked without the scene: names, and whether the folder can be written.
+/// Errors as in DatasetJob::begin().
 [[nodiscard]] Status checkSettings(const DatasetSettings& settings);
 
-/// What dataset.json says of how the trajectory came to be, and what lights its rooms.
+/// Origin of the trajectory as recorded in dataset.json, and the rooms to light.
 struct DatasetOrigin {
     std::string product_version;
     std::uint64_t seed = 0;
     std::string parameters_json = "{}";         // of planning, by section and name
-    std::string edits_json = "{}";              // made by hand, as projects keep them
+    std::string edits_json = "{}";              // manual edits, as in project files
     std::string planned_metrics_json = "null";  // as `plan --json` prints them
-    std::vector<Eigen::AlignedBox3d> rooms;     // by free-space component; may be empty
-    /// Of the objects that move, by frame of the trajectory.
+    std::vector<Eigen::AlignedBox3d> rooms;     // free-space components; may be empty
+    /// Of the moving objects, by frame of the trajectory.
     std::vector<ObjectMotion> motions;
     std::vector<ObjectRelation> relations;
 };
 
 struct DatasetSummary {
     int frames = 0;
-    CaptureMetrics counted;  // from the pixels
+    CaptureMetrics counted;  // measured from the pixels
     PictureTally pictures;
-    std::vector<ObjectCapture> captures;  // empty when nothing was left to do
-    std::filesystem::path contact_sheet;  // empty where no modality is a picture
+    std::vector<ObjectCapture> captures;  // empty if the dataset was complete already
+    std::filesystem::path contact_sheet;  // empty if no modality is a picture
 };
 
-/// Renders a trajectory into a labelled dataset: begin, step() until it returns false, finish().
-/// Each step draws one frame, so a window can run it between its own frames. Without finish(), or
-/// after an error, what is in the folder are whole images, the journal of those that are finished,
-/// and no dataset.json but that of an earlier dataset, which is still whole; a later job with
-/// `resume` continues there and ends with the same bytes.
+/// Renders a trajectory into a labelled dataset: call begin(), then step() until it returns false,
+/// then finish(). Each step draws one frame, so a window can run it between its own frames. Without
+/// finish() or after an error the folder contains whole images, the journal of finished frames and
+/// no dataset.json, except that of an earlier dataset, which stays valid. A later job with `resume`
+/// continues there and ends with the same bytes.
 class DatasetJob {
   public:
-    /// Checks and locks the folder, finds what an earlier export left, computes the light and loads
-    /// the scene. Scene, trajectory and rays must outlive the job. The job owns the context, which
-    /// must be current. Errors: Usage (names, range; `resume` where the folder holds frames of
-    /// something else; a complete dataset without `resume` and `overwrite`), BadInput (`resume`
-    /// where a complete dataset was damaged), CannotWrite, Cancelled.
+    /// Checks and locks the folder, finds the results of an earlier export, bakes the light and
+    /// uploads the scene. Scene, trajectory and rays must outlive the job. The job owns the
+    /// context, which must be current. Returns Usage (unknown names, empty range, `resume` in a
+    /// folder with frames of another dataset, a complete dataset without `resume` and `overwrite`),
+    /// BadInput (`resume` of a damaged complete dataset), CannotWrite or Cancelled.
     [[nodiscard]] static Result<DatasetJob> begin(std::unique_ptr<gl::Context> context,
                                                   const Scene& scene, const RayCaster& rays,
                                                   const Trajectory& trajectory,
@@ -100,20 +103,20 @@ class DatasetJob {
     DatasetJob& operator=(DatasetJob&&) noexcept;
 
     [[nodiscard]] int frameCount() const;
-    /// Those of an earlier export included.
+    /// Includes frames of an earlier export.
     [[nodiscard]] int framesDone() const;
 
-    /// Draws one frame; false when there was none left.
+    /// Draws one frame. Returns false if none was left.
     [[nodiscard]] Result<bool> step();
 
     /// Waits for the images and writes the other files, dataset.json last.
     [[nodiscard]] Result<DatasetSummary> finish();
 
-    /// In the place of finish(), to stop early: lets the frames on their way be finished and
-    /// entered in the journal. How many need not be rendered again.
+    /// Instead of finish(), to stop early: completes the frames in progress and enters them in the
+    /// journal. Returns the number of frames that need not be rendered again.
     int keep();
 
-    /// Whether nobody has taken the folder away since begin().
+    /// Whether the folder on disk is still the one that begin() locked.
     [[nodiscard]] bool folderIsThere() const;
 
   private:
@@ -122,8 +125,8 @@ class DatasetJob {
     std::unique_ptr<Impl> impl_;
 };
 
-/// begin, every step and finish in one call, with progress and cancelling. Errors that leave
-/// finished frames behind say how many.
+/// Runs begin(), all steps and finish(), with progress and cancellation. If finished frames remain
+/// after an error, the message says how many.
 [[nodiscard]] Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context,
                                                    const Scene& scene, const RayCaster& rays,
                                                    const Trajectory& trajectory,

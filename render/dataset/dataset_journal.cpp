@@ -27,7 +27,7 @@ std::string lineOf(const std::string& text) {
     return io::sha256Of(std::string_view(text)).substr(0, kChecksum) + " " + text + "\n";
 }
 
-/// The JSON of a line; null when its checksum is not right.
+/// The JSON of a line; null if its checksum is wrong.
 json readLine(std::string_view line) {
     if (line.size() <= kChecksum + 1) return {};
     const std::string_view text = line.substr(kChecksum + 1);
@@ -35,14 +35,14 @@ json readLine(std::string_view line) {
     return io::parseBoundedJson(text, "").value_or(json());
 }
 
-/// The whole lines of a file, a portion of it in memory at a time. A line that is longer than any
-/// journal's ends the list, as the file's end does: a last line without its end is torn.
+/// Reads a file line by line in portions. Reading stops at an overlong line and at a torn last
+/// line, which has no line end.
 class JournalLines {
   public:
     explicit JournalLines(const io::GuardedFolder& folder)
         : file_(folder.openInput(kJournalFile)) {}
 
-    /// The next line, valid until the next call; nothing at the end.
+    /// The next line, valid until the next call; none at the end.
     std::optional<std::string_view> next() {
         for (std::size_t searched = begin_;;) {
             const std::size_t end = text_.find('\n', searched);
@@ -66,9 +66,9 @@ class JournalLines {
     static constexpr std::size_t kLongestLine = std::size_t{256} << 20U;  // bytes
 
     Result<io::InputFile> file_;
-    std::uint64_t read_ = 0;  // bytes of the file so far
-    std::string text_;        // the portion in memory
-    std::size_t begin_ = 0;   // of the next line in it
+    std::uint64_t read_ = 0;  // bytes read so far
+    std::string text_;        // portion in memory
+    std::size_t begin_ = 0;   // start of the next line in `text_`
 };
 
 json toJson(const JournalEntry& entry) {
@@ -174,7 +174,7 @@ JournalContents readJournal(const io::GuardedFolder& folder) {
                 if (value.at("dollytrack_journal").get<int>() != kVersion) return contents;
                 contents.identity = value.at("identity").get<DatasetIdentity>();
                 contents.drawn_by = value.value("drawn_by", "");
-                // Journals of earlier versions have none.
+                // Journals of earlier versions lack it.
                 if (value.contains("writes")) {
                     contents.names = datasetNamesFrom(value.at("writes"));
                 }
@@ -184,7 +184,8 @@ JournalContents readJournal(const io::GuardedFolder& folder) {
                                                          kPictureQualities.size();
                 if (!known) continue;
                 const int index = entry.index;
-                contents.entries.insert_or_assign(index, std::move(entry));  // the later one holds
+                contents.entries.insert_or_assign(index, std::move(entry));  // the later entry is
+                                                                             // valid
             }
         } catch (const json::exception&) {
             continue;
@@ -241,9 +242,9 @@ Status DatasetJournal::append(const JournalEntry& entry) {
 Status DatasetJournal::appendLine(const std::string& json) {
     const std::string line = lineOf(json);
     if (const int error = writeAll(file_.get(), line)) {
-        // The piece of it that did fit must not spoil a later line.
+        // The part that was written must not spoil a later line.
         if (::ftruncate(file_.get(), static_cast<off_t>(length_)) != 0) {
-            (void)file_.close();  // nothing may follow the piece
+            (void)file_.close();  // nothing may be appended to the partial line
         }
         return tl::unexpected<Error>(io::writeError(error, path_));
     }

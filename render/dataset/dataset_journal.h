@@ -19,51 +19,51 @@
 
 namespace dollytrack::render {
 
-/// What a dataset is made from, in words and hashes: {"the scene", "5ab0..."}. Frames of two
-/// exports belong together when these are equal.
+/// The inputs of a dataset by name, as values or hashes: {"the scene", "5ab0..."}. Frames of two
+/// exports may be combined if their identities are equal.
 using DatasetIdentity = std::map<std::string, std::string>;
 
-/// The names of what two identities do not share, for a sentence; empty when they are equal.
+/// Comma-separated names of the inputs in which two identities differ; empty if they are equal.
 [[nodiscard]] std::string differences(const DatasetIdentity& a, const DatasetIdentity& b);
 
-/// A finished frame: its files, and what cannot be read from them again.
+/// A finished frame: its files, and results that cannot be read back from them.
 struct JournalEntry {
     int index = 0;
-    std::map<std::string, std::string> sha256s;  // by relative path
+    std::map<std::string, std::string> sha256s;  // by path relative to the dataset folder
     std::vector<ObjectMask> masks;
     std::vector<InstanceInFrame> instances;
-    std::vector<ObjectView> views;  // those that decide about captures
+    std::vector<ObjectView> views;  // views that affect captures
     std::vector<int> well_shown;
-    std::optional<PictureQuality> quality;  // of the picture; none without a modality rgb
+    std::optional<PictureQuality> quality;  // of the colour picture; none without modality rgb
 };
 
-/// The journal's file in a dataset's folder.
+/// File name of the journal in the dataset folder.
 inline constexpr const char* kJournalFile = ".dollytrack-export";
 
-/// What an earlier export left. Damaged and torn lines are as if never written.
+/// Content of an earlier export's journal. Damaged and torn lines are ignored.
 struct JournalContents {
-    std::optional<DatasetIdentity> identity;  // none: nothing that could be continued
-    std::string drawn_by;                     // the OpenGL driver
-    DatasetNames names;                       // of the files that it may have left
+    std::optional<DatasetIdentity> identity;  // none: nothing can be resumed
+    std::string drawn_by;                     // name of the OpenGL driver
+    DatasetNames names;                       // of the files that the export may have written
     std::map<int, JournalEntry> entries;      // by index
-    std::uint64_t whole_bytes = 0;            // up to where a torn last line begins
+    std::uint64_t whole_bytes = 0;            // length without a torn last line
 };
 [[nodiscard]] JournalContents readJournal(const io::GuardedFolder& folder);
 
-/// The list of finished frames that lets an export continue: a line a frame, each with a checksum.
-/// Lines are brought to the disk every few seconds.
+/// The list of finished frames, from which an export resumes: one line per frame, each with a
+/// checksum. Lines are synced to disk every two seconds.
 class DatasetJournal {
   public:
-    /// Writes over what is there.
+    /// Starts a new journal, overwriting an old one.
     [[nodiscard]] static Result<DatasetJournal> begin(const io::GuardedFolder& folder,
                                                       const DatasetIdentity& identity,
                                                       const std::string& drawn_by,
                                                       const DatasetNames& names);
-    /// Writes behind what readJournal() found.
+    /// Continues the journal that readJournal() read.
     [[nodiscard]] static Result<DatasetJournal> resume(const io::GuardedFolder& folder,
                                                        const JournalContents& contents);
 
-    /// A line that does not fit on the disk leaves nothing behind.
+    /// A line that cannot be written completely is removed again.
     [[nodiscard]] Status append(const JournalEntry& entry);
     [[nodiscard]] Status sync();
 

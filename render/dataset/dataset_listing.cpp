@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-/// 000000.png, 000000_000001.flo, pictures that EuRoC's layout names after their times in 19
-/// digits, and what a killed run left of them (000000.png.tmp.123).
+/// Matches 000000.png, 000000_000001.flo, EuRoC pictures named by 19-digit times, and temporary
+/// files of a killed run (000000.png.tmp.123).
 bool isFrameFile(const std::string& name, int frames) {
     const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
     int number = 0;
@@ -28,7 +28,7 @@ bool isFrameFile(const std::string& name, int frames) {
            (digits == kTimeDigits || (read.ec == std::errc() && number < frames));
 }
 
-/// Parses what `keep` lets through; discarded when it is no JSON.
+/// Parses the parts that `keep` accepts; discarded if it is not JSON.
 template <class Keep>
 Result<json> parseCard(const io::GuardedFolder& folder, const std::string& card, const Keep& keep) {
     const Result<io::InputFile> file = folder.openInput(card);
@@ -97,14 +97,14 @@ Result<std::vector<std::string>> filesNamed(const io::GuardedFolder& folder,
             if (fold || isFrameFile(name, names.frames)) files.push_back(subfolder + "/" + name);
         }
     }
-    // It says that the others are complete.
+    // dataset.json comes first, because it declares the others complete.
     std::ranges::stable_partition(files, [](const std::string& file) { return file == kCardFile; });
     return files;
 }
 
 Result<bool> hasOurCard(const io::GuardedFolder& folder) {
     if (!folder.has(kCardFile)) return false;
-    // Somebody else's may be huge: nothing but its `format` is kept.
+    // A foreign file may be huge, so only its `format` is kept.
     const Result<json> card =
         parseCard(folder, kCardFile, [](int depth, json::parse_event_t event, json& parsed) {
             return depth != 1 || event != json::parse_event_t::key || parsed == "format";

@@ -16,15 +16,15 @@ namespace dollytrack::render {
 
 inline constexpr const char* kCardFile = "dataset.json";
 
-/// The names that an export may give to files. Its journal lists them before the first is written,
-/// so that what it left can be told from other files.
+/// File names that an export may use. The journal lists them before the first file is written, so
+/// that files of an export can be told from others.
 struct DatasetNames {
-    int frames = 0;                 // files of frames are numbered from 0 to below this
-    std::set<std::string> folders;  // of numbered files, and `folds`
-    std::set<std::string> files;    // the others, by relative path
+    int frames = 0;                 // frame files are numbered from 0 to frames - 1
+    std::set<std::string> folders;  // with numbered files, and the folder of folds
+    std::set<std::string> files;    // other files, by relative path
 };
 
-/// `folders`: more folders of numbered files.
+/// `folders`: additional folders of numbered files.
 [[nodiscard]] DatasetNames namesOf(const ModalitySet& modalities, const FormatSet& formats,
                                    int frames, const std::vector<std::string>& folders);
 
@@ -32,18 +32,19 @@ struct DatasetNames {
 /// Throws nlohmann's exceptions.
 [[nodiscard]] DatasetNames datasetNamesFrom(const nlohmann::json& value);
 
-/// Relative paths of the files in a folder that have such names, and of what a killed run left of
-/// them (000000.png.tmp.123), dataset.json first. Error: CannotWrite, also for a link in the way.
+/// Relative paths of existing files with such names and of their temporary files from a killed run
+/// (000000.png.tmp.123), dataset.json first. Returns CannotWrite if a folder cannot be read or is a
+/// symbolic link.
 [[nodiscard]] Result<std::vector<std::string>> filesNamed(const io::GuardedFolder& folder,
                                                           const DatasetNames& names);
 
-/// Many datasets have a dataset.json; ours says so in it. Error: CannotWrite when it is there and
-/// cannot be read.
+/// Whether the folder has a dataset.json written by Dollytrack; other tools use the same name.
+/// Returns CannotWrite if it cannot be read.
 [[nodiscard]] Result<bool> hasOurCard(const io::GuardedFolder& folder);
-/// How many frames a dataset.json of ours lists.
+/// Number of frames in a dataset.json of Dollytrack.
 [[nodiscard]] std::size_t framesListed(const io::GuardedFolder& folder);
-/// The files beside itself that a dataset.json lists, by relative path; none where it is damaged.
-/// Error: CannotWrite when it cannot be read.
+/// Relative paths of the files that a dataset.json lists; none if it is damaged. Returns
+/// CannotWrite if it cannot be read.
 [[nodiscard]] Result<std::set<std::string>> filesListed(const io::GuardedFolder& folder,
                                                         const std::string& card);
 

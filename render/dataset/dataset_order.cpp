@@ -31,7 +31,7 @@ std::vector<DatasetFrame> plannedFrames(const Trajectory& trajectory, const Fram
     return frames;
 }
 
-/// The motions in the frames of the dataset.
+/// The planned motions at the dataset's frames.
 std::vector<ObjectMotion> motionsOf(const std::vector<DatasetFrame>& frames,
                                     const std::vector<ObjectMotion>& planned) {
     std::vector<ObjectMotion> motions;

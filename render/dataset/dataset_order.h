@@ -6,14 +6,14 @@
 
 namespace dollytrack::render {
 
-/// A dataset as far as it is known before its pictures are.
+/// A dataset's description before its images are drawn.
 struct DatasetOrder {
     DatasetContents contents;
     DatasetCard card;
 };
 
-/// Error: Usage for unknown names, for a range that holds no frame and for a lens that does not go
-/// with the camera.
+/// Describes the dataset that these settings ask for. Returns Usage for unknown names, for a range
+/// without frames, and for a lens that does not fit the camera.
 [[nodiscard]] Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camera,
                                                  const Trajectory& trajectory,
                                                  const DatasetSettings& settings,

@@ -24,7 +24,8 @@ bool isWhole(const io::GuardedFolder& folder, const std::string& file, const std
     return bytes && io::sha256Of(std::span<const std::uint8_t>(*bytes)) == sha256;
 }
 
-/// Calls check(i) for all i on all threads, in portions between which it reports and may stop.
+/// Calls check(i) for all i in parallel, in portions; reports progress and checks for cancellation
+/// in between.
 template <class Check>
 void checkAll(std::size_t count, const JobContext& job, const Check& check) {
     constexpr std::size_t kPortion = 64;
@@ -49,7 +50,7 @@ tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& fi
                 (folder.path() / file).string());
 }
 
-/// Those of the journal's frames whose files are all there and whole. Fewer when cancelled.
+/// The journal's frames whose files all exist and are intact. Incomplete if cancelled.
 std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
                                         std::map<int, JournalEntry> entries,
                                         const JobContext& job) {
@@ -67,7 +68,7 @@ std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
     return entries;
 }
 
-/// As far as can be said before it is rendered, the complete dataset must be the one wanted.
+/// Compares a complete dataset with the wanted one as far as possible without rendering.
 Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
                               const JobContext& job) {
     const Json found = readCard(folder);
@@ -75,7 +76,7 @@ Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& o
     std::string differing;
     const Json expected = datasetCardJson(order.contents, order.card);
     for (const auto& [name, value] : expected.items()) {
-        // These follow from the pictures; all others decide over them.
+        // These result from the images; all other fields determine them.
         if (name == "files" || name == "metrics") continue;
         if (!found.contains(name) || found[name] != value) {
             differing += (differing.empty() ? "" : ", ") + name;
@@ -108,7 +109,7 @@ Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& o
         const Result<CaptureMetrics> captures = captureMetricsFromJson(metrics.at("counted"));
         if (!captures) return tl::unexpected<Error>(captures.error());
         Counted counted{*captures, {}};
-        if (metrics.contains("pictures")) {  // older datasets have none
+        if (metrics.contains("pictures")) {  // older datasets lack it
             counted.pictures = pictureTallyFrom(metrics["pictures"]);
         }
         return counted;
@@ -140,7 +141,7 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
             earlier.complete = *counted;
             return earlier;
         }
-        // With a journal, one that was to replace it was cut off before its first frame.
+        // With a journal, an export that was to replace it was interrupted before its first frame.
         if (!begun || counted.error().code == ErrorCode::Cancelled) {
             return tl::unexpected(counted.error());
         }
@@ -159,7 +160,7 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
                         "beside a complete dataset)",
                     folder.path().string());
     }
-    // Nothing to refuse, but the bytes may not be those of one run.
+    // Not an error, but the bytes may differ from those of a single run.
     if (journal.drawn_by != gl::rendererName()) {
         log::warn("export", "the finished frames were drawn by " + journal.drawn_by +
                                 ", the others will be by " + gl::rendererName() +

@@ -12,25 +12,25 @@
 
 namespace dollytrack::render {
 
-/// What dataset.json says was counted.
+/// Results recorded in a complete dataset's dataset.json.
 struct Counted {
     CaptureMetrics captures;
     PictureTally pictures;
 };
 
-/// What an export that is to be continued finds in its folder.
+/// State of the folder in which an export is to be resumed.
 struct Earlier {
-    JournalContents journal;          // entries only of frames whose files are whole
-    std::optional<Counted> complete;  // the complete dataset is there
+    JournalContents journal;          // only entries of frames whose files are intact
+    std::optional<Counted> complete;  // set if the dataset is complete already
 };
 
-/// Looks for a dataset to continue; reads each of its files. Errors: Usage when it is of something
-/// else, saying what differs; BadInput when a complete one misses a file or has a damaged one;
-/// Cancelled.
+/// Looks for a dataset to resume, verifying the hash of each file. Returns Usage, naming the
+/// differences, if the folder holds another dataset; BadInput if a complete dataset has missing or
+/// damaged files; Cancelled.
 [[nodiscard]] Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& order,
                                           const DatasetIdentity& identity, const JobContext& job);
 
-/// The relative paths of the frames' files.
+/// Relative paths of the frames' files.
 [[nodiscard]] std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries);
 
 }  // namespace dollytrack::render

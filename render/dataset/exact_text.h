@@ -7,7 +7,7 @@
 
 namespace dollytrack::render {
 
-/// Numbers exactly and short, in any locale the same, each after a space.
+/// Numbers in shortest exact form, locale-independent, each after a space.
 template <class Vector>
 std::string exactText(const Vector& values) {
     std::string result;

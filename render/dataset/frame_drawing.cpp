@@ -15,7 +15,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// The plan kept clear of things as they were at one time.
+/// Warns of moving objects near the camera; the plan avoids them at one time only.
 void warnOfTouching(const DatasetContents& contents) {
     const double radius = contents.camera.camera_radius_m;
     const auto first = std::ranges::find_if(
@@ -29,7 +29,7 @@ void warnOfTouching(const DatasetContents& contents) {
                             "; plan with them elsewhere (--time), or export with --still");
 }
 
-/// Labels are those of the clean pictures.
+/// Warns that labels belong to the undistorted pictures.
 void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
     std::string names;
     for (const Format* format : formats) {
@@ -44,7 +44,7 @@ void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
                     names, lens.largestShift_px()));
 }
 
-/// Paths are traced through things as they are at a frame's time.
+/// Warns that path tracing does not blur moving objects.
 void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origin) {
     const bool lasts = settings.sensor.shutter_s > 0.0 || settings.sensor.readout_s > 0.0;
     if (settings.picture.render_mode != RenderMode::Reference || origin.motions.empty() || !lasts) {
@@ -66,7 +66,7 @@ std::unique_ptr<const Scene> FrameDrawing::variedScene(const Scene& scene,
 }
 
 FrameDrawing::~FrameDrawing() {
-    // Another context may be the current one by now, and would lose its own names.
+    // Another context may be current by now; its objects must not be deleted.
     if (context && !context->makeCurrent()) log::error("export", "the OpenGL context is gone");
 }
 
@@ -107,7 +107,7 @@ Result<FrameSeries> FrameSeries::begin(std::unique_ptr<gl::Context> context, con
                                        const RayCaster& rays, const Trajectory& trajectory,
                                        const CameraParams& camera, DatasetSettings settings,
                                        DatasetOrigin origin, const JobContext& job) {
-    settings.formats = {kCalibrationFormat.name};  // any that needs nothing: it is left out
+    settings.formats = {kCalibrationFormat.name};  // any format without needs; it is removed below
     std::unique_ptr<const Scene> varied = FrameDrawing::variedScene(given, settings.light);
     Result<DatasetOrder> order =
         describeOrder(varied ? *varied : given, camera, trajectory, settings, origin);

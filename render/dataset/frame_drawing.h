@@ -15,21 +15,21 @@
 
 namespace dollytrack::render {
 
-/// What the frames of a dataset are drawn with: the part of an export that knows no folder.
+/// Everything that frames of a dataset are drawn with, independent of any output folder.
 struct FrameDrawing {
     DatasetSettings settings;
-    std::unique_ptr<const Scene> varied;  // where materials vary; `order` is of it then
+    std::unique_ptr<const Scene> varied;  // scene with varied materials; `order` then refers to it
     DatasetOrder order;
 
-    // In this order, so that OpenGL's things go before the context they live in.
+    // Declared in this order so that OpenGL objects are destroyed before their context.
     std::unique_ptr<gl::Context> context;
     std::optional<MovingObjects> moving;
-    std::optional<ObjectPaths> object_paths;  // where the sensor's pictures are wanted
+    std::optional<ObjectPaths> object_paths;  // only with modality rgb_sensor
     std::optional<SensorLens> sensor_lens;
     std::optional<FrameContext> frame_context;
     std::optional<FramePipeline> pipeline;
 
-    /// The scene's materials as the light has them; null where they do not vary.
+    /// A copy of the scene with varied materials; null if they do not vary.
     static std::unique_ptr<const Scene> variedScene(const Scene& scene, const LightParams& light);
 
     FrameDrawing(DatasetSettings set, std::unique_ptr<const Scene> changed, DatasetOrder wanted)
@@ -41,17 +41,17 @@ struct FrameDrawing {
     /// Bits of FrameNeeds.
     [[nodiscard]] unsigned needs() const;
 
-    /// Computes the light and loads the scene. Trajectory and rays are those of the order; the rays
-    /// must outlive this. `restored`: the views of the frames that need not be drawn.
+    /// Bakes the light and uploads the scene. `rays` and `trajectory` must be those of the order;
+    /// `rays` must outlive this object. `restored`: views of the frames that need not be drawn.
     Status prepare(const RayCaster& rays, const Trajectory& trajectory, const DatasetOrigin& origin,
                    std::map<int, std::vector<ObjectView>> restored, const JobContext& job);
 };
 
-/// Draws the frames of a trajectory one after the other and keeps nothing: an export's images
-/// without its files. Needs no folder; its settings' formats are left out.
+/// Draws the frames of a trajectory one after the other without writing files. The settings' folder
+/// and formats are ignored.
 class FrameSeries {
   public:
-    /// As DatasetJob::begin(). Errors: Usage, NoOpenGl, Cancelled.
+    /// As DatasetJob::begin(), without a folder. Returns Usage, NoOpenGl or Cancelled.
     [[nodiscard]] static Result<FrameSeries> begin(std::unique_ptr<gl::Context> context,
                                                    const Scene& scene, const RayCaster& rays,
                                                    const Trajectory& trajectory,
@@ -61,7 +61,7 @@ class FrameSeries {
 
     [[nodiscard]] const DatasetContents& contents() const { return drawing_->order.contents; }
 
-    /// The next frame, its classes labelled; none after the last one.
+    /// The next frame with class labels; none after the last.
     [[nodiscard]] Result<std::optional<FrameRecord>> next();
 
   private:

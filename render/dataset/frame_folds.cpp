@@ -13,7 +13,7 @@ namespace {
 
 using Parts = std::vector<std::vector<int>>;
 
-/// The frames of each room, the largest first, equal ones in an order that the seed decides.
+/// Frames by room, largest room first; ties in random order.
 Parts roomsOf(const std::vector<DatasetFrame>& frames, Random& random) {
     std::map<std::string, std::vector<int>> by_name;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -29,7 +29,7 @@ Parts roomsOf(const std::vector<DatasetFrame>& frames, Random& random) {
     return rooms;
 }
 
-/// Whole rooms, each to the part that has least; empty where the parts become too unequal.
+/// Assigns whole rooms, each to the smallest part; empty if the parts become too unequal.
 Parts partsByRoom(const std::vector<DatasetFrame>& frames, std::size_t count, Random& random) {
     const Parts rooms = roomsOf(frames, random);
     if (rooms.size() < count) return {};
@@ -49,7 +49,7 @@ Parts partsByRoom(const std::vector<DatasetFrame>& frames, std::size_t count, Ra
     return parts;
 }
 
-/// Blocks of consecutive frames; the seed says where the first one begins.
+/// Blocks of consecutive frames; the first one starts at a random frame.
 Parts blocks(std::size_t frames, std::size_t count, Random& random) {
     Parts parts(count);
     const std::size_t start = random.below(static_cast<std::uint32_t>(frames));

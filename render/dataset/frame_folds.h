@@ -10,15 +10,15 @@ namespace dollytrack::render {
 
 struct DatasetFrame;
 
-/// Cross-validation: how many parts the frames are split into; 0 for none.
+/// Cross-validation: number of folds (0: none) and seed.
 struct FoldSettings {
     int count = 0;
     std::uint64_t seed = 1;
 };
 
-/// One of the ways to hold a part of the frames back.
+/// One split of the frames into training and validation.
 struct Fold {
-    std::vector<int> train;  // indices of frames, rising
+    std::vector<int> train;  // frame indices, increasing
     std::vector<int> val;
 };
 
@@ -27,10 +27,11 @@ struct FrameFolds {
     std::vector<Fold> folds;
 };
 
-/// Every frame is in the `val` of exactly one fold. Neighbours do not leak: whole rooms are held
-/// back where there are enough of about one size; else blocks of the flight, and what was taken
-/// within kFoldGuard_s of a held-back frame, or from almost its place, is in neither list. Error:
-/// Usage when there are fewer frames than folds.
+/// Splits the frames so that every frame is in `val` of exactly one fold and neighbours do not
+/// leak. Whole rooms are held back if they give parts of similar size. Otherwise blocks of
+/// consecutive frames are held back, and frames within kFoldGuard_s of a held-back frame on the
+/// same path, or at nearly the same pose, are in neither list. Returns Usage if there are fewer
+/// frames than folds, or if a fold would have no training frame.
 [[nodiscard]] Result<FrameFolds> splitFrames(const std::vector<DatasetFrame>& frames,
                                              const FoldSettings& settings);
 

@@ -30,7 +30,7 @@ Result<FrameRange> parseFrameRange(const std::string& text) {
         ++count;
         start = colon + 1;
     }
-    // A single number would be read as "from" by some and as "only" by others.
+    // A single number is refused, because it could mean "from" or "only".
     if (count < 2) return refuse();
     FrameRange range;
     range.begin = parts[0].value_or(0);

@@ -8,20 +8,20 @@
 
 namespace dollytrack::render {
 
-/// Frames begin, begin + step, ... below end of a trajectory; no end: to the last.
+/// Frames begin, begin + step, ... below end; without end up to the last.
 struct FrameRange {
     int begin = 0;
     std::optional<int> end;
     int step = 1;
 };
 
-/// "a:b:s" with every part optional ("10:", ":50", "::5"). Usage error otherwise.
+/// Parses "a:b:s" with optional parts ("10:", ":50", "::5"). Returns Usage for other text.
 [[nodiscard]] Result<FrameRange> parseFrameRange(const std::string& text);
 
-/// The range as parseFrameRange() reads it.
+/// The range in the syntax of parseFrameRange().
 [[nodiscard]] std::string toText(const FrameRange& range);
 
-/// Its frames among the `available` ones.
+/// The range's frames among `available` ones.
 [[nodiscard]] std::vector<int> framesOf(const FrameRange& range, int available);
 
 }  // namespace dollytrack::render

@@ -11,7 +11,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Bytes a pixel: measured over real rooms at 640 x 480, see README.md.
+// Bytes per pixel were measured in real rooms at 640 x 480; see README.md.
 constexpr std::array<Modality, 18> kModalities = {{
     {"rgb", "8-bit colour pictures", 1.2, true, kNeedsRgb, encodeRgb, rgbConvention},
     {"depth", "16-bit depth along the viewing axis, in millimetres", 0.3, true, kNeedsDepth,

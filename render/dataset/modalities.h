@@ -17,40 +17,41 @@ struct FrameContext;
 struct FrameFile;
 struct FrameRecord;
 
-/// A kind of image that a dataset can hold of every frame. A row of the one table from which the
-/// command line, the editor's check boxes, the files and dataset.json follow.
+/// An image kind that a dataset can hold for every frame; a row of the table from which the command
+/// line, the editor's check boxes, the files and dataset.json are derived.
 struct Modality {
-    const char* name;        // as one asks for it, and its folder in the dataset
-    const char* text;        // what it is, for people
-    double bytes_per_pixel;  // of its files, on the high side of furnished rooms
-    bool standard;           // written where none is named
+    const char* name;        // name on the command line, and folder in the dataset
+    const char* text;        // description for users
+    double bytes_per_pixel;  // typical file size, on the high side for furnished rooms
+    bool standard;           // written if no modality is named
     unsigned needs;          // bits of FrameNeeds
 
-    /// The frame's files, in the folder of the modality's name.
+    /// Encodes the frame's files, in the folder named after the modality.
     Result<std::vector<FrameFile>> (*encode)(const FrameContext& context, const FrameRecord& frame);
-    /// What dataset.json says of the files.
+    /// Description of the files for dataset.json.
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
 
-    bool is_picture = true;  // a PNG file a frame, which contact sheets can show
+    bool is_picture = true;  // one PNG file per frame, usable for contact sheets
 };
 
-/// All there are; the order is that of the files.
+/// The whole table, in the order in which files are written.
 [[nodiscard]] std::span<const Modality> modalities();
 
-/// The modality whose files may be JPEG, see pictureEnding().
+/// The modality whose files may be JPEG; see pictureEnding().
 inline constexpr std::string_view kRgbSensor = "rgb_sensor";
 
-/// Some of the table's rows, in its order.
+/// A selection of the table's rows, in its order.
 using ModalitySet = std::vector<const Modality*>;
 
-/// Those named, all for "all", the standard ones when none is. Error: Usage, with the closest name.
+/// Selects by name: all for "all", the standard ones if `names` is empty. Returns Usage, suggesting
+/// the closest name, for an unknown one.
 [[nodiscard]] Result<ModalitySet> chooseModalities(const std::vector<std::string>& names);
 
-/// The modality that the cameras of a rig are written as.
+/// The modality of a rig's cameras.
 inline constexpr const char* kRigModality = "cameras";
 
-/// The same for a dataset with a rig or without: a rig brings its modality, "all" does not bring it
-/// without one. Error: Usage, also where it is named without a rig.
+/// The same with regard to a rig: kRigModality is included exactly if there is a rig. Returns Usage
+/// also if it is named without a rig.
 [[nodiscard]] Result<ModalitySet> chooseModalities(const std::vector<std::string>& names,
                                                    bool has_rig);
 

@@ -8,11 +8,11 @@
 
 namespace dollytrack::render {
 
-/// SHA-256 of all poses and times of a trajectory, exported or not: inertial measurements and
-/// motion blur follow a curve through all of them.
+/// SHA-256 of all poses and times of the whole trajectory. Frames that are not exported count, too,
+/// because inertial measurements and motion blur interpolate over them.
 [[nodiscard]] std::string trajectoryHash(const Trajectory& trajectory);
 
-/// SHA-256 of how things move over a whole trajectory.
+/// SHA-256 of all object motions over the whole trajectory.
 [[nodiscard]] std::string motionsHash(const std::vector<ObjectMotion>& motions);
 
 }  // namespace dollytrack::render

@@ -9,11 +9,11 @@
 
 namespace dollytrack::render {
 
-/// Reads a picture as cv::imread() does with the same flags, but only from an ordinary file of at
-/// most 512 MiB: imread() waits for pipes and reads devices without end. Empty where there is none
-/// or it cannot be decoded.
+/// Reads an image like cv::imread() with the same flags, but only from a regular file of at most
+/// 512 MiB; imread() would block on pipes and read devices endlessly. Returns an empty image if the
+/// file is missing or cannot be decoded.
 [[nodiscard]] cv::Mat readPictureFile(const std::filesystem::path& path, int flags);
-/// The same, of a file in a guarded folder.
+/// The same for a file in a guarded folder.
 [[nodiscard]] cv::Mat readPictureFile(const io::GuardedFolder& folder, const std::string& name,
                                       int flags);
 

@@ -17,11 +17,11 @@ namespace dollytrack::render {
 ///   mean luma. Only whole tiles count; a picture smaller than two tiles is never flat.
 enum class PictureQuality : std::uint8_t { Usable, Dark, White, Flat };
 
-/// As datasets name them, in the enum's order: "usable", "dark", "white", "flat".
+/// Names in datasets, in the order of PictureQuality.
 inline constexpr std::array<std::string_view, 4> kPictureQualities = {"usable", "dark", "white",
                                                                       "flat"};
 
-/// Judges a picture of 3 bytes a pixel, sRGB, rows from the top.
+/// Judges an sRGB picture, 3 bytes per pixel, row 0 at the top.
 [[nodiscard]] PictureQuality pictureQuality(int width, int height,
                                             std::span<const std::uint8_t> rgb);
 

@@ -15,7 +15,7 @@ std::span<const std::uint8_t> bytesOf(const std::vector<T>& values) {
     return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// A list and its length, so that no two lists run together.
+/// Hashes a list with its length, so that consecutive lists cannot be confused.
 template <class T>
 void add(io::Sha256& hash, const std::vector<T>& values) {
     hash.add(std::to_string(values.size()) + "\n");
@@ -30,7 +30,7 @@ std::vector<float> numbersOf(const Material& material) {
                                   emission.y(),       emission.z(),
                                   material.opacity,   material.metallic,
                                   material.roughness, static_cast<float>(material.texture)};
-    if (material.hasMaps()) {  // scenes without any keep the hash they had
+    if (material.hasMaps()) {  // scenes without maps keep their old hash
         for (const int index : {material.normal_map, material.roughness_map, material.metallic_map,
                                 material.emission_map}) {
             numbers.push_back(static_cast<float>(index));

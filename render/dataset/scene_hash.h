@@ -6,11 +6,11 @@
 
 namespace dollytrack::render {
 
-/// SHA-256 of the scene's shape: vertices, triangles, and what each object is and is called.
+/// SHA-256 of the scene's geometry: vertices, triangles, and each object's name and class.
 [[nodiscard]] std::string geometryHash(const Scene& scene);
 
-/// SHA-256 of what else a picture shows: normals, materials and textures. The scene file's own hash
-/// does not cover them where they lie in files beside it.
+/// SHA-256 of the scene's appearance: normals, texture coordinates, materials and textures. The
+/// scene file's own hash misses what lies in separate files.
 [[nodiscard]] std::string appearanceHash(const Scene& scene);
 
 }  // namespace dollytrack::render

@@ -15,7 +15,7 @@ double bytesPerPixel(const Modality& modality, std::size_t flow_distances) {
 std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats, int frames) {
     constexpr std::uint64_t kOfTheWhole = 1'000'000;  // dataset.json, tables, the contact sheet
     double bytes_per_pixel = 0.0;
-    double of_rig = 0.0;  // a frame
+    double of_rig = 0.0;  // bytes per frame
     for (const Modality* modality : contents.modalities) {
         if (std::string_view(modality->name) == kRigModality) {
             for (const RigCamera& camera : contents.rig) {

@@ -9,11 +9,11 @@
 
 namespace dollytrack::render {
 
-/// Of all of a frame's files of a modality, on the high side of furnished rooms. Where flow goes to
-/// several distances a frame has several files of it.
+/// Bytes per pixel of all files of a modality in one frame, on the high side for furnished rooms.
+/// With several flow distances a frame has several flow files.
 [[nodiscard]] double bytesPerPixel(const Modality& modality, std::size_t flow_distances);
 
-/// What so many frames take, in images and in the files of these formats.
+/// Estimated size of this many frames: images and format files.
 [[nodiscard]] std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats,
                                           int frames);
 

@@ -13,11 +13,12 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kNudge_px = 0.01;  // what drawing may place an edge beside the truth
+constexpr double kNudge_px = 0.01;  // rasterisation may place an edge this far from its true
+                                    // position
 
 struct Neighbours {
-    int inside = 0;                   // the image
-    std::vector<std::size_t> pixels;  // those shown
+    int inside = 0;                   // neighbours inside the image
+    std::vector<std::size_t> pixels;  // neighbours with a label
 };
 
 Neighbours neighboursOf(std::size_t pixel, const Intrinsics& image,
@@ -39,7 +40,7 @@ Neighbours neighboursOf(std::size_t pixel, const Intrinsics& image,
     return found;
 }
 
-/// The ray through a place beside the pixel's centre.
+/// The ray through the pixel's centre, shifted by an offset.
 ViewRay rayThrough(const View& view, std::size_t pixel, double right_px = 0.0,
                    double down_px = 0.0) {
     const auto width = static_cast<std::size_t>(view.intrinsics.width);
@@ -47,7 +48,7 @@ ViewRay rayThrough(const View& view, std::size_t pixel, double right_px = 0.0,
                            static_cast<double>(pixel / width) + 0.5 + down_px);
 }
 
-/// What the rays through these pixels' centres meet.
+/// Ray-cast results at the centres of these pixels.
 std::vector<RayHit> castPixels(const View& view, std::span<const std::size_t> pixels,
                                const RayCaster& rays) {
     std::vector<RayCaster::BundleRay> bundle;
@@ -57,8 +58,8 @@ std::vector<RayHit> castPixels(const View& view, std::span<const std::size_t> pi
     return hits;
 }
 
-/// What is met by the first ray around the pixel's centre that meets anything. A ray along a
-/// surface may pass through the joint of two of its triangles.
+/// The first hit among rays at and around the pixel's centre. A single ray along a surface may slip
+/// through the joint between two triangles.
 RayHit castAround(const View& view, std::size_t pixel, const RayCaster& rays) {
     RayHit hit;
     for (const double down : {0.0, -kNudge_px, kNudge_px}) {
@@ -72,8 +73,8 @@ RayHit castAround(const View& view, std::size_t pixel, const RayCaster& rays) {
     return hit;
 }
 
-/// Whether the object has a surface at the same place: which of two is met first is chance there,
-/// and drawing has chosen.
+/// Whether the object also has a surface at the hit point. Of two coincident surfaces the ray hits
+/// either one; the rasteriser has already chosen.
 bool isInSamePlace(const View& view, std::size_t pixel, int object_id, const RayHit& hit,
                    const RayCaster& rays) {
     const double slack = 5e-5 * (1.0 + hit.distance);  // single precision
@@ -156,7 +157,7 @@ void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context,
         if (!record.depth_m.empty()) {
             record.depth_m[crack.pixel] = depthOf(crack);
         }
-        // What was drawn is the mean of what the whole pixel sees.
+        // Antialiased colour is a mean over the whole pixel, so it stays.
         if (!crack.drawn) copyColour(record.rgb, crack);
         copyColour(record.albedo, crack);
         if (record.normals_in_world.empty()) continue;

@@ -11,38 +11,40 @@
 
 namespace dollytrack::render {
 
-/// A pixel of which drawing does not tell what its centre sees, and what a ray through it meets.
-/// Drawing rounds corners: where surfaces meet without sharing them (walls that stand on a floor)
-/// it leaves gaps of a pixel between the two, and of a surface seen along itself it extrapolates
-/// depth by metres.
+/// A pixel whose content rasterisation cannot determine, with the ray-cast result for its centre.
+/// Rasterisation rounds vertex positions: it leaves one-pixel gaps where surfaces meet without
+/// sharing vertices (walls standing on a floor), and on surfaces seen edge-on it extrapolates depth
+/// by metres.
 struct CrackPixel {
     std::size_t pixel = 0;
-    bool drawn = false;           // it shows a surface, of unknown depth
-    std::size_t like = 0;         // the pixel whose colours it takes: of the same object, if one is
-    std::uint16_t object_id = 0;  // what it shows; 0: nothing
-    RayHit hit;                   // distance: planar depth, m
+    bool drawn = false;           // the rasteriser drew a surface here, but its depth is unreliable
+    std::size_t like = 0;         // pixel whose colour is copied: a neighbour of the same object if
+                                  // there is one
+    std::uint16_t object_id = 0;  // id after filling; 0: nothing is hit
+    RayHit hit;                   // its distance is planar depth, m
 };
 
-/// Gaps: pixels without a label most of whose neighbours have one; 0 is none. `rays` are of the
-/// scene as it is in the frame.
+/// Finds gap pixels: pixels without a label (0) that a ray hits and most of whose neighbours have a
+/// label. `rays` must cast against the scene as it stands in this frame.
 [[nodiscard]] std::vector<CrackPixel> findCracks(const View& view,
                                                  std::span<const std::uint16_t> labels,
                                                  const RayCaster& rays);
 
-/// The same and those of unknown depth, as RenderTarget::readDrawnDepth() marks them.
+/// Finds gap pixels and the pixels that RenderTarget::readDrawnDepth() marks as unreliable.
 [[nodiscard]] std::vector<CrackPixel> findCracks(const View& view,
                                                  std::span<const std::uint16_t> labels,
                                                  std::span<const float> drawn_depth_m,
                                                  const RayCaster& rays);
 
-/// Gives the pixels what their rays meet, in every image of the left camera that the record has.
+/// Writes the ray-cast results into every image of the left camera that the record holds.
 void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
                 FrameRecord& record);
 
-/// The same in a picture alone, 3 bytes a pixel.
+/// Fills only the colours of an image, 3 bytes per pixel.
 void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8_t>& rgb);
 
-/// Both in the right camera's images, which have no labels. Its depth is as it was drawn.
+/// Finds and fills crack pixels in the right camera's depth and colour. The right camera has no
+/// labels; `record.depth_right_m` must hold the depth as drawn, with its marks.
 void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record);
 
 }  // namespace dollytrack::render

@@ -8,13 +8,14 @@ namespace dollytrack::render {
 namespace {
 
 struct Sheet {
-    float distance = 0.0F;  // of its nearest place
-    float middle = 0.0F;    // of its box's middle
+    float distance = 0.0F;  // to the nearest point of its box
+    float middle = 0.0F;    // to the centre of its box
     std::size_t index = 0;
     std::uint32_t first_corner = 0;
 };
 
-/// Distances from where the view looks from; of parallel rays along them.
+/// Distances from the camera position to the box's nearest point and to its centre. In an
+/// orthographic view they are measured along the viewing axis.
 std::pair<float, float> distancesTo(const Eigen::AlignedBox3f& box, const View& view) {
     const Eigen::Vector3f eye = view.pose.position.cast<float>();
     if (!view.orthographic) {

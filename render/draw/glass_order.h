@@ -9,11 +9,12 @@
 
 namespace dollytrack::render {
 
-/// Draws a scene's glass from back to front, so that each sheet shows what is behind it.
+/// Orders a scene's glass back to front for alpha blending.
 class GlassOrder {
   public:
-    /// Sheets of the objects in view, the farthest first, in runs of one batch: draw(batch, first
-    /// index, count), with an index buffer of its own in the scene's layout meanwhile.
+    /// Calls draw(batch, first index, count) for the sheets of visible objects, farthest first,
+    /// merging consecutive sheets of one batch. During the calls the scene's vertex array uses a
+    /// sorted index buffer of its own.
     void visit(const GpuScene& scene, const View& view, const std::vector<bool>& visible,
                const std::function<void(const Batch&, std::uint32_t, std::uint32_t)>& draw);
 

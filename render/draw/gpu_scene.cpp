@@ -19,7 +19,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// As surface.vert reads it.
+/// Vertex layout that surface.vert expects.
 struct Vertex {
     Eigen::Vector3f position;
     std::array<std::int16_t, 4> normal;
@@ -31,7 +31,7 @@ struct Vertex {
 static_assert(sizeof(Vertex) == 40);
 
 constexpr int kMaxTextureSize = 2048;
-constexpr int kAnisotropy = 8;  // on a graphics card; the processor needs half as long again
+constexpr int kAnisotropy = 8;  // on a graphics card; on the CPU it makes drawing 1.5 times as slow
 
 std::uint8_t toByte(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
@@ -56,7 +56,7 @@ Vertex makeVertex(const Scene& scene, const Object& object, bool shows_outside,
     vertex.position = scene.positions[index];
     setNormal(vertex, scene.normals[index]);
     vertex.uv = index < scene.uvs.size() ? scene.uvs[index] : Eigen::Vector2f::Zero();
-    // A thing that shines shows the colour it shines in; its strength is apart.
+    // Emitting surfaces carry the hue of their emission as colour; its strength is a trait.
     const Eigen::Vector3f shines = plainEmission(material);
     const float emission = shines.maxCoeff();
     const Eigen::Vector3f color =
@@ -139,7 +139,7 @@ void describeLayout(GpuScene& scene) {
     }
 }
 
-/// Sorts the triangles by how they are drawn, then by object.
+/// Sorts the triangles into batches (surface kind, texture, maps) and, within these, by object.
 class SceneSorter {
   public:
     explicit SceneSorter(const Scene& scene) : scene_(scene), outside_(showsOutside(scene)) {
@@ -164,8 +164,8 @@ class SceneSorter {
 
     struct Key {
         Surface surface;
-        int texture;  // index in the scene
-        int mapped;   // the material, where it has maps of its own
+        int texture;  // index in the scene's textures, -1: none
+        int mapped;   // index of the material if it has maps of its own, else -1
         auto operator<=>(const Key&) const = default;
     };
     std::vector<Vertex> vertices;
@@ -174,7 +174,7 @@ class SceneSorter {
 
   private:
     void addObject(const Object& object) {
-        // A corner used under two materials becomes two vertices, as each carries its material.
+        // A vertex used by two materials is duplicated, because each vertex carries its material.
         std::unordered_map<std::uint64_t, std::uint32_t> known;
         known.reserve(object.vertex_count);
         for (std::uint32_t t = object.first_triangle;
@@ -211,7 +211,7 @@ Eigen::AlignedBox3f boundsOf(const std::uint32_t* corners, std::uint32_t count,
     return bounds;
 }
 
-/// Whether two triangles lie in one plane, but for a millimetre and a hundredth.
+/// Whether two triangles are coplanar within 1 mm and 0.8 degrees.
 bool inOnePlane(const std::uint32_t* a, const std::uint32_t* b,
                 const std::vector<Vertex>& vertices) {
     const auto corner = [&](const std::uint32_t* of, int i) { return vertices[of[i]].position; };
@@ -251,7 +251,7 @@ void findGlass(const std::vector<Vertex>& vertices, const std::vector<std::uint3
     }
 }
 
-/// Where each piece has its coarse triangles.
+/// Appends the simplified triangles of each piece to the index buffer.
 void addCoarse(const SceneSorter& sorter, Detail detail, std::vector<std::uint32_t>& indices,
                std::vector<Batch>& batches) {
     for (Batch& batch : batches) {
@@ -333,7 +333,8 @@ Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
     }
     findGlass(sorter.vertices, indices, result);
     addCoarse(sorter, detail, indices, result.batches);
-    // Objects in one piece for silhouettes: another run through the index buffer, grouped by id.
+    // Each object in one piece, for silhouettes: the index buffer holds its triangles a second
+    // time.
     result.whole_objects.resize(scene.objects.size());
     result.bounds.resize(scene.objects.size());
     std::vector<std::vector<std::uint32_t>> whole(scene.objects.size());
@@ -359,7 +360,7 @@ Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
 
     result.vertices = gl::createBuffer();
     result.indices = gl::createBuffer();
-    // Empty buffers are an error to OpenGL; a scene without triangles draws nothing all the same.
+    // OpenGL rejects empty buffers; a scene without triangles draws nothing with these.
     if (sorter.vertices.empty()) sorter.vertices.resize(1);
     if (indices.empty()) indices.resize(1);
     glNamedBufferStorage(result.vertices.get(),

@@ -15,21 +15,21 @@ namespace dollytrack::render {
 /// How a material is drawn.
 enum class Surface {
     Opaque,
-    CutOut,  // the texture has holes: leaves, lace
-    Glass,   // seen through in the picture, opaque in the labels
+    CutOut,  // the texture has holes, as in leaves and lace
+    Glass,   // transparent in the colour image, opaque in depth and labels
 };
 
-/// Triangles of one object that share one texture.
+/// Triangles of one object that share one texture, as a range of the index buffer.
 struct Piece {
     int object_id = 0;
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
-    // Of View::coarse; as above where the scene was uploaded without.
+    // Range used by View::coarse; equals the range above if no coarse mesh was uploaded.
     std::uint32_t coarse_first = 0;
     std::uint32_t coarse_count = 0;
 };
 
-/// What a material's maps add to its numbers; OpenGL names, 0: none.
+/// Texture maps of a material, as OpenGL names (0: no map), and their factors.
 struct BatchMaps {
     unsigned normal = 0;
     unsigned roughness = 0;
@@ -39,15 +39,15 @@ struct BatchMaps {
     Eigen::Vector3f emission_factor = Eigen::Vector3f::Zero();
 };
 
-/// Pieces that are drawn with the same state.
+/// Pieces drawn with the same render state.
 struct Batch {
     Surface surface = Surface::Opaque;
     unsigned texture = 0;           // OpenGL name, 0: none
-    std::optional<BatchMaps> maps;  // of the colour picture, not of labels and surfaces
+    std::optional<BatchMaps> maps;  // used for the colour image only, not for labels and materials
     std::vector<Piece> pieces;
 };
 
-/// Neighbouring triangles of glass in one plane, which are drawn together.
+/// A group of consecutive coplanar glass triangles, drawn together.
 struct GlassSheet {
     std::size_t batch = 0;
     int object_id = 0;
@@ -57,7 +57,7 @@ struct GlassSheet {
 };
 
 /// A scene's triangles and textures in graphics memory, in one vertex and one index buffer.
-/// Untextured materials travel in the vertices, so that all of them are one batch.
+/// Vertices carry untextured materials, so that all of these form one batch.
 struct GpuScene {
     gl::Buffer vertices;
     gl::Buffer indices;
@@ -65,39 +65,40 @@ struct GpuScene {
     gl::VertexArray positions_layout;  // attribute 0 alone
     std::vector<gl::Texture> textures;
     std::vector<Batch> batches;                 // in drawing order
-    bool has_maps = false;                      // whether any of them has
-    std::vector<Piece> whole_objects;           // by id - 1: every triangle of the object
-    std::vector<Eigen::AlignedBox3f> bounds;    // by id - 1, of the triangles themselves
-    std::vector<std::uint32_t> first_vertices;  // by id - 1, and one past the last of all
+    bool has_maps = false;                      // whether any batch has maps
+    std::vector<Piece> whole_objects;           // by id - 1: all triangles of the object
+    std::vector<Eigen::AlignedBox3f> bounds;    // by id - 1: box of the triangles, world
+    std::vector<std::uint32_t> first_vertices;  // by id - 1; one more entry marks the end
     std::vector<GlassSheet> glass;              // in drawing order
-    std::vector<std::uint32_t> glass_corners;   // of all sheets, from the first one's on
-    std::vector<bool> windows;        // by id - 1, whose panes take nothing of the sun's light
+    std::vector<std::uint32_t> glass_corners;   // vertex indices of all sheets, in their order
+    std::vector<bool> windows;        // by id - 1: the sun shines through its panes undimmed
     std::vector<bool> whole_windows;  // by id - 1, see wholeWindows()
 };
 
-/// An object as uploadScene() put it there, to be placed elsewhere from.
+/// An object's vertices and box as uploaded, from which moved positions are computed.
 struct RestingObject {
     int object_id = 0;
-    std::vector<std::uint8_t> vertices;  // as in the buffer
+    std::vector<std::uint8_t> vertices;  // layout of the vertex buffer
     Eigen::AlignedBox3f bounds;
 };
 [[nodiscard]] RestingObject copyOf(const GpuScene& scene, int object_id);
 
-/// Draws the object elsewhere from now on: p = motion * p at rest, world.
+/// Moves the object: p = motion * p_uploaded, world frame.
 void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d& motion);
 
-/// How many places along its slant textures are looked up in, 1 to 16; 0: as many as the driver
-/// does without much cost.
+/// Sets the textures' anisotropic filtering to `places` samples, 1 to 16, at most the driver's
+/// maximum. 0: 8 on a graphics card, 1 on the CPU.
 void setAnisotropy(const GpuScene& scene, int places);
 
-/// Whether a texture cuts its surface out: more than 1 % of it are holes. Compressed pictures often
-/// hold a few by accident.
+/// Whether a texture makes its surface a cut-out: more than 1 % of its texels are holes. Compressed
+/// images often contain a few by accident.
 [[nodiscard]] bool hasHoles(const Texture& texture);
 
-/// Whether a scene is uploaded with what View::coarse shows.
+/// Whether to upload the simplified meshes for View::coarse, too.
 enum class Detail { Full, FullAndCoarse };
 
-/// Uploads the scene. BadInput for more than 65535 objects, which 16-bit labels cannot tell apart.
+/// Uploads the scene. Returns BadInput for more than 65535 objects, the limit of 16-bit labels, and
+/// Failed if the graphics memory does not suffice.
 [[nodiscard]] Result<GpuScene> uploadScene(const Scene& scene, Detail detail = Detail::Full);
 
 }  // namespace dollytrack::render

@@ -12,19 +12,19 @@
 namespace dollytrack::render {
 namespace {
 
-// Words of light.frag. Without the first two it makes a finished picture.
+// Macros of light.frag. Without kLooks and kSensor the shader makes a finished picture.
 constexpr unsigned kLooks = 1;
 constexpr unsigned kSensor = 2;
 constexpr unsigned kSun = 4;
 constexpr unsigned kAlike = 8;
 constexpr unsigned kReflections = 16;
 
-constexpr unsigned kMaps = 1;  // of occlusion.frag, as the next
+constexpr unsigned kMaps = 1;  // macros of occlusion.frag, with the next
 constexpr unsigned kFirstLook = 2;
 
 constexpr int kSkySteps = 4096;  // from straight down to straight up
 
-/// `fourth`: of each cell beside its values; empty: none.
+/// Fills a volume texture; `fourth` holds its alpha values (empty: 0).
 void fillVolume(const gl::Texture& texture, const LightVolume& light,
                 const std::vector<Eigen::Vector3f>& values, const std::vector<float>& fourth) {
     std::vector<Eigen::Vector4f> padded;
@@ -51,7 +51,7 @@ gl::Texture uploadVolume(const LightVolume& light, const std::vector<Eigen::Vect
     return texture;
 }
 
-/// What is seen of the sky, linear.
+/// Linear sky colours by elevation.
 gl::Texture uploadSky(const Eigen::Vector3f& factor, float grey) {
     gl::Texture texture = gl::createTexture(GL_TEXTURE_1D);
     glTextureStorage1D(texture.get(), 1, GL_RGBA32F, kSkySteps);
@@ -105,7 +105,7 @@ void LightPass::changeLight(const LightVolume& light) {
     if (sun_shadow_) sun_shadow_->setIrradiance(light.sun.irradiance);
 }
 
-/// All but its cells, which are on the card.
+/// Keeps the volume's settings; its grid values stay on the graphics card only.
 void LightPass::keep(const LightVolume& light) {
     light_ = light;
     light_.ambient.clear();
@@ -128,7 +128,7 @@ void LightPass::setReflections(const std::vector<Eigen::Vector4f>& image, const 
     reflects_ = true;
 }
 
-/// Words of all variants of the light's program.
+/// Macros that all current variants of light.frag share.
 unsigned LightPass::everyKind() const {
     return (sun_shadow_ ? kSun : 0U) | (reflects_ ? kReflections : 0U);
 }
@@ -230,7 +230,7 @@ void LightPass::drawPicture(const View& view, float shine, RenderTarget& target)
     const unsigned program = lightProgram(0);
     setLightOf(view, shine, program, target);
     draw(target.lit_frame_, target.width(), target.height(), program);
-    glBindTextureUnit(0, 0);  // the next look draws into it
+    glBindTextureUnit(0, 0);  // the next pass renders into this texture
 }
 
 void LightPass::drawSum(RenderTarget& target, unsigned program) {
@@ -248,7 +248,8 @@ void LightPass::addLooks(const View& view, float shine, float share, const LookI
         aside[2 * i] = static_cast<float>(looks.offsets()[i].x());
         aside[2 * i + 1] = static_cast<float>(looks.offsets()[i].y());
     }
-    // What is lit once marks its pixels in the depth buffer; the others are those without a mark.
+    // The first pass shades agreeing pixels and marks them in the depth buffer; the second pass
+    // shades the pixels without a mark.
     const float no_mark = 0.0F;
     glClearNamedFramebufferfv(target.sum_frame_.get(), GL_DEPTH, 0, &no_mark);
     glEnable(GL_DEPTH_TEST);
@@ -278,7 +279,7 @@ void LightPass::addLight(const View& view, float shine, const LightSum& sum, Ren
     set(13, 1.0 / lens.fx, 1.0 / lens.fy, -lens.cx / lens.fx, -lens.cy / lens.fy);
     set(14, sum.distortion.k1, sum.distortion.k2, sum.distortion.p1, sum.distortion.p2);
     glProgramUniform1f(program, 15, static_cast<float>(sum.distortion.k3));
-    // In units of the time between looks: small numbers.
+    // In units of the time between exposure samples, which keeps the numbers small.
     if (sum.s_per_bent > 0.0) {
         set(16, sum.s_per_bent / sum.look_step_s, -sum.after_s / sum.look_step_s,
             0.5 * sum.row_exposure_s / sum.look_step_s, 0.0);

@@ -17,47 +17,49 @@
 
 namespace dollytrack::render {
 
-/// Lights surface buffers by what a light volume knows, the sun's shadow, and what stands near.
+/// Shades the surface buffers: light volume, sun with shadow map, ambient occlusion, reflections.
 class LightPass {
   public:
     LightPass();
 
-    /// Other light from now on.
+    /// Uploads a light volume, replacing the current one.
     [[nodiscard]] Status setLight(const LightVolume& light);
-    /// The same light in other strengths: the sun stays where it is, and so do the lamps.
+    /// Changes strengths only: the volume keeps its grid, its lamp light and the sun's direction.
     void changeLight(const LightVolume& light);
-    /// The sun's shadow is no longer that of the scene.
+    /// The sun's shadow map is drawn again before the next picture.
     void forgetShadow() { sun_shadow_is_old_ = true; }
 
-    /// What smooth surfaces of the next pictures show, as TracedReflections::trace() has these rows
-    /// of the view's image.
+    /// Smooth surfaces show these reflections from now on.
+    /// @param image  the result of TracedReflections::trace() for rows first_row to last_row of the
+    ///     view
     void setReflections(const std::vector<Eigen::Vector4f>& image, const View& view, int first_row,
                         int last_row);
-    /// They show the room's blurred light.
+    /// Smooth surfaces show the light volume's blurred ambient light instead of traced reflections.
     void blurReflections() { reflects_ = false; }
 
-    /// Links what may be needed and draws the sun's shadow where it is old; before any of the
-    /// following.
+    /// Links the shader variants and updates the sun's shadow map. Call it before the functions
+    /// below.
     [[nodiscard]] Status prepare(const GpuScene& scene);
 
-    /// What of the light around reaches corners, of the surfaces in the target.
+    /// Screen-space ambient occlusion (SSAO) of the surfaces in the target, at half resolution.
     void drawOcclusion(const GpuScene& scene, const View& view, RenderTarget& target);
-    /// The same of the surfaces that the first of several looks sees.
+    /// The same for the first sample of a multisampled surface buffer.
     void drawOcclusion(const GpuScene& scene, const View& view, const LookImages& looks,
                        RenderTarget& target);
 
-    // The surfaces in the target lit; `shine` is what emission in it is a share of.
+    /// Shades the target's surface buffer. `shine` is SurfacePass::shine().
     void drawPicture(const View& view, float shine, RenderTarget& target);
-    /// What several looks see, added to the target's sum, each with this share of it. Where all see
-    /// the same, it is lit once.
+    /// Adds a multisampled surface buffer to the target's sum, each sample with weight `share`.
+    /// Pixels whose samples agree are shaded once.
     void addLooks(const View& view, float shine, float share, const LookImages& looks,
                   RenderTarget& target);
-    /// Added to it as light before the tone curve, see LightSum.
+    /// Adds the target's surface buffer as linear light before the tone curve; see LightSum.
     void addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target);
 
-    /// The sum as a picture.
+    /// Encodes the sum as the finished picture.
     void encodeSum(RenderTarget& target);
-    /// The picture of drawPicture() with smooth edges.
+    /// Antialiases the result of drawPicture() with an edge filter; this makes the finished
+    /// picture.
     void smoothEdges(RenderTarget& target);
 
   private:
@@ -69,7 +71,7 @@ class LightPass {
     void draw(const gl::Framebuffer& frame, int width, int height, unsigned program) const;
     void drawSum(RenderTarget& target, unsigned program);
 
-    LightVolume light_;  // without its cells
+    LightVolume light_;  // without the grid values, which are on the graphics card
     gl::Texture ambient_;
     gl::Texture slope_;
     gl::Texture lamps_;
@@ -77,14 +79,14 @@ class LightPass {
     int reflections_width_ = 0;
     int reflections_height_ = 0;
     bool reflects_ = false;
-    gl::Texture sky_;  // by the sine of a way's height
+    gl::Texture sky_;  // indexed by the sine of a direction's elevation
     gl::VertexArray no_vertices_;
     gl::ProgramVariants lighting_;
     gl::ProgramVariants occlusion_;
     gl::ProgramVariants soften_;
     gl::ProgramVariants edges_;
     gl::ProgramVariants encode_;
-    std::optional<SunShadow> sun_shadow_;  // where there is a sun
+    std::optional<SunShadow> sun_shadow_;  // only if the volume has a sun
     bool sun_shadow_is_old_ = true;
 };
 

@@ -9,17 +9,18 @@
 
 namespace dollytrack::render {
 
-/// What several looks at every pixel see, drawn at once: the surface buffer of RenderTarget with
-/// samples of its own for all that is near an edge. It is needed for as long as a picture is drawn:
-/// one serves all targets of its size.
+/// The surface buffer of RenderTarget with kLooks samples per pixel (multisampling), for
+/// antialiased edges. It is needed only while a picture is drawn, so one buffer serves all targets
+/// of its size.
 class LookImages {
   public:
     static constexpr int kLooks = 4;  // as in light.frag
 
-    /// 64 bytes a pixel. Usage: too large, or too many looks, for the driver.
+    /// Needs 64 bytes of graphics memory per pixel (4 samples). Returns Usage if the driver
+    /// supports neither this size nor this many samples.
     [[nodiscard]] static Result<LookImages> create(int width, int height);
 
-    /// Where in a pixel the looks are, px from its middle.
+    /// Sample positions, px from the pixel's centre.
     [[nodiscard]] const std::array<Eigen::Vector2d, kLooks>& offsets() const { return offsets_; }
 
   private:

@@ -10,8 +10,8 @@
 namespace dollytrack::render {
 namespace {
 
-/// A cupboard's inside, or a hollow below the floor, is no storey: only rooms with a good part of
-/// the widest one's floor count.
+/// Rooms with at least a fifth of the widest room's floor area. Smaller ones are the insides of
+/// cupboards or hollows below the floor.
 std::vector<Eigen::AlignedBox3d> largeOf(std::span<const Eigen::AlignedBox3d> rooms) {
     const auto area = [](const Eigen::AlignedBox3d& room) {
         return room.sizes().x() * room.sizes().y();
@@ -57,7 +57,7 @@ double floorOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
 }
 
 double ceilingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
-    constexpr double kStorey = 1.0;  // m: rooms whose floors differ by less are of one
+    constexpr double kStorey = 1.0;  // m: rooms whose floors differ by less are on one storey
     const std::vector<Eigen::AlignedBox3d> large = largeOf(rooms);
     double top_floor = -std::numeric_limits<double>::infinity();
     for (const Eigen::AlignedBox3d& room : large) top_floor = std::max(top_floor, room.min().z());
@@ -69,7 +69,8 @@ double ceilingOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms)
 }
 
 std::vector<StoreyView> storeysOf(const Scene& scene, std::span<const Eigen::AlignedBox3d> rooms) {
-    constexpr double kFlushLamp = 0.2;  // m: what hangs at the ceiling begins below this above it
+    constexpr double kFlushLamp = 0.2;  // m: lamps mounted on the ceiling begin less than this
+                                        // above it
     constexpr double kSlabEdge = 0.02;
     constexpr double kRug = 0.05;
     const std::vector<FloorLevel> floors =
@@ -96,8 +97,8 @@ std::vector<bool> hiddenFor(const Scene& scene, const StoreyView& storey) {
 }
 
 Eigen::AlignedBox3d withinStorey(const Eigen::AlignedBox3d& building, const StoreyView& storey) {
-    constexpr double kAboveCeiling =
-        0.35;  // m: as far as a room's air ends below its ceiling, and a wall's rim
+    constexpr double kAboveCeiling = 0.35;  // m: a room's free space ends this far below its
+                                            // ceiling, and a wall's top this far above it
     Eigen::AlignedBox3d within = building;
     within.min().z() = std::max(building.min().z(), storey.floor_z - 0.25);
     within.max().z() = std::min(building.max().z(), storey.ceiling_z + kAboveCeiling);

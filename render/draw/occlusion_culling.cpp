@@ -12,12 +12,13 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::uint32_t kWorthwhile = 100'000;  // triangles in view: below, waiting costs more
-constexpr unsigned kImages = 5;                 // of a surface buffer with labels
-constexpr std::uint32_t kLarge = 256;           // triangles of an object that is asked about
+constexpr std::uint32_t kWorthwhile = 100'000;  // triangles in view: below this, waiting costs more
+                                                // than it saves
+constexpr unsigned kImages = 5;                 // colour images of a surface buffer with labels
+constexpr std::uint32_t kLarge = 256;           // triangles: smaller objects are not tested
 
-/// The object's box, wider by more than a pixel, so that looks beside the pixels' middles and what
-/// is thinner than a pixel lie inside; none where it reaches behind the near plane.
+/// The object's box, grown by more than a pixel to cover multisample positions and parts thinner
+/// than a pixel. Empty if the box reaches behind the near plane.
 std::optional<Eigen::AlignedBox3f> boxToAsk(const Eigen::AlignedBox3f& bounds, const View& view) {
     double nearest = std::numeric_limits<double>::max();
     double farthest = 0.0;

@@ -9,27 +9,28 @@
 
 namespace dollytrack::render {
 
-/// Finds objects that stand wholly behind others, in rooms beyond a wall, say, so that what is
-/// drawn several times need not draw them: those whose boxes pass the depth test nowhere once all
-/// that is opaque has been drawn. A slit narrower than a pixel between nearer things counts as
-/// closed.
+/// Finds objects that stand wholly behind others, for example in other rooms, so that multisampled
+/// passes can skip them. Large objects are tested with occlusion queries: an object is hidden if
+/// its bounding box passes the depth test nowhere after all opaque surfaces are drawn. A gap
+/// narrower than a pixel counts as closed.
 class OcclusionCulling {
   public:
     [[nodiscard]] static Result<OcclusionCulling> create();
 
-    /// Asks the depth buffer that is bound, of this view, about the large ones of these objects.
-    /// Asks nothing where so few triangles are in view that drawing them costs less.
+    /// Starts occlusion queries for the large objects among `in_view` against the bound depth
+    /// buffer, which must belong to this view. Starts none if so few triangles are in view that
+    /// drawing them costs less.
     void start(const GpuScene& scene, const View& view, const std::vector<bool>& in_view);
 
-    /// Takes those that are hidden out of these; waits for the answers.
+    /// Clears the entries of hidden objects. Waits for the queries.
     void takeHidden(std::vector<bool>& in_view);
 
-    /// How many objects the last answers hid.
+    /// Number of objects that the last queries found hidden.
     [[nodiscard]] int hidden() const { return hidden_; }
 
   private:
     struct Asked {
-        std::size_t object;  // its id - 1
+        std::size_t object;  // id - 1
         bool hidden = false;
     };
 

@@ -8,17 +8,17 @@
 
 namespace dollytrack::render {
 
-/// A scene renderer with a windowless context and images of its own. Belongs to one thread.
+/// A scene renderer that owns a windowless context and its render target. Belongs to one thread.
 class OffscreenRenderer {
   public:
-    /// `context` is current and loaded, as createHeadlessContext() returns it.
+    /// `context` must be current with its functions loaded, as createHeadlessContext() returns it.
     [[nodiscard]] static Result<OffscreenRenderer> create(std::unique_ptr<gl::Context> context,
                                                           const Scene& scene,
                                                           const LightVolume& light, int width,
                                                           int height);
 
-    /// Draws a view of the size given to create() and reads its images; the record's index, time
-    /// and classes are the caller's.
+    /// Draws a view of the size given to create() and reads back its pose, colour, depth and ids.
+    /// The caller sets the record's index, time and classes.
     [[nodiscard]] Result<FrameRecord> render(const View& view);
 
     [[nodiscard]] SceneRenderer& scene() { return *scene_; }
@@ -27,7 +27,7 @@ class OffscreenRenderer {
   private:
     OffscreenRenderer() = default;
 
-    // In this order, so that OpenGL's things go before the context they live in.
+    // Declared in this order so that OpenGL objects are destroyed before their context.
     std::unique_ptr<gl::Context> context_;
     std::unique_ptr<SceneRenderer> scene_;
     std::unique_ptr<RenderTarget> target_;

@@ -53,7 +53,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     view.backdrop = Eigen::Vector3f(0.955F, 0.955F, 0.95F);
     Eigen::AlignedBox3d bounds = buildingOf(scene, rooms);
     if (bounds.isEmpty()) bounds.extend(Eigen::Vector3d::Zero());
-    // What lies as low as the floor is not cut: a room's box begins just above it.
+    // The floor itself must not be cut; a room's box begins just above it.
     double floor = bounds.min().z();
     if (!rooms.empty()) floor = bounds.min().z() + 0.25;
     if (storeys.size() > 1) {
@@ -66,7 +66,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     const Eigen::Vector3d aside(std::cos(azimuth), std::sin(azimuth), 0.0);
     const Eigen::Vector3d way =
         std::cos(elevation) * aside + Eigen::Vector3d(0, 0, std::sin(elevation));
-    // What the picture has to hold: the floor's corners and the tops of the walls that stay.
+    // The picture must contain the floor's corners and the tops of the walls that stay.
     std::vector<Eigen::Vector3d> corners;
     for (int i = 0; i < 8; ++i) {
         const Eigen::Vector3d corner =
@@ -83,8 +83,8 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
         }
         return covered;
     };
-    // The nearest distance at which it fits; what is covered shrinks as the distance grows, so
-    // halving the interval finds it.
+    // Bisection for the nearest distance at which everything fits: the extent shrinks with
+    // distance.
     double near = 0.0;
     double far = 20.0 * bounds.sizes().norm() + 1.0;
     const Eigen::Vector2d allowed(0.92 * camera.width_px, 0.90 * camera.height_px);
@@ -93,7 +93,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
         const bool fits = (coveredFrom(middle).sizes().array() <= allowed.array()).all();
         (fits ? far : near) = middle;
     }
-    // A shifted lens centres it without turning the camera.
+    // A lens shift centres the building without turning the camera.
     const Eigen::Vector2d off = coveredFrom(far).center();
     view.intrinsics.cx += 0.5 * camera.width_px - off.x();
     view.intrinsics.cy += 0.5 * camera.height_px - off.y();

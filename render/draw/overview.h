@@ -16,31 +16,31 @@
 
 namespace dollytrack::render {
 
-/// How a scene is looked at as a whole. Plain data.
+/// Viewpoint and size of an overview picture of the whole scene.
 struct OverviewSettings {
     int width_px = 1600;
     int height_px = 1000;
-    double azimuth_deg = 248.0;   // where the viewer stands, from +x towards +y
+    double azimuth_deg = 248.0;   // direction from the building to the viewer, from +x towards +y
     double elevation_deg = 48.0;  // above the horizon
     double hfov_deg = 30.0;
-    int supersampling = 2;  // drawn this many times larger each way
-    int storey = 0;         // that is looked into, 1 the lowest; 0: the topmost
+    int supersampling = 2;  // rendered this many times larger in width and height, then averaged
+    int storey = 0;         // storey to show, 1: the lowest; 0: the topmost
 };
 
-/// 3 bytes a pixel, sRGB, rows from the top.
+/// An sRGB image, 3 bytes per pixel, row 0 at the top.
 struct Picture {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
 };
 
-/// A view from above at an angle that holds the whole building, with the ceilings, everything far
-/// outside and the near walls left away.
-/// What lies over the storey is left away, too.
+/// An oblique view from above that shows the whole building. Ceilings, large outdoor structure, the
+/// near walls and everything above the chosen storey are left out.
 [[nodiscard]] View overviewOf(const Scene& scene, const OverviewSettings& settings = {},
                               std::span<const Eigen::AlignedBox3d> rooms = {});
 
-/// The lit scene from outside with an overlay. `rooms` are lit as by makeLightRig().
+/// Renders the overview with an overlay. The rooms are lit as by makeLightRig(). Returns the
+/// renderer's errors (NoOpenGl, Usage for sizes beyond the driver's limit, Failed).
 [[nodiscard]] Result<Picture> renderOverview(std::unique_ptr<gl::Context> context,
                                              const Scene& scene, const RayCaster& rays,
                                              const Overlay& overlay,

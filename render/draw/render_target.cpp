@@ -94,7 +94,7 @@ void RenderTarget::makeSum() {
 
 void RenderTarget::readRgb(std::vector<std::uint8_t>& rgb) const {
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    // Drivers copy whole words fast and three bytes a pixel slowly.
+    // Drivers copy 4-byte pixels fast and 3-byte pixels slowly.
     thread_local std::vector<std::uint8_t> rgba;
     rgba.resize(4 * pixels);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

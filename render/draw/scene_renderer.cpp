@@ -19,8 +19,8 @@
 namespace dollytrack::render {
 namespace {
 
-/// By how much the picture is shifted, px, each time that four looks at every pixel are drawn.
-/// Those of the second time stand between those of the first.
+/// Image shifts, px, for each pass with four samples per pixel. The second pass's samples lie
+/// between those of the first.
 std::span<const Eigen::Vector2d> shiftsOf(Antialias antialias) {
     static const std::array<Eigen::Vector2d, 1> once = {Eigen::Vector2d::Zero()};
     static const std::array<Eigen::Vector2d, 2> twice = {Eigen::Vector2d(1, -1) / 16.0,
@@ -30,7 +30,7 @@ std::span<const Eigen::Vector2d> shiftsOf(Antialias antialias) {
     return {};
 }
 
-/// What is seen through a place beside the pixels' middles.
+/// A view whose pixel centres are shifted by an offset, px.
 View shiftedBy(const Eigen::Vector2d& offset, const View& view) {
     View moved = view;
     moved.intrinsics.cx -= offset.x();
@@ -45,19 +45,19 @@ struct SceneRenderer::Impl {
     SurfacePass surfaces;
     OcclusionCulling culling;
     LightPass light;
-    std::map<std::pair<int, int>, LookImages> looks;  // by size
+    std::map<std::pair<int, int>, LookImages> looks;  // by width and height
     SilhouetteCounter silhouettes;
     WholeMaskDrawer whole_masks;
-    std::map<int, RestingObject> resting;  // of the objects that were placed elsewhere
+    std::map<int, RestingObject> resting;  // uploaded state of the objects that were moved
     const TracedReflections* reflections = nullptr;
-    std::vector<Eigen::Vector4f> reflected;  // kept between pictures
+    std::vector<Eigen::Vector4f> reflected;  // reused between pictures
 
     Status setLight(const LightVolume& volume) {
         surfaces.setLight(volume);
         return light.setLight(volume);
     }
 
-    /// @param first_row, last_row  of the image, which light is wanted of
+    /// @param first_row, last_row  image rows that will be shaded
     Status prepare(const View& view, int first_row, int last_row) {
         if (reflections != nullptr && reflections->trace(view, first_row, last_row, reflected)) {
             light.setReflections(reflected, view, first_row, last_row);
@@ -69,7 +69,7 @@ struct SceneRenderer::Impl {
         return light.prepare(scene);
     }
 
-    /// @param labels  whether to draw these in the same pass
+    /// @param labels  whether to draw labels in the same pass
     void drawPicture(const View& view, bool labels, RenderTarget& target) {
         if (labels) {
             surfaces.drawSurfaces(scene, view, target);
@@ -89,7 +89,7 @@ struct SceneRenderer::Impl {
         return &looks.emplace(std::pair(width, height), std::move(*made)).first->second;
     }
 
-    /// The mean of several looks.
+    /// Draws the mean of several samples per pixel.
     Status drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
                      RenderTarget& target) {
         const Result<LookImages*> images = looksOf(target.width(), target.height());
@@ -101,7 +101,7 @@ struct SceneRenderer::Impl {
         for (std::size_t i = 0; i < shifts.size(); ++i) {
             const View shifted = shiftedBy(shifts[i], view);
             surfaces.drawLooks(scene, shifted, culling, **images);
-            // It is soft: that of one look is good for all.
+            // Ambient occlusion is blurred, so one sample's result serves all.
             if (i == 0) light.drawOcclusion(scene, shifted, **images, target);
             light.addLooks(shifted, surfaces.shine(), share, **images, target);
         }
@@ -109,7 +109,7 @@ struct SceneRenderer::Impl {
         return {};
     }
 
-    /// @param cull  whether looks at the same view come next
+    /// @param cull  whether multisampled passes of the same view follow
     void drawLabels(const View& view, bool cull, RenderTarget& target, SurfaceTarget* materials) {
         OcclusionCulling* asked = cull ? &culling : nullptr;
         if (materials != nullptr) {
@@ -120,7 +120,7 @@ struct SceneRenderer::Impl {
     }
 
     void addLight(const View& view, const LightSum& sum, RenderTarget& target) {
-        // What darkens corners looks so far beyond the rows.
+        // px: ambient occlusion samples this far beyond the shaded rows.
         constexpr int kBeyond = 160;
         const int first = std::max(sum.first_row - kBeyond, 0);
         const int count = sum.last_row - first + kBeyond;
@@ -164,7 +164,7 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
                                             {}});
     if (Status status = impl->setLight(light); !status) return tl::unexpected(status.error());
     render::setAnisotropy(impl->scene, 0);
-    // Depth runs from 1 at the near plane to 0 at infinity.
+    // Reversed depth: 1 at the near plane, 0 at infinity.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     if (Status status = gl::checkErrors("preparing to draw"); !status) {
         return tl::unexpected(status.error());
@@ -204,7 +204,8 @@ Status SceneRenderer::beginLight(RenderTarget& target) {
     const std::array<float, 4> zero{};
     target.makeSum();
     glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
-    // Looks at some rows see what is around these: nothing of frames before.
+    // Later passes on part of the rows sample the rows around them; clear what earlier frames left
+    // there.
     glClearNamedFramebufferfv(target.looks_frame_.get(), GL_COLOR, 1, zero.data());
     glClearNamedFramebufferfv(target.looks_frame_.get(), GL_COLOR, 2, zero.data());
     glClearNamedFramebufferfv(target.occlusion_frame_.get(), GL_COLOR, 0, zero.data());

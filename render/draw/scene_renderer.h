@@ -19,8 +19,8 @@ namespace dollytrack::render {
 
 class TracedReflections;
 
-/// Draws one scene. Needs the OpenGL context current that it was created in; keeps no reference to
-/// the scene.
+/// Draws one scene. The OpenGL context in which it was created must be current for every call. It
+/// keeps no reference to the scene.
 class SceneRenderer {
   public:
     [[nodiscard]] static Result<SceneRenderer> create(const Scene& scene, const LightVolume& light,
@@ -29,60 +29,64 @@ class SceneRenderer {
     SceneRenderer(SceneRenderer&&) noexcept;
     SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-    /// Other light on the same scene.
+    /// Replaces the light volume.
     [[nodiscard]] Status setLight(const LightVolume& light);
 
-    /// The light it has, in other strengths: `light` has the same grid and its sun stands where it
-    /// stood; its `lamps` are not looked at. Quicker than setLight().
+    /// Changes light strengths only. `light` must have the same grid and the same sun direction;
+    /// its `lamps` grid is ignored. Faster than setLight().
     void changeLight(const LightVolume& light);
 
-    /// Makes what draw() needs of this size beside a target, so that it does not fail for memory.
+    /// Allocates the buffers that draw() needs besides a target of this size, so that memory errors
+    /// show up early. Returns Usage if the driver cannot multisample at this size.
     [[nodiscard]] Status reserve(int width, int height, Antialias antialias);
 
-    /// Starts drawing picture, depth and ids of a view; reading the target waits for them. The
-    /// target has the size of the view's image. Everything is opaque in depth and ids, both sides
-    /// of each triangle are drawn, and each pixel shows what its centre sees.
-    /// With `surfaces`, which lie over the target, also normals and base colours of what is
-    /// labelled.
+    /// Starts drawing colour, depth and ids of a view; reading the target waits for completion. The
+    /// target must have the view's image size. In depth and ids every surface is opaque, both sides
+    /// of each triangle count, and each pixel shows the surface at its centre. If `surfaces` is
+    /// given (created for `target`), normals and base colours of the labelled surfaces are drawn,
+    /// too.
     [[nodiscard]] Status draw(const View& view, RenderTarget& target,
                               SurfaceTarget* surfaces = nullptr);
 
-    /// The same without the picture, which stays what it was.
+    /// Draws everything but colour; the target's picture stays as it was.
     [[nodiscard]] Status drawLabels(const View& view, RenderTarget& target,
                                     SurfaceTarget* surfaces = nullptr);
 
-    /// Starts a sum of looks at linear light, before the tone curve, in the target.
+    /// Clears the target's accumulated light. Linear light before the tone curve is then added by
+    /// addLight().
     [[nodiscard]] Status beginLight(RenderTarget& target);
-    /// Adds a look. A row takes as much of it as look and row have in common of their times.
+    /// Adds one exposure sample. The weight in each image row depends on how far the sample's time
+    /// span overlaps that row's exposure; see LightSum.
     [[nodiscard]] Status addLight(const View& view, const LightSum& sum, RenderTarget& target);
 
-    /// What each of these objects would cover of the image if nothing stood before it, of those
-    /// that reach into it; waits for the drawing.
+    /// Amodal masks: the pixels that each object would cover if nothing stood in front of it.
+    /// Objects outside the image are left out. Waits for the drawing.
     [[nodiscard]] Result<std::vector<WholeMask>> drawWhole(const View& view,
                                                            std::span<const int> object_ids);
 
-    /// From now on the object is drawn elsewhere: p = motion * p of the scene as given, world.
+    /// Moves an object for all later draws: p = motion * p, where p is its position in the scene
+    /// given to create(), world frame.
     void place(int object_id, const Eigen::Isometry3d& motion);
 
-    /// What smooth surfaces show from now on; none: the room's blurred light. It must outlive its
-    /// use.
+    /// Sets the reflections on smooth surfaces; null: the light volume's blurred ambient light.
+    /// `reflections` must outlive its use.
     void setReflections(const TracedReflections* reflections);
     /// See render::setAnisotropy().
     void setAnisotropy(int places);
 
-    /// How many objects the last draw() of several looks left out of the picture, since they stand
-    /// wholly behind others.
+    /// Number of objects that the last multisampled draw() skipped because others hide them
+    /// completely.
     [[nodiscard]] int hiddenByOthers() const;
 
-    /// Which objects' boxes reach into the image, by id - 1.
+    /// Whether an object is visible and its bounding box reaches into the image, by id - 1.
     [[nodiscard]] std::vector<bool> inView(const View& view) const;
 
-    /// Starts counting the pixels of each object drawn alone, with nothing before it, on an image
-    /// that reaches `beyond` image widths and heights past every border (parts behind the near
-    /// plane are cut). Pixels are those of draw(). One batch at a time.
+    /// Starts counting each object's unoccluded pixels on an image extended by `beyond` image
+    /// widths and heights past every border. Parts behind the near plane are cut. The pixel grid is
+    /// that of draw(). Only one batch may be pending.
     [[nodiscard]] Status startSilhouettes(const View& view, std::span<const int> object_ids,
                                           int beyond = 3);
-    /// The counts, in the order of the ids; waits for them.
+    /// Pixel counts of the batch from startSilhouettes(), in the order of its ids. Waits for them.
     [[nodiscard]] std::vector<std::uint64_t> finishSilhouettes();
 
   private:

@@ -26,7 +26,8 @@ Eigen::Vector3d seenNormal(const Scene& scene, const std::vector<Eigen::Isometry
     if (!(normal.norm() > 1e-6)) normal = face;
     normal.normalize();
     if (normal.dot(face) < 0.0) normal = -normal;
-    // That of a smoothed face may look a little past the outline, where it is laid along it.
+    // Near an outline a smoothed normal may point away from the viewer; it is projected onto the
+    // outline.
     normal -= std::max(normal.dot(along), 0.0) * along;
     return (rest_from_now.linear().transpose() * normal).normalized();
 }

@@ -9,9 +9,10 @@
 
 namespace dollytrack::render {
 
-/// The shading normal where a ray meets the scene, world, of unit length, on the side that is seen;
-/// as assets/shaders/surface.frag has it. `to_rest` leads each object, by id, to where the scene
-/// has it (MovingObjects::toRest()); empty where nothing moves.
+/// Shading normal at a ray hit: world frame, unit length, on the ray's side, computed as in
+/// assets/shaders/surface.frag (without normal maps).
+/// @param to_rest  by object id: the transform from the current position to that in `scene`
+///     (MovingObjects::toRest()); empty if nothing moves
 [[nodiscard]] Eigen::Vector3d seenNormal(const Scene& scene,
                                          const std::vector<Eigen::Isometry3d>& to_rest,
                                          const RayHit& hit, const Eigen::Vector3d& origin,

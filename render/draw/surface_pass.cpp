@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Words of surface.frag; the first is one of label.frag, too.
+// Macros of surface.frag. label.frag knows kCut only.
 constexpr unsigned kCut = 1;
 constexpr unsigned kTextured = 2;
 constexpr unsigned kHoles = 4;
@@ -22,7 +22,7 @@ unsigned wordsOf(const View& view) {
     return view.structure_cut ? kCut : 0U;
 }
 
-/// Of the picture with what light does to it; otherwise of the bare material.
+/// @param picture  macros for the colour image (with maps), or for the bare material
 unsigned wordsOf(const Batch& batch, bool picture) {
     unsigned words = 0;
     if (batch.texture != 0) words |= kTextured;
@@ -36,9 +36,9 @@ const void* offsetOf(std::uint32_t index) {
         static_cast<std::uintptr_t>(index) * sizeof(std::uint32_t));
 }
 
-constexpr int kIds = 4;  // among the images; the others hold real numbers
+constexpr int kIds = 4;  // image of ids, which holds integers; the others hold floats
 
-/// Clears depth and these images; depth is reversed: 0 is far.
+/// Binds the frame and clears its depth and these images. Depth is reversed: 0 is far.
 void begin(const GpuScene& scene, const gl::Framebuffer& frame, int width, int height,
            std::initializer_list<int> images) {
     glBindFramebuffer(GL_FRAMEBUFFER, frame.get());
@@ -115,7 +115,7 @@ void SurfacePass::drawSurfaces(const GpuScene& scene, const View& view, RenderTa
     const std::vector<bool> visible = objectsInView(scene, view);
     drawOpaque(scene, view, visible, Use::Picture);
     tintByGlass(scene, view, visible);
-    // Only label depth and label of glass and of holes.
+    // Glass and holes write label depth and id only.
     for (unsigned i = 0; i < 3; ++i) glColorMaski(i, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const Batch& batch : scene.batches) {
         if (batch.surface == Surface::Opaque) continue;
@@ -145,7 +145,7 @@ void SurfacePass::drawLooks(const GpuScene& scene, const View& view, OcclusionCu
     glDisable(GL_DEPTH_TEST);
 }
 
-/// Every sheet of glass before the first thing that is none tints the colour behind it.
+/// Glass in front of the nearest non-glass surface tints the colour behind it.
 void SurfacePass::tintByGlass(const GpuScene& scene, const View& view,
                               const std::vector<bool>& visible) {
     if (scene.glass.empty()) return;
@@ -170,7 +170,7 @@ void SurfacePass::drawLabels(const GpuScene& scene, const View& view, OcclusionC
                              RenderTarget& target) {
     begin(scene, target.labels_frame_, target.width(), target.height(), {3, kIds});
     const std::vector<bool> visible = objectsInView(scene, view);
-    // What may be glass or have holes comes last here, too.
+    // Glass and cut-outs are drawn last, as in drawSurfaces().
     for (const bool opaque : {true, false}) {
         for (const Batch& batch : scene.batches) {
             if ((batch.surface == Surface::Opaque) != opaque) continue;
@@ -196,7 +196,7 @@ void SurfacePass::drawMaterials(const GpuScene& scene, const View& view, Occlusi
     glDisable(GL_DEPTH_TEST);
 }
 
-/// All but glass; of what has holes, what is there.
+/// Draws opaque surfaces and cut-outs, the latter with their holes.
 void SurfacePass::drawOpaque(const GpuScene& scene, const View& view,
                              const std::vector<bool>& visible, Use use) {
     const bool picture = use == Use::Picture;
@@ -204,7 +204,7 @@ void SurfacePass::drawOpaque(const GpuScene& scene, const View& view,
         if (batch.surface == Surface::Glass) continue;
         const unsigned program = surface_.get(wordsOf(view) | wordsOf(batch, picture));
         bindSurface(batch, program, use);
-        // Holes end within pixels: each of several looks sees for itself.
+        // Cut-outs are shaded per sample, because the edges of holes run through pixels.
         if (batch.surface == Surface::CutOut) glEnable(GL_SAMPLE_SHADING);
         if (picture && batch.maps) bindMaps(*batch.maps, program);
         drawShapes(batch, view, visible, program);

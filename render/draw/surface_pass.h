@@ -18,33 +18,33 @@
 
 namespace dollytrack::render {
 
-/// Draws a scene's surfaces into the images that later passes light: what a pixel's middle sees of
-/// colours, normals, depths and labels. Of two surfaces at one depth the later batch's is on top,
-/// and of one batch the later object's; that holds in every pass, so that their images agree.
+/// Draws the surface buffer (G-buffer): colour, normal, depth and label at pixel centres. At equal
+/// depth a later batch is on top, and within a batch the later object; all passes follow this
+/// order, so that their images agree.
 class SurfacePass {
   public:
     [[nodiscard]] static Result<SurfacePass> create();
 
-    /// What the light makes of emission.
+    /// Takes over the factors by which the light scales emission.
     void setLight(const LightVolume& light);
-    /// What emission in the surface buffer is a share of.
+    /// Emission in the surface buffer is stored relative to this factor.
     [[nodiscard]] float shine() const;
 
-    /// Links what a view of the scene needs; before any of the following.
+    /// Links the shader variants that the scene and view need. Call it before the functions below.
     [[nodiscard]] Status prepare(const GpuScene& scene, const View& view);
 
-    /// Everything that lighting needs to know, and labels.
+    /// Draws everything that shading needs, and labels.
     void drawSurfaces(const GpuScene& scene, const View& view, RenderTarget& target);
-    /// The same without labels: the look of a picture that has one, or of a sum.
+    /// Draws everything that shading needs, without labels.
     void drawLook(const GpuScene& scene, const View& view, RenderTarget& target);
-    /// Several looks at once, without what the labels of the view have hidden.
+    /// Draws the multisampled surface buffer, without the objects that `culling` found hidden.
     void drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
                    const LookImages& images);
-    /// What drawSurfaces puts into the images of labels alone; starts the culling, if any.
+    /// Draws label depth and ids only. Starts the occlusion queries if `culling` is given.
     void drawLabels(const GpuScene& scene, const View& view, OcclusionCulling* culling,
                     RenderTarget& target);
-    /// The same and, of what is labelled, colours without the light's changes and normals without
-    /// maps.
+    /// Draws label depth, ids, base colours (without light-dependent emission) and normals (without
+    /// normal maps) of the labelled surfaces.
     void drawMaterials(const GpuScene& scene, const View& view, OcclusionCulling* culling,
                        SurfaceTarget& target);
 
@@ -53,10 +53,10 @@ class SurfacePass {
 
     void drawOpaque(const GpuScene& scene, const View& view, const std::vector<bool>& visible,
                     Use use);
-    /// The texture, and what the light does to what shines by itself.
+    /// Binds the texture and sets the factors of emission.
     void bindSurface(const Batch& batch, unsigned program, Use use) const;
     void tintByGlass(const GpuScene& scene, const View& view, const std::vector<bool>& visible);
-    /// Whose places in the index buffer are counted out for one call.
+    /// Draws the batch's visible pieces with one call.
     void drawShapes(const Batch& batch, const View& view, const std::vector<bool>& visible,
                     unsigned program);
     void drawCounted(const View& view, unsigned program) const;
@@ -69,7 +69,7 @@ class SurfacePass {
     GlassOrder glass_order_;
     float lamps_shine_ = 1.0F;
     float outside_shines_ = 1.0F;
-    std::vector<GLsizei> counts_;  // kept between frames
+    std::vector<GLsizei> counts_;  // reused between frames
     std::vector<const void*> offsets_;
 };
 

@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// From the square root of a linear share to sRGB.
+/// Converts the square root of linear albedo to sRGB.
 std::array<std::uint8_t, 256> makeSrgbTable() {
     std::array<std::uint8_t, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -41,7 +41,7 @@ Result<SurfaceTarget> SurfaceTarget::create(const RenderTarget& labels) {
     glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT3, labels.depth_.get(), 0);
     glNamedFramebufferTexture(frame, GL_COLOR_ATTACHMENT4, labels.ids_.get(), 0);
-    // The depth of what is lit is left out.
+    // The depth of shaded surfaces (attachment 2) is not drawn.
     const std::array<GLenum, 5> outputs = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_NONE,
                                            GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4};
     glNamedFramebufferDrawBuffers(frame, outputs.size(), outputs.data());

@@ -12,20 +12,21 @@ namespace dollytrack::render {
 
 class RenderTarget;
 
-/// Images of what surfaces are, without light: of the same surfaces as RenderTarget's labels, glass
-/// and the holes of textures included. Row 0 is the top of the picture.
+/// Images of material properties without light, for the same surfaces as RenderTarget's labels:
+/// glass and texture holes count as opaque. Row 0 is the top.
 class SurfaceTarget {
   public:
-    /// Of the size of `labels`, whose images of labels are drawn along; it must stay where it is.
+    /// Creates images of the size of `labels`. Label depth and ids are drawn into `labels` at the
+    /// same time, so it must not be moved or destroyed before this target.
     [[nodiscard]] static Result<SurfaceTarget> create(const RenderTarget& labels);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// Waits for the drawing. World, about unit length, on the camera's side; 0 where nothing was
-    /// hit.
+    /// Normals in the world frame, about unit length, on the camera's side; 0 where nothing was
+    /// hit. Waits for the drawing.
     void readNormals(std::vector<Eigen::Vector3f>& normals) const;
-    /// Base colours, 3 bytes a pixel, sRGB; 0 where nothing was hit.
+    /// Base colours, sRGB, 3 bytes per pixel; 0 where nothing was hit. Waits for the drawing.
     void readAlbedo(std::vector<std::uint8_t>& albedo) const;
 
   private:
@@ -33,8 +34,8 @@ class SurfaceTarget {
 
     int width_ = 0;
     int height_ = 0;
-    gl::Texture color_;   // square root of albedo
-    gl::Texture normal_;  // world
+    gl::Texture color_;   // square root of linear albedo
+    gl::Texture normal_;  // world frame
     gl::Texture z_buffer_;
     gl::Framebuffer frame_;
 };

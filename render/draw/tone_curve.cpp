@@ -8,7 +8,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr float kKnee = 0.55F;  // below it light is shown as it is
+constexpr float kKnee = 0.55F;  // light below this is unchanged
 
 float smoothStep(float low, float high, float x) {
     const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);

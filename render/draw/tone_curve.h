@@ -6,23 +6,23 @@
 
 namespace dollytrack::render {
 
-// From light to the bytes of a picture; as assets/shaders/light.frag does it.
+// From linear light to the bytes of a picture, as in assets/shaders/light.frag.
 
-/// Leaves dark and middle tones alone and rolls off towards white, so that lamps do not clip.
-/// Linear in and out, 1 is white.
+/// Tone curve: identity up to 0.55, then a smooth roll-off towards 1, so that lamps do not clip.
+/// Linear input and output, 1 is white.
 [[nodiscard]] Eigen::Vector3f toneCurve(const Eigen::Vector3f& linear);
 
-/// What becomes `shown`; of full white something very bright.
+/// Inverse of toneCurve(). Values near 1 map to a large finite value.
 [[nodiscard]] Eigen::Vector3f inverseToneCurve(const Eigen::Vector3f& shown);
 
-/// sRGB's encoding, 0..1 to 0..255.
+/// sRGB encoding of a linear value, 0..1, as a byte.
 [[nodiscard]] std::uint8_t encodedByte(float linear);
 
-/// Linear of sRGB's encoding, 0..1.
+/// Linear value of an sRGB colour, 0..1.
 [[nodiscard]] Eigen::Vector3f decoded(const Eigen::Vector3f& srgb);
 
-/// sRGB where a view meets nothing; `rise` is the sine of the way's angle above the horizon. Its
-/// colour goes with `grey`, and is gone at 1.
+/// sRGB colour of the sky where a ray hits nothing. `rise` is the sine of the ray's elevation above
+/// the horizon. `grey` desaturates it, from 0 (none) to 1 (grey).
 [[nodiscard]] Eigen::Vector3f skyBackdrop(float rise, float grey = 0.0F);
 
 }  // namespace dollytrack::render

@@ -46,8 +46,7 @@ namespace {
 
 using Plane = std::pair<Eigen::Vector3d, double>;  // inside: normal * p + offset >= 0
 
-/// What the view shows, as planes in the camera's frame: the sides of a pyramid or of a block, and
-/// the near plane.
+/// The view volume as planes in the camera frame: its four sides and the near plane.
 std::array<Plane, 5> limitsOf(const View& view) {
     const Intrinsics& lens = view.intrinsics;
     const Plane near = {{0.0, 0.0, 1.0}, -view.near_m};
@@ -81,7 +80,7 @@ std::vector<bool> objectsInView(const GpuScene& scene, const View& view) {
         if (i + 1 < view.hidden.size() && view.hidden[i + 1]) continue;
         if (scene.bounds[i].isEmpty()) continue;
         const Eigen::Vector3d center = scene.bounds[i].center().cast<double>();
-        // A hair larger: rounding must not drop what touches a border.
+        // Grown by 0.1 mm, so that rounding does not drop objects at a border.
         const Eigen::Vector3d half =
             0.5 * scene.bounds[i].sizes().cast<double>() + Eigen::Vector3d::Constant(1e-4);
         bool inside = true;

@@ -11,17 +11,17 @@ namespace dollytrack::render {
 
 [[nodiscard]] Eigen::Matrix3f cameraFromWorld(const View& view);
 
-/// Sets uniforms 0..3 of surface.vert and silhouette.vert.
+/// Sets uniforms 0 to 3 of surface.vert and silhouette.vert.
 void setCamera(unsigned program, const View& view);
 
-/// Sets the uniform that tells planar depths from the depth buffer, see surface.vert.
+/// Sets the uniform that converts depth-buffer values to planar depth; see surface.vert.
 void setDepthSpan(unsigned program, int location, const View& view);
 void setRotation(unsigned program, int location, const Eigen::Matrix3f& rotation);
-/// Pixel position to a ray with z = 1: scale and offset of x and y. In an orthographic view: to
-/// x and y themselves, m.
+/// Sets the scale and offset that turn a pixel position into the x and y of a ray with z = 1, or,
+/// in an orthographic view, into x and y in the camera frame, m.
 void setUnproject(unsigned program, int location, const View& view);
 
-/// By id - 1: not hidden, and the box reaches into what the view shows.
+/// By id - 1: the object is not hidden and its box reaches into the view.
 [[nodiscard]] std::vector<bool> objectsInView(const GpuScene& scene, const View& view);
 
 }  // namespace dollytrack::render

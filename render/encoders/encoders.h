@@ -9,7 +9,7 @@
 
 #include <vector>
 
-// How each modality's files are made, and what dataset.json says of them. Rows of modalities.cpp.
+// Encoder and dataset.json description of each modality, for the table in modalities.cpp.
 namespace dollytrack::render {
 
 using FrameFiles = Result<std::vector<FrameFile>>;

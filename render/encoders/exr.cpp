@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Collects what the library writes.
+/// Output stream in memory for the library.
 class MemoryStream : public Imf::OStream {
   public:
     MemoryStream() : Imf::OStream("memory") {}
@@ -42,9 +42,9 @@ Result<std::vector<std::uint8_t>> encodeExr(int width, int height, std::span<con
         header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
         MemoryStream stream;
         {
-            // One thread: this one.
+            // 0 threads: encodes on the calling thread.
             Imf::OutputFile file(stream, header, 0);
-            // The library reads from what it is told to write; it takes no const.
+            // The library takes a non-const pointer but only reads from it.
             auto* first = const_cast<char*>(reinterpret_cast<const char*>(values.data()));
             Imf::FrameBuffer buffer;
             buffer.insert("Y", Imf::Slice(Imf::FLOAT, first, sizeof(float),

@@ -8,9 +8,8 @@
 
 namespace dollytrack::render {
 
-/// An OpenEXR image of one 32-bit float channel, named Y as readers of pictures expect, rows from
-/// the top, ZIP compressed. The
-/// same values give the same bytes.
+/// Encodes an OpenEXR image with one 32-bit float channel "Y", row 0 at the top, ZIP compressed.
+/// Equal values give equal bytes. Returns Failed if the library fails.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeExr(int width, int height,
                                                           std::span<const float> values);
 

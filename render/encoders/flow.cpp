@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "Middlebury's files ar
 
 static_assert(sizeof(Eigen::Vector2f) == 8);
 
-/// Middlebury: "PIEH", width, height, then u and v of each pixel.
+/// Middlebury .flo file: "PIEH", width, height, then u and v of each pixel.
 std::vector<std::uint8_t> middlebury(int width, int height, const MotionField& field) {
     std::vector<std::uint8_t> bytes(12 + 8 * field.motion.size());
     std::memcpy(bytes.data(), "PIEH", 4);

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// KITTI's: 256 steps a pixel, 0 for nothing and for what is beyond the range.
+/// KITTI disparity: 256 steps per pixel; 0 for no surface and beyond the range.
 std::vector<std::uint16_t> disparities(const FrameRecord& frame, double focal_times_baseline) {
     std::vector<std::uint16_t> result(frame.depth_m.size(), 0);
     for (std::size_t i = 0; i < result.size(); ++i) {

@@ -51,7 +51,7 @@ FrameFiles encodeAlbedo(const FrameContext& /*context*/, const FrameRecord& fram
 FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecord& frame) {
     const Scene& scene = context.contents.scene;
     const Intrinsics lens = makeIntrinsics(context.contents.camera);
-    // To the box as the scene has it, and from there into the box's own frame.
+    // From the moved object to its position in the scene, and from there to the box's own frame.
     std::vector<Eigen::Affine3d> box_from_world(scene.objects.size() + 1);
     const auto motions = context.moving.toRest(frame.index);
     for (const Object& object : scene.objects) {

@@ -64,7 +64,7 @@ Json cocoPolygonsConvention(const DatasetContents& /*contents*/) {
              "attributes as in instances.csv"}};
 }
 
-/// The farthest a camera can see of the building; there is no far plane in the drawing.
+/// Largest distance from a camera to a corner of the building; rendering has no far plane.
 double farthestSight(const DatasetContents& contents) {
     const Eigen::AlignedBox3d& bounds = contents.scene.room_bounds;
     double far_m = 0.0;
@@ -137,7 +137,7 @@ Json instancesConvention(const DatasetContents& /*contents*/) {
 }
 
 const std::vector<Format>& table() {
-    // Built when first asked for: the rows that are objects of other files exist by then.
+    // Built at first use, when the rows defined in other files are initialised.
     static const std::vector<Format> rows = {
         {"coco",
          "COCO instances: boxes and masks of the targets, in annotations.json",

@@ -11,46 +11,47 @@
 
 namespace dollytrack::render {
 
-/// A file of a dataset beside its images.
+/// A file of a dataset besides its images.
 struct DatasetFile {
     std::string path;  // relative to the dataset's folder
     std::string bytes;
 };
 
-/// A way to say what the images show, for the readers of some field. A row of the one table from
-/// which the command line, the editor's check boxes, the files and dataset.json follow; a new
-/// format is a file with its writer and a row.
+/// An annotation or pose format; a row of the table from which the command line, the editor's check
+/// boxes, the files and dataset.json are derived. A new format is a file with its writer and a row.
 struct Format {
-    const char* name;  // as one asks for it, and its key in dataset.json
-    const char* text;  // what it is, for people
-    bool standard;     // written where none is named
+    const char* name;  // name on the command line, and key in dataset.json
+    const char* text;  // description for users
+    bool standard;     // written if no format is named
     unsigned needs;    // bits of FrameNeeds
-    // What it writes, so that it can be removed again: files beside the images, and folders of
-    // files whose names begin with the frame's six digits.
+    // Names it may write, so that they can be removed again: files, and folders of files whose
+    // names begin with the frame's six digits.
     std::span<const char* const> files;
     std::span<const char* const> folders;
 
-    /// When all frames are written. Null: there is nothing more to say then.
+    /// Writes files after all frames are written. Null: there are none.
     Result<std::vector<DatasetFile>> (*write)(const DatasetContents& contents);
-    /// A frame's own files, made on many threads, once. Null: there are none.
+    /// Encodes a frame's own files; called once per frame, on many threads. Null: there are none.
     Result<std::vector<FrameFile>> (*encode)(const FrameContext& context, const FrameRecord& frame);
-    /// What dataset.json says of the files.
+    /// Description of the files for dataset.json.
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
-    const char* modality = nullptr;  // the one without which there is nothing to write
-    double bytes_per_pixel = 0.0;    // of a frame's share of its files, on the high side
-    bool outlines_things = false;    // says where in the clean pictures things are
+    const char* modality = nullptr;  // required modality; null: none
+    double bytes_per_pixel = 0.0;    // estimate for a frame's files, on the high side
+    bool outlines_things = false;    // gives object positions in the undistorted pictures
 };
 
-/// All there are. dataset.json is not among them: it is always written.
+/// The whole table. dataset.json is always written and not part of it.
 [[nodiscard]] std::span<const Format> formats();
 
-/// Some of the table's rows, in its order.
+/// A selection of the table's rows, in its order.
 using FormatSet = std::vector<const Format*>;
 
-/// Those named, all for "all", the standard ones when none is. Error: Usage, with the closest name.
+/// Selects by name: all for "all", the standard ones if `names` is empty. Returns Usage, suggesting
+/// the closest name, for an unknown one.
 [[nodiscard]] Result<FormatSet> chooseFormats(const std::vector<std::string>& names);
 
-/// Whether the modalities are there that the formats need. Error: Usage, naming the first.
+/// Checks that the formats' required modalities are selected. Returns Usage for the first missing
+/// one.
 [[nodiscard]] Status checkNeeds(const FormatSet& formats, const ModalitySet& modalities);
 
 }  // namespace dollytrack::render

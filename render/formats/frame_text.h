@@ -8,8 +8,8 @@
 
 namespace dollytrack::render {
 
-/// Numbers of the formats whose files are lines of numbers: metres and units to a billionth.
-/// Neither locale nor exponents get into them.
+/// Numbers with nine decimals, independent of the locale and without exponents, separated by
+/// spaces.
 template <class Vector>
 std::string numbersText(const Vector& values) {
     std::string text;
@@ -19,18 +19,18 @@ std::string numbersText(const Vector& values) {
     return text;
 }
 
-/// "tx ty tz qx qy qz qw"
+/// A pose as "tx ty tz qx qy qz qw".
 [[nodiscard]] inline std::string positionQuaternionText(const Eigen::Vector3d& position,
                                                         const Eigen::Quaterniond& rotation) {
     return numbersText(position) + " " + numbersText(rotation.coeffs());
 }
 
-/// Seconds, to a microsecond.
+/// Seconds with six decimals.
 [[nodiscard]] inline std::string stampText(double time_s) {
     return fmt::format("{:.6f}", time_s + 0.0);
 }
 
-/// The rows of a matrix, one after the other.
+/// A matrix's rows, one after the other.
 template <class Matrix>
 std::string rowsText(const Matrix& matrix) {
     std::string text;

@@ -10,7 +10,7 @@ struct Extent {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// Pixels and box of each id, run by run along the rows.
+/// Pixel count and bounding box of each id, scanned by runs.
 std::vector<Extent> measure(const FrameRecord& frame, std::size_t id_count) {
     std::vector<Extent> extents(id_count);
     for (int y = 0; y < frame.height; ++y) {
@@ -49,9 +49,9 @@ CaptureCounter::CaptureCounter(const Scene& scene, const CaptureRules& rules)
 
 bool CaptureCounter::canMatter(const ObjectView& view) const {
     if (view.visible_px < rules_.min_visible_px) return false;
-    // It may show the object well, which the frame's own list wants to know.
+    // It may show the object well, which the frame's list of well-shown objects needs.
     if (view.box_share >= rules_.min_box_share) return true;
-    // No view is better than one that shows the whole object with a larger mask.
+    // The best view shows the whole object with the largest mask.
     const ObjectView& best = best_whole_[static_cast<std::size_t>(view.object_id)];
     return best.object_id == 0 || view.mask_share > best.mask_share;
 }
@@ -100,7 +100,7 @@ void CaptureCounter::addSilhouettes(std::span<const std::uint64_t> whole_px, boo
     last_views_ = views_.size();
     for (std::size_t i = 0; usable && i < pending_.size(); ++i) {
         ObjectView view = pending_[i];
-        // The two drawings may round a border pixel differently.
+        // The two renderings may round border pixels differently.
         const double whole = std::max(static_cast<double>(whole_px[i]), pending_px_[i]);
         view.visible_fraction = pending_px_[i] / whole;
         take(view);

@@ -10,31 +10,32 @@
 
 namespace dollytrack::render {
 
-/// Counts from the pixels which targets the frames show, and how well. Silhouettes cost drawing, so
-/// it asks for one only where it can still change a result.
+/// Determines from id images which targets the frames capture, and how well. Silhouettes cost
+/// drawing time, so they are requested only where they can still change a result.
 class CaptureCounter {
   public:
     explicit CaptureCounter(const Scene& scene, const CaptureRules& rules = {});
 
-    /// Takes a frame's id image. Returns the objects whose silhouettes are needed, by id; their
-    /// pixel counts must be handed to addSilhouettes() before the next frame.
+    /// Counts a frame's id image. Returns the ids of objects whose silhouettes are needed; pass
+    /// their pixel counts to addSilhouettes() before the next frame.
     [[nodiscard]] std::vector<int> addFrame(const FrameRecord& frame);
-    /// A frame whose picture is not `usable` captures nothing: it has no views then.
+    /// `whole_px` holds silhouette areas in the order of addFrame()'s ids. A frame with an unusable
+    /// picture captures nothing and adds no views.
     void addSilhouettes(std::span<const std::uint64_t> whole_px, bool usable = true);
 
-    /// Takes the views of a frame that was counted by an earlier run, in the place of the two
-    /// above. In the same order of frames the counter then is as it was.
+    /// Adds a frame that an earlier run counted, instead of the two functions above. If frames come
+    /// in the same order, the counter's state is the same.
     void addCounted(std::span<const ObjectView> views);
 
-    /// Ids of the targets the last frame shows well.
+    /// Ids of the targets that the last frame shows well.
     [[nodiscard]] const std::vector<int>& wellShown() const { return well_shown_; }
 
-    /// Views of the last frame.
+    /// Views (visibility and size of targets) of the last frame.
     [[nodiscard]] std::span<const ObjectView> lastViews() const {
         return std::span(views_).subspan(last_views_);
     }
 
-    /// Views that decide; those that can change nothing were left out.
+    /// Views of all frames that affect the result; views that cannot change it are left out.
     [[nodiscard]] const std::vector<ObjectView>& views() const { return views_; }
 
   private:
@@ -43,12 +44,12 @@ class CaptureCounter {
 
     CaptureRules rules_;
     std::vector<bool> is_target_;         // by id
-    std::vector<ObjectView> best_whole_;  // by id: largest view that shows all of the object
-    std::vector<ObjectView> pending_;     // of the last frame, visible fraction still missing
+    std::vector<ObjectView> best_whole_;  // by id: largest view that shows the whole object
+    std::vector<ObjectView> pending_;     // views of the last frame, without visible fraction
     std::vector<double> pending_px_;      // their visible pixels
     std::vector<int> well_shown_;
     std::vector<ObjectView> views_;
-    std::size_t last_views_ = 0;  // where those of the last frame begin
+    std::size_t last_views_ = 0;  // index of the last frame's first view
 };
 
 }  // namespace dollytrack::render

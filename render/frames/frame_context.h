@@ -6,12 +6,12 @@
 
 namespace dollytrack::render {
 
-/// What a frame's files are made from beside its record. The same for all frames, and const: many
-/// threads read it.
+/// Everything besides its record that a frame's files are made from. Shared by all frames and read
+/// by many threads.
 struct FrameContext {
     const DatasetContents& contents;
     const MovingObjects& moving;
-    const SensorLens* sensor_lens = nullptr;  // where rgb_sensor is wanted
+    const SensorLens* sensor_lens = nullptr;  // only with the modality rgb_sensor
 };
 
 }  // namespace dollytrack::render

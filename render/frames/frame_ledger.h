@@ -7,17 +7,18 @@
 
 namespace dollytrack::render {
 
-/// What is known of each frame of a dataset. A frame is finished when its files are written and its
-/// captures counted, which two threads report; then it goes into the journal.
+/// Collects the results of each frame of a dataset. A frame is finished when its files are written
+/// and its captures counted, which two threads report; then it is entered in the journal.
 class FrameLedger {
   public:
-    /// `restored` frames count as finished; the journal has them already.
+    /// `restored` frames count as finished and are in the journal already.
     FrameLedger(DatasetJournal journal, int frame_count, std::map<int, JournalEntry> restored = {});
     ~FrameLedger();
     FrameLedger(FrameLedger&&) noexcept;
     FrameLedger& operator=(FrameLedger&&) noexcept;
 
-    /// These two from any thread, once a frame each.
+    /// Each is called once per frame, from any thread. Returns an error if the journal cannot be
+    /// written.
     [[nodiscard]] Status addWritten(int index, std::map<std::string, std::string> sha256s,
                                     std::vector<ObjectMask> masks,
                                     std::vector<InstanceInFrame> instances);
@@ -25,11 +26,11 @@ class FrameLedger {
                                     std::vector<int> well_shown,
                                     std::optional<PictureQuality> quality);
 
-    /// Finished frames whose files are still in the folder.
+    /// Number of finished frames whose files still exist in the folder.
     [[nodiscard]] int finishedCount(const io::GuardedFolder& folder) const;
     [[nodiscard]] Status sync();
 
-    /// Hands out what is known of a frame; the ledger keeps no copy.
+    /// Moves a frame's entry out of the ledger.
     [[nodiscard]] JournalEntry take(int index);
 
   private:

@@ -9,7 +9,7 @@ namespace dollytrack::render {
 
 namespace {
 
-/// Pictures that are drawn when the frame's labels are there already.
+/// Pictures that are drawn after the frame's labels are read back.
 constexpr unsigned kNeedsLater = kNeedsRight | kNeedsRig | kNeedsSensorLight;
 
 }  // namespace
@@ -40,7 +40,7 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     if (picture_.render_mode == RenderMode::Reference) {
         reference_.emplace(context_, *lights_, picture_.reference_samples, job);
     }
-    if (reference_) light.sun = {};  // of what is drawn then only labels are wanted
+    if (reference_) light.sun = {};  // the rasteriser then draws labels only
     Result<SceneRenderer> renderer = SceneRenderer::create(scene, light);
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_.emplace(std::move(*renderer));
@@ -135,7 +135,7 @@ Status FramePipeline::drawRig(FrameRecord& record) {
     return {};
 }
 
-/// Every thing's silhouette at once, of which the counter gets those it wants.
+/// Draws all objects' silhouettes at once; the counter gets those in `wanted`.
 Result<std::vector<std::uint64_t>> FramePipeline::drawInstances(const View& view,
                                                                 FrameRecord& record,
                                                                 const std::vector<int>& wanted) {
@@ -193,7 +193,7 @@ Status FramePipeline::startNext() {
     placeObjects(missing_[started_]);
     lightFrame(missing_[started_]);
     View view = viewOf(missing_[started_++]);
-    if (!needs(kNeedsRgb) || reference_) {  // path traced pictures come later
+    if (!needs(kNeedsRgb) || reference_) {  // path-traced pictures are drawn later
         return renderer_->drawLabels(view, *targets_[place], surfaces);
     }
     view.antialias = picture_.antialias;
@@ -212,10 +212,10 @@ Status FramePipeline::drawNext(const TakeFrame& take, FrameLedger* ledger) {
     target.readDrawnDepth(depth_m);
     const std::vector<CrackPixel> cracks =
         findCracks(view, record.instance, depth_m, *context_.moving.raysAt(record.index));
-    fillCracks(cracks, context_, view, record);  // before it is counted
+    fillCracks(cracks, context_, view, record);  // ids must be filled before counting
     if (Status status = countLast(ledger); !status) return status;
-    // What silhouettes a frame needs depends on the frames before it, so these must be counted in
-    // their order, wherever they come from.
+    // Which silhouettes a frame needs depends on earlier frames, so all frames are counted in
+    // order, whether drawn or restored.
     countRestored(record.index);
     std::vector<int> wanted;
     if (ledger != nullptr) wanted = counter_.addFrame(record);
@@ -249,7 +249,7 @@ Status FramePipeline::drawNext(const TakeFrame& take, FrameLedger* ledger) {
         Status status = sensor_->take(record, *renderer_, reference_ ? &*reference_ : nullptr,
                                       record.sensor_light);
         if (!status) return status;
-        // What follows may draw this frame again, or go on with others in their own time.
+        // Later steps may draw this frame again or other frames at their own times.
         placeObjects(record.index);
     }
     ++drawn_;

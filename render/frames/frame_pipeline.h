@@ -25,18 +25,20 @@
 
 namespace dollytrack::render {
 
-/// Draws the frames of a dataset that are missing, one a call, counts what all frames show, and
-/// hands the images on. Needs its OpenGL context current, to the end.
+/// Draws the missing frames of a dataset, one per call, counts the captures of all frames and
+/// passes the images on. Its OpenGL context must be current for every call.
 class FramePipeline {
   public:
-    /// `restored`: the views of the frames that need not be drawn. `needs`: bits of FrameNeeds.
-    /// `context` must outlive this.
+    /// @param restored  views of the frames that need not be drawn, by index
+    /// @param needs     bits of FrameNeeds
+    ///
+    /// `context` must outlive this object.
     FramePipeline(const FrameContext& context, const CaptureRules& rules, unsigned needs,
                   const PictureParams& picture, std::map<int, std::vector<ObjectView>> restored);
 
-    /// Computes the light and loads the scene, where there is anything to draw. The job can cancel
-    /// frames, too.
-    /// `objects` are needed where the sensor's light is, and outlive this.
+    /// Bakes the light and uploads the scene, unless no frame is missing. `objects` is required
+    /// with kNeedsSensorLight and must outlive this object. `job` can cancel path-traced frames,
+    /// too.
     [[nodiscard]] Status prepare(const RayCaster& rays,
                                  const std::vector<Eigen::AlignedBox3d>& rooms,
                                  const ObjectPaths* objects, const JobContext& job);
@@ -47,34 +49,34 @@ class FramePipeline {
         return frameCount() - missingCount() + static_cast<int>(drawn_);
     }
 
-    /// Where the images of a frame go.
+    /// Receives a frame's images.
     using TakeFrame = std::function<Status(FrameRecord)>;
 
-    /// Draws the next missing frame; there must be one. Without a ledger, nothing is counted.
+    /// Draws the next missing frame; there must be one. Without a ledger no captures are counted.
     [[nodiscard]] Status drawNext(const TakeFrame& take, FrameLedger* ledger);
 
-    /// Counts the last frame drawn, whose silhouettes are still on their way.
+    /// Counts the captures of the last frame drawn, whose silhouettes may still be pending.
     [[nodiscard]] Status countLast(FrameLedger* ledger);
 
-    /// What decides about captures, from all frames; when all are drawn and counted.
+    /// Views that affect captures, of all frames. Call it after all frames are drawn and counted.
     [[nodiscard]] const std::vector<ObjectView>& views();
 
   private:
     [[nodiscard]] View viewOf(int index) const;
     [[nodiscard]] FrameRecord emptyRecord(int index) const;
     void countRestored(int before);
-    /// Puts the things that move where they are in the frame.
+    /// Moves the moving objects to their positions in the frame.
     void placeObjects(int index);
-    /// Where frames differ in light.
+    /// Applies the frame's light and reflections, if they vary.
     void lightFrame(int index);
     [[nodiscard]] Status startNext();
-    /// What is drawn for some files only.
+    /// Draws images that only some files need.
     [[nodiscard]] Status drawMore(const View& view, FrameRecord& record);
-    /// Returns the silhouettes' pixel counts that the counter wants.
+    /// Draws amodal masks and silhouettes. Returns the silhouette areas of the ids in `wanted`.
     [[nodiscard]] Result<std::vector<std::uint64_t>> drawInstances(const View& view,
                                                                    FrameRecord& record,
                                                                    const std::vector<int>& wanted);
-    /// Counts what a frame captures, when its picture is there.
+    /// Counts a frame's captures once the quality of its picture is known.
     [[nodiscard]] Status count(int index, std::span<const std::uint64_t> silhouettes_px,
                                FrameLedger* ledger);
     [[nodiscard]] Status drawRig(FrameRecord& record);
@@ -84,25 +86,26 @@ class FramePipeline {
     const DatasetContents& contents_;
     unsigned needs_;
     std::optional<SceneRenderer> renderer_;
-    // Two, so that one frame's triangles are set up while the other's pixels are still computed.
+    // Two targets, so that one frame's triangles are processed while the other's pixels are shaded.
     std::array<std::optional<RenderTarget>, 2> targets_;
-    std::array<std::optional<SurfaceTarget>, 2> surfaces_;  // over them, where they are wanted
+    std::array<std::optional<SurfaceTarget>, 2> surfaces_;  // parallel to targets_; only with
+                                                            // kNeedsSurfaces
     std::optional<RenderTarget> right_;
     std::optional<LensPictures> rig_;
     PictureParams picture_;
     std::optional<FrameLights> lights_;
     std::optional<FrameReflections> reflections_;
-    int lit_for_ = -1;  // the frame whose light the renderer has, where they differ
-    std::optional<ReferencePictures> reference_;  // where they are wanted
-    std::optional<SensorPictures> sensor_;        // likewise
+    int lit_for_ = -1;  // frame whose light the renderer has, if light varies
+    std::optional<ReferencePictures> reference_;  // only for path-traced pictures
+    std::optional<SensorPictures> sensor_;        // only with kNeedsSensorLight
     CaptureCounter counter_;
     std::map<int, std::vector<ObjectView>> restored_;
-    std::vector<int> missing_;  // indices of frames
-    std::size_t started_ = 0;   // of those missing
+    std::vector<int> missing_;  // frame indices
+    std::size_t started_ = 0;   // number of missing frames whose drawing has started
     std::size_t drawn_ = 0;
-    int silhouettes_of_ = -1;                // the frame whose silhouettes are being drawn
+    int silhouettes_of_ = -1;                // frame whose silhouettes are pending, -1: none
     std::optional<PictureQuality> quality_;  // of the last picture drawn
-    int restored_until_ = 0;                 // the frames below are counted, if they were restored
+    int restored_until_ = 0;                 // restored frames below this index are counted
 };
 
 }  // namespace dollytrack::render

@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Enough to keep the threads busy over an expensive frame.
+// Enough waiting frames to keep the threads busy during an expensive one.
 constexpr std::size_t kMaxWaiting = 4;
 
 }  // namespace
@@ -25,9 +25,9 @@ struct FrameWriter::Impl {
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<FrameRecord> waiting;
-    std::size_t bytes = 0;  // of those waiting and those being written
+    std::size_t bytes = 0;  // of waiting frames and those being written
     bool closing = false;
-    std::optional<Error> error;  // the first one, in the order of frames
+    std::optional<Error> error;  // of the frame with the smallest index
     int error_frame = 0;
     std::vector<std::thread> threads;
 
@@ -39,7 +39,7 @@ struct FrameWriter::Impl {
                 threads.emplace_back([this] { work(); });
             }
         } catch (const std::exception&) {
-            // A limit on threads: those that could be had do the work.
+            // Limited number of threads: continue with those that started.
         }
     }
 
@@ -85,7 +85,7 @@ struct FrameWriter::Impl {
         }
     }
 
-    /// Whether one more frame may come.
+    /// Whether one more frame fits.
     [[nodiscard]] bool hasRoom(std::size_t its_bytes) const {
         return waiting.size() < kMaxWaiting &&
                (bytes == 0 || bytes + its_bytes <= settings.max_bytes);
@@ -101,10 +101,10 @@ struct FrameWriter::Impl {
                 error_frame = frame.index;
             }
         }
-        changed.notify_all();  // write() may wait for room that will not come
+        changed.notify_all();  // write() may be waiting for space that will not be freed
     }
 
-    /// An exception must not leave a thread: it would end the program.
+    /// Converts exceptions to errors, because an exception leaving a thread ends the program.
     Status tryWriting(const FrameRecord& frame) {
         try {
             return writeFrame(frame);
@@ -138,8 +138,8 @@ struct FrameWriter::Impl {
     Status writeFiles(const Result<std::vector<FrameFile>>& files, WrittenFrame& result) const {
         if (!files) return tl::unexpected(files.error());
         for (const FrameFile& file : *files) {
-            // All files are synced once, before dataset.json says that it is complete; a continued
-            // export finds by their hashes those that a power cut took.
+            // Files are synced all at once before dataset.json declares the dataset complete; a
+            // resumed export detects files lost in a power cut by their hashes.
             if (Status status =
                     settings.folder.write(file.path, file.bytes, io::Durability::Renamed);
                 !status) {

@@ -17,16 +17,16 @@
 
 namespace dollytrack::render {
 
-/// What remains of a frame when its images are written.
+/// Results of a frame whose files are written.
 struct WrittenFrame {
     int index = 0;
-    std::map<std::string, std::string> sha256s;  // by relative path
-    std::vector<ObjectMask> masks;               // where they are wanted
-    std::vector<InstanceInFrame> instances;      // where they are wanted
+    std::map<std::string, std::string> sha256s;  // by path relative to the dataset folder
+    std::vector<ObjectMask> masks;               // only with kNeedsMasks
+    std::vector<InstanceInFrame> instances;      // only with kNeedsWhole
 };
 
-/// Compresses and writes frames on threads of its own, while the next ones are drawn; in write()
-/// itself where the system gives it no thread. What is written does not depend on their number.
+/// Compresses and writes frames on its own threads while the next frames are drawn. If the system
+/// grants no thread, write() does the work itself. Output does not depend on the number of threads.
 class FrameWriter {
   public:
     struct Settings {
@@ -34,25 +34,26 @@ class FrameWriter {
         ModalitySet modalities;
         FormatSet formats;
         unsigned needs = 0;  // bits of FrameNeeds
-        // Of the frames on their way, unless one alone is larger. What encoding takes beside is no
-        // more than that: 2 GiB together, whatever the resolution and the number of threads.
+        // Limit for all frames in memory, unless a single one is larger. Encoding takes at most as
+        // much again, so the total is 2 GiB for any resolution and number of threads.
         std::size_t max_bytes = 1ULL << 30U;
     };
-    /// Called on any thread when a frame's files are complete; its error counts as the frame's.
+    /// Called on any thread when a frame's files are complete. An error it returns counts as the
+    /// frame's.
     using OnWritten = std::function<Status(WrittenFrame)>;
 
-    /// Keeps a reference to the context.
+    /// Keeps references to `context`.
     FrameWriter(Settings settings, const FrameContext& context, OnWritten on_written);
-    /// Drops what waits, and waits for the files being written.
+    /// Discards waiting frames and waits for those being written.
     ~FrameWriter();
     FrameWriter(FrameWriter&&) noexcept;
     FrameWriter& operator=(FrameWriter&&) noexcept;
 
-    /// Hands over a frame; waits while too many are on their way. The first error of any earlier
-    /// frame.
+    /// Queues a frame; blocks while too many are in memory. Returns the first error of earlier
+    /// frames.
     [[nodiscard]] Status write(FrameRecord frame);
 
-    /// Waits for all frames.
+    /// Waits for all frames. Returns their first error.
     [[nodiscard]] Status finish();
 
   private:

@@ -6,7 +6,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Grows around pixels; x1 and y1 not included.
+/// A growing bounding box; x1 and y1 are exclusive.
 struct Extent {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     std::uint32_t pixels = 0;
@@ -26,7 +26,7 @@ struct Extent {
 std::vector<InstanceInFrame> measureInstances(const FrameRecord& frame) {
     std::map<int, Extent> visible;
     std::map<int, Extent> silhouettes;
-    std::map<int, std::map<int, std::uint32_t>> hiding;  // by object, pixels by what hides it
+    std::map<int, std::map<int, std::uint32_t>> hiding;  // by object: pixels per covering object
     const auto idAt = [&](int x, int y) {
         return frame.instance[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
                               static_cast<std::size_t>(x)];
@@ -36,7 +36,7 @@ std::vector<InstanceInFrame> measureInstances(const FrameRecord& frame) {
             for (int x = mask.x0; x < mask.x0 + mask.width; ++x) {
                 const int id = idAt(x, y);
                 const bool shows = id == mask.object_id;
-                // The two drawings may round a border pixel differently.
+                // The two renderings may round border pixels differently.
                 if (!shows && !mask.covers(x, y)) continue;
                 silhouettes[mask.object_id].add(x, y);
                 if (shows) {

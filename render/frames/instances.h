@@ -10,21 +10,23 @@
 
 namespace dollytrack::render {
 
-/// How a frame shows one object. Of structure there is none.
+/// Visibility of one object in a frame. Structure has no instances.
 struct InstanceInFrame {
     int object_id = 0;
     std::uint32_t visible_px = 0;
-    std::uint32_t silhouette_px = 0;  // inside the image, with nothing before it
-    std::uint64_t whole_px = 0;       // also beyond the image's borders, by up to 3 of its sizes
-    int occluder = 0;                 // id of the object that hides most of the silhouette
-    std::uint32_t occluded_px = 0;    // of the silhouette, by that one
+    std::uint32_t silhouette_px = 0;  // amodal area inside the image
+    std::uint64_t whole_px = 0;       // amodal area, including up to 3 image sizes beyond each
+                                      // border
+    int occluder = 0;                 // id of the object that covers most of the silhouette, 0:
+                                      // none
+    std::uint32_t occluded_px = 0;    // silhouette pixels that it covers
     std::array<int, 4> box = {0, 0, 0, 0};         // of the visible pixels: x, y, width, height
     std::array<int, 4> amodal_box = {0, 0, 0, 0};  // of the silhouette inside the image
 
     [[nodiscard]] double visibleFraction() const {
         return whole_px > 0 ? static_cast<double>(visible_px) / static_cast<double>(whole_px) : 0.0;
     }
-    /// Share of the silhouette that lies outside the image.
+    /// Share of the amodal area that lies outside the image.
     [[nodiscard]] double truncation() const {
         return whole_px > 0
                    ? 1.0 - static_cast<double>(silhouette_px) / static_cast<double>(whole_px)
@@ -38,20 +40,20 @@ struct InstanceInFrame {
     bool operator==(const InstanceInFrame&) const = default;
 };
 
-/// By rising id, of those that are seen. The record has `instance`, `whole` and `whole_px`.
+/// Visible objects by increasing id. The record must have `instance`, `whole` and `whole_px`.
 [[nodiscard]] std::vector<InstanceInFrame> measureInstances(const FrameRecord& frame);
 
-/// Ids of the objects that are no structure and show in the id image, by rising id.
+/// Ids of visible non-structure objects, increasing.
 [[nodiscard]] std::vector<int> thingsSeen(const Scene& scene, const FrameRecord& frame);
 
-/// An object's box in the camera's frame: x right, y down, z forward; m.
+/// An object's box in the camera frame (x right, y down, z forward), m.
 struct BoxInCamera {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    Eigen::Vector3d size = Eigen::Vector3d::Zero();                // along its own axes
+    Eigen::Vector3d size = Eigen::Vector3d::Zero();                // along the box's own axes
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // camera_from_box
 };
 
-/// `motion`: of the object since the scene was as given.
+/// `motion` moves the object from its position in the scene to that in the frame, world frame.
 [[nodiscard]] BoxInCamera boxInCamera(const Object& object, const Eigen::Isometry3d& motion,
                                       const Pose& camera);
 

@@ -6,7 +6,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Frames are made nearly in their order, each asking for those beside it.
+// Frames are processed nearly in order, each needing its neighbours.
 constexpr std::size_t kRemembered = 24;
 
 }  // namespace
@@ -69,7 +69,7 @@ std::optional<MovedShape> MovingObjects::wholeShapeAt(int frame) const {
 }
 
 std::shared_ptr<const RayCaster> MovingObjects::raysAt(int frame) const {
-    // Who gave the rays keeps them.
+    // Not owned: the caller keeps the ray caster alive.
     if (motions_.empty()) return {std::shared_ptr<const RayCaster>(), &rays_};
     const std::lock_guard lock(mutex_);
     const auto known = cache_.find(frame);
@@ -82,7 +82,7 @@ std::shared_ptr<const RayCaster> MovingObjects::raysAt(int frame) const {
         ids.push_back(motion.object_id);
     }
     if (cache_.size() >= kRemembered) {
-        // The one furthest away is asked for last.
+        // The frame farthest away will be needed last.
         const auto furthest = std::ranges::max_element(
             cache_, {}, [&](const auto& entry) { return std::abs(entry.first - frame); });
         cache_.erase(furthest);

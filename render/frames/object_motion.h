@@ -7,14 +7,14 @@
 
 namespace dollytrack::render {
 
-/// Where one object is in each frame of a dataset.
+/// Motion of one object through the frames of a dataset.
 struct ObjectMotion {
     int object_id = 0;
-    /// World; by frame: p_then = motion * p, for a point p of the object in the scene as given.
+    /// By frame, world frame: p_then = motion * p, for a point p of the object in the scene.
     std::vector<Eigen::Isometry3d> by_frame;
 };
 
-/// Where an object is in a frame: where the scene has it, when it does not move.
+/// An object's motion in a frame; identity if it does not move.
 [[nodiscard]] inline Eigen::Isometry3d motionOf(const std::vector<ObjectMotion>& motions,
                                                 int object_id, std::size_t frame) {
     for (const ObjectMotion& motion : motions) {
@@ -23,7 +23,7 @@ struct ObjectMotion {
     return Eigen::Isometry3d::Identity();
 }
 
-/// "mug on table"
+/// A relation between two objects, for example "mug on table".
 struct ObjectRelation {
     int object_id = 0;
     const char* kind = "";  // "on", "in", "hangs_on"

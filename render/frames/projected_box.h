@@ -8,7 +8,7 @@
 
 namespace dollytrack::render {
 
-/// Pixels, first included, last not.
+/// A rectangle of pixels; x1 and y1 are exclusive.
 struct PixelRect {
     int x0 = 0;
     int y0 = 0;
@@ -19,12 +19,13 @@ struct PixelRect {
     [[nodiscard]] std::int64_t area() const { return std::int64_t{width()} * height(); }
 };
 
-/// The pixels a box covers, cut at `limits`; all of them when it reaches behind the near plane.
+/// Pixels that a box may cover, clipped to `limits`; all of `limits` if the box reaches behind the
+/// near plane.
 [[nodiscard]] PixelRect projectBox(const Eigen::AlignedBox3f& box, const View& view,
                                    const PixelRect& limits);
 
-/// A part of the view's image as a view of its own: the same rays through the same pixels.
-/// @param step  one row and column in the place of so many; divides the rectangle's sides
+/// A part of a view's image as its own view, with the same rays through the same pixels.
+/// @param step  keeps one row and column in `step`; must divide the rectangle's width and height
 [[nodiscard]] View cutOut(const View& view, const PixelRect& rect, int step = 1);
 
 }  // namespace dollytrack::render

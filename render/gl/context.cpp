@@ -8,8 +8,8 @@ namespace dollytrack::gl {
 
 Status loadFunctions() {
     glewExperimental = GL_TRUE;
-    // Without GLX GLEW returns an error after having loaded everything, so the functions
-    // themselves are asked instead.
+    // Without GLX, GLEW returns an error although it has loaded everything, so its result is
+    // ignored and the loaded functions are checked below.
     glewInit();
     while (glGetError() != GL_NO_ERROR) {
     }

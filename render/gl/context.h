@@ -6,7 +6,7 @@
 
 namespace dollytrack::gl {
 
-/// An OpenGL 4.5 core context of some windowing system, or of none. One thread at a time.
+/// An OpenGL 4.5 core context, with or without a window. Only one thread may use it at a time.
 class Context {
   public:
     virtual ~Context() = default;
@@ -14,21 +14,23 @@ class Context {
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    /// Makes it the calling thread's context. NoOpenGl when that fails.
+    /// Makes the context current on the calling thread. Returns NoOpenGl if that fails.
     [[nodiscard]] virtual Status makeCurrent() = 0;
 };
 
-/// Loads the entry points for the current context and checks that it is at least 4.5. NoOpenGl
-/// with the version found when it is not.
+/// Loads the OpenGL entry points for the current context. Returns NoOpenGl, naming the version
+/// found, if the driver offers less than OpenGL 4.5.
 [[nodiscard]] Status loadFunctions();
 
-/// Whether the current context has no graphics card.
+/// Whether the current context renders on the CPU (Mesa's llvmpipe) instead of a graphics card.
 [[nodiscard]] bool drawsByProcessor();
 
-/// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5" of the current context.
+/// Renderer and version of the current context, for example "llvmpipe (LLVM 15.0.6, 256 bits),
+/// OpenGL 4.5"; "none" if the driver does not answer.
 [[nodiscard]] std::string rendererName();
 
-/// An error pending in the current context, as a Failed naming `during`.
+/// Returns Failed if an OpenGL error is pending in the current context; the message names `during`,
+/// the step that just ran ("loading the scene").
 [[nodiscard]] Status checkErrors(const std::string& during);
 
 }  // namespace dollytrack::gl

@@ -9,14 +9,14 @@
 
 namespace dollytrack::gl {
 
-/// Something that may draw, by the name that people know it by.
+/// A driver to try, with the name that error messages use for it.
 struct ContextChoice {
     std::string name;
     std::function<Result<std::unique_ptr<Context>>()> open;
 };
 
-/// The first that opens; those after it are not tried. Error: NoOpenGl, a sentence with all that
-/// were tried and why each did not open.
+/// Opens the choices in order and returns the first context that opens. Returns NoOpenGl if none
+/// opens; the message lists every choice with its reason.
 [[nodiscard]] Result<std::unique_ptr<Context>> openFirst(std::span<const ContextChoice> choices);
 
 }  // namespace dollytrack::gl

@@ -28,10 +28,10 @@ Error eglError(const std::string& what) {
     return {ErrorCode::NoOpenGl, what + " (EGL error " + code + ")", {}};
 }
 
-/// A display that contexts share: the first use starts it, the end of the last one terminates it.
+/// An EGL display shared by several contexts: initialised by the first, terminated with the last.
 class SharedDisplay {
   public:
-    /// Nothing where the display does not start.
+    /// Returns nothing if the display cannot be initialised.
     static std::optional<SharedDisplay> start(EGLDisplay display) {
         const std::lock_guard lock(users().mutex);
         if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) return std::nullopt;
@@ -76,7 +76,7 @@ class EglContext final : public Context {
     EglContext& operator=(const EglContext&) = delete;
 
     Status makeCurrent() override {
-        // Each thread chooses its API for itself.
+        // EGL binds the API per thread.
         if (eglBindAPI(EGL_OPENGL_API) == EGL_TRUE &&
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE) {
             return {};
@@ -102,7 +102,7 @@ std::string stringOf(PFNEGLQUERYDEVICESTRINGEXTPROC query, EGLDeviceEXT device, 
     return text == nullptr ? std::string() : text;
 }
 
-/// A context on a display.
+/// Opens a context on one display.
 Result<std::unique_ptr<Context>> openOn(EGLDisplay display, const ContextCheck& check) {
     if (display == EGL_NO_DISPLAY) return tl::unexpected(eglError("not offered"));
     std::optional<SharedDisplay> shared = SharedDisplay::start(display);
@@ -130,7 +130,7 @@ Result<std::unique_ptr<Context>> openOn(EGLDisplay display, const ContextCheck& 
     return opened;
 }
 
-/// The graphics cards, in the driver's order.
+/// One choice per graphics card, in the driver's order.
 std::vector<ContextChoice> graphicsCards(const ContextCheck& check) {
     std::vector<ContextChoice> cards;
     if (!has(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_EXT_platform_device")) {
@@ -146,7 +146,7 @@ std::vector<ContextChoice> graphicsCards(const ContextCheck& check) {
     if (query_devices(devices.size(), devices.data(), &count) == EGL_FALSE) return cards;
     for (EGLDeviceEXT device : std::span(devices).first(static_cast<std::size_t>(count))) {
         const std::string extensions = stringOf(query_string, device, EGL_EXTENSIONS);
-        // Mesa's software driver is a device, too.
+        // Mesa's software driver is listed as a device, too.
         if (has(extensions.c_str(), "EGL_MESA_device_software")) continue;
         std::string name = "graphics card " + std::to_string(cards.size() + 1);
         if (has(extensions.c_str(), "EGL_EXT_device_drm")) {

@@ -7,13 +7,13 @@
 
 namespace dollytrack::gl {
 
-/// Whether a context that was opened works; it may make it current.
+/// Checks a context that was just opened. The check may make the context current.
 using ContextCheck = std::function<Status(Context&)>;
 
-/// A windowless context by EGL: of the first graphics card that has one and passes the check, else
-/// of Mesa's software driver. Without a check it is not current anywhere yet. It shares nothing
-/// with other contexts, not even the driver's state behind them. Error: NoOpenGl, with all that was
-/// tried. Only programs that link `dollytrack_egl` have it.
+/// Opens a windowless EGL context on the first graphics card whose context passes `check`, or on
+/// Mesa's software driver if no card does. Without a check the context is not made current. It
+/// shares no objects with other contexts. Returns NoOpenGl, listing all devices tried, if none
+/// opens. Only programs that link `dollytrack_egl` have this function.
 [[nodiscard]] Result<std::unique_ptr<Context>> createEglContext(const ContextCheck& check = {});
 
 }  // namespace dollytrack::gl

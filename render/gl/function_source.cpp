@@ -6,8 +6,8 @@
 
 #include <string_view>
 
-// GLEW asks glXGetProcAddressARB for every function but those of OpenGL 1.1, which it and we call
-// as functions of libGL. This program's own definitions of them win over the library's.
+// GLEW looks up functions with glXGetProcAddressARB, except those of OpenGL 1.1, which GLEW and
+// this program call directly in libGL. The definitions below replace libGL's.
 namespace {
 
 struct Functions {
@@ -73,14 +73,14 @@ Status useFunctionsOf(FunctionSource source) {
 
 }  // namespace dollytrack::gl
 
-// The libraries find these in place of libGL's.
+// Exported, so that shared libraries call these functions instead of libGL's.
 #pragma GCC visibility push(default)
 extern "C" {
 
 void (*glXGetProcAddressARB(const GLubyte* name))(void);
 void (*glXGetProcAddressARB(const GLubyte* name))(void) {
     const std::string_view text(reinterpret_cast<const char*>(name));
-    // There is no X server: GLEW must not find what it would ask one with.
+    // There is no X server: GLX functions must not be found, or GLEW would call them.
     return text.starts_with("glX") ? nullptr : functions.source(text.data());
 }
 

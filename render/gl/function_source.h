@@ -4,13 +4,13 @@
 
 namespace dollytrack::gl {
 
-/// Finds an OpenGL function of the driver by its name; null when it has none.
+/// Looks up an OpenGL function of a driver by name; returns null if the driver lacks it.
 using FunctionSource = void (*(*)(const char* name))();
 
-/// From now on all OpenGL functions of this process are those of the source, whose context must be
-/// current; nothing changes if they are already. A program that may draw with one driver or another
-/// has no linker to choose for it. One thread at a time may draw where contexts of several drivers
-/// are open. Returns NoOpenGl if the driver lacks OpenGL 4.5.
+/// Redirects all OpenGL calls of this process to the functions of `source`, whose context must be
+/// current. Does nothing if `source` is already in use. Programs that choose their driver at run
+/// time need this because the linker cannot choose for them. If contexts of several drivers are
+/// open, only one thread at a time may draw. Returns NoOpenGl if the driver lacks OpenGL 4.5.
 [[nodiscard]] Status useFunctionsOf(FunctionSource source);
 
 }  // namespace dollytrack::gl

@@ -4,7 +4,8 @@
 
 namespace dollytrack::gl {
 
-/// Owner of one OpenGL name. Its context must be current when it is created and destroyed.
+/// Owns one OpenGL object by its name. The object's context must be current at creation and
+/// destruction.
 template <void (*Destroy)(unsigned)>
 class Handle {
   public:

@@ -13,8 +13,8 @@
 namespace dollytrack::gl {
 namespace {
 
-/// A context of EGL whose functions are used while it is current. The editor's window, which draws
-/// with libGL's, has EglContext alone.
+/// An EGL context that redirects all OpenGL calls to its own driver whenever it is made current.
+/// The editor's window draws with libGL's functions, so it uses EglContext itself.
 class LoadedEglContext final : public Context {
   public:
     explicit LoadedEglContext(std::unique_ptr<Context> context) : context_(std::move(context)) {}
@@ -36,7 +36,7 @@ Result<std::unique_ptr<Context>> createLoadedEglContext() {
     return std::make_unique<LoadedEglContext>(std::move(*context));
 }
 
-/// Asking the drivers takes a tenth of a second; what they talk to tells as well.
+/// Looks for device files, because asking the drivers takes a tenth of a second.
 bool hasGraphicsCard() {
     std::error_code error;
     if (std::filesystem::exists("/dev/nvidiactl", error)) return true;

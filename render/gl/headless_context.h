@@ -8,19 +8,20 @@
 
 namespace dollytrack::gl {
 
-/// What draws where there is no window.
+/// Driver for drawing without a window.
 enum class Backend {
-    Auto,    // EGL where the machine has a graphics card, else OSMesa
-    Egl,     // the graphics card, or Mesa's software driver where EGL offers nothing else
-    OsMesa,  // Mesa's software driver, by itself
+    Auto,    // EGL if the machine has a graphics card, else OSMesa
+    Egl,     // a graphics card, or Mesa's software driver if EGL finds no card
+    OsMesa,  // Mesa's software driver, without EGL
 };
 
-/// As people name them, in the enum's order.
+/// Names on the command line, in the order of Backend.
 constexpr std::array<std::string_view, 3> kBackendNames = {"auto", "egl", "osmesa"};
 
-/// A windowless context, current on the calling thread and with its functions loaded. Only
-/// programs that link `dollytrack_headless` have it; one of them keeps to one backend. NoOpenGl,
-/// with what to do, where the backend is not there; Auto goes on to OSMesa then, and logs why.
+/// Opens a windowless context, makes it current on the calling thread and loads its functions.
+/// Returns NoOpenGl, with advice, if the backend is missing; Auto then logs a warning and tries
+/// OSMesa. A program should use one backend only. Only programs that link `dollytrack_headless`
+/// have this function.
 [[nodiscard]] Result<std::unique_ptr<Context>> createHeadlessContext(Backend backend);
 
 }  // namespace dollytrack::gl

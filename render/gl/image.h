@@ -4,9 +4,9 @@
 
 namespace dollytrack::gl {
 
-/// A texture of one level that passes draw into and read from: clamped at its borders.
-/// @param format  OpenGL's, with its size: GL_RGBA8
-/// @param smooth  read between its pixels, too, and not at the nearest
+/// Creates a texture with one level for passes to render into and sample. It clamps at its borders.
+/// @param format  sized OpenGL format, for example GL_RGBA8
+/// @param smooth  linear filtering instead of nearest
 [[nodiscard]] Texture createImage(unsigned format, int width, int height, bool smooth = false);
 
 }  // namespace dollytrack::gl

@@ -4,7 +4,7 @@
 
 #include <GL/glew.h>
 
-// GLEW has undefined what Mesa's header expects from GL/gl.h.
+// GLEW undefines macros that Mesa's header expects from GL/gl.h.
 #define GLAPI extern "C"
 #ifndef GLAPIENTRY
 #define GLAPIENTRY

@@ -6,9 +6,9 @@
 
 namespace dollytrack::gl {
 
-/// A windowless context drawn by the processor (Mesa's OSMesa), current on the calling thread and
-/// with its functions loaded. Needs no display. Only programs that link `dollytrack_headless` have
-/// it.
+/// Opens a windowless context that renders on the CPU (Mesa's OSMesa), makes it current on the
+/// calling thread and loads its functions. Needs no display. Returns NoOpenGl if OSMesa offers no
+/// OpenGL 4.5. Only programs that link `dollytrack_headless` have this function.
 [[nodiscard]] Result<std::unique_ptr<Context>> createOsMesaContext();
 
 }  // namespace dollytrack::gl

@@ -7,10 +7,10 @@
 
 namespace dollytrack::gl {
 
-/// A picture to be shown in a window: 8-bit RGBA, row 0 at the top, filtered when it is scaled.
+/// An 8-bit RGBA image as a linearly filtered texture, for display in a window. Row 0 is the top.
 class PictureTexture {
   public:
-    /// Replaces the picture; 4 bytes a pixel.
+    /// Replaces the image. `rgba` holds 4 bytes per pixel.
     void upload(int width, int height, std::span<const std::uint8_t> rgba);
     void reset() { texture_.reset(); }
 
@@ -24,7 +24,7 @@ class PictureTexture {
     int height_ = 0;
 };
 
-/// Makes the window itself what is drawn into, all of it in one colour.
+/// Binds the window's framebuffer, sets its viewport and clears it to one colour.
 void clearWindow(int width, int height, float red, float green, float blue);
 
 }  // namespace dollytrack::gl

@@ -9,24 +9,24 @@
 
 namespace dollytrack::gl {
 
-/// Programs of the same two shaders, told apart by words to the fragment's preprocessor: on the
-/// processor both sides of a branch take their time, so that what is not wanted must not be there.
+/// Variants of one shader program that differ in the macros defined for the fragment shader. A
+/// branch would cost time on both sides when the CPU renders, so unwanted code is compiled out.
 class ProgramVariants {
   public:
     ProgramVariants(std::string vertex, std::string fragment, std::vector<std::string> words)
         : vertex_(std::move(vertex)), fragment_(std::move(fragment)), words_(std::move(words)) {}
 
-    /// Links the one that is meant by the words whose bits are set, where it has not been yet.
-    /// Failed with the compiler's words.
+    /// Links the variant whose macros are the set bits of `bits`, unless it is linked already.
+    /// Returns Failed with the compiler's message if that fails.
     [[nodiscard]] Status link(unsigned bits);
 
-    /// One that is linked.
+    /// The OpenGL name of a variant that link() has linked.
     [[nodiscard]] unsigned get(unsigned bits) const { return programs_.at(bits).get(); }
 
   private:
     std::string vertex_;
     std::string fragment_;
-    std::vector<std::string> words_;  // of bit 0, 1, ...
+    std::vector<std::string> words_;  // macro names of bit 0, 1, ...
     std::map<unsigned, Program> programs_;
 };
 

@@ -17,7 +17,7 @@ class Stage {
 
     Status compile(std::string_view file, std::span<const std::string> defined = {}) const {
         std::string source(shaderSource(file));
-        // The version has to be the first line.
+        // Macros follow the #version line, which must come first.
         for (const std::string& word : defined) {
             source.insert(source.find('\n') + 1, "#define " + word + "\n");
         }

@@ -9,13 +9,13 @@
 
 namespace dollytrack::gl {
 
-/// Text of a file of assets/shaders, held in the program itself so that it runs from anywhere.
-/// Empty when there is none of that name.
+/// Source text of a file in assets/shaders. The text is compiled into the program, so no file is
+/// needed at run time. Empty if there is no such file.
 [[nodiscard]] std::string_view shaderSource(std::string_view name);
 
-/// Compiles and links "<vertex>" with "<fragment>" (file names in assets/shaders; an empty fragment
-/// makes a program that draws no colour). Each word in `defined` is a macro that the fragment
-/// shader's preprocessor knows. Failed with the compiler's words.
+/// Compiles and links two shaders, given by file names in assets/shaders. An empty `fragment` makes
+/// a depth-only program. Each word in `defined` becomes a macro of the fragment shader. Returns
+/// Failed with the driver's message if compiling or linking fails.
 [[nodiscard]] Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
                                           std::span<const std::string> defined = {});
 

@@ -58,7 +58,7 @@ FrameLights::FrameLights(const Scene& scene, const RayCaster& rays,
         LightVolume baked = lightVolumeOf(scene, rays, rig, of_parts, job);
         parts_.push_back({source, std::move(baked.ambient), std::move(baked.slope)});
     }
-    // Without any light there still are frames that differ: in exposure.
+    // Even without any light frames may differ in exposure.
     if (parts_.empty()) parts_.push_back({Source::Sky, volume_.ambient, volume_.slope});
 }
 

@@ -14,25 +14,25 @@
 
 namespace dollytrack::render {
 
-/// The light of each frame of a dataset: the scene's, or by the frame's number in the whole
-/// trajectory where LightParams::light_varies says so. Light adds up: that of the lamps, of what
-/// else shines, of the sky and of the sun are each baked once, and weighed for a frame. The
-/// exposure is the one that suits the scene's light as it is set: more light is a brighter picture.
+/// Light of each frame of a dataset. If LightParams::light_varies is set, light depends on the
+/// frame's number in the whole trajectory. Irradiance grids of lamps, emission, sky and sun are
+/// baked once and summed with weights per frame. The exposure suits the nominal light, so stronger
+/// light gives a brighter picture; LightParams::exposure_ev may vary it.
 class FrameLights {
   public:
-    /// Empty when cancelled.
+    /// Bakes the grids. The volume is empty if the job was cancelled.
     FrameLights(const Scene& scene, const RayCaster& rays,
                 std::span<const Eigen::AlignedBox3d> rooms, const LightParams& light,
                 const LightVolumeParams& params = {}, const JobContext& job = {});
 
-    /// Whether frames differ.
+    /// Whether light differs between frames.
     [[nodiscard]] bool vary() const { return !parts_.empty(); }
-    /// Of the scene's light.
+    /// Light volume of the nominal light, without variation.
     [[nodiscard]] const LightVolume& volume() const { return volume_; }
-    /// For SceneRenderer::changeLight(): the light of a frame without `lamps`, which are the same
-    /// in all.
+    /// Light volume of a frame for SceneRenderer::changeLight(). Its `lamps` grid is empty, because
+    /// it is the same in all frames.
     [[nodiscard]] LightVolume volumeAt(int trajectory_frame) const;
-    /// For path tracing; see balanced().
+    /// Light rig of a frame for the path tracer; see balanced().
     [[nodiscard]] LightRig rigAt(int trajectory_frame) const;
     [[nodiscard]] float exposureAt(int trajectory_frame) const;
 
@@ -43,15 +43,15 @@ class FrameLights {
         std::vector<Eigen::Vector3f> ambient;
         std::vector<Eigen::Vector3f> slope;
     };
-    /// Times a part as it was baked.
+    /// Factor of a baked part in a frame with this rig and these drawn parameters.
     [[nodiscard]] Eigen::Vector3f weight(Source source, const LightRig& rig,
                                          const LightParams& drawn) const;
 
     LightParams light_;
-    LightParams drawn_;  // for the scene
+    LightParams drawn_;  // random values drawn for the nominal light
     LightRig rig_;
     LightVolume volume_;
-    std::vector<Part> parts_;  // empty: all frames have the scene's light
+    std::vector<Part> parts_;  // empty: all frames have the nominal light
 };
 
 }  // namespace dollytrack::render

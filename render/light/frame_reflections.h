@@ -10,24 +10,25 @@
 
 namespace dollytrack::render {
 
-/// What smooth surfaces show in the drawn pictures of a dataset's frames. Sensor pictures show in
-/// mirrors what moves where it is at the frame's time, without the blur of its motion.
+/// Traced reflections for the frames of a dataset. Moving objects are mirrored at the frame's time,
+/// without motion blur.
 class FrameReflections {
   public:
-    /// `context` and `lights` must outlive this.
+    /// `context` and `lights` must outlive this object.
     FrameReflections(const FrameContext& context, const FrameLights& lights, Reflections which);
 
-    /// With things and light as they are in the frame, until the next call but one; null where
-    /// nothing in the scene reflects.
+    /// Reflections with the objects and light of this frame, valid until the second next call. Null
+    /// if nothing in the scene reflects.
     [[nodiscard]] const TracedReflections* at(int frame);
 
   private:
-    struct Still;  // a scene at one time
+    struct Still;  // scene, light and reflections at one time
 
     const FrameContext& context_;
     const FrameLights& lights_;
     bool any_;
-    // Of even and of odd frames: some pictures of a frame are drawn when the next has begun.
+    // One slot for even and one for odd frames, because a frame may still be drawn when the next
+    // begins.
     std::array<std::shared_ptr<Still>, 2> stills_;
 };
 

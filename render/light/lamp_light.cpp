@@ -10,12 +10,12 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kReach = 9.0;    // m; farther lamps add too little to be worth a ray
-constexpr int kShadowRays = 6;    // per lamp and place
-constexpr int kNearestLamps = 4;  // considered per place
+constexpr double kReach = 9.0;    // m; lamps farther away add too little to be worth a ray
+constexpr int kShadowRays = 6;    // per lamp and point
+constexpr int kNearestLamps = 4;  // evaluated per point
 constexpr std::size_t kNearestOwnLamps = 6;
 constexpr int kOwnShadowRays = 9;
-constexpr double kOffSurface = 2e-3;  // m; of places that light falls on
+constexpr double kOffSurface = 2e-3;  // m; offset of lit points from their surface
 
 class OwnLampGatherer {
   public:
@@ -26,19 +26,19 @@ class OwnLampGatherer {
     [[nodiscard]] Eigen::Vector3f at(std::size_t cell) const {
         Random random(18, cell);
         const Eigen::Vector3d from = cells_.center(cell);
-        std::vector<std::pair<double, const OwnLamp*>> near;  // by what they would give unshaded
+        std::vector<std::pair<double, const OwnLamp*>> near;  // sorted by unshadowed strength
         for (const OwnLamp& lamp : rig_.own_lamps) {
             const double squared = (lamp.position - from).squaredNorm();
             if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
         }
-        std::sort(near.begin(), near.end());  // lamps are in one array
+        std::sort(near.begin(), near.end());  // ties: by position in the array
         if (near.size() > kNearestOwnLamps) near.resize(kNearestOwnLamps);
         const bool free = standsFree(cell);
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const auto& [unshaded, lamp] : near) {
             const Eigen::Vector3d on = litPlace(cell, *lamp);
             const Eigen::Vector3d way = lamp->position - on;
-            // What is nearer than the grid can tell is the lamp itself.
+            // Below the grid's resolution the distance is that to the lamp itself.
             const double least = std::max(lamp->radius_m, 0.5 * cells_.size_m());
             const double squared = std::max(way.squaredNorm(), least * least);
             sum += way.normalized() *
@@ -48,7 +48,7 @@ class OwnLampGatherer {
     }
 
   private:
-    /// Nothing is in the cell, as far as its rays tell.
+    /// Whether no ray of the cell hits anything within the cell.
     [[nodiscard]] bool standsFree(std::size_t cell) const {
         const double corner = 0.5 * std::sqrt(3.0) * cells_.size_m();
         for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
@@ -58,12 +58,13 @@ class OwnLampGatherer {
         return true;
     }
 
-    /// The volume is looked up off the surfaces. The place on the nearest surface that the lamp
-    /// shines on, but its own; else the cell's middle.
+    /// The grid is sampled at an offset from surfaces, so light is computed at the nearest surface
+    /// point that faces the lamp and is not part of it; else at the cell's centre.
     [[nodiscard]] Eigen::Vector3d litPlace(std::size_t cell, const OwnLamp& lamp) const {
         const Eigen::Vector3d from = cells_.center(cell);
         Eigen::Vector3d nearest = from;
-        double least = 2.1 * cells_.size_m();  // twice what look-ups are off, as cells interpolate
+        double least = 2.1 * cells_.size_m();  // twice the sampling offset, because cells are
+                                               // interpolated
         for (std::size_t k = 0; k < bounces_.perCell(); ++k) {
             const LightBounce& ray = bounces_.of(cell, k);
             if (ray.isSky() || ray.distance_m > 4.0 * cells_.size_m()) continue;
@@ -79,8 +80,8 @@ class OwnLampGatherer {
         return nearest;
     }
 
-    /// Of the ball, from places in the cell, in one that is not free as far as they are seen from
-    /// its middle.
+    /// Visible share of the lamp's ball from random points in the cell. Unless the cell is free,
+    /// only points visible from its centre count.
     [[nodiscard]] double visibleShare(const Eigen::Vector3d& middle, bool free,
                                       const Eigen::Vector3d& at, const OwnLamp& lamp,
                                       Random& random) const {
@@ -91,7 +92,7 @@ class OwnLampGatherer {
             Eigen::Vector3d on_ball;
             for (int axis = 0; axis < 3; ++axis) aside[axis] = random.uniform(-0.5, 0.5);
             for (int axis = 0; axis < 3; ++axis) on_ball[axis] = random.uniform(-1.0, 1.0);
-            // Along the surface, where there is one.
+            // Random points stay on the surface if there is one.
             const Eigen::Vector3d off = middle - at;
             if (off.squaredNorm() > 1e-8) aside -= off * (off.dot(aside) / off.squaredNorm());
             const Eigen::Vector3d from = k == 0 ? at : at + cells_.size_m() * aside;
@@ -117,7 +118,7 @@ class OwnLampGatherer {
 
 Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
                               const RayCaster& rays, Random& random) {
-    std::vector<std::pair<double, const Lamp*>> near;  // by what they would give unshaded
+    std::vector<std::pair<double, const Lamp*>> near;  // sorted by unshadowed strength
     for (const Lamp& lamp : rig.lamps) {
         const Eigen::Vector3d way = lamp.position - place;
         const double squared = way.squaredNorm() + lamp.radius_m * lamp.radius_m;

@@ -13,13 +13,15 @@
 
 namespace dollytrack::render {
 
-/// What falls straight onto a place from the rig's lamps, but its own_lamps, with soft shadows:
-/// irradiance vector, the sum of strength * direction, in units of the lamps' intensity.
+/// Direct light at a point from the rig's room lamps (without own_lamps), with soft shadows by
+/// random sampling. Returns the irradiance vector: the sum of strength * direction to the lamp, in
+/// units of lamp intensity.
 [[nodiscard]] Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
                                             const RayCaster& rays, Random& random);
 
-/// The same of the rig's own_lamps, by cell. Their light falls off so steeply that cells beside a
-/// surface, which the bounces know, get what falls there. Unfinished when cancelled.
+/// The same for the rig's own_lamps (the scene's lamps), by cell. Their light falls off so steeply
+/// that cells next to a surface, found with `bounces`, store the light at that surface instead of
+/// at their centre. Incomplete if the job is cancelled.
 [[nodiscard]] std::vector<Eigen::Vector3f> ownLampsByCell(const LightRig& rig,
                                                           const RayCaster& rays,
                                                           const LightCells& cells,

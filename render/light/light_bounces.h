@@ -13,42 +13,43 @@
 
 namespace dollytrack::render {
 
-/// Where a ray from a cell ended. Millions are kept while light is computed, so they are small.
+/// Hit of a ray from a grid cell. Millions are stored while baking, so they are small.
 struct LightBounce {
     static constexpr std::uint32_t kSky = 0xFFFFFFFF;
 
     float distance_m = 0.0F;               // 0: nothing was hit
-    std::uint32_t cell = 0;                // whose light falls on it
-    std::uint32_t material = kSky;         // in Scene::materials; the sky's for what sends daylight
-    std::array<std::int16_t, 3> turned{};  // see normal()
-    bool outside = false;                  // the object shows the day outside, see light_rig.h
+    std::uint32_t cell = 0;                // cell whose light falls on the hit point
+    std::uint32_t material = kSky;         // index in Scene::materials; kSky for windows
+    std::array<std::int16_t, 3> turned{};  // normal as 16-bit integers, see normal()
+    bool outside = false;                  // the object shows the outside, see showsOutside()
 
     [[nodiscard]] bool isSky() const { return material == kSky; }
-    /// Towards where the ray came from; zero of the sky.
+    /// Unit normal on the ray's side; zero for the sky.
     [[nodiscard]] Eigen::Vector3f normal() const {
         constexpr float kUnit = 1.0F / 32767.0F;
         return {kUnit * turned[0], kUnit * turned[1], kUnit * turned[2]};
     }
 };
 
-/// The rays that look around from the middles of all cells, evenly over the sphere, and where they
-/// end. Each cell turns them about z by chance, lest all miss the same thing.
+/// Rays from the centres of all grid cells, evenly distributed over the sphere, and their hits.
+/// Each cell's set of rays is randomly rotated about z, so that cells do not all miss the same
+/// detail.
 class LightBounces {
   public:
     LightBounces(const Scene& scene, const RayCaster& rays, const LightCells& cells, int per_cell);
 
-    /// Casts a cell's rays. Different cells may be followed on different threads.
+    /// Casts a cell's rays. Different cells may be processed on different threads.
     void follow(std::size_t cell, Random& random);
 
     [[nodiscard]] std::size_t perCell() const { return spiral_.size(); }
     [[nodiscard]] const LightBounce& of(std::size_t cell, std::size_t ray) const {
         return bounces_[cell * perCell() + ray];
     }
-    /// Unit vector along a ray.
+    /// Unit direction of a ray.
     [[nodiscard]] Eigen::Vector3d way(std::size_t cell, std::size_t ray) const {
         return (turns_[cell] * spiral_[ray]).cast<double>().normalized();
     }
-    /// The same before and for the cell's turn, for sums over rays.
+    /// Direction before the cell's rotation, and that rotation, for sums over rays.
     [[nodiscard]] const Eigen::Vector3f& unturned(std::size_t ray) const { return spiral_[ray]; }
     [[nodiscard]] const Eigen::Matrix3f& turn(std::size_t cell) const { return turns_[cell]; }
 

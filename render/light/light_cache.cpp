@@ -23,9 +23,9 @@ namespace dollytrack::render {
 namespace {
 
 constexpr const char* kExtension = ".light";
-constexpr std::size_t kSumLength = 64;  // SHA-256 in digits, at a file's end
+constexpr std::size_t kSumLength = 64;  // hexadecimal SHA-256 at the end of each file
 
-/// Whether values lie there as they are: numbers, and Eigen's vectors of a fixed size.
+/// Types stored as raw bytes: numbers and Eigen vectors of fixed size.
 template <class T>
 constexpr bool kPlain = std::is_arithmetic_v<T> || std::is_same_v<T, Eigen::Vector3f> ||
                         std::is_same_v<T, Eigen::Vector3d> || std::is_same_v<T, std::array<int, 3>>;
@@ -67,7 +67,7 @@ class Reader {
         values.resize(count);
         take(values.data(), sizeof(T) * count);
     }
-    /// Whether there was as much as was read, and no more.
+    /// Whether all reads succeeded and nothing is left.
     [[nodiscard]] bool whole() const { return whole_ && rest_.empty(); }
 
   private:
@@ -142,7 +142,7 @@ void writeRig(Writer& write, const LightRig& rig) {
     visitSun(write, rig.sun);
 }
 
-/// What of the scene is in neither of its hashes.
+/// Scene data that neither geometryHash() nor appearanceHash() covers.
 void writeScene(Writer& write, const Scene& scene) {
     write(scene.room_bounds.min());
     write(scene.room_bounds.max());
@@ -199,7 +199,7 @@ std::optional<LightVolume> LightCache::find(const std::string& key) const {
     Reader read(data);
     visitVolume(read, volume);
     if (!read.whole()) return std::nullopt;
-    ::futimens(file->descriptor(), nullptr);  // it is the youngest now
+    ::futimens(file->descriptor(), nullptr);  // marks the file as recently used
     return volume;
 }
 

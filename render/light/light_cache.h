@@ -12,23 +12,23 @@
 
 namespace dollytrack::render {
 
-/// Keeps light volumes, a file each. What is damaged or cut off is passed over.
+/// A disk cache of light volumes, one file each. Damaged files are ignored.
 class LightCache {
   public:
-    /// The user's, see io::userCache().
+    /// The user's cache, see io::userCache(); none if it is unavailable.
     [[nodiscard]] static std::optional<LightCache> ofUser();
 
-    /// The oldest files go where all would be larger than `most_bytes`.
+    /// Stores at most `most_bytes`; the oldest files are deleted to make room.
     LightCache(io::GuardedFolder folder, std::uint64_t most_bytes)
         : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
-    /// Names what bakeLightVolume() gives: by all that the scene and the light are, and by this
-    /// program's file, for another one may light otherwise.
+    /// Cache key: a hash of the scene, the light and the program file, because another build may
+    /// bake differently.
     [[nodiscard]] static std::string keyOf(const Scene& scene, const LightRig& rig,
                                            const LightVolumeParams& params);
 
     [[nodiscard]] std::optional<LightVolume> find(const std::string& key) const;
-    /// Without a word where it cannot be kept.
+    /// Stores a volume. Failures are ignored.
     void keep(const std::string& key, const LightVolume& volume) const;
 
   private:
@@ -36,7 +36,7 @@ class LightCache {
     std::uint64_t most_bytes_;
 };
 
-/// What bakeLightVolume() gives, from the user's cache where it was computed before.
+/// Returns bakeLightVolume()'s result, from the user's cache if possible.
 [[nodiscard]] LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays,
                                         const LightRig& rig, const LightVolumeParams& params = {},
                                         const JobContext& job = {});

@@ -104,7 +104,7 @@ std::vector<char> LightCells::reachedFrom(const std::vector<std::size_t>& starts
 }
 
 void LightCells::blur(std::vector<Eigen::Vector3f>& values, double deviation_m) const {
-    // A mean over a cell and its six neighbours has a variance of 2/7 cells along an axis.
+    // The mean over a cell and its six neighbours has a variance of 2/7 cells^2 per axis.
     const double wanted = 3.5 * std::pow(deviation_m / size_m_, 2.0);
     std::vector<Eigen::Vector3f> before;
     for (long pass = 0; pass < std::lround(wanted); ++pass) {

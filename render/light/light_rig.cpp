@@ -14,13 +14,13 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kLampSpacing = 3.6;  // m; a lamp lights about its room's height around itself
+constexpr double kLampSpacing = 3.6;  // m; a lamp lights about a room's height around itself
 constexpr double kBelowCeiling = 0.25;
-constexpr double kFromWall = 1.0;      // m; kLampShade and the largest lamp's radius
-constexpr double kShadesBeyond = 0.5;  // m; eaves and what else stands out a little
+constexpr double kFromWall = 1.0;      // m; kLampShade plus the largest lamp radius
+constexpr double kShadesBeyond = 0.5;  // m; margin for eaves and other small overhangs
 
-/// Under the ceiling that is really there, or a lamp that hangs from it: boxes of rooms include
-/// beams and the roof, and cupboards hang over places where a lamp may be wanted.
+/// Height just below the actual ceiling or a hanging lamp. Room boxes may include beams and the
+/// roof, and cupboards may hang over the position.
 double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
                   const Eigen::Vector2d& at) {
     constexpr double kFar = 12.0;
@@ -36,8 +36,8 @@ double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::Aligne
     return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
 }
 
-/// The shortest and longest distance to what stands or hangs around a place, m, at most kFromWall.
-/// Not to lamps: the place may be in one.
+/// Shortest and longest horizontal distance to obstacles, m, at most kFromWall. Lamps are ignored,
+/// because the position may be inside one.
 std::pair<double, double> reachAround(const Scene& scene, const RayCaster& rays,
                                       const Eigen::Vector3d& place) {
     constexpr int kWays = 16;
@@ -58,18 +58,18 @@ double clearAround(const Scene& scene, const RayCaster& rays, const Eigen::Vecto
     return reachAround(scene, rays, place).first;
 }
 
-/// A lamp at the place or, where walls or cupboards would cut through it, at the nearest one of
-/// some around it that has room for it.
+/// A lamp at the wanted position or, if walls or cupboards would cut it, at the nearest of some
+/// surrounding positions with enough space.
 Lamp roomLamp(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
               const Eigen::Vector2d& wanted) {
     constexpr int kRings = 4;
     constexpr double kApart = 0.35;  // m
-    constexpr double kAside = 0.05;  // m; from what is around
+    constexpr double kAside = 0.05;  // m; distance kept from obstacles
     constexpr double kSmallest = 0.15;
     const Eigen::Vector3d size = room.sizes();
     const double radius = std::clamp(0.12 * std::min(size.x(), size.y()), kSmallest, 0.6);
-    constexpr double kInWall = 0.1;   // m; any side of a wall will do from within it
-    constexpr double kWithin = 0.75;  // m; what ends nearer on all sides is no room
+    constexpr double kInWall = 0.1;   // m; inside a wall, positions on either side are allowed
+    constexpr double kWithin = 0.75;  // m; a smaller enclosed space is no room
     Lamp best;
     double most = -1.0;
     const auto behindWall = [&](const Eigen::Vector3d& place) {
@@ -88,7 +88,7 @@ Lamp roomLamp(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox
             if (ring > 0 && !room.contains(place)) continue;
             if (ring > 0 && most > kInWall && behindWall(place)) continue;
             const auto [clear, longest] = reachAround(scene, rays, place);
-            // Within a column or a cupboard a lamp would light nothing else.
+            // Inside a column or a cupboard a lamp would light nothing else.
             if (clear <= most || longest < kWithin) continue;
             most = clear;
             best.position = place;
@@ -99,12 +99,12 @@ Lamp roomLamp(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox
     return best;
 }
 
-/// The lamp of the scene that hangs near the place, away from walls and cupboards, if there is one.
+/// The scene lamp that hangs nearest to the position, away from walls and cupboards; null if none.
 const Object* hungNear(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
                        const Eigen::Vector2d& place) {
     const Object* nearest = nullptr;
     double distance = kLampSpacing / 3.0;
-    // One on a wall lights the room from its middle: what is so near hides nothing of a lamp.
+    // A wall lamp is replaced by one in the room's middle, because the wall blocks half its light.
     Eigen::AlignedBox3d middle = room;
     middle.min().head<2>().array() += kFromWall;
     middle.max().head<2>().array() -= kFromWall;
@@ -175,11 +175,11 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
     std::vector<Eigen::AlignedBox3d> boxes(rooms.begin(), rooms.end());
     if (boxes.empty()) boxes.push_back(scene.room_bounds);
     LightRig rig;
-    std::vector<bool> taken(scene.objects.size(), false);  // lamps that are a room's
+    std::vector<bool> taken(scene.objects.size(), false);  // lamps that mark a room lamp's position
     for (const Eigen::AlignedBox3d& room : boxes) {
         if (room.isEmpty()) continue;
         const Eigen::Vector3d size = room.sizes();
-        // Grounds and streets can make a "room" of a hundred metres; it gets a bounded number.
+        // Grounds and streets can form a "room" of a hundred metres, so the number is bounded.
         const int across = std::clamp(static_cast<int>(std::lround(size.x() / kLampSpacing)), 1, 6);
         const int along = std::clamp(static_cast<int>(std::lround(size.y() / kLampSpacing)), 1, 6);
         for (int i = 0; i < across; ++i) {

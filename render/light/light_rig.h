@@ -13,95 +13,95 @@
 
 namespace dollytrack::render {
 
-/// A lamp: a flat round area that shines downwards, from every direction equally bright. Nothing
-/// in the scene belongs to it: cameras do not see it, and light passes through it.
+/// A room lamp: a flat disc of uniform radiance that shines downwards. It is no object of the
+/// scene: cameras do not see it, and light passes through it.
 struct Lamp {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle, m
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // centre, m
     double radius_m = 0.4;
     double intensity = 1.0;  // irradiance straight below at 1 m
 
     [[nodiscard]] double area() const;      // m2
-    [[nodiscard]] double radiance() const;  // seen from below
+    [[nodiscard]] double radiance() const;  // as seen from below
 };
 
-/// Around a lamp, m, nothing casts a shadow: the shade of a real one that hangs where ours is must
-/// not darken the room.
+/// Distance from a lamp within which nothing casts its shadow, m: a real lamp's shade may hang
+/// where the lamp is placed.
 constexpr double kLampShade = 0.4;
 
-/// Emission is in no unit that files agree on, and brighter than this only in a few.
+/// Emission is clamped to this, because files use no common unit; few exceed it.
 constexpr float kBrightestEmission = 8.0F;
 
-/// Of the scene's own lamps beside the others: shades and their bulbs are warmer, as 3500 K is
-/// beside 4500 K.
+/// Tint of the scene's own lamps relative to room lamps: warmer, as 3500 K beside 4500 K.
 constexpr std::array<float, 3> kOwnTint = {1.10F, 0.99F, 0.80F};
 
-/// The sun: a small disc, infinitely far away. Its light falls through windows and open sides.
+/// The sun: a small, infinitely distant disc. It shines through windows and open sides.
 struct SunLight {
-    Eigen::Vector3d way = Eigen::Vector3d::UnitZ();        // to its middle, unit vector
-    Eigen::Vector3f irradiance = Eigen::Vector3f::Zero();  // of what faces it; linear RGB
-    /// What lies outside casts no shadow: grounds, skies and what else is not the building.
+    Eigen::Vector3d way = Eigen::Vector3d::UnitZ();        // unit vector towards its centre
+    Eigen::Vector3f irradiance = Eigen::Vector3f::Zero();  // on a surface facing it; linear RGB
+    /// Objects outside this box cast no shadow: grounds, skies and whatever is not the building.
     Eigen::AlignedBox3d shades;
 
     [[nodiscard]] bool shines() const { return irradiance.maxCoeff() > 0.0F; }
 };
 
-/// Sine of the angle between the sun's middle and its edge.
+/// Sine of the sun's angular radius.
 constexpr double kSunRadius = 0.00465;
 
-/// What lights a scene, in whichever way it is drawn. Files rarely bring lights, so rooms get their
-/// own. Radiance is in units of the lamps' intensity.
+/// All light sources of a scene, for the rasteriser and the path tracer. Files rarely contain
+/// lights, so rooms are given lamps. Radiance is in units of lamp intensity.
 struct LightRig {
     std::vector<Lamp> lamps;
     std::vector<OwnLamp> own_lamps;
     Eigen::Vector3f lamp_color = {1.0F, 0.93F, 0.83F};  // linear; warm
     Eigen::Vector3f sky_color = {0.80F, 0.93F, 1.15F};  // through windows and open sides; cool
     double sky_strength = 0.8;
-    double ground_share = 0.3;    // of the sky's light is thrown back from below the horizon
-    double emission_scale = 1.0;  // of the materials' emission
+    double ground_share = 0.3;    // share of the sky's light that comes from below the horizon
+    double emission_scale = 1.0;  // factor of the materials' emission
 
-    // What the time of day and the user's wishes change of it, see ResolvedLight.
+    // Factors from the time of day and the user's settings, see ResolvedLight.
     float lamp_factor = 1.0F;
-    float emission_factor = 1.0F;  // of what else shines by itself
+    float emission_factor = 1.0F;  // for emission that does not show the outside
     Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
     float backdrop_grey = 0.0F;  // see skyBackdrop()
     double exposure_ev = 0.0;
     SunLight sun;
 
-    /// Of a thing's own emission; see showsOutside().
+    /// Factor of an object's emission; see showsOutside().
     [[nodiscard]] float shineFactor(bool shows_outside) const {
         return shows_outside ? sky_factor.mean() : emission_factor;
     }
-    /// The lamps' colour and strength.
+    /// Colour times strength of the room lamps.
     [[nodiscard]] Eigen::Vector3f lampLight() const { return lamp_color * lamp_factor; }
-    /// The same of the scene's own.
+    /// Colour times strength of the scene's own lamps.
     [[nodiscard]] Eigen::Vector3f ownLampLight() const {
         return lampLight().cwiseProduct(Eigen::Vector3f(kOwnTint[0], kOwnTint[1], kOwnTint[2]));
     }
 
-    /// What comes along this way, from outside towards -way; a unit vector.
+    /// Sky radiance from the direction `way`, a unit vector.
     [[nodiscard]] Eigen::Vector3f skyRadiance(const Eigen::Vector3d& way) const;
-    /// Of emission as the file has it, before shineFactor().
+    /// Clamped and scaled emission of a material, before shineFactor().
     [[nodiscard]] Eigen::Vector3f emissionOf(const Eigen::Vector3f& emission) const {
         return emission.cwiseMin(kBrightestEmission) * static_cast<float>(emission_scale);
     }
 };
 
-/// Whether the sky shines through this object, whatever its panes are made of in the file: rooms
-/// are closed by windows that hide the outside, or have no outside at all.
+/// Whether an object counts as a window, which emits sky light whatever its material: in many files
+/// windows hide the outside or there is none.
 [[nodiscard]] bool sendsDaylight(const Object& object);
 
-/// Objects that show the day outside, by id - 1: windows, and pictures of a sky that stand behind
-/// them. What these shine with goes with the sky, and the sun passes them.
+/// By id - 1: objects that show the outside, which are windows and sky backdrops (structure named
+/// sky, skybox, skydome or skysphere). Their emission follows the sky's strength, and sunlight
+/// passes through them.
 [[nodiscard]] std::vector<bool> showsOutside(const Scene& scene);
 
-/// Sets all that `light` says but own_lamps.
+/// Applies every setting of `light` except own_lamps.
 void setLight(LightRig& rig, const ResolvedLight& light);
 
-/// One lamp under the middle of each room's ceiling, more in large rooms; where a lamp of the scene
-/// hangs near such a place, under that. All other lamps of the scene are its own_lamps. `rooms` are
-/// the boxes of the rooms; when it is empty the scene's room_bounds is the one room. What `light`
-/// says is done to all of it.
+/// Places one lamp below the centre of each room's ceiling, several in large rooms; a scene lamp
+/// that hangs nearby determines the position. All other lamps of the scene become own_lamps. Dark
+/// parts get more lamps, see lampsForUnlitPlaces(). `rooms` are room boxes; if there are none,
+/// scene.room_bounds is used. Then `light` is applied.
 [[nodiscard]] LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                                     std::span<const Eigen::AlignedBox3d> rooms = {},
                                     const ResolvedLight& light = {});

@@ -7,7 +7,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// The cells around a place and how near it is to each; as textures are filtered.
+/// The eight cells around a position with trilinear weights, as in texture filtering.
 class Around {
   public:
     Around(const LightVolume& light, const Eigen::Vector3d& position) {
@@ -52,7 +52,7 @@ class Around {
 
 Eigen::Vector3f irradianceAt(const LightVolume& light, const Eigen::Vector3d& position,
                              const Eigen::Vector3d& normal) {
-    // Out of the cell behind the surface.
+    // Offset out of the cell behind the surface.
     const Around cells(light, position + light.cell_m * normal);
     const Eigen::Vector3f n = normal.cast<float>();
     const Eigen::Vector3f lamps = cells.mean(light.lamps);

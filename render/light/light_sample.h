@@ -6,15 +6,16 @@
 
 namespace dollytrack::render {
 
-// What light.frag reads off a light volume, on the processor.
+// CPU versions of the light volume lookups in light.frag.
 
-/// Irradiance of a surface, without the sun's, that faces `normal`; world, m. Linear, in units of
-/// LightVolume::ambient.
+/// Irradiance of a surface with this normal, without direct sunlight. World frame, m. Linear, in
+/// units of LightVolume::ambient.
 [[nodiscard]] Eigen::Vector3f irradianceAt(const LightVolume& light,
                                            const Eigen::Vector3d& position,
                                            const Eigen::Vector3d& normal);
 
-/// The room's blurred light that comes to a place along -way, in the same units.
+/// Blurred radiance that arrives at a position from the direction `way`, in the same units (times
+/// pi).
 [[nodiscard]] Eigen::Vector3f lightFrom(const LightVolume& light, const Eigen::Vector3d& position,
                                         const Eigen::Vector3d& way);
 

@@ -5,16 +5,16 @@
 
 namespace dollytrack::render {
 
-/// What one look of many is to a sum of light.
+/// Timing and geometry of one exposure sample in an accumulated image.
 struct LightSum {
-    Intrinsics lens;            // of the pinhole that the sum is seen through
-    LensDistortion distortion;  // from there to the sensor, whose rows have times of their own
-    double s_per_bent = 0.0;    // from a row's y / z behind the lens to its time; 0: all at once
-    double after_s = 0.0;       // the look's time, that of the middle row being 0
-    double look_step_s = 0.0;   // to the next look
+    Intrinsics lens;            // pinhole camera in which light is accumulated
+    LensDistortion distortion;  // of the sensor's lens; sensor rows have their own times
+    double s_per_bent = 0.0;    // seconds per unit of distorted y / z; 0: global shutter
+    double after_s = 0.0;       // time of the sample relative to the middle row, s
+    double look_step_s = 0.0;   // time to the next sample, s
     double row_exposure_s = 0.0;
-    int first_row = 0;  // of the sum; what lies outside need not be drawn
-    int last_row = 0;   // the first that need not
+    int first_row = 0;  // rows of the accumulated image that need drawing
+    int last_row = 0;   // one past the last of these rows
 };
 
 }  // namespace dollytrack::render

@@ -18,13 +18,13 @@ namespace dollytrack::render {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kWhitest = 0.9F;        // albedo
-constexpr double kSettled = 2e-3;       // of the light, by one more bounce
+constexpr float kWhitest = 0.9F;        // largest albedo
+constexpr double kSettled = 2e-3;       // stop when one more bounce adds less than this share
 constexpr float kWhiteLevel = 0.62F;    // linear value of a white surface in average light
-constexpr float kDaylightShare = 0.7F;  // of the lamps' light, at most, in the middle of rooms
+constexpr float kDaylightShare = 0.7F;  // daylight may reach this share of lamp light at the median
 
-/// The share of the light that a surface of this material throws back, in its colour and by the
-/// dielectric layer over it, see SurfaceBrdf. Whiter things than real ones would never be dark.
+/// Share of light that a material reflects, by its base colour and its dielectric layer (see
+/// SurfaceBrdf). Clamped, because a whiter surface than real ones would never get dark.
 Eigen::Vector3f meanAlbedo(const Scene& scene, const Material& material) {
     Eigen::Vector3f base = material.base_color;
     if (material.texture >= 0 && scene.textures[material.texture].width > 0) {
@@ -53,7 +53,7 @@ class Baker {
         volume_.slope.assign(count, Eigen::Vector3f::Zero());
         volume_.lamps.assign(count, Eigen::Vector3f::Zero());
         setStrengths(rig, volume_);
-        // What the balance is made for, before anybody's wishes.
+        // The balance is computed for neutral light, before the user's factors.
         neutral_.lamp_factor = neutral_.emission_factor = 1.0F;
         neutral_.sky_factor.setOnes();
         if (rig.sun.shines()) {
@@ -112,16 +112,17 @@ class Baker {
             escaped += ray.distance_m == 0.0F ? 1 : 0;
             stuck += ray.distance_m > 0.0F && ray.distance_m < volume_.cell_m ? 1 : 0;
         }
-        // Behind a wall there is the open sky, inside a cushion there is night; neither may shine
-        // through to the surface a few centimetres away. Rooms without a ceiling see their lamps.
+        // Cells behind a wall see the open sky and cells inside cushions are dark; neither may
+        // bleed onto the surface a few centimetres away. Rooms without a ceiling see their lamps
+        // and stay.
         sees_sky_[i] = escaped > 0 ? 1 : 0;
         const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
         if (in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count)) cells_.leaveAir(i);
     }
 
-    /// What no way leads to from the rooms' lamps, from cell to cell, and sees the sky, lies behind
-    /// a wall: the day there must not shine through where the wall is thinner than cells. What no
-    /// light gets into at all is the inside of a column or a cupboard: nor must the night there.
+    /// Excludes cells that are not connected to lit ones. Those that see the sky lie behind a wall,
+    /// and daylight must not bleed through walls thinner than a cell. Those without any light are
+    /// inside columns or cupboards, and their darkness must not bleed out.
     void leaveOutside() {
         std::vector<std::size_t> lit;
         std::vector<std::size_t> bright;
@@ -138,7 +139,7 @@ class Baker {
         }
     }
 
-    /// One vector for all lamps is what the pictures are lit by.
+    /// Shaders use one irradiance vector for all lamps.
     void joinOwnLamps() {
         if (own_.empty()) return;
         volume_.own_share.assign(own_.size(), 0.0F);
@@ -150,7 +151,7 @@ class Baker {
         }
     }
 
-    /// The share of the sun's light that a ray's end gets, its slant included.
+    /// Share of the sun's irradiance at a ray's hit point, times the cosine of incidence.
     [[nodiscard]] float sunOn(const LightBounce& ray, const Eigen::Vector3d& from,
                               const Eigen::Vector3d& way) const {
         if (ray.isSky()) return 0.0F;
@@ -162,14 +163,13 @@ class Baker {
         return static_cast<float>(slant * sun_rays_->share(at, rig_.sun.way));
     }
 
-    /// Emission, or the sky's light, as it is balanced: before anybody's wishes.
+    /// Emission, or sky radiance, of neutral light, before the user's factors.
     [[nodiscard]] Eigen::Vector3f sentAlong(const LightBounce& ray,
                                             const Eigen::Vector3d& way) const {
         return ray.isSky() ? neutral_.skyRadiance(way) : emission_[ray.material];
     }
 
-    /// What a cell's ray finds that sends light by itself. What the sun lights sends that on like
-    /// something that shines.
+    /// Radiance sent along a cell's ray by sources: sky, emission and sunlit surfaces.
     [[nodiscard]] Eigen::Vector3f sent(std::size_t cell, std::size_t ray) const {
         const LightBounce& bounce = bounces_.of(cell, ray);
         Eigen::Vector3f light = volume_.dimmed * sentAlong(bounce, bounces_.way(cell, ray));
@@ -182,9 +182,8 @@ class Baker {
         return light;
     }
 
-    /// What sky, shining things and sunlit places send straight to each cell. Few of its rays find
-    /// a small bright one: what they find is shared with the cells around, as far as these are open
-    /// to each other.
+    /// Direct light from sky, emitters and sunlit surfaces for each cell. Few rays hit a small
+    /// bright source, so results are blurred over connected cells.
     void gatherSent() {
         sent_.resize(cells_.count());
         sent_aside_.resize(cells_.count());
@@ -201,7 +200,7 @@ class Baker {
                 sent_aside_[i] = bounces_.turn(i) * aside;
             }
         });
-        // Wider than what bounces: few rays find a small bright thing.
+        // Wider than the blur of reflected light, because few rays hit a small bright source.
         const double width = std::max(0.18, 1.5 * volume_.cell_m);
         cells_.blur(sent_, width);
         cells_.blur(sent_aside_, width);
@@ -221,7 +220,7 @@ class Baker {
                 }
                 sum += sent_[i];
                 next[i] = sum * (kPi / static_cast<float>(bounces_.perCell()));
-                // Of radiance l0 + l1 . way, pi * l0 + 2/3 pi * l1 . n falls on a surface; l1 is
+                // Radiance l0 + l1 . way gives the irradiance pi * l0 + 2/3 pi * l1 . n; l1 is
                 // three times the mean of radiance * way.
                 const Eigen::Vector3f mean_way = bounces_.turn(i) * aside + sent_aside_[i];
                 if (sum.mean() > 0.0F) slope[i] = mean_way * (2.0F / sum.mean());
@@ -231,7 +230,7 @@ class Baker {
         volume_.slope = std::move(slope);
     }
 
-    /// Of the light that falls onto a ray's end by what is known of it so far.
+    /// Radiance reflected at a ray's hit point under the light known so far.
     [[nodiscard]] Eigen::Vector3f thrownBack(const LightBounce& ray) const {
         if (ray.isSky()) return Eigen::Vector3f::Zero();
         const Eigen::Vector3f normal = ray.normal();
@@ -245,7 +244,7 @@ class Baker {
         return albedo_[ray.material].cwiseProduct(falls) / kPi;
     }
 
-    /// Standard deviation, m: as far as the rays' chance shows.
+    /// Standard deviation, m, that hides the noise of the rays.
     [[nodiscard]] double blurWidth() const { return std::max(0.06, 0.7 * volume_.cell_m); }
 
     [[nodiscard]] double allAmbient() const {
@@ -279,8 +278,8 @@ class Baker {
         return *middle;
     }
 
-    /// Dims sky, sun and emitting things where they would drown the lamps: files give emission in
-    /// any unit, and a house without a roof would be all cool daylight.
+    /// Dims sky, sun and emission where they would drown the lamps: files give emission in any
+    /// unit, and a house without a roof would get daylight only.
     void balance() {
         std::vector<float> lamps;
         std::vector<float> others;
@@ -297,7 +296,7 @@ class Baker {
         volume_.sun.irradiance *= volume_.dimmed;
     }
 
-    /// From what the lit cells receive: dark solids and the outside must not decide.
+    /// Exposure from lit cells only; dark solids and the outside must not affect it.
     void expose() {
         std::vector<float> levels;
         for (std::size_t i = 0; i < cells_.count(); ++i) {
@@ -322,16 +321,18 @@ class Baker {
     LightCells cells_;
     LightBounces bounces_;
     std::optional<TracedSurface> surface_;
-    std::optional<SunRays> sun_rays_;  // where there is a sun
+    std::optional<SunRays> sun_rays_;  // only with a sun
     std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
     LightVolume volume_;
-    std::vector<Eigen::Vector3f> own_;         // as lamps, of the scene's own; empty without these
-    std::vector<float> balanced_;              // by cell, what its rays find that sends light
+    std::vector<Eigen::Vector3f> own_;         // irradiance vectors of the scene's own lamps; empty
+                                               // without any
+    std::vector<float> balanced_;              // by cell: sum of neutral source radiance over its
+                                               // rays
     std::vector<char> sees_sky_;               // by cell
     std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
-    std::vector<Eigen::Vector3f> sent_aside_;  // likewise, times the way it comes from
+    std::vector<Eigen::Vector3f> sent_aside_;  // by cell: the same times the incoming direction
     std::vector<Eigen::Vector3f> albedo_;      // by material
-    std::vector<Eigen::Vector3f> emission_;    // likewise
+    std::vector<Eigen::Vector3f> emission_;    // by material
 };
 
 }  // namespace

@@ -15,14 +15,15 @@ namespace {
 
 constexpr double kSmallest = 0.03;  // radius of a ball, m
 constexpr double kLargest = 0.12;
-constexpr double kAround = 0.01;            // m; a round shade touches its box
-constexpr double kOwnLampFromWall = 0.005;  // m; what the shade keeps from walls, tables and floors
-constexpr double kLeast = 1e-3;             // m; radius, however near it is seen from
-constexpr double kThinnest = 0.005;         // m; half of a shade between walls
-constexpr double kLong = 0.12;     // m, half of it; what hangs so from a ceiling has a cord
-constexpr double kTouches = 0.06;  // m; to what a thing stands on or hangs from
+constexpr double kAround = 0.01;            // m; margin, because a round shade touches its box
+constexpr double kOwnLampFromWall = 0.005;  // m; distance of the shade from walls, tables and
+                                            // floors
+constexpr double kLeast = 1e-3;             // m; smallest apparent radius
+constexpr double kThinnest = 0.005;         // m; smallest half thickness of a shade between walls
+constexpr double kLong = 0.12;              // m, half height: a longer hanging lamp has a cord
+constexpr double kTouches = 0.06;  // m; an object this near counts as support or suspension
 
-/// Where the ball is, by what the box stands on or hangs from.
+/// Position of the ball, depending on whether the lamp stands or hangs.
 Eigen::Vector3d ballOf(const Scene& scene, const RayCaster& rays, const Object& object) {
     const OrientedBox& box = object.box;
     const auto other = [](const Object& hit) { return hit.nyu40 != kNyuLamp; };
@@ -48,7 +49,8 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
     lamp.position = ballOf(scene, rays, object);
     lamp.radius_m = std::clamp(0.6 * std::min(object.box.half_size.x(), object.box.half_size.y()),
                                kSmallest, kLargest);
-    // The sides of the box as seen from the ball, up to walls; the ball keeps away from these.
+    // Extends the shade from the ball to the box's sides or to walls; the ball is then moved
+    // inside.
     const Eigen::Vector3d in_box = object.box.toBox(lamp.position);
     Eigen::Vector3d low;
     Eigen::Vector3d high;
@@ -65,7 +67,7 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
             const Eigen::Vector3d way = (to - lamp.position).normalized();
             const double free = distanceTo(scene, rays, lamp.position, way, wanted, blocks);
             reach[side] = std::max(free < wanted ? free - kOwnLampFromWall : wanted, kThinnest);
-            // What stands does so on the box's own floor: light must not get below that.
+            // A standing lamp rests on its box's floor; its light must not get below that.
             if (axis == 2 && side == 0) {
                 reach[side] =
                     std::max(std::min(reach[side], wanted - kAround - kOwnLampFromWall), kThinnest);
@@ -73,7 +75,7 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
         }
         low[axis] = in_box[axis] - reach[0];
         high[axis] = in_box[axis] + reach[1];
-        // In the middle where the ball only just fits.
+        // Centres the ball where it only just fits.
         lamp.radius_m = std::min(lamp.radius_m, 0.5 * (reach[0] + reach[1]));
         moved[axis] =
             std::min(std::max(in_box[axis], low[axis] + lamp.radius_m), high[axis] - lamp.radius_m);
@@ -88,7 +90,7 @@ OwnLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object) 
 }  // namespace
 
 double OwnLamp::radiusFrom(const Eigen::Vector3d& place) const {
-    constexpr double kOutside = 0.7;  // of the distance
+    constexpr double kOutside = 0.7;  // share of the distance, which keeps points outside the ball
     return std::clamp(kOutside * (position - place).norm(), kLeast, radius_m);
 }
 
@@ -122,7 +124,7 @@ std::vector<OwnLamp> findOwnLamps(const Scene& scene, const RayCaster& rays,
         return taken[static_cast<std::size_t>(object.id) - 1];
     };
     std::vector<const Object*> found;
-    std::vector<const Object*> wholes;  // others may be parts of
+    std::vector<const Object*> wholes;  // lamps that others may be parts of
     for (const Object& object : scene.objects) {
         if (isTaken(object)) wholes.push_back(&object);
         if (object.nyu40 != kNyuLamp || isTaken(object)) continue;
@@ -134,7 +136,7 @@ std::vector<OwnLamp> findOwnLamps(const Scene& scene, const RayCaster& rays,
     });
     std::vector<OwnLamp> lamps;
     for (const Object* object : found) {
-        // Bulbs and feet are things of their own in some files.
+        // In some files bulbs and stands are separate objects.
         const bool is_part = std::ranges::any_of(wholes, [&](const Object* whole) {
             return whole->box.contains(object->box.center, kAround) ||
                    (isTaken(*whole) && object->box.contains(whole->box.center, kAround));

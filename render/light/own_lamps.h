@@ -9,36 +9,37 @@
 
 namespace dollytrack::render {
 
-/// A lamp that the scene has, standing or on a wall: a small ball that shines evenly all around,
-/// within the object's shade. Cameras see the object alone, as it ever was.
+/// A lamp that is an object of the scene, standing or on a wall. Its light comes from a small
+/// uniform ball within the object's shade. Cameras see the object, not the ball.
 struct OwnLamp {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle, m
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // centre, m
     double radius_m = 0.05;
-    double intensity = 0.1;  // irradiance at 1 m of what faces it; see Lamp
-    OrientedBox shade;       // holds the ball; what is in it casts no shadow of this lamp
+    double intensity = 0.1;  // irradiance at 1 m on a surface facing it; see Lamp
+    OrientedBox shade;       // contains the ball; nothing inside it casts a shadow of this lamp
     int object_id = 0;
 
-    /// The ball's radius as it is seen from a place: one within the ball, on a shade that the ball
-    /// does not fit into, is lit by a smaller one.
+    /// Apparent radius of the ball from a point. It shrinks near and inside the ball, so that a
+    /// shade too small for the ball is lit, too.
     [[nodiscard]] double radiusFrom(const Eigen::Vector3d& place) const;
-    /// Of the ball with that radius.
+    /// Radiance of the ball with that radius.
     [[nodiscard]] double radianceFrom(const Eigen::Vector3d& place) const;
-    /// How far light on its way to the ball, `distance` m along a unit vector, may be shadowed.
+    /// Length over which a ray towards the ball can be shadowed: up to the shade.
+    /// @param way       unit vector towards a point of the ball
+    /// @param distance  to that point, m
     [[nodiscard]] double shadowedFor(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
                                      double distance) const;
 };
 
-/// A bulb in a shade, as a share of the light straight below one of the rooms' own lamps. It sends
-/// a sixth of the light that such a one does: 0.3 m away a wall is about twice as bright with it,
-/// a room as a whole hardly.
+/// Intensity of a scene lamp relative to a room lamp. It emits a sixth of a room lamp's light: a
+/// wall 0.3 m away gets about twice as bright, the room hardly.
 constexpr double kOwnIntensity = 0.04;
 
-/// More do not take part; the largest do.
+/// Largest number of own lamps; if a scene has more, the largest lamps are used.
 constexpr std::size_t kMostOwnLamps = 64;
 
-/// The lamps among the scene's objects but for those `taken` (by id - 1), largest first. The ball
-/// is in the upper third of what stands on something, in the lower one of what hangs long, else in
-/// the middle; the shade is the object's box up to the walls it reaches.
+/// Finds the lamps among the scene's objects except those `taken` (by id - 1), largest first. The
+/// ball is in the upper third of a standing lamp, in the lower third of a long hanging lamp, else
+/// in the middle. The shade is the object's box, clipped at walls.
 [[nodiscard]] std::vector<OwnLamp> findOwnLamps(const Scene& scene, const RayCaster& rays,
                                                 const std::vector<bool>& taken);
 

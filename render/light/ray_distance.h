@@ -7,8 +7,8 @@
 
 namespace dollytrack::render {
 
-/// Distance in m from a place along a unit vector to the first surface whose object counts,
-/// counts(object), at most `far`.
+/// Distance (m) from a point along a unit vector to the first surface whose object satisfies
+/// counts(object); at most `far`. Gives up after 64 surfaces and returns `far`.
 template <class Counts>
 double distanceTo(const Scene& scene, const RayCaster& rays, const Eigen::Vector3d& from,
                   const Eigen::Vector3d& way, double far, Counts&& counts) {

@@ -14,12 +14,12 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kTexel_m = 0.004;  // wanted; larger where the map would be too large
+constexpr double kTexel_m = 0.004;  // wanted; larger if the map would exceed kLargest_px
 constexpr int kSmallest_px = 256;
 constexpr int kLargest_px = 4096;
-constexpr double kBlur_m = 0.008;  // the sun's disc at about two metres
+constexpr double kBlur_m = 0.008;  // penumbra of the sun's disc at about two metres
 
-/// Looks along the sun's light at all that may cast shadows.
+/// Orthographic view along the sunlight, over all shadow casters.
 View viewFromSun(const SunLight& sun) {
     View view;
     const Eigen::Vector3d forward = -sun.way;
@@ -36,7 +36,7 @@ View viewFromSun(const SunLight& sun) {
     }
     const Eigen::Vector3d size = box.sizes();
     const double wide = std::max({size.x(), size.y(), 0.1});
-    // What a file says may be wider than an int of texels.
+    // Clamped as a double: a file's extent may exceed the range of int.
     const int pixels = static_cast<int>(std::clamp(64.0 * std::ceil(wide / kTexel_m / 64.0),
                                                    1.0 * kSmallest_px, 1.0 * kLargest_px));
     view.pose.rotation = Eigen::Quaterniond(axes);
@@ -65,12 +65,12 @@ gl::Texture makeMap(unsigned format, int pixels, const std::array<float, 4>& bey
 Result<SunShadow> SunShadow::create(const SunLight& sun) {
     SunShadow shadow;
     shadow.sun_ = sun;
-    if (sun.shades.isEmpty()) {  // nothing stands anywhere
+    if (sun.shades.isEmpty()) {  // there is no object
         shadow.sun_.shades = Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
     }
     shadow.view_ = viewFromSun(shadow.sun_);
     const int pixels = shadow.view_.intrinsics.width;
-    // Depth is 0 where it is farthest: nothing stands there.
+    // Reversed depth: the border value 0 means no shadow caster.
     shadow.depth_ = makeMap(GL_DEPTH_COMPONENT32F, pixels, {0, 0, 0, 0});
     glTextureParameteri(shadow.depth_.get(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTextureParameteri(shadow.depth_.get(), GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
@@ -108,7 +108,7 @@ void SunShadow::draw(const GpuScene& scene) {
     glUniform3fv(7, 1, low.data());
     glUniform3fv(8, 1, high.data());
     for (const bool glass : {false, true}) {
-        if (glass) {  // of what nothing stands before, towards the sun
+        if (glass) {  // only panes with nothing between them and the sun
             glDepthMask(GL_FALSE);
             glEnablei(GL_BLEND, 0);
             glBlendFunci(0, GL_ZERO, GL_SRC_COLOR);

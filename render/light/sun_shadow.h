@@ -8,16 +8,16 @@
 
 namespace dollytrack::render {
 
-/// Where the sun's light falls in a drawn scene: what the sun sees of it, as SunRays says what
-/// stands in its way. Needs the OpenGL context current that it was created in.
+/// Shadow map of the sun for drawn pictures; shadow casters are those of SunRays. The OpenGL
+/// context in which it was created must be current for every call.
 class SunShadow {
   public:
     [[nodiscard]] static Result<SunShadow> create(const SunLight& sun);
 
-    /// Draws what the sun sees; again when things have moved.
+    /// Draws the shadow map. Call it again after objects moved.
     void draw(const GpuScene& scene);
 
-    /// The same sun, as bright as this.
+    /// Changes the sun's brightness only.
     void setIrradiance(const Eigen::Vector3f& irradiance) { sun_.irradiance = irradiance; }
 
     /// Sets the uniforms and textures of light.frag.
@@ -25,7 +25,7 @@ class SunShadow {
 
   private:
     SunLight sun_;
-    View view_;  // from the sun; its image is the map
+    View view_;  // from the sun; its image is the shadow map
     gl::Texture depth_;
     gl::Texture let_through_;
     gl::Framebuffer frame_;

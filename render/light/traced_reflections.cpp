@@ -14,11 +14,11 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Rougher surfaces than the first blur what they reflect so far that the room's blurred light will
-// do; between the two, one fades into the other.
+// Above kRough, reflections are blurred so much that ambient light serves; below kSmooth they are
+// fully traced; in between both are blended.
 constexpr float kRough = kMirrorRoughness;  // as in light.frag
 constexpr float kSmooth = 0.15F;
-constexpr int kMostSurfaces = 16;  // sheets, holes and mirrors one after the other
+constexpr int kMostSurfaces = 16;  // glass sheets, holes and mirrors along one ray
 constexpr int kMostMirrors = 4;
 constexpr float kBrightest = 1e4F;
 
@@ -26,7 +26,7 @@ auto* thatReflects(Reflections which) {
     return which == Reflections::All ? isSmooth : isMirror;
 }
 
-/// Of the blurred light, what a traced reflection takes the place of.
+/// Share of the ambient reflection that a traced reflection replaces.
 float share(const SurfacePoint& point, Reflections which) {
     if (which == Reflections::Mirrors && point.metallic <= kMirrorMetal) return 0.0F;
     return std::clamp((kRough - point.roughness) / (kRough - kSmooth), 0.0F, 1.0F);
@@ -123,9 +123,9 @@ Eigen::Vector4f TracedReflections::seenIn(const View& view, double x, double y) 
         const float part = share(point, view.reflections);
         if (part <= 0.0F) break;
         const Eigen::Vector3d mirrored = way - 2.0 * way.dot(point.normal) * point.normal;
-        // A smoothed normal may send it through the triangle.
+        // With a smoothed normal the mirrored ray may pass through its own triangle.
         if (mirrored.dot(point.face) <= 0.0) break;
-        // Files name emission in any unit; what is so bright is white in any picture.
+        // Files use any unit for emission; clamped values are white in any picture.
         const Eigen::Vector3f light =
             lightAlong(liftedOff(point, mirrored), mirrored).cwiseMin(kBrightest);
         if (!light.allFinite()) break;
@@ -184,7 +184,7 @@ Eigen::Vector3f TracedReflections::lightOf(const SurfacePoint& point, int object
     const bool outside = outside_[static_cast<std::size_t>(object_id) - 1];
     const float shines = outside ? light_.outside_shines : light_.lamps_shine;
     Eigen::Vector3f color = point.base_color;
-    // What shone as the day does is dark without it.
+    // Surfaces that emit daylight turn dark without it.
     if (outside && !point.emission.isZero(0.0F)) color *= std::min(light_.outside_shines, 1.0F);
     return color.cwiseProduct(irradiance) * (1.0F - point.metallic) +
            point.emission * (std::numbers::pi_v<float> * light_.dimmed * shines);

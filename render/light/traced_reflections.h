@@ -15,32 +15,33 @@
 
 namespace dollytrack::render {
 
-/// What the smooth surfaces of a drawn picture reflect, found by rays: those that meet a mirror go
-/// on to what it shows, which is lit as drawn surfaces are. Const and for many threads; keeps
-/// references to scene, rays, light and shape.
+/// Ray-traced reflections on the smooth surfaces of a drawn picture. Reflected surfaces are shaded
+/// from the light volume; rays continue at further mirrors. Thread-safe. Keeps references to scene,
+/// rays, light and moved shape.
 class TracedReflections {
   public:
-    /// @param moved  where things are if not where the scene has them; `rays` are of them there
+    /// @param moved  current vertex positions if objects moved, else null; `rays` must match
     TracedReflections(const Scene& scene, const RayCaster& rays, const LightVolume& light,
                       const MovedShape* moved = nullptr);
 
-    TracedReflections(const TracedReflections&) = delete;  // parts refer to each other
+    TracedReflections(const TracedReflections&) = delete;  // members refer to each other
     TracedReflections& operator=(const TracedReflections&) = delete;
 
-    /// Whether a scene has any surface that would be asked about.
+    /// Whether a scene has any surface whose reflections would be traced.
     [[nodiscard]] static bool any(const Scene& scene, Reflections which);
 
-    /// What each pixel's middle sees in such smooth surfaces as View::reflections names, in the
-    /// units of LightVolume::ambient; fourth: the share of the room's blurred light that this takes
-    /// the place of. Rows from first_row to before last_row; others stay as they are. False: no
-    /// such surface is in view. What the view hides or cuts away is mirrored nevertheless.
+    /// Traces the reflections at pixel centres, for the surfaces that View::reflections selects.
+    /// Each pixel gets the reflected light in units of LightVolume::ambient and, as fourth value,
+    /// the share of the ambient reflection that it replaces. Only rows first_row to last_row - 1
+    /// are written. Returns false if no such surface is in view. Objects that the view hides or
+    /// cuts are still mirrored.
     [[nodiscard]] bool trace(const View& view, int first_row, int last_row,
                              std::vector<Eigen::Vector4f>& image) const;
 
   private:
     [[nodiscard]] Eigen::Vector4f seenIn(const View& view, double x, double y) const;
     [[nodiscard]] Eigen::Vector3f lightAlong(Eigen::Vector3d origin, Eigen::Vector3d way) const;
-    /// Without what it reflects.
+    /// Light from a surface point without its own reflections.
     [[nodiscard]] Eigen::Vector3f lightOf(const SurfacePoint& point, int object_id) const;
 
     const Scene& scene_;
@@ -48,11 +49,11 @@ class TracedReflections {
     const LightVolume& light_;
     TracedSurface surface_;
     SunRays sun_rays_;
-    std::vector<bool> outside_;  // see showsOutside()
-    /// An object with such surfaces.
+    std::vector<bool> outside_;  // by id - 1, see showsOutside()
+    /// An object with smooth surfaces.
     struct Smooth {
         int id;
-        bool mirrors;  // and not only where all reflections are wanted
+        bool mirrors;  // has mirrors, which are traced with Reflections::Mirrors, too
         Eigen::AlignedBox3f box;
     };
     std::vector<Smooth> smooth_;

@@ -10,21 +10,24 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kStep = 0.3;  // m; between places: a room 0.9 m wide has one. More in large scenes
+constexpr double kStep = 0.3;  // m; grid step of positions, so a room 0.9 m wide has one; larger in
+                               // large scenes
 constexpr double kMostColumns = 3e4;
 constexpr double kStandingRoom = 1.6;   // m; a lower gap is a shelf, not a storey
-constexpr double kUnderCeiling = 0.25;  // m; below the lintels of doors, so these part rooms
-constexpr double kFree = 0.3;           // m; around a place: walls and cupboards are hollow, too
-constexpr double kSteepest = 1.0;       // slope of a ceiling along which places belong together
-constexpr double kEyes = 1.0;           // m; above the floor, where light is measured
+constexpr double kUnderCeiling = 0.25;  // m; below door lintels, so that doors separate rooms
+constexpr double kFree = 0.3;           // m; free space around a position: walls and cupboards may
+                                        // be hollow
+constexpr double kSteepest = 1.0;       // largest ceiling slope between connected positions
+constexpr double kEyes = 1.0;           // m; above the floor: height at which light is measured
 constexpr double kReach = 9.0;          // m; lamps farther away send next to nothing
-constexpr double kDark = 0.05;          // of the light at the median of the places that get some
-constexpr double kLitAround = 2.7;  // m; what a new lamp lights: three quarters of lamps' spacing
-constexpr std::size_t kFewest = 2;  // dark places that are worth a lamp
-constexpr std::size_t kFewestBeside = 44;  // the same, 4 m2, in a room of which most is lit
+constexpr double kDark = 0.05;          // relative to the median light of lit positions
+constexpr double kLitAround = 2.7;  // m; radius that a new lamp lights: three quarters of the lamp
+                                    // spacing
+constexpr std::size_t kFewest = 2;  // dark positions that justify a lamp
+constexpr std::size_t kFewestBeside = 44;  // the same (4 m2) in a room that is mostly lit
 constexpr std::size_t kMostLamps = 64;
 
-/// A place where a person can stand, with the point below its ceiling where a lamp can hang.
+/// A position where a person can stand, with the point below its ceiling where a lamp can hang.
 struct Place {
     Eigen::Vector3d lamp = Eigen::Vector3d::Zero();
     double height_m = 0.0;  // from floor to ceiling
@@ -61,21 +64,21 @@ class Places {
     [[nodiscard]] const Place& at(std::size_t i) const { return places_[i]; }
     [[nodiscard]] double step_m() const { return step_m_; }
 
-    /// What falls straight from these lamps onto each place, from whichever side.
+    /// Direct light at each position from these lamps, on a surface facing the lamp.
     [[nodiscard]] std::vector<double> lightOf(std::span<const Lamp> lamps) const;
 
-    /// Splits these places into sets of neighbours that see each other just below their ceilings.
+    /// Groups positions into sets of neighbours that see each other just below their ceilings.
     [[nodiscard]] std::vector<PlaceSet> connected(std::vector<bool> counts) const;
 
   private:
-    /// Adds the places below each ceiling over a point of the plan.
+    /// Adds the positions below each ceiling over a point of the floor plan.
     void addColumn(int column, int row, const Eigen::AlignedBox3d& all,
                    std::span<const Eigen::AlignedBox3d> rooms) {
         constexpr int kMostSurfaces = 64;
-        constexpr double kBelow = 0.5;  // m; the lowest floor may lie a little lower than the box
+        constexpr double kBelow = 0.5;  // m; the lowest floor may lie slightly below the box
         const Eigen::Vector3d foot =
             all.min() + Eigen::Vector3d((column + 0.5) * step_m_, (row + 0.5) * step_m_, -kBelow);
-        double below = -1.0;  // the surface before; there is no standing without a floor
+        double below = -1.0;  // height of the surface below; -1: none yet, so no floor to stand on
         for (int i = 0; i < kMostSurfaces; ++i) {
             const RayHit hit =
                 rays_.cast(foot, Eigen::Vector3d::UnitZ(), all.sizes().z() + 2.0 * kBelow,
@@ -93,7 +96,7 @@ class Places {
         }
     }
 
-    /// Whether nothing is near it, at its own height.
+    /// Whether nothing is near the point at its own height.
     [[nodiscard]] bool standsFree(const Eigen::Vector3d& at) const {
         if (!rays_.isClear(at, 0.8 * kUnderCeiling)) return false;
         for (const double x : {-kFree, kFree}) {
@@ -153,7 +156,7 @@ std::vector<PlaceSet> Places::connected(std::vector<bool> counts) const {
     return sets;
 }
 
-/// Which of these places get too little light beside the others.
+/// Which positions get less than kDark of the median light.
 std::vector<bool> darkOf(const std::vector<double>& light) {
     std::vector<double> lit;
     for (const double one : light) {
@@ -170,7 +173,7 @@ std::vector<bool> darkOf(const std::vector<double>& light) {
     return dark;
 }
 
-/// The place nearest to the middle of a set.
+/// The position nearest to a set's centroid.
 std::size_t middleOf(const PlaceSet& set, const Places& places) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const std::size_t i : set) middle += places.at(i).lamp / static_cast<double>(set.size());
@@ -178,9 +181,8 @@ std::size_t middleOf(const PlaceSet& set, const Places& places) {
         set, {}, [&](std::size_t i) { return (places.at(i).lamp - middle).squaredNorm(); });
 }
 
-/// The intensity of a lamp that lights this many places alone. All surfaces around it get as much
-/// light as from an intensity of 1 in an ordinary room of the lamps' spacing, so that a store room
-/// is no brighter than others.
+/// Intensity of a lamp that lights this many positions alone. Surfaces around it get as much light
+/// as in an ordinary room with a lamp of intensity 1, so that a store room is no brighter.
 double intensityFor(std::size_t places, double step_m, double height_m) {
     const auto surfaces = [](double side, double height) {
         return 2.0 * side * side + 4.0 * side * height;
@@ -196,7 +198,8 @@ std::vector<Lamp> lampsForUnlitPlaces(const Scene& scene, const RayCaster& rays,
                                       std::span<const Lamp> lamps) {
     const Places places(scene, rays, rooms);
     const std::vector<bool> dark = darkOf(places.lightOf(lamps));
-    std::vector<std::size_t> room_size(dark.size(), 0);  // by place: how many its room has
+    std::vector<std::size_t> room_size(dark.size(), 0);  // by position: number of positions in its
+                                                         // room
     for (const PlaceSet& room : places.connected(std::vector<bool>(dark.size(), true))) {
         for (const std::size_t i : room) room_size[i] = room.size();
     }

@@ -11,9 +11,9 @@
 
 namespace dollytrack::render {
 
-/// Lamps for the storeys, closed rooms and large dark parts of rooms that these lamps leave unlit:
-/// one box may hold several storeys, and rooms between two lamps. A place counts if a person can
-/// stand there below a ceiling and the ceiling is within one of the boxes. Their number is bounded.
+/// Adds lamps for storeys, closed rooms and large dark parts of rooms that `lamps` leave unlit: one
+/// room box may contain several storeys or rooms between lamps. A position counts if a person can
+/// stand there below a ceiling and the ceiling lies within a room box. At most 64 lamps are added.
 [[nodiscard]] std::vector<Lamp> lampsForUnlitPlaces(const Scene& scene, const RayCaster& rays,
                                                     std::span<const Eigen::AlignedBox3d> rooms,
                                                     std::span<const Lamp> lamps);

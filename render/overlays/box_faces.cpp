@@ -10,11 +10,11 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kUnit = 1e-4;       // m
-constexpr int kLongestRun = 60'000;  // cells are counted in 16 bits
+constexpr int kLongestRun = 60'000;  // merged cells are counted in 16 bits
 
 using Rgba8 = std::array<std::uint8_t, 4>;
 
-/// A face of blocks that stand square to the world. `u` and `v` are the axes after `axis`.
+/// A face of axis-aligned boxes. `u` and `v` are the axes that follow `axis`.
 struct Face {
     int axis = 0;
     int side = 1;
@@ -25,7 +25,7 @@ struct Face {
     Rgba8 rgba{};
 
     [[nodiscard]] auto rectangle() const { return std::tie(axis, plane, u, v, size_u, size_v); }
-    /// What two faces that may become one have in common, and then their place.
+    /// Sort key: first what mergeable faces have in common, then their position.
     [[nodiscard]] auto rowOrder() const {
         return std::tie(axis, side, plane, rgba, size_u, size_v, v, u);
     }
@@ -34,7 +34,7 @@ struct Face {
     }
 };
 
-/// Tops are light, bottoms dark: the shape reads without any lamp.
+/// Tops are light and bottoms dark, so that the shape is readable without lighting.
 Rgba8 shaded(const Eigen::Vector4f& rgba, int axis, int side) {
     const float shade = axis == 2 ? (side > 0 ? 1.0F : 0.62F) : axis == 1 ? 0.84F : 0.74F;
     Rgba8 bytes;
@@ -77,14 +77,14 @@ void dropShared(std::vector<Face>& faces) {
     for (std::size_t i = 0; i < faces.size();) {
         std::size_t end = i + 1;
         while (end < faces.size() && faces[end].rectangle() == faces[i].rectangle()) ++end;
-        // Two blocks in one place (the same side twice) are not neighbours.
+        // Duplicates of a box at the same position are not neighbours.
         if (faces[i].side == faces[end - 1].side) single.push_back(faces[i]);
         i = end;
     }
     faces = std::move(single);
 }
 
-/// Joins neighbours in rows, then equal rows to rectangles.
+/// Merges neighbours into rows, then equal rows into rectangles.
 void join(std::vector<Face>& faces) {
     std::sort(faces.begin(), faces.end(),
               [](const Face& a, const Face& b) { return a.rowOrder() < b.rowOrder(); });
@@ -124,7 +124,7 @@ void join(std::vector<Face>& faces) {
     }
 }
 
-/// Seen from outside, u goes the other way on the low side.
+/// Seen from outside, u is reversed on the low side.
 BoxFace cornersOf(const Face& face) {
     BoxFace result;
     const std::int64_t u1 = face.u + face.cells_u * face.size_u;

@@ -8,17 +8,17 @@
 
 namespace dollytrack::render {
 
-/// A rectangle on the outside of one or more blocks.
+/// A rectangle on the outside of one or more boxes.
 struct BoxFace {
-    std::array<Eigen::Vector3f, 4> corners;  // (u0, v0), (u1, v0), (u0, v1), (u1, v1); with u x v
-                                             // pointing out of the block
-    std::array<std::uint16_t, 2> cells;      // blocks along u and v
-    std::array<std::uint8_t, 4> rgba;        // shaded by where the face looks
+    std::array<Eigen::Vector3f, 4> corners;  // (u0, v0), (u1, v0), (u0, v1), (u1, v1); u x v points
+                                             // out of the box
+    std::array<std::uint16_t, 2> cells;      // number of boxes along u and v
+    std::array<std::uint8_t, 4> rgba;        // shaded by the face's direction
 };
 
-/// The faces of blocks that can be seen. Where two blocks meet, none of the two faces is; equal
-/// faces of equal colour side by side become one, which is a fraction of them for cells of a map.
-/// Rounds to tenths of a millimetre.
+/// The visible faces of boxes. Among boxes with yaw 0, equal faces of two touching boxes are
+/// dropped and neighbouring faces of equal size and colour are merged, which leaves a fraction of
+/// the faces of a grid map. Sizes and positions are rounded to 0.1 mm.
 [[nodiscard]] std::vector<BoxFace> visibleFaces(const std::vector<OverlayBox>& boxes);
 
 }  // namespace dollytrack::render

@@ -7,10 +7,10 @@
 
 namespace dollytrack::render {
 
-/// Who draws an overlay may number its elements, to know again what was clicked.
+/// Tag of elements without a number. Tags identify the clicked element.
 constexpr std::int32_t kNoTag = -1;
 
-/// A straight line in the world.
+/// A straight line, world frame, m.
 struct OverlayLine {
     Eigen::Vector3d a = Eigen::Vector3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -20,28 +20,28 @@ struct OverlayLine {
     std::int32_t tag = kNoTag;
 };
 
-/// A sign at a point that always faces the viewer.
+/// A symbol of fixed screen size at a world position.
 struct OverlayMark {
     enum class Shape { Dot, Cross, Square, Ring, Arrow };
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     Shape shape = Shape::Dot;
     Eigen::Vector4f rgba = {1, 1, 1, 1};
-    double size_px = 8.0;  // across
-    /// Arrow only: where it points. Seen along its own direction it is a dot.
+    double size_px = 8.0;  // diameter
+    /// Direction of an Arrow; an arrow seen end-on becomes a dot.
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
     std::int32_t tag = kNoTag;
 };
 
-/// A block that stands upright, with its edges drawn in.
+/// An upright box with its edges drawn.
 struct OverlayBox {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     Eigen::Vector3d half_size = Eigen::Vector3d::Zero();  // along its own axes, m
     Eigen::Vector4f rgba = {1, 1, 1, 1};
-    double yaw = 0.0;  // radians, turns the world's x axis onto the box's first axis
+    double yaw = 0.0;  // radians, from the world's x axis to the box's first axis
     std::int32_t tag = kNoTag;
 };
 
-/// A piece of a surface, seen from both sides.
+/// A two-sided triangle, world frame, m.
 struct OverlayTriangle {
     Eigen::Vector3d a = Eigen::Vector3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -50,9 +50,9 @@ struct OverlayTriangle {
     std::int32_t tag = kNoTag;
 };
 
-/// What is drawn over a picture of a scene: as plain data, so that anyone can fill it. Boxes are
-/// drawn first, then triangles, lines and marks, each in their order. Of boxes and triangles only
-/// the foremost shows, so that a thousand translucent cells do not add up to a wall of paint.
+/// Elements drawn over a picture of a scene. Boxes are drawn first, then triangles, lines and
+/// marks, each in their order. Only the frontmost box or triangle of a pixel is drawn, so that many
+/// translucent cells do not add up to an opaque colour.
 struct Overlay {
     std::vector<OverlayBox> boxes;
     std::vector<OverlayTriangle> triangles;

@@ -26,7 +26,7 @@ Rgba8 toBytes(const Eigen::Vector4f& rgba) {
 struct SurfaceVertex {
     Eigen::Vector3f position;
     Rgba8 rgba;
-    std::array<float, 2> cell;  // whole numbers on the edges of a face's cells
+    std::array<float, 2> cell;  // integers on the edges of a face's cells
 };
 
 struct LineVertex {
@@ -43,7 +43,7 @@ struct MarkVertex {
     std::array<float, 2> style;
 };
 
-/// Six indices for each four vertices.
+/// Six indices for every four vertices.
 std::vector<std::uint32_t> quadIndices(std::size_t quads) {
     std::vector<std::uint32_t> indices;
     indices.reserve(6 * quads);
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> quadIndices(std::size_t quads) {
     return indices;
 }
 
-/// Whether a line goes on where the one before it ended, nearly straight.
+/// Whether a line continues the previous one nearly straight.
 bool continues(const OverlayLine& before, const OverlayLine& line) {
     if ((before.b - line.a).squaredNorm() > 1e-12 || before.width_px != line.width_px) return false;
     const Eigen::Vector3d p = before.b - before.a;

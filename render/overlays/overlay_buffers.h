@@ -5,13 +5,13 @@
 
 namespace dollytrack::render {
 
-/// An overlay in graphics memory: filled when it changes, drawn many times. Needs the OpenGL
-/// context current that it was made in.
+/// An overlay in graphics memory: uploaded when it changes, drawn many times. The OpenGL context in
+/// which it was created must be current for every call.
 class OverlayBuffers {
   public:
     OverlayBuffers();
 
-    /// Faces that two blocks share are left away: nobody can see them.
+    /// Replaces the overlay. Faces shared by two boxes are dropped; see visibleFaces().
     void upload(const Overlay& overlay);
 
     [[nodiscard]] bool empty() const {

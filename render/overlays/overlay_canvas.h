@@ -11,13 +11,13 @@ namespace dollytrack::render {
 /// The image that overlays are drawn into, over a copy of a picture. Row 0 is the top.
 class OverlayCanvas {
   public:
-    /// Usage when the driver has no images of that size.
+    /// Creates the images. Returns Usage if the driver does not support the size.
     [[nodiscard]] static Result<OverlayCanvas> create(int width, int height);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// Both wait for the drawing and copy it, sRGB; 4 or 3 bytes a pixel.
+    /// Both wait for the drawing and copy it: sRGB, 4 or 3 bytes per pixel.
     void readRgba(std::vector<std::uint8_t>& rgba) const;
     void readRgb(std::vector<std::uint8_t>& rgb) const;
 
@@ -28,7 +28,7 @@ class OverlayCanvas {
     int height_ = 0;
     gl::Texture picture_;
     gl::Framebuffer frame_;
-    // The foremost of a layer's boxes and triangles, before they are blended over the picture.
+    // The frontmost boxes and triangles of one layer, before they are blended over the picture.
     gl::Texture surface_color_;
     gl::Texture surface_z_;
     gl::Framebuffer surface_frame_;

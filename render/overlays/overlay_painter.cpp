@@ -7,12 +7,14 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr float kThroughSurfaces = 0.22F;   // opacity of what is hidden
-constexpr double kBias = 0.01;              // of the depth: a line on a floor is not in it
-constexpr double kOrthographicBias = 0.02;  // m: there depth says nothing about nearness
+constexpr float kThroughSurfaces = 0.22F;   // opacity of hidden elements
+constexpr double kBias = 0.01;              // relative to depth; draws lines on a surface in front
+                                            // of it
+constexpr double kOrthographicBias = 0.02;  // m; the same for orthographic views, where depth is
+                                            // independent of size
 
-/// A capsule on the screen: its axis, and at both ends what is linear between them there: the
-/// inverse of the depth, or in an orthographic view the depth itself.
+/// A capsule on the screen: its axis and, at both ends, a quantity that is linear on the screen:
+/// the inverse depth, or in an orthographic view the depth itself.
 struct Stroke {
     Eigen::Vector2d a, b;
     double depth_a = 0.0;
@@ -89,12 +91,12 @@ class Painter {
     }
 
   private:
-    /// Depth to what is linear on the screen, and back.
+    /// Converts depth to the quantity that is linear on the screen, and back.
     [[nodiscard]] double linear(double depth) const {
         return view_.orthographic ? depth : 1.0 / depth;
     }
 
-    /// A regular outline of straight strokes; with four, they are level and upright.
+    /// A regular polygon of straight strokes; with four, its sides are level and upright.
     template <class Draw>
     static void outline(Draw&& draw, double radius, int corners) {
         const auto corner = [&](int i) {

@@ -12,8 +12,8 @@
 namespace dollytrack::render {
 namespace {
 
-// A line on a floor is not in it. As in overlay_painter.cpp.
-constexpr float kDepthBias = 0.01F;              // of the depth
+// Draws lines on a surface in front of it; as in overlay_painter.cpp.
+constexpr float kDepthBias = 0.01F;              // relative to depth
 constexpr float kOrthographicDepthBias = 0.02F;  // m
 
 float biasOf(const View& view) {
@@ -59,8 +59,8 @@ Status OverlayRenderer::draw(std::span<const OverlayLayer> layers, const View& v
         glBindTextureUnit(0, target.depth());
         drawSurfaces(layer, view, canvas);
     }
-    // The scene's own depth tells what is hidden: once for what it lets through, once for the rest.
-    // Far cheaper than looking the depth up at every pixel.
+    // Two depth-tested passes against the scene's depth buffer, one for visible and one for hidden
+    // parts. This is far cheaper than reading the depth in every fragment.
     const unsigned frame = canvas.frame_.get();
     glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, target.zBuffer(), 0);
     glBindFramebuffer(GL_FRAMEBUFFER, frame);
@@ -83,7 +83,7 @@ Status OverlayRenderer::draw(std::span<const OverlayLayer> layers, const View& v
 
 void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
                                    OverlayCanvas& canvas) {
-    // First into an image of their own with a depth of its own, then over the picture: so the
+    // Drawn into a separate image with its own depth buffer, then blended over the picture: the
     // order of boxes does not matter, and each pixel is tinted once.
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.surface_frame_.get());
     const std::array<float, 4> zero{};
@@ -97,7 +97,7 @@ void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
     glProgramUniform1f(surfaces_.get(), 5, biasOf(view));
     const OverlayBuffers& buffers = *layer.buffers;
     glBindVertexArray(buffers.surfaces_.layout.get());
-    // Row 0 is the top, so what is counter-clockwise in the world is clockwise here.
+    // Row 0 is the top, so counter-clockwise faces appear clockwise.
     glFrontFace(GL_CW);
     glEnable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, buffers.box_indices_, GL_UNSIGNED_INT, nullptr);

@@ -11,25 +11,24 @@
 
 namespace dollytrack::render {
 
-/// One overlay among those drawn together.
+/// An overlay and its opacity, for drawing several together.
 struct OverlayLayer {
     const OverlayBuffers* buffers = nullptr;
     float opacity = 1.0F;
-    /// What is left of that where a surface of the scene stands in front.
+    /// Factor on `opacity` where a surface of the scene is in front.
     float hidden_opacity = 0.22F;
 };
 
-/// Draws overlays over a finished picture: widths and sizes in pixels, edges antialiased, what is
-/// behind the scene's surfaces faint. Needs the OpenGL context current that it was created in.
+/// Draws overlays over a finished picture: sizes in pixels, antialiased edges, faint where hidden
+/// by the scene. The OpenGL context in which it was created must be current for every call.
 class OverlayRenderer {
   public:
     [[nodiscard]] static Result<OverlayRenderer> create();
 
-    /// The canvas takes the target's picture, then the layers in their order: boxes and triangles
-    /// of all layers first, then lines and marks. The target must hold what SceneRenderer drew of
-    /// this very view and have the canvas's size. It stays as it is, so a change of overlays alone
-    /// costs no drawing of the scene. `pixel_scale` multiplies all widths and sizes, for screens of
-    /// high density.
+    /// Copies the target's picture to the canvas and draws the layers in order: boxes and triangles
+    /// of all layers first, then lines and marks. The target must hold SceneRenderer's result for
+    /// the same view and have the canvas's size. It is not changed, so new overlays need no drawing
+    /// of the scene. `pixel_scale` multiplies all widths and sizes, for high-density screens.
     [[nodiscard]] Status draw(std::span<const OverlayLayer> layers, const View& view,
                               const RenderTarget& target, OverlayCanvas& canvas,
                               double pixel_scale = 1.0);

@@ -6,9 +6,9 @@
 
 namespace dollytrack::render {
 
-/// A plan as the paper's Figure 6 shows it: observation points as dots (large targets yellow, small
-/// ones red), key frames as crosses with their camera pyramids, and the smoothed path through them,
-/// from cool to warm with its length.
+/// A plan in the style of the paper's Figure 6: observation points as dots (large targets yellow,
+/// small ones red), key frames as crosses with camera frusta, and the smoothed path, coloured from
+/// cool to warm along its length.
 [[nodiscard]] Overlay planOverlay(const Scene& scene, const Plan& plan, const CameraParams& camera);
 
 }  // namespace dollytrack::render

@@ -6,15 +6,15 @@
 
 namespace dollytrack::render {
 
-/// A trajectory as a line that goes from cool to warm with time, with a small camera pyramid and a
-/// dot at each key frame (or at even distances, where frames know no key frames). Jumps between
-/// rooms are left open.
+/// A trajectory as a line coloured from cool to warm over time, with a small camera frustum and a
+/// dot at each key frame (or at even distances if frames have no key frames). Jumps between rooms
+/// are not connected.
 [[nodiscard]] Overlay trajectoryOverlay(const Trajectory& trajectory, const CameraParams& camera);
 
-/// The colour at a share (0..1) of the way: from cool to warm.
+/// Colour at a share (0..1) of the trajectory, from cool to warm.
 [[nodiscard]] Eigen::Vector4f colorAlong(double share);
 
-/// The edges of a camera's pyramid, `length_m` deep.
+/// Adds the edges of a camera frustum, `length_m` deep.
 void addFrustum(Overlay& overlay, const Pose& pose, const CameraParams& camera, double length_m,
                 const Eigen::Vector4f& rgba, double width_px);
 

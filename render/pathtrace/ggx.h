@@ -9,8 +9,8 @@
 
 namespace dollytrack::render {
 
-// The isotropic GGX distribution of microfacets (Walter et al. 2007; Heitz 2014), in a frame whose
-// z is the surface's normal. `alpha` is its width.
+// The isotropic GGX microfacet distribution (Walter et al. 2007; Heitz 2014). Directions are in a
+// frame whose z axis is the surface normal. `alpha` is the distribution's width.
 
 /// Density of facets with this normal, 1/sr.
 [[nodiscard]] inline double ggxDensity(const Eigen::Vector3d& facet, double alpha) {
@@ -20,15 +20,16 @@ namespace dollytrack::render {
     return 1.0 / (std::numbers::pi * a2 * base * base);
 }
 
-/// Smith's lambda: masking of a direction is 1 / (1 + lambda).
+/// Smith's lambda: the masking of a direction is 1 / (1 + lambda).
 [[nodiscard]] inline double ggxLambda(const Eigen::Vector3d& way, double alpha) {
     const double z2 = way.z() * way.z();
     if (z2 <= 0.0) return 1e12;
     return 0.5 * (std::sqrt(1.0 + alpha * alpha * std::max(0.0, 1.0 - z2) / z2) - 1.0);
 }
 
-/// A facet's normal, of those that `out` sees (Heitz, Sampling the GGX Distribution of Visible
-/// Normals, JCGT 7(4), 2018); density: visible share of ggxDensity().
+/// Samples the normal of a facet visible from `out` (Heitz, Sampling the GGX Distribution of
+/// Visible Normals, JCGT 7(4), 2018). Its density is the visible share of ggxDensity(). `where`
+/// holds two uniform numbers.
 [[nodiscard]] inline Eigen::Vector3d ggxVisibleFacet(const Eigen::Vector3d& out, double alpha,
                                                      const std::array<double, 2>& where) {
     const Eigen::Vector3d seen =
@@ -50,7 +51,7 @@ namespace dollytrack::render {
         .normalized();
 }
 
-/// Schlick's weight of F90.
+/// Schlick's weight of F90, for the cosine between direction and facet normal.
 [[nodiscard]] inline double schlick(double cosine) {
     const double away = std::clamp(1.0 - cosine, 0.0, 1.0);
     return away * away * away * away * away;

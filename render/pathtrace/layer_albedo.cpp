@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kAngles = 32;
 constexpr int kWidths = 32;
-constexpr int kSide = 24;  // facets a cell: its square
+constexpr int kSide = 24;  // facets per table cell: kSide squared
 
 struct Table {
-    std::vector<LayerAlbedo> cells;  // by roughness, then by the root of the cosine
+    std::vector<LayerAlbedo> cells;  // by roughness, then by the square root of the cosine
     std::vector<float> mean;         // by roughness
 
     Table() : cells(kAngles * kWidths), mean(kWidths) {

@@ -8,24 +8,24 @@ struct LayerAlbedo {
     float b = 0.0F;
 
     [[nodiscard]] float at(float f0) const { return f0 * a + b; }
-    [[nodiscard]] float all() const { return a + b; }  // if every facet were a perfect mirror
+    [[nodiscard]] float all() const { return a + b; }  // for perfectly reflecting facets
 };
 
-/// For the cosine between direction and normal, and glTF's roughness; from a table that is computed
-/// at the first call.
+/// Albedo for the cosine between direction and normal and for glTF roughness, interpolated in a
+/// table that is computed at the first call.
 [[nodiscard]] LayerAlbedo layerAlbedo(double cosine, double roughness);
 
-/// The cosine-weighted mean over all directions of the albedo, gain() included, for f0 = 0.04.
+/// Cosine-weighted mean over all directions of the albedo for f0 = 0.04, multiplied by gain().
 [[nodiscard]] float meanDielectricAlbedo(double roughness);
 
-/// What single reflection is multiplied by to make up for reflections from facet to facet.
+/// Factor on single scattering that compensates for the energy lost to multiple scattering.
 [[nodiscard]] inline float gain(const LayerAlbedo& albedo, float f0) {
     return 1.0F + f0 * (1.0F - albedo.all()) / albedo.all();
 }
 
 constexpr float kDielectricF0 = 0.04F;
 
-/// Width of the GGX distribution; a perfect mirror is left a little wide.
+/// Width of the GGX distribution for glTF roughness, at least 0.045^2 even for a perfect mirror.
 [[nodiscard]] inline double ggxWidth(double roughness) {
     return roughness > 0.045 ? roughness * roughness : 0.045 * 0.045;
 }

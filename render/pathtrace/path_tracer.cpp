@@ -17,12 +17,12 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kRouletteFrom = 4;  // bounces; paths that carry little may end from here on
+constexpr int kRouletteFrom = 4;  // bounces: Russian roulette starts here
 constexpr std::uint32_t kFirstDimension = 4;
 constexpr std::uint32_t kDimensionsPerStep = 16;
-constexpr int kMostSheets = 64;  // of glass or holes one after the other
+constexpr int kMostSheets = 64;  // of glass or holes along one path segment
 
-/// A frame around a surface's normal.
+/// An orthonormal frame around a surface normal.
 struct Frame {
     Eigen::Vector3d x, y, z;
 
@@ -42,7 +42,7 @@ struct Frame {
     }
 };
 
-/// Veach's power heuristic for a direction that two strategies could have chosen.
+/// Veach's power heuristic for a direction that two sampling strategies could have chosen.
 double weightOf(double chosen, double other) {
     if (std::isinf(chosen)) return 1.0;
     return chosen * chosen / (chosen * chosen + other * other);
@@ -58,7 +58,7 @@ struct PathTracer::Impl {
     TracedSurface surface;
     SceneLights lights;
     SunRays sun_rays;
-    std::vector<bool> outside;  // see showsOutside()
+    std::vector<bool> outside;  // by id - 1, see showsOutside()
 
     Impl(const Scene& of, const RayCaster& by, LightRig lit, const PathTracerParams& with,
          const MovedShape* moved)
@@ -75,7 +75,7 @@ struct PathTracer::Impl {
                const std::optional<Eigen::Vector3f>& backdrop, int samples, RadianceImage& image,
                const JobContext& job) const;
 
-    /// The share of light that gets through between a point and `free` metres along the way.
+    /// Share of light transmitted over `free` metres from a point.
     [[nodiscard]] double transmitted(Eigen::Vector3d from, const Eigen::Vector3d& way,
                                      double free) const {
         if (free <= 0.0) return 1.0;
@@ -87,7 +87,8 @@ struct PathTracer::Impl {
             if (hit.object_id == 0) return share;
             const SurfacePoint point = surface.at(from, way, hit);
             if (!point.hole) {
-                // Windows are where the sky begins, for all but what the camera sees.
+                // Windows emit the sky's light, so they block other light; only the camera sees
+                // through them.
                 if (sendsDaylight(scene.object(hit.object_id))) return 0.0;
                 if (point.kind != Surface::Glass) return 0.0;
                 share *= (1.0 - sheetReflectance(-way.dot(point.normal))) * (1.0 - point.opacity);
@@ -100,7 +101,8 @@ struct PathTracer::Impl {
         return 0.0;
     }
 
-    /// Light that a lamp or a shining triangle sends to a surface, not by way of others.
+    /// Direct light from a sampled lamp (`shining` 0) or emitting triangle (1), weighted by the
+    /// power heuristic.
     [[nodiscard]] Eigen::Vector3f direct(const std::optional<LightSample>& light,
                                          const SurfacePoint& point, const Frame& frame,
                                          const SurfaceBrdf& brdf, std::uint32_t shining) const {
@@ -111,7 +113,7 @@ struct PathTracer::Impl {
         if (value.maxCoeff() <= 0.0F) return Eigen::Vector3f::Zero();
         const Eigen::Vector3d from = liftedOff(point, light->way);
         double free = light->free - (from - point.position).dot(light->way);
-        if (shining != 0) {  // up to the triangle itself, with room for rounding
+        if (shining != 0) {  // ends before the triangle itself, by a rounding margin
             free -= 4e-5 * (1.0 + (from + free * light->way).cwiseAbs().maxCoeff());
         }
         const double share = transmitted(from, light->way, free);
@@ -121,7 +123,7 @@ struct PathTracer::Impl {
                static_cast<float>(share * weight * in.z() / light->density);
     }
 
-    /// The same of the sun, which is met in no other way: it is too small.
+    /// Direct sunlight. The sun is only sampled, because BRDF samples would hardly ever hit it.
     [[nodiscard]] Eigen::Vector3f sunlight(const SurfacePoint& point, const Frame& frame,
                                            const SurfaceBrdf& brdf,
                                            const std::array<double, 2>& where) const {
@@ -148,9 +150,9 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
                                          SampleSequence& chance) const {
     Eigen::Vector3f light = Eigen::Vector3f::Zero();
     Eigen::Vector3f carried = Eigen::Vector3f::Ones();
-    Eigen::Vector3d scattered_at = origin;  // where the way was chosen
-    double density = kInfinity;             // with which it was chosen
-    bool seen = true;                       // by the camera, straight on
+    Eigen::Vector3d scattered_at = origin;  // where the direction was sampled
+    double density = kInfinity;             // density of the sampled direction, 1/sr
+    bool seen = true;                       // the camera sees this point directly or through glass
     int bounces = 0;
     int sheets = 0;
     for (std::uint32_t step = 0;; ++step) {
@@ -184,7 +186,7 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
         const Eigen::Vector3f sent = daylight
                                          ? rig.skyRadiance(way)
                                          : Eigen::Vector3f(rig.emissionOf(point.emission) * shines);
-        // What shone as the day does is dark without it.
+        // Surfaces that emit daylight turn dark without it.
         if (shows_outside && !point.emission.isZero(0.0F))
             point.base_color *= std::min(shines, 1.0F);
         if (sent.maxCoeff() > 0.0F) {

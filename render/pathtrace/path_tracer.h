@@ -18,16 +18,15 @@
 
 namespace dollytrack::render {
 
-/// How paths are traced. Plain data.
+/// Settings of the path tracer.
 struct PathTracerParams {
     std::uint32_t seed = 1;
-    int max_bounces = 64;       // Russian roulette ends nearly all paths before
-    bool sample_lights = true;  // without, light is found by chance alone: right, and noisy
-    float exposure = 1.0F;  // as the picture will be developed, for backdrops to keep their look
+    int max_bounces = 64;       // Russian roulette ends nearly all paths earlier
+    bool sample_lights = true;  // false: unbiased but noisy, without light sampling
+    float exposure = 1.0F;  // of the developed picture; backdrops are scaled to keep their colour
 };
 
-/// A picture that grows better with every sample: radiance, linear RGB, summed over the samples of
-/// each pixel; rows from the top.
+/// An accumulated picture: linear RGB radiance, summed over `samples` per pixel; row 0 at the top.
 struct RadianceImage {
     int width = 0;
     int height = 0;
@@ -39,32 +38,31 @@ struct RadianceImage {
     }
 };
 
-/// Follows light through a scene as it goes: the reference that drawn pictures are judged by.
-/// Paths start at the camera (Kajiya 1986); at each surface lights are sampled as well as the
-/// surface's own directions, weighed by the power heuristic (Veach 1997). Glass is a thin sheet
-/// without refraction, both sides of a triangle count, cut-outs have their holes. Const and for
-/// many threads; keeps references to scene, rays, rig and shape.
+/// Unidirectional path tracer, the reference for drawn pictures. Paths start at the camera (Kajiya
+/// 1986); light sampling and BRDF sampling are combined by the power heuristic (Veach 1997). Glass
+/// is a thin sheet without refraction, both sides of a triangle count, and cut-outs have their
+/// holes. Thread-safe. Keeps references to scene, rays and moved shape.
 class PathTracer {
   public:
-    /// `moved`, where things are not where the scene has them; `rays` are of them there.
+    /// @param moved  current vertex positions if objects moved, else null; `rays` must match
     PathTracer(const Scene& scene, const RayCaster& rays, const LightRig& rig,
                const PathTracerParams& params = {}, const MovedShape* moved = nullptr);
     ~PathTracer();
 
-    /// Adds samples to each pixel of the view; an empty image is made. The result is the same to
-    /// the last bit in one call or in many, on any number of threads. What View can leave away
-    /// (hidden objects, cut structure) is not left away. Error: Cancelled; the image is then what
-    /// it was.
+    /// Adds samples to each pixel of the view; an empty image is allocated. The result is identical
+    /// to the last bit for any number of calls and threads. Hidden objects and structure cuts of
+    /// the view are ignored. Returns Cancelled and leaves the image unchanged if the job was
+    /// cancelled.
     [[nodiscard]] Status add(const View& view, int samples, RadianceImage& image,
                              const JobContext& job = {}) const;
 
-    /// The same for rays of any lens through image positions; nothing where it has no picture. The
-    /// image has its size.
+    /// The same for rays through image positions of any lens; no ray means black. `image` must have
+    /// its size set.
     using RayThrough = std::function<std::optional<ViewRay>(double x, double y)>;
     [[nodiscard]] Status add(const RayThrough& ray_through, double near_m, int samples,
                              RadianceImage& image, const JobContext& job = {}) const;
 
-    /// Radiance that comes to a point along -way, by one path.
+    /// Radiance that arrives at a point from the direction `way`, by one path.
     [[nodiscard]] Eigen::Vector3f radiance(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
                                            std::uint32_t pixel, std::uint32_t sample) const;
 
@@ -73,8 +71,8 @@ class PathTracer {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The picture's bytes, 3 a pixel, sRGB. White surfaces in the light that `exposure` is made for
-/// (LightVolume::exposure) are light grey.
+/// Applies exposure, tone curve and sRGB encoding; 3 bytes per pixel. With LightVolume::exposure
+/// white surfaces in average light become light grey.
 [[nodiscard]] std::vector<std::uint8_t> developed(const RadianceImage& image, float exposure);
 
 }  // namespace dollytrack::render

@@ -14,26 +14,28 @@
 
 namespace dollytrack::render {
 
-/// Path traced pictures of a dataset's frames, in place of drawn ones.
+/// Path-traced pictures of a dataset's frames, as an alternative to drawn ones.
 class ReferencePictures {
   public:
-    /// `context` and `lights` must outlive this; the job can cancel.
+    /// `context` and `lights` must outlive this object; `job` can cancel the tracing.
     ReferencePictures(const FrameContext& context, const FrameLights& lights, int samples,
                       JobContext job);
 
-    /// The view with things where they are in the frame, 3 bytes a pixel, sRGB. Error: Cancelled.
+    /// Traces a view with the objects and light of a frame: sRGB, 3 bytes per pixel. Returns
+    /// Cancelled if the job was cancelled.
     [[nodiscard]] Status take(const View& view, int frame, std::vector<std::uint8_t>& rgb);
 
-    /// One of several looks that together have the samples of a picture (one each at least): the
-    /// light before the tone curve, 1 is white. Each number has random numbers of its own.
+    /// Traces exposure sample `number` with a share 1 / `parts` of a picture's samples, at least
+    /// one. `light` is linear, before the tone curve, 1 is white. Each number uses its own random
+    /// numbers.
     [[nodiscard]] Status takePart(const View& view, int frame, int number, int parts,
                                   std::vector<Eigen::Vector3f>& light);
-    /// The same through any lens; black outside of its image circle.
+    /// The same for any lens; black outside its image circle.
     [[nodiscard]] Status take(const LensModel& lens, const Pose& pose, int frame,
                               std::vector<std::uint8_t>& rgb);
 
   private:
-    struct Still;  // a scene at one time, ready to be traced
+    struct Still;  // scene and tracer at one time
     [[nodiscard]] const PathTracer& tracerAt(int frame);
     [[nodiscard]] float exposureAt(int frame) const;
 

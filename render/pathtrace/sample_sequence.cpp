@@ -3,7 +3,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Spreads every input bit over all output bits (Wellons, Hash Function Prospector: lowbias32).
+/// Mixes every input bit into all output bits (Wellons, Hash Function Prospector: lowbias32).
 std::uint32_t hash(std::uint32_t x) {
     x ^= x >> 16U;
     x *= 0x7feb352dU;
@@ -24,7 +24,7 @@ std::uint32_t reversed(std::uint32_t x) {
     return ((x & 0x55555555U) << 1U) | ((x & 0xaaaaaaaaU) >> 1U);
 }
 
-/// Owen scrambling: each bit is flipped by a hash of those above it.
+/// Owen scrambling: each bit is flipped by a hash of the bits above it.
 std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     x = reversed(x);
     x += seed;

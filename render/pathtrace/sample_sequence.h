@@ -5,19 +5,19 @@
 
 namespace dollytrack::render {
 
-/// The random numbers of one path: a function of seed, pixel, sample and dimension alone, so that
-/// neither the order of work nor the number of threads matters. Each pair of dimensions is a
-/// two-dimensional Sobol sequence over the samples of a pixel, shuffled and scrambled by hashes
-/// (Burley, Practical Hash-based Owen Scrambling, JCGT 9(4), 2020).
+/// Random numbers of one path. They depend only on seed, pixel, sample and dimension, so order of
+/// work and number of threads do not matter. Each pair of dimensions is a two-dimensional Sobol
+/// sequence over a pixel's samples with hash-based Owen scrambling (Burley, Practical Hash-based
+/// Owen Scrambling, JCGT 9(4), 2020).
 class SampleSequence {
   public:
     SampleSequence(std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample);
 
-    /// The next one or two dimensions; each in [0, 1).
+    /// Returns one or two numbers in [0, 1) and advances by as many dimensions.
     [[nodiscard]] double next();
     [[nodiscard]] std::array<double, 2> nextPair();
 
-    /// Goes on at the given dimension. Paths that took different turns stay in step that way.
+    /// Continues at the given dimension, so that paths with different branches stay aligned.
     void jumpTo(std::uint32_t dimension) { dimension_ = dimension; }
 
   private:

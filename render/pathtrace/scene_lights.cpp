@@ -8,7 +8,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTooNear = 2e-3;  // m; to a ball's middle
+constexpr double kTooNear = 2e-3;  // m, to the ball's centre
 
 double areaOf(const std::array<Eigen::Vector3d, 3>& corners) {
     return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
@@ -47,7 +47,7 @@ double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const 
     const Eigen::Vector3d way = lamp.position - from;
     if (way.z() <= 0.0) return 0.0;
     const double squared = way.squaredNorm();
-    // Lamps that are nearly level reach the point with their near edge.
+    // Nearly level lamps still reach the point with their near edge.
     const double down = std::max(way.z() / std::sqrt(squared), 0.02);
     return lamp.intensity * down / (squared + lamp.radius_m * lamp.radius_m);
 }
@@ -80,7 +80,7 @@ LightSample SceneLights::sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& 
     const double squared = middle.squaredNorm();
     const double radius = lamp.radiusFrom(from);
     const double sine2 = radius * radius / squared;
-    // Evenly over the cone that the ball fills: 1 - cosine goes evenly up to that of its edge.
+    // Uniform over the cone of the ball: 1 - cosine is uniform up to its edge.
     const double below = where[0] * sine2 / (1.0 + std::sqrt(1.0 - sine2));
     const double cosine = 1.0 - below;
     const double sine = std::sqrt(below * (1.0 + cosine));

@@ -12,17 +12,17 @@
 
 namespace dollytrack::render {
 
-/// A place that light may come from, as chosen by chance.
+/// A randomly sampled point on a light source.
 struct LightSample {
-    Eigen::Vector3d way = Eigen::Vector3d::UnitZ();  // to it, unit vector
+    Eigen::Vector3d way = Eigen::Vector3d::UnitZ();  // unit vector towards it
     double distance = 0.0;                           // m
-    double free = 0.0;                               // so far, m, nothing may stand in the way
-    double density = 0.0;                            // 1/sr
+    double free = 0.0;                               // m, length that must be unobstructed
+    double density = 0.0;                            // of the sampled direction, 1/sr
     Eigen::Vector3f radiance = Eigen::Vector3f::Zero();
 };
 
-/// Chooses among what sends light in a scene: the rig's lamps by what they would give without
-/// shadows, and shining triangles (emitting ones and windows) by their power. Keeps references.
+/// Samples a scene's light sources: the rig's lamps by unshadowed strength, and emitting triangles
+/// and windows by their power. Keeps references.
 class SceneLights {
   public:
     SceneLights(const Scene& scene, const TracedSurface& surface, const LightRig& rig);
@@ -32,8 +32,9 @@ class SceneLights {
     [[nodiscard]] std::optional<LightSample> sampleTriangle(
         const Eigen::Vector3d& from, double which, const std::array<double, 2>& where) const;
 
-    /// What a ray adds up of the lamps whose light begins between two distances along it (their
-    /// shade, see kLampShade, is no obstacle): visit(radiance, density of sampleLamp()).
+    /// Visits the lamps that a ray hits and whose unobstructed length ends in [begin, end) along
+    /// it; a lamp's shade (see kLampShade) is no obstacle. Calls visit(radiance, density of
+    /// sampleLamp()).
     template <class Visit>
     void visitLamps(const Eigen::Vector3d& from, const Eigen::Vector3d& way, double begin,
                     double end, Visit&& visit) const {
@@ -58,7 +59,7 @@ class SceneLights {
         }
     }
 
-    /// Density with which sampleTriangle() takes this place.
+    /// Density, 1/sr, with which sampleTriangle() chooses this point.
     [[nodiscard]] double triangleDensity(int object_id, std::uint32_t triangle,
                                          const Eigen::Vector3d& from,
                                          const Eigen::Vector3d& at) const;
@@ -66,9 +67,9 @@ class SceneLights {
   private:
     [[nodiscard]] double choice(const Lamp& lamp, const Eigen::Vector3d& from) const;
     [[nodiscard]] double choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const;
-    /// The solid angle of the ball, see OwnLamp::radiusFrom().
+    /// Solid angle of the lamp's ball, sr; see OwnLamp::radiusFrom().
     [[nodiscard]] static double cone(const OwnLamp& lamp, const Eigen::Vector3d& from);
-    /// Where a ray meets that ball, if it does.
+    /// Distance at which a ray hits that ball, if it does.
     [[nodiscard]] static std::optional<double> toBall(const OwnLamp& lamp,
                                                       const Eigen::Vector3d& from,
                                                       const Eigen::Vector3d& way);
@@ -82,7 +83,7 @@ class SceneLights {
                                                const Eigen::Vector3d& from) const {
         return rig_.ownLampLight() * static_cast<float>(lamp.radianceFrom(from));
     }
-    /// By which triangles are chosen.
+    /// Mean radiance of a triangle, by which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;
 
     struct Shining {
@@ -94,9 +95,9 @@ class SceneLights {
     const TracedSurface& surface_;
     const LightRig& rig_;
     std::vector<Shining> shining_;
-    std::vector<float> emission_;  // by material, in the mean
-    std::vector<float> shines_;    // by object's id - 1, times that
-    std::vector<double> power_;    // summed up to each, W/sr but for a factor
+    std::vector<float> emission_;  // by material: mean emission
+    std::vector<float> shines_;    // by id - 1: factor of emission
+    std::vector<double> power_;    // cumulative power by triangle, in W/sr up to a factor
 };
 
 }  // namespace dollytrack::render

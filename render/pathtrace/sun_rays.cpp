@@ -6,9 +6,9 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr int kMostSheetsToSun = 64;  // of glass, windows or holes one after the other
+constexpr int kMostSheetsToSun = 64;  // of glass, windows or holes along one ray
 
-/// How far it is along the way until the box is left for good; negative: it is not met.
+/// Distance along the ray to where it finally leaves the box; negative if it misses the box.
 double exitFrom(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& way) {
     double enters = 0.0;

@@ -11,18 +11,18 @@
 
 namespace dollytrack::render {
 
-/// What shows the outside and has no panes of glass, by id - 1: the sun shines through all of it,
-/// as the sky does. Of other windows it shines through the panes.
+/// By id - 1: objects that show the outside and have no glass panes, so that the sun shines through
+/// all of the object. Other windows are transparent at their panes only.
 [[nodiscard]] std::vector<bool> wholeWindows(const Scene& scene);
 
-/// What stands between points and the sun: all within SunLight::shades but windows. Panes of glass
-/// elsewhere take their share, cut-outs have holes. Const; keeps references.
+/// Shadow rays to the sun. Occluders are all surfaces within SunLight::shades except windows; other
+/// glass attenuates and cut-outs have holes. Thread-safe. Keeps references.
 class SunRays {
   public:
     SunRays(const Scene& scene, const RayCaster& rays, const TracedSurface& surface,
             const SunLight& sun);
 
-    /// The share of the sun's light that comes along -way to a point just off a surface.
+    /// Share of sunlight that arrives from the direction `way` at a point just off a surface.
     [[nodiscard]] double share(Eigen::Vector3d from, const Eigen::Vector3d& way) const;
 
   private:

@@ -10,7 +10,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Between the four nearest texels; textures repeat. Opacity needs no decoding.
+/// Bilinear texture lookup with repeat; `decoded` converts colour bytes, alpha is linear.
 Eigen::Vector4f texelAt(const Texture& texture, const Eigen::Vector2f& uv,
                         const std::array<float, 256>& decoded) {
     const auto wrapped = [](float value, int size, int& low, int& high) {
@@ -65,7 +65,8 @@ SurfacePoint TracedSurface::at(const Eigen::Vector3d& origin, const Eigen::Vecto
     const Eigen::Vector3d ac = c - a;
     const Eigen::Vector3d across = ab.cross(ac);
     const double squared = across.squaredNorm();
-    // Exact where the ray's own distance is rounded to float; slivers keep what the ray says.
+    // Recomputed from the triangle, because the ray's distance is a float; degenerate triangles
+    // keep the ray's point.
     double v = 0.0;
     double w = 0.0;
     Eigen::Vector3d guess = origin + way * hit.distance;
@@ -92,7 +93,7 @@ SurfacePoint TracedSurface::at(const Eigen::Vector3d& origin, const Eigen::Vecto
     const double side = n.dot(point.face) < 0.0 ? -1.0 : 1.0;
     if (hasMap(scene_, material.normal_map)) n = mappedNormal(material, t, uv, n);
     n *= side;
-    // What is seen does not face away; see surface.frag.
+    // A visible surface does not face away; see surface.frag.
     n -= std::max(n.dot(way) + 1e-3, 0.0) * way;
     point.normal = n.normalized();
 
@@ -138,7 +139,7 @@ Eigen::Vector3f TracedSurface::emissionAt(std::uint32_t triangle, double v, doub
                : plainEmission(material);
 }
 
-// As surface.frag does it.
+// As in surface.frag.
 Eigen::Vector3d TracedSurface::mappedNormal(const Material& material, const Triangle& t,
                                             const Eigen::Vector2f& uv,
                                             const Eigen::Vector3d& normal) const {

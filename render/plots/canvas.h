@@ -14,22 +14,23 @@ using Ink = std::array<std::uint8_t, 3>;  // red, green, blue
 
 enum class Align { Left, Middle, Right };
 
-/// What figures are drawn on: pixels, x right, y down, origin at the upper left.
+/// A drawing surface for figures. Coordinates are px, x right, y down, origin at the upper left.
 class Canvas {
   public:
     virtual ~Canvas() = default;
     virtual void line(const std::vector<Eigen::Vector2d>& points, Ink ink, double width) = 0;
     virtual void rectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high, Ink ink) = 0;
     virtual void dot(const Eigen::Vector2d& center, double radius, Ink ink) = 0;
-    /// `at` is on the line that the letters stand on; `size` is the height of capitals and more.
+    /// `at` lies on the text's baseline. `size` is the font size, px.
     virtual void text(const Eigen::Vector2d& at, const std::string& text, double size, Align align,
                       Ink ink) = 0;
-    /// The file's bytes.
+    /// The encoded file.
     [[nodiscard]] virtual std::string finish() = 0;
 };
 
 std::unique_ptr<Canvas> makeSvgCanvas(int width, int height);
-/// A PNG; empty when it cannot be encoded. Letters outside ASCII become question marks.
+/// A PNG canvas; finish() returns an empty string if encoding fails. Non-ASCII letters become
+/// question marks.
 std::unique_ptr<Canvas> makePngCanvas(int width, int height);
 
 }  // namespace dollytrack::render

@@ -23,7 +23,7 @@ constexpr int kBarColumns = 2;
 constexpr Ink kBlack = {30, 30, 30};
 constexpr Ink kGrey = {120, 120, 120};
 constexpr Ink kPale = {225, 225, 225};
-// Told apart by the colour-blind, too (Okabe and Ito, 2008).
+// Distinguishable with colour blindness (Okabe and Ito, 2008).
 constexpr std::array<Ink, 7> kInks = {{{0, 114, 178},
                                        {213, 94, 0},
                                        {0, 158, 115},
@@ -36,7 +36,7 @@ Ink inkOf(std::size_t i) {
     return kInks[i % kInks.size()];
 }
 
-/// Lowest and highest finite value; 0..1 when there is none.
+/// Range of finite values; 0..1 if there are none.
 class Range {
   public:
     void add(double value) {
@@ -82,12 +82,12 @@ void drawCurve(Canvas& canvas, const Curve& curve, const Axis& x, const Axis& y,
 void drawChart(Canvas& canvas, const Chart& chart, double top) {
     Range x_range;
     Range y_range;
-    y_range.add(0.0);  // shares and lengths: a curve that seems to jump must have done so
+    y_range.add(0.0);  // the axis includes 0, so that small changes do not look like jumps
     for (const Curve& curve : chart.curves) {
         for (const double x : curve.x) x_range.add(x);
         for (const auto& y : curve.y) y_range.add(y.value_or(0.0));
     }
-    // Beside its sign the longest name has room, in letters of 12 px.
+    // The longest name fits beside its symbol, in 12 px letters.
     std::size_t letters = 0;
     for (const Curve& curve : chart.curves) letters = std::max(letters, curve.name.size());
     const double legend_width =

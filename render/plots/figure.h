@@ -9,46 +9,47 @@
 
 namespace dollytrack::render {
 
-/// A line of a diagram. Where y has no value the line is interrupted.
+/// A curve of a chart. It is interrupted where y has no value.
 struct Curve {
     std::string name;
     std::vector<double> x;
-    std::vector<std::optional<double>> y;  // one for each x
+    std::vector<std::optional<double>> y;  // same length as x
 };
 
-/// A diagram of curves over a common x axis.
+/// A line chart of curves over a common x axis.
 struct Chart {
     std::string title;
-    std::string x_label;  // with the unit
+    std::string x_label;  // including the unit
     std::string y_label;
     std::vector<Curve> curves;
 };
 
-/// Horizontal bars, one for each name; no bar where there is no value.
+/// Horizontal bars, one per name; no bar where there is no value.
 struct BarChart {
-    std::string title;  // with the unit
+    std::string title;  // including the unit
     std::vector<std::string> names;
     std::vector<std::optional<double>> values;
 };
 
-/// Diagrams below one another, or bars side by side, under one heading.
+/// Charts one below the other, or bar charts side by side, under one title.
 struct Figure {
     std::string title;
     std::vector<Chart> charts;
     std::vector<BarChart> bars;
 };
 
-/// Text of an SVG picture. Names may hold anything; numbers that are not finite are left out.
+/// The figure as SVG text. Names may contain any character; non-finite numbers are left out.
 std::string figureSvg(const Figure& figure);
 
-/// Draws it into a file, SVG or PNG by its extension. Errors: Usage for another one, CannotWrite.
+/// Writes the figure as SVG or PNG, by the file's extension. Returns Usage for another extension,
+/// CannotWrite if writing fails.
 Status writeFigure(const Figure& figure, const std::filesystem::path& path);
 
-/// Whether writeFigure() knows the extension. Error: Usage.
+/// Checks that writeFigure() supports the extension. Returns Usage if not.
 Status checkFigureName(const std::filesystem::path& path);
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) that span a range, about `count` of them;
-/// the first is not above `low`, the last not below `high`.
+/// About `count` round numbers (1, 2 or 5 times a power of ten apart) that cover a range: the first
+/// is not above `low`, the last not below `high`.
 std::vector<double> roundTicks(double low, double high, int count);
 
 }  // namespace dollytrack::render

@@ -9,7 +9,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-constexpr double kFontHeight = 30.0;  // of its capitals and descenders, at scale 1
+constexpr double kFontHeight = 30.0;  // height of capitals and descenders at scale 1
 
 cv::Scalar color(Ink ink) {
     return {static_cast<double>(ink[0]), static_cast<double>(ink[1]), static_cast<double>(ink[2])};
@@ -17,7 +17,8 @@ cv::Scalar color(Ink ink) {
 
 class PngCanvas : public Canvas {
   public:
-    // Drawn at twice the size and shrunk: OpenCV's own smoothing leaves thin strokes ragged.
+    // Drawn at twice the size and reduced, because OpenCV's antialiasing leaves thin strokes
+    // ragged.
     static constexpr double kOversize = 2.0;
 
     PngCanvas(int width, int height)

@@ -23,7 +23,7 @@ std::string escaped(const std::string& text) {
                 result += "&amp;";
                 break;
             default:
-                // XML has no other control characters.
+                // XML allows no other control characters.
                 result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
         }
     }

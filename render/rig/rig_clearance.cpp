@@ -5,10 +5,10 @@
 namespace dollytrack::render {
 namespace {
 
-/// Frames in which a camera touches something, and the first of them.
+/// Counts the frames in which a camera touches something and keeps the first.
 struct Touching {
     int count = 0;
-    int frame = 0;  // of the trajectory
+    int frame = 0;  // frame number in the trajectory
     int object_id = 0;
 
     void add(int source_frame, int object) {

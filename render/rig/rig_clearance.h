@@ -7,9 +7,9 @@
 
 namespace dollytrack::render {
 
-/// What is wrong with where the rig's cameras are: only the planned camera's sphere is kept free.
-/// A sentence a camera that has something between itself and the planned camera, or comes nearer
-/// to a surface than the planned one's radius, with the first such frame and object.
+/// Warnings about rig cameras that collide: the plan keeps only the planned camera's sphere free.
+/// One sentence per camera that has an object between itself and the planned camera, and one per
+/// camera nearer to a surface than camera_radius_m, each with the first such frame and object.
 [[nodiscard]] std::vector<std::string> rigWarnings(const FrameContext& context);
 
 }  // namespace dollytrack::render

@@ -7,7 +7,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// The rays of a row in the world, and what they meet.
+/// Casts the rays of one image row.
 class RowOfRays {
   public:
     RowOfRays(const LensModel& lens, const Pose& pose, const RayCaster& rays, double near_m)

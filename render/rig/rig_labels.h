@@ -10,15 +10,15 @@
 
 namespace dollytrack::render {
 
-/// What the exact rays of a lens through pixel centres meet; rows from the top, 0 where a pixel
-/// sees nothing and outside of the lens's image circle.
+/// Images cast through a lens's exact rays at pixel centres, row 0 at the top. Pixels that hit
+/// nothing or lie outside the lens's image circle are 0.
 struct LensImages {
-    std::vector<float> depth_m;  // as LensRay has it
+    std::vector<float> depth_m;  // planar depth or range, depending on the lens; see LensRay
     std::vector<std::uint16_t> instance;
     std::vector<Eigen::Vector3f> normals_in_world;
 };
 
-/// In a frame of the dataset, with things where they are then. From any thread.
+/// Casts one frame of the dataset, with moving objects at that frame's time. Thread-safe.
 [[nodiscard]] LensImages castLens(const LensModel& lens, const Pose& pose,
                                   const FrameContext& context, int frame);
 

@@ -14,11 +14,12 @@
 namespace dollytrack::render {
 namespace {
 
-// How far sides of a cube reach over its edges: 5 degrees, in which they fade into each other.
+// Tangent at which a cube side ends: 5 degrees beyond its edge, over which sides blend.
 constexpr double kReach = 1.2;
-// Sides are not made finer than this many pixels, for the memory that they are drawn in.
+// Largest size of a doubled side, to bound graphics memory.
 constexpr int kFinest_px = 2048;
-// Up to this angle from the axis, radians, one side shows all without wasting too much on its rim.
+// Up to this half angle, radians, one pinhole image covers the lens without much waste at its
+// border.
 constexpr double kAlone = 50.0 * std::numbers::pi / 180.0;
 
 const std::array<float, 256>& linearOfBytes() {
@@ -32,13 +33,13 @@ const std::array<float, 256>& linearOfBytes() {
     return table;
 }
 
-/// A side and its picture.
+/// A pinhole image with its pixels.
 struct DrawnSide {
     LensPictures::Side side;
     Eigen::Matrix3d side_from_camera;
     std::vector<std::uint8_t> rgb;
 
-    /// Where it shows a direction of the camera, px, and with what weight beside the others'.
+    /// Position of a camera direction in the image, px, and its blending weight (0: outside).
     struct Place {
         double x = 0.0, y = 0.0, weight = 0.0;
     };
@@ -52,7 +53,7 @@ struct DrawnSide {
         return {px * (u + side.reach), px * (v + side.reach), weightAt(far)};
     }
 
-    /// Linear light, between the four pixels around.
+    /// Bilinearly interpolated linear light.
     [[nodiscard]] Eigen::Vector3f at(double x, double y) const {
         const int last = side.size_px - 1;
         const double left = std::clamp(x - 0.5, 0.0, static_cast<double>(last));
@@ -65,7 +66,8 @@ struct DrawnSide {
     }
 
   private:
-    /// Where two sides overlap one ends at `reach`, where the other has the tangent 1 / reach.
+    /// Smooth blending weight: 1 up to the tangent 1 / reach, where the overlapping side ends, 0 at
+    /// `reach`.
     [[nodiscard]] double weightAt(double far) const {
         if (side.alone) return 1.0;
         const double least = 1.0 / side.reach;
@@ -79,7 +81,7 @@ struct DrawnSide {
     }
 };
 
-/// The directions of a lens's pixels, a few a side of the picture and its whole rim.
+/// Visits a grid of the lens's ray directions, including the image border and the image circle.
 template <class Use>
 void forSomeRays(const LensModel& lens, Use&& use) {
     constexpr int kSteps = 64;
@@ -90,7 +92,7 @@ void forSomeRays(const LensModel& lens, Use&& use) {
             if (ray) use(ray->direction);
         }
     }
-    for (int i = 0; i < 8 * kSteps; ++i) {  // the edge of the image circle
+    for (int i = 0; i < 8 * kSteps; ++i) {  // edge of the image circle
         const double way = i * std::numbers::pi / (4 * kSteps);
         const double r = 0.5 * lens.width() * (1.0 - 1e-9);
         const auto ray = lens.ray(0.5 * lens.width() + r * std::cos(way),
@@ -143,7 +145,7 @@ std::vector<LensPictures::Side> LensPictures::sidesFor(const LensModel& lens) co
             shows = shows || probe.placeOf(direction).weight > 0.0;
         });
         if (!shows) continue;
-        // Of a stretched edge one sees each of the pixels that it was drawn with.
+        // Around the poles each row is stretched, so single pixels of the side would be visible.
         if (lens.lens() == Lens::Equirectangular &&
             (probe.placeOf(y).weight > 0.0 || probe.placeOf(-y).weight > 0.0)) {
             side.finer = true;
@@ -204,7 +206,7 @@ Status LensPictures::draw(const LensModel& lens, const Pose& pose, SceneRenderer
         const double focal = middle / side.reach;
         view.intrinsics = {side.size_px, side.size_px, focal, focal, middle, middle};
         view.pose = {pose.position, pose.rotation * side.camera_from_side};
-        // Nothing that the lens sees lies before it, not in the corners either.
+        // The near plane is moved closer, so that it does not cut anything in the image corners.
         view.near_m = near_m_ / std::sqrt(1.0 + 2.0 * side.reach * side.reach);
         view.antialias = look_.antialias;
         view.reflections = look_.reflections;

@@ -16,35 +16,36 @@
 
 namespace dollytrack::render {
 
-/// Draws the pictures of any lens. Pinholes and parallel rays are drawn as they are. Wide lenses
-/// are put together from square pinhole pictures around the same centre, as fine as the lens is at
-/// its finest: one where that will do, else the sides of a cube that reach over their edges and
-/// fade into each other there. Those with a panorama's poles, around which its rows are stretched,
-/// are twice as fine. Needs the renderer's OpenGL context current.
+/// Draws colour images of any lens. Pinhole and orthographic lenses are drawn directly. Wide lenses
+/// are resampled from square pinhole images around the same centre, at the lens's finest
+/// resolution: from one image if that covers the lens, else from the sides of a cube, which overlap
+/// and blend into each other. The top and bottom sides of a panorama have twice the resolution,
+/// because its rows are stretched around the poles. The renderer's OpenGL context must be current.
 class LensPictures {
   public:
-    /// `look` is that of the drawn pictures. `sides_from_camera` turns the cube: only tests need
-    /// other sides than the camera's own axes.
+    /// `look` sets antialiasing and reflections. `sides_from_camera` rotates the cube; only tests
+    /// use it.
     LensPictures(double near_m, const PictureParams& look,
                  const Eigen::Quaterniond& sides_from_camera = Eigen::Quaterniond::Identity());
 
-    /// Makes what draw() will draw into, so that it does not fail for its size or for memory.
+    /// Allocates the render targets for draw(). Returns Usage if an image exceeds the driver's
+    /// limit, Failed if the graphics memory does not suffice.
     [[nodiscard]] Status prepare(const LensModel& lens);
 
-    /// 3 bytes a pixel, sRGB; black outside of the lens's image circle. `rays` are of the scene as
-    /// the renderer has it.
+    /// Draws an sRGB image, 3 bytes per pixel; black outside the lens's image circle. `rays` must
+    /// cast against the scene as the renderer shows it.
     [[nodiscard]] Status draw(const LensModel& lens, const Pose& pose, SceneRenderer& renderer,
                               const RayCaster& rays, std::vector<std::uint8_t>& rgb);
 
-    /// One picture that a wide lens is put together from.
+    /// One pinhole image from which a wide lens is resampled.
     struct Side {
         Eigen::Quaterniond camera_from_side = Eigen::Quaterniond::Identity();
-        double reach = 1.0;  // tangent of the angle from its axis to its borders
+        double reach = 1.0;  // tangent of the angle from its axis to its border
         int size_px = 0;
-        bool alone = false;  // there is no other to fade into
-        bool finer = false;  // than the lens is from row to row
+        bool alone = false;  // the only image, so nothing to blend with
+        bool finer = false;  // has twice the lens's resolution
     };
-    /// Those that show anything of what the lens sees.
+    /// The pinhole images that cover the lens; those that contribute nothing are left out.
     [[nodiscard]] std::vector<Side> sidesFor(const LensModel& lens) const;
 
   private:
@@ -55,10 +56,10 @@ class LensPictures {
     double near_m_;
     PictureParams look_;
     Eigen::Quaterniond sides_from_camera_;
-    std::map<std::pair<int, int>, RenderTarget> targets_;  // by size
+    std::map<std::pair<int, int>, RenderTarget> targets_;  // by width and height
 };
 
-/// What draws a pinhole or an orthographic lens.
+/// The view of a pinhole or orthographic lens.
 [[nodiscard]] View viewThrough(const LensModel& lens, const Pose& pose, double near_m);
 
 }  // namespace dollytrack::render

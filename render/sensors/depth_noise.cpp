@@ -15,8 +15,8 @@ constexpr double kDisparityAtOneMetre_px = 35.130;
 constexpr double kSteps_per_px = 8.0;
 constexpr double kDisparityDeviation_px = 0.027778;
 
-/// Whether depth makes a step at the pixel, or something with nothing beside it ends there. Along a
-/// plane inverse depth is linear in the image, however steep it is.
+/// Whether there is a depth step at the pixel, or a neighbour without depth. On a plane the inverse
+/// depth is linear in the image, however steep the plane.
 bool isEdge(const DepthScene& scene, const DepthLimits& limits, int x, int y) {
     const auto depthAt = [&](int at_x, int at_y) -> double {
         return scene.depth_m[static_cast<std::size_t>(at_y) * scene.lens.width + at_x];
@@ -36,7 +36,7 @@ bool isEdge(const DepthScene& scene, const DepthLimits& limits, int x, int y) {
     return false;
 }
 
-/// One depth camera's picture of one scene.
+/// Simulates one depth image.
 class DepthCamera {
   public:
     DepthCamera(const SensorParams& params, const DepthScene& scene)
@@ -54,7 +54,7 @@ class DepthCamera {
         int from_x = nearest(x + strength * kJitter_px * random.normal(0), scene_.lens.width);
         int from_y = nearest(y + strength * kJitter_px * random.normal(2), scene_.lens.height);
         const bool redwood = params_.depth_noise == DepthNoise::Redwood;
-        if (redwood) {  // after the jitter, as published: no other pixels are ever read
+        if (redwood) {  // after the jitter, as published: odd pixels are never read
             from_x -= from_x % 2;
             from_y -= from_y % 2;
         }
@@ -76,7 +76,7 @@ class DepthCamera {
         return static_cast<int>(std::lround(std::clamp(at, 0.0, size - 1.0)));
     }
 
-    /// The depth of another pixel; of what is beyond a step, the pixel's own.
+    /// Depth of another pixel, or the pixel's own if there is a step between them.
     [[nodiscard]] double depthNear(std::size_t here, std::size_t other) const {
         const double own = scene_.depth_m[here];
         const double there = scene_.depth_m[other];
@@ -108,7 +108,7 @@ class DepthCamera {
                            dimness(reflectance, cosine);
     }
 
-    // Gives a depth still: a surface that throws back 5 %, at the far end of the range.
+    // Least light that gives a depth: a surface with 5 % reflectance at the end of the range.
     static constexpr double kLeastLight_per_m2 = 0.05 / (5.46 * 5.46);
 
     const SensorParams& params_;
@@ -137,7 +137,7 @@ double depthDeviation(DepthNoise model, double depth_m) {
         case DepthNoise::KinectAzure:
             return 0.0005 + 0.001 * std::max(depth_m - 0.5, 0.0);
         case DepthNoise::Redwood: {
-            // That of the disparity, and of its steps: evenly spread over one.
+            // Combines the noise of the disparity with its uniform quantisation error.
             const double steps =
                 std::hypot(kDisparityDeviation_px, 1.0 / kSteps_per_px / std::sqrt(12.0));
             return depth_m * depth_m / kDisparityAtOneMetre_px * steps;

@@ -10,7 +10,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Of the square onto the disc, areas kept (Shirley and Chiu, 1997).
+/// Maps the unit square to the unit disc, preserving areas (Shirley and Chiu, 1997).
 Eigen::Vector2d onDisc(double u, double v) {
     const double a = 2.0 * u - 1.0, b = 2.0 * v - 1.0;
     if (a == 0.0 && b == 0.0) return Eigen::Vector2d::Zero();
@@ -21,7 +21,7 @@ Eigen::Vector2d onDisc(double u, double v) {
     return radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
-/// The integral of a hat of height 1 that stands on -1 to 1, from there to x.
+/// Integral from -1 to x of the hat function of height 1 on [-1, 1].
 double hatUpTo(double x) {
     const double inside = std::clamp(x, -1.0, 1.0);
     return 0.5 + inside - 0.5 * inside * std::abs(inside);
@@ -36,20 +36,20 @@ double rowExposureSeconds(const SensorParams& params, int height) {
 
 Exposure::Exposure(const SensorParams& params, int height, int frame)
     : height_(height), row_exposure_s_(render::rowExposureSeconds(params, height)) {
-    int period = params.looks;  // of a row's exposure, and of the points
+    int period = params.looks;  // samples in a row's exposure, and period of the points
     int count = params.looks;
     if (params.readout_s > 0.0 && height > 1) {
         row_step_s_ = params.readout_s / (height - 1);
         const double exposures = 1.0 + params.readout_s / row_exposure_s_;
         period = std::min(params.looks,
                           static_cast<int>(std::floor((4.0 * params.looks - 1.0) / exposures)));
-        // The looks have to reach to both ends of all exposures.
+        // The samples must cover the exposures of all rows.
         count = 1 + static_cast<int>(std::ceil(period * exposures - 1e-9));
     }
     look_step_s_ = row_exposure_s_ / period;
 
-    // Additive recurrence in four dimensions: any stretch of it is even (Roberts, The Unreasonable
-    // Effectiveness of Quasirandom Sequences, 2018).
+    // Additive recurrence in four dimensions, whose segments are all well distributed (Roberts, The
+    // Unreasonable Effectiveness of Quasirandom Sequences, 2018).
     constexpr double kRoot = 1.1673039782614187;  // x^5 = x + 1
     const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame, 0);
     std::array<double, 4> start{};
@@ -69,7 +69,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
         middle_aperture += points[i].aperture / period;
         middle_aside_px += points[i].aside_px / period;
     }
-    // On the mean the picture is that of the pixels' middles, as labels are.
+    // Offsets average to zero, so that the picture is centred on the pixel centres, as labels are.
     for (int i = 0; i < count; ++i) {
         ExposureLook& look = looks_.emplace_back(points[static_cast<std::size_t>(i % period)]);
         look.after_s = look_step_s_ * (i - 0.5 * (count - 1));

@@ -8,12 +8,12 @@
 
 namespace dollytrack::render {
 
-/// Where the things that move are between the frames: the middle of each thing's box goes straight
-/// on and it turns evenly from frame to frame, as tracks have it between their keys; at rest before
-/// the first frame and after the last. Const, many threads.
+/// Positions of moving objects between frames: the centre of each object's box is interpolated
+/// linearly, its rotation by slerp. Before the first frame and after the last, objects stand still.
+/// Thread-safe.
 class ObjectPaths {
   public:
-    /// `motions` are over the trajectory's frames.
+    /// `motions` must cover all frames of the trajectory.
     ObjectPaths(const Scene& scene, const Trajectory& trajectory,
                 std::vector<ObjectMotion> motions);
 
@@ -28,7 +28,7 @@ class ObjectPaths {
   private:
     std::vector<double> times_;
     std::vector<ObjectMotion> motions_;
-    std::vector<Eigen::Vector3d> middles_;  // of the boxes at rest
+    std::vector<Eigen::Vector3d> middles_;  // box centres in the scene's own positions
 };
 
 }  // namespace dollytrack::render

@@ -9,7 +9,7 @@ namespace dollytrack::render {
 
 void addPictureNoise(const SensorParams& params, int frame, std::span<float> light) {
     if (params.white_e <= 0.0) return;
-    // Apart from other uses of a pixel's numbers.
+    // Separates these random numbers from other uses of the same pixel.
     constexpr std::uint64_t kPictureStream = 1ULL << 40U;
     for (std::size_t i = 0; i < light.size(); ++i) {
         const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame,

@@ -8,13 +8,13 @@
 
 namespace dollytrack::render {
 
-/// The electronics of a colour camera, in linear light before tone curve and encoding, where 1 is
-/// white: a pixel's electrons are Poisson distributed around light times white_e, reading them adds
-/// normal noise, and the sum divided by white_e is the light again. So the variance is linear in
-/// the light: light / white_e + (read_noise_e / white_e)^2. In place, 3 values a pixel.
+/// Sensor noise of a colour camera in linear light, 1 is white, before tone curve and encoding.
+/// Electrons are Poisson distributed with mean light * white_e; reading adds Gaussian noise;
+/// dividing by white_e gives light again. The variance is light / white_e + (read_noise_e /
+/// white_e)^2. Works in place, 3 values per pixel. Does nothing if white_e is 0.
 void addPictureNoise(const SensorParams& params, int frame, std::span<float> light);
 
-/// The tone curve of all pictures and sRGB, 3 bytes a pixel.
+/// Applies the tone curve and sRGB encoding, 3 bytes per pixel.
 [[nodiscard]] std::vector<std::uint8_t> developedBytes(std::span<const float> light);
 
 }  // namespace dollytrack::render

@@ -16,7 +16,7 @@ double PixelRandom::poisson(double mean, std::uint32_t place) const {
     if (mean >= 64.0) {
         return std::max(0.0, std::round(mean + std::sqrt(mean) * normal(place)));
     }
-    // By the distribution's sum: no more than a few steps beyond the mean.
+    // Inverts the cumulative distribution by summation, which needs few steps beyond the mean.
     double left = uniform(place);
     double share = std::exp(-mean);
     int count = 0;

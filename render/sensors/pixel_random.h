@@ -4,9 +4,9 @@
 
 namespace dollytrack::render {
 
-/// Random numbers that are a function of seed, frame, pixel and place in the row alone, so that
-/// neither threads nor a continued export change them: the finaliser of SplitMix64 (Steele, Lea and
-/// Flood, 2014), applied to each in turn.
+/// Random numbers that depend only on seed, frame, pixel and index, so that neither threads nor a
+/// resumed export change them. Uses the finaliser of SplitMix64 (Steele, Lea and Flood, 2014) on
+/// each in turn. `place` is the index of a number within its pixel.
 class PixelRandom {
   public:
     PixelRandom(std::uint32_t seed, int frame, std::uint64_t pixel)
@@ -16,11 +16,11 @@ class PixelRandom {
     [[nodiscard]] double uniform(std::uint32_t place) const {
         return (static_cast<double>(mixed(key_ + place) >> 11U) + 0.5) * 0x1p-53;
     }
-    /// Mean 0, deviation 1 (Box-Muller); takes two places.
+    /// Mean 0, standard deviation 1 (Box-Muller); uses two indices.
     [[nodiscard]] double normal(std::uint32_t place) const;
 
-    /// How many of something come when `mean` are expected: exact below 64, above it the rounded
-    /// normal distribution, whose skewness is below an eighth there. Takes two places.
+    /// Poisson distributed with this mean: exact below 64, else a rounded normal distribution,
+    /// where the skewness is below 1/8. Uses two indices.
     [[nodiscard]] double poisson(double mean, std::uint32_t place) const;
 
   private:

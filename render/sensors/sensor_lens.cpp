@@ -12,29 +12,28 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kLeastFov_deg = 10.0;  // that a camera may have
-constexpr int kKernelReach_px = 2;      // pixels on either side that a look between them takes
+constexpr double kLeastFov_deg = 10.0;  // smallest field of view that a camera may have
+constexpr int kKernelReach_px = 2;      // pixels on either side that the bicubic kernel reads
 
-/// Weights of the four pixels around a place between the middle two (Catmull and Rom, 1974).
+/// Weights of the four pixels around a position between the middle two (Catmull and Rom, 1974).
 std::array<float, 4> cubic(float t) {
     return {0.5F * (-t + 2 * t * t - t * t * t), 0.5F * (2 - 5 * t * t + 3 * t * t * t),
             0.5F * (t + 4 * t * t - 3 * t * t * t), 0.5F * (-t * t + t * t * t)};
 }
 
-/// Where in the clean picture (px), extended, the place (x, y) of the sensor's looks.
+/// Position in the extended clean picture (px) that the sensor position (x, y) maps to.
 std::optional<Eigen::Vector2d> lookThrough(const Intrinsics& sensor, const LensDistortion& lens,
                                            double x, double y) {
     const auto straight = lens.straighten(sensor.unproject(x, y).head<2>());
     if (!straight) return std::nullopt;
     const Eigen::Vector2d at = sensor.project({straight->x(), straight->y(), 1.0});
-    // A lens that looks ever further aside towards its corners would ask for any size.
+    // Bounds the size of the drawn image, which strong distortion would enlarge without limit.
     const Eigen::Vector2d size(sensor.width, sensor.height);
     if (!Eigen::AlignedBox2d(-size, 2.0 * size).contains(at)) return std::nullopt;
     return at;
 }
 
-/// Whether the pixels along the borders show something: then the others do, too, as all that lies
-/// nearer to the middle.
+/// Whether all border pixels show something; then all pixels nearer to the centre do, too.
 bool fillsPicture(const CameraParams& camera, const LensDistortion& lens) {
     const Intrinsics sensor = makeIntrinsics(camera);
     for (int x = 0; x < sensor.width; ++x) {
@@ -149,7 +148,7 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
 }
 
 std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
-    // Of a very short readout first and last are further off than an int reaches.
+    // With a very short readout first and last exceed the range of int.
     const double rows = sensor_.height;
     const int begin = static_cast<int>(std::clamp(std::floor(first) - 1.0, 0.0, rows));
     const int end = static_cast<int>(std::clamp(std::ceil(last) + 2.0, 0.0, rows));

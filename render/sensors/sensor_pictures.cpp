@@ -99,7 +99,7 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
     return {};
 }
 
-/// Every look for itself; a row takes the looks of its own time.
+/// Traces every sample; each row averages the samples of its own exposure.
 Status SensorPictures::trace(const FrameRecord& frame, const Exposure& exposure,
                              std::optional<double> focus, ReferencePictures& reference,
                              std::vector<float>& light) const {

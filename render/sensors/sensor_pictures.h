@@ -15,31 +15,31 @@
 
 namespace dollytrack::render {
 
-/// The depth that a frame is focused on, m: as set, else the median of the targets in the middle
-/// half (by width and by height) of the frame, else of all that is there; `none` where that shows
-/// nothing.
+/// Focus distance of a frame, m: the configured one, else the median depth of the targets in the
+/// image's central half (in width and height), else of everything there; none if nothing is visible
+/// there.
 [[nodiscard]] std::optional<double> focusDepthOf(const SensorParams& params, const Scene& scene,
                                                  const FrameRecord& frame);
 
-/// Whether that takes the frame's depth.
+/// Whether the focus depends on the frame's depth.
 [[nodiscard]] inline bool focusesByDepth(const SensorParams& params) {
     return params.aperture_mm > 0.0 && params.focus_m <= 0.0;
 }
 
-/// Takes the light of a frame as it falls into the sensor's lens: the mean of looks over shutter
-/// and aperture. A lens point (x, y) sees what lies in focus at the same place, so the picture from
-/// there is shifted by focal length times (x, y) / focus: a thin lens, whose circle of confusion is
+/// Draws the light that reaches the sensor's lens: the mean of exposure samples over shutter and
+/// aperture. Points at the focus distance must stay in place, so the image from aperture point (x,
+/// y) is shifted by focal length * (x, y) / focus. This is a thin lens whose circle of confusion is
 /// aperture * focal length in px * |1 / depth - 1 / focus|.
 class SensorPictures {
   public:
-    /// `objects`: what moves while a picture is taken, over the whole trajectory. Both must outlive
-    /// this.
+    /// `objects` are the moving objects of the whole trajectory. `context` and `objects` must
+    /// outlive this object. Returns Usage if the driver cannot draw an image of this size.
     static Result<SensorPictures> create(const FrameContext& context, const ObjectPaths& objects,
                                          Reflections reflections);
 
-    /// Fills `light` with linear light through the pinhole SensorLens::drawn(), 3 values a pixel.
-    /// By `reference` where there is one. `frame` has depth and ids, if the focus depends on it.
-    /// Leaves things that move where they were last.
+    /// Fills `light` with linear light of the pinhole image SensorLens::drawn(), 3 values per
+    /// pixel. Path-traces it if `reference` is given. `frame` needs depth and ids if
+    /// focusesByDepth(). Moving objects stay at the positions of the last sample.
     [[nodiscard]] Status take(const FrameRecord& frame, SceneRenderer& renderer,
                               ReferencePictures* reference, std::vector<float>& light);
 

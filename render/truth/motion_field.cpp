@@ -8,7 +8,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// `motions`: of the objects by id, from the frame's time to the other picture's; empty: none
+/// `motions` move each object, by id, from the frame's time to the other image's; empty if nothing
 /// moves.
 MotionField fieldTo(const FrameContext& context, const FrameRecord& frame, const Pose& other,
                     const RayCaster& rays, const std::vector<Eigen::Isometry3d>& motions) {

@@ -10,20 +10,22 @@
 
 namespace dollytrack::render {
 
-/// Where nothing is seen, or what is seen lies behind the other camera; Middlebury's sign for it.
+/// Marks pixels without motion: nothing is hit, or the point lies behind the other camera or nearer
+/// than its near plane. The value is Middlebury's marker for unknown flow.
 inline constexpr float kNoMotion = 1e10F;
 
-/// By pixel, rows from the top.
+/// Optical flow by pixel, row 0 at the top.
 struct MotionField {
-    std::vector<Eigen::Vector2f> motion;  // px, right and down; or kNoMotion, both
-    std::vector<Sight> sight;             // in the other picture
+    std::vector<Eigen::Vector2f> motion;  // px, right and down; kNoMotion in both if unknown
+    std::vector<Sight> sight;             // visibility in the other image
 };
 
-/// Where what each pixel's centre shows lies in another frame of the dataset.
+/// Optical flow to another frame of the dataset. `other_frame` is an index in the exported frames.
+/// Moving objects are taken into account.
 [[nodiscard]] MotionField motionField(const FrameContext& context, const FrameRecord& frame,
                                       int other_frame);
 
-/// The same in the picture of another camera at the same time.
+/// Displacement to another camera with the same intrinsics at the same time, as for stereo.
 [[nodiscard]] MotionField parallaxField(const FrameContext& context, const FrameRecord& frame,
                                         const Pose& other_camera);
 

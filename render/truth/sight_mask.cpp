@@ -8,7 +8,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr double kSameSurface_m = 0.002;
-constexpr double kRounding = 1e-5;  // of the depth: images hold it in single precision
+constexpr double kRounding = 1e-5;  // relative to depth: depth images have single precision
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::vector<Sight> sightFrom(const RayCaster& rays, const Pose& camera, const In
         if (p.z() < near_m) continue;
         const Eigen::Vector2d at = lens.project(p);
         if (at.x() < 0.0 || at.y() < 0.0 || at.x() >= lens.width || at.y() >= lens.height) continue;
-        // Lengths along a direction of planar depth 1 are planar depths.
+        // Directions have z = 1 in the camera frame, so ray lengths are planar depths.
         const double until = p.z() - kSameSurface_m - kRounding * p.z();
         bundle.push_back({camera.rotation * (p / p.z()), static_cast<float>(until)});
         asked.push_back(i);

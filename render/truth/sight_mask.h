@@ -14,17 +14,18 @@ struct Pose;
 
 namespace dollytrack::render {
 
-/// What becomes of a pixel's surface in another picture. Values of the masks that stand beside flow
-/// and disparity.
+/// Visibility of a pixel's surface point in another image, as stored in the masks beside flow and
+/// disparity.
 enum class Sight : std::uint8_t {
     Seen = 0,
     Occluded = 1,
-    Outside = 2,    // of the other picture, or behind its camera
-    Nothing = 255,  // the pixel sees nothing
+    Outside = 2,    // outside the other image, or nearer than its near plane
+    Nothing = 255,  // the pixel hits nothing
 };
 
-/// Whether what lies at these places, world, is seen from another camera, by exact rays. A surface
-/// less than 2 mm before a place counts as the same one. `nothing[i]`: there is no place.
+/// Visibility of world points from another camera, by ray casts. A surface less than 2 mm (plus
+/// rounding) in front of a point counts as the point's own surface. Entries with `nothing[i]`
+/// become Sight::Nothing.
 [[nodiscard]] std::vector<Sight> sightFrom(const RayCaster& rays, const Pose& camera,
                                            const Intrinsics& lens, double near_m,
                                            std::span<const Eigen::Vector3d> places,

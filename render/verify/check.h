@@ -12,29 +12,30 @@
 
 namespace dollytrack::verify {
 
-/// What checks may look at.
+/// Input of the checks.
 struct Subject {
     const StoredDataset& dataset;
-    const Scene* scene = nullptr;     // that the dataset was made of; null when it is not at hand
-    const RayCaster* rays = nullptr;  // of the scene at rest
+    const Scene* scene = nullptr;     // scene of the dataset; null if unavailable
+    const RayCaster* rays = nullptr;  // ray caster of the scene without object motion
 };
 
-/// What a check does. Both may be empty.
+/// Functions of one check. Both may be empty.
 struct CheckWork {
-    /// Looks at one frame. Called from many threads, each with another frame.
+    /// Checks one frame. Called from many threads, each with a different frame.
     std::function<void(FrameImages& images, Findings& findings)> frame;
-    /// Called once, after all frames. Returns early when the job is cancelled.
+    /// Called once after all frames. Returns early if the job is cancelled.
     std::function<void(Findings& findings, const JobContext& job)> finish;
 };
 
-/// A row of the one table of checks.
+/// A row of the table of checks.
 struct Check {
     const char* name;
-    const char* text;                     // what is true of a sound dataset
-    std::span<const char* const> needs;   // modalities and formats, all of them
-    std::span<const char* const> one_of;  // and at least one of these, where there are any
+    const char* text;                     // property that a valid dataset has, for users
+    std::span<const char* const> needs;   // required modalities and formats
+    std::span<const char* const> one_of;  // at least one of these is required, if any are listed
     bool needs_scene;
-    /// Reads what is needed of files that are not images. The subject outlives the work.
+    /// Reads the required files that are not images and returns the check's functions. `subject`
+    /// outlives them.
     CheckWork (*begin)(const Subject& subject, Findings& findings);
 };
 

@@ -4,7 +4,7 @@
 
 namespace dollytrack::verify {
 
-// What the rows of the table begin with, a file each: check_files.cpp and so on.
+// The `begin` function of each check, one file each: check_files.cpp and so on.
 CheckWork beginFiles(const Subject& subject, Findings& findings);
 CheckWork beginCard(const Subject& subject, Findings& findings);
 CheckWork beginImages(const Subject& subject, Findings& findings);

@@ -5,9 +5,11 @@
 
 namespace dollytrack::verify {
 
-/// The normal that the scene's corners have where a ray along a unit vector meets it, in the world,
-/// on the side that is seen; zero of a triangle without area. Of a smoothed face it may look a
-/// little past the outline, where it is laid along it.
+/// The shading normal at a ray hit, interpolated from the vertex normals: world frame, on the ray's
+/// side; zero for a triangle without area. Near an outline, where it would point away from the
+/// viewer, it is projected onto the outline.
+/// @param place  the hit point, world
+/// @param along  the ray's unit direction, world
 Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place,
                               const Eigen::Vector3d& along);
 

@@ -11,7 +11,7 @@ namespace {
 
 using Mask = std::vector<std::uint8_t>;
 
-/// All that is reached from a pixel by steps to neighbours of the same kind, marked.
+/// Flood fill over neighbours for which a predicate holds, marking all pixels reached.
 class Flood {
   public:
     Flood(int width, int height, bool diagonal)
@@ -20,7 +20,7 @@ class Flood {
           steps_(diagonal ? 8 : 4),
           reached_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-    /// How many were reached by it.
+    /// Fills from a pixel and returns the number of pixels reached.
     template <class IsPassable>
     int from(int x, int y, const IsPassable& isPassable) {
         int count = 0;
@@ -73,8 +73,8 @@ Mask shownBy(const Image16& ids, int object_id) {
 void fillPolygon(std::span<const double> corners, int width, int height, Mask& mask) {
     const std::size_t count = corners.size() / 2;
     for (int x = 0; x < width; ++x) {
-        // Where the polygon's edges cross the middle of the column; inside is between the 1st and
-        // 2nd, the 3rd and 4th ...
+        // Crossings of the polygon's edges with the column's centre line; inside is between the
+        // first and second, the third and fourth, and so on.
         const double middle = x + 0.5;
         std::vector<double> crossings;
         for (std::size_t i = 0; i < count; ++i) {

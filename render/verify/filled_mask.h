@@ -7,26 +7,27 @@
 #include <string>
 #include <vector>
 
-// Masks column by column, width * height bytes, not 0 inside.
+// Masks are stored column by column, width * height bytes, nonzero inside.
 namespace dollytrack::verify {
 
-/// The pixels that show one object.
+/// Mask of the pixels with this object id.
 std::vector<std::uint8_t> shownBy(const Image16& ids, int object_id);
 
-/// Adds the pixels whose centres lie inside a polygon: x and y of its corners in turn, px, (0, 0)
+/// Adds the pixels whose centres lie inside a polygon. `corners` alternates x and y, px; (0, 0) is
 /// the image's corner.
 void fillPolygon(std::span<const double> corners, int width, int height,
                  std::vector<std::uint8_t>& mask);
 
-/// How many pixels each part of a mask has; pixels that touch at a corner alone are apart.
+/// Size in pixels of each connected part of a mask. Pixels that touch only at a corner are not
+/// connected.
 std::vector<int> partSizes(const std::vector<std::uint8_t>& mask, int width, int height);
 
-/// Why an outlined area is not a whole part of a mask, with what that encloses, of the largest
-/// number of pixels; empty when it is.
+/// Checks that an outlined area is one whole part of a mask with its holes filled, and a largest
+/// one. Returns the problem, or an empty text.
 std::string partProblem(const std::vector<std::uint8_t>& outlined,
                         const std::vector<std::uint8_t>& mask, int width, int height);
 
-/// The mask and all that one of its parts encloses.
+/// The mask with the holes of its parts filled.
 std::vector<std::uint8_t> withoutHoles(const std::vector<std::uint8_t>& mask, int width,
                                        int height);
 

@@ -8,16 +8,16 @@
 
 namespace dollytrack::verify {
 
-/// Something that is not as it should be, and where.
+/// One deviation and its location.
 struct Finding {
-    std::string file;                         // relative to the dataset
+    std::string file;                         // relative to the dataset folder
     std::optional<int> frame;                 // index in the dataset
     std::optional<std::array<int, 2>> pixel;  // column, row
-    std::string found;                        // "2.314 m"
-    std::string expected;                     // "2.301 m"; may be empty
+    std::string found;                        // for example "2.314 m"
+    std::string expected;                     // for example "2.301 m"; may be empty
 };
 
-/// What a check found: all are counted, the first are kept.
+/// Findings of one check: all are counted, the first kKept are stored.
 struct Findings {
     static constexpr std::size_t kKept = 20;
 
@@ -36,10 +36,11 @@ struct Findings {
     }
 };
 
-/// Pixels of one image that are wrong in one way: a finding that shows the first and says how many.
+/// Collects wrong pixels of one kind in one image, for a single finding with the first pixel and
+/// the count.
 class WrongPixels {
   public:
-    /// `describe()` gives {found, expected} and is asked for the first pixel only.
+    /// `describe()` returns {found, expected}; it is called for the first pixel only.
     template <class Describe>
     void add(int x, int y, Describe&& describe) {
         if (count_++ > 0) return;

@@ -7,12 +7,12 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kRay_px = 1e-3;  // what single precision may turn a ray by
+constexpr double kRay_px = 1e-3;  // rounding of ray directions in single precision
 
-/// Whether rays around a pixel's centre get as far as what it shows.
+/// Whether rays around a pixel's centre reach the surface that the pixel shows.
 class Sight {
   public:
-    /// `id` is what it shows; 0 where that is not known.
+    /// @param id  object that the pixel shows; 0 if unknown
     Sight(int id, double metres) : id_(id), metres_(metres) {}
 
     void add(const RayHit& hit) {
@@ -24,7 +24,8 @@ class Sight {
             on_edge_ = true;
         }
     }
-    /// Along an edge of two triangles drawing may leave a crack, and see what no ray meets.
+    /// Along the edge of two triangles rasterisation may leave a crack and show a surface that no
+    /// ray hits.
     [[nodiscard]] bool mayPass() const { return reaches_ || on_edge_; }
 
   private:
@@ -37,7 +38,7 @@ class Sight {
 
 }  // namespace
 
-/// No more of the scene than rays meet.
+/// A copy of the scene's geometry with moved objects.
 struct FrameRays::MovedScene {
     Scene scene;
     std::unique_ptr<RayCaster> rays;
@@ -104,10 +105,10 @@ double FrameRays::planeDepth(std::uint32_t triangle, double x, double y) const {
     return normal.dot(a - pose_.position) / normal.dot(alongWorld(x, y));
 }
 
-/// Whether the plane of a triangle has this depth at a pixel's centre. Drawing is off by kNudge_px
-/// on surfaces up to kSteep; on steeper ones rays were asked, as here.
+/// Whether a triangle's plane has this depth at a pixel's centre. Rasterisation is off by up to
+/// kNudge_px on surfaces up to kSteep; depth of steeper ones was found by ray casts.
 bool FrameRays::isDepthOn(std::uint32_t triangle, int x, int y, double metres, double slack) const {
-    constexpr double kMostSlope = 5.0;  // m a px: beyond it a plane is a line
+    constexpr double kMostSlope = 5.0;  // m per px: a steeper plane is seen edge-on
     const double at_centre = planeDepth(triangle, x + 0.5, y + 0.5);
     const double slope = std::abs(planeDepth(triangle, x + 0.501, y + 0.5) - at_centre) * 1e3 +
                          std::abs(planeDepth(triangle, x + 0.5, y + 0.501) - at_centre) * 1e3;
@@ -115,15 +116,16 @@ bool FrameRays::isDepthOn(std::uint32_t triangle, int x, int y, double metres, d
            slack + kNudge_px * std::min(slope, kSteep) + kRay_px * std::min(slope, kMostSlope);
 }
 
-/// Of things that share a surface each is near it. An id of 0 stands for any object.
+/// Whether an object (0: any) has a surface this near to a point. Several objects may share a
+/// surface.
 bool FrameRays::isNear(int id, const Eigen::Vector3d& point, double radius_m) const {
     const ClosestPoint near =
         id == 0 ? rays_.closest(point, radius_m) : rays_.closestOn(id, point, radius_m);
     return near.object_id != 0;
 }
 
-/// Whether the point shown is as near to a surface as drawing is to the truth: of a surface seen
-/// along itself its depth is not.
+/// Whether the point shown is as near to a surface as rasterisation places it. On surfaces seen
+/// edge-on the depth along the ray may be off much more.
 bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) const {
     const Eigen::Vector3d along = alongWorld(x + 0.5, y + 0.5);
     return isNear(id, pose_.position + metres * along, (slack + kDrawn_m) * along.norm());
@@ -144,7 +146,7 @@ bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) 
                 continue;
             }
             if (hit.object_id == id && isDepthOn(hit.triangle, x, y, metres, slack)) return true;
-            // Two objects in one place: either may be drawn.
+            // Of two coincident objects either may be drawn.
             if (hit.distance < metres - slack) continue;
             const Eigen::Vector3d start = pose_.position + (metres - slack) * along;
             if (rays_.meetsObject(id, start, along, 2.0 * slack)) return true;

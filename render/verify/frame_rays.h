@@ -8,43 +8,46 @@
 
 namespace dollytrack::verify {
 
-/// A camera among the scene's triangles as they are in one frame. Of one thread.
+/// Ray casts from a camera into the scene at one frame's time. For one thread.
 class FrameRays {
   public:
-    /// `camera` is the frame's own or the other one of a stereo pair. The subject has a scene.
+    /// `camera` is the frame's camera or the right one of a stereo pair. The subject must have a
+    /// scene.
     FrameRays(const Subject& subject, const StoredFrame& frame, const Pose& camera);
     ~FrameRays();
     FrameRays(const FrameRays&) = delete;
     FrameRays& operator=(const FrameRays&) = delete;
 
-    /// What the rays through the pixel centres of row y meet; distances are planar depths.
+    /// Casts rays through the pixel centres of row y; distances are planar depths.
     void castRow(int y, std::vector<RayHit>& hits);
 
-    /// What the rays to these places, world, meet first; distances are planar depths.
+    /// Casts rays towards world points and beyond them; each hit is the first surface. Distances
+    /// are planar depths.
     void castTo(std::span<const Eigen::Vector3d> places, std::vector<RayHit>& hits);
 
-    /// Whether the pixel may show this object at this depth, or nothing (id 0). Drawing rounds
-    /// corners to fractions of a pixel, so that it may see past an edge what the ray through the
-    /// centre does not, and the other way round.
+    /// Whether a pixel may legitimately show this object at this depth, or nothing (id 0).
+    /// Rasterisation rounds vertices to fractions of a pixel, so at edges it may differ from the
+    /// ray through the pixel's centre.
+    /// @param rounding_m  largest rounding error of the depth
     [[nodiscard]] bool mayShow(int x, int y, int id, double metres, double rounding_m) const;
 
-    /// The same, whatever object it is.
+    /// The same for any object.
     [[nodiscard]] bool mayShowDepth(int x, int y, double metres, double rounding_m) const;
 
-    /// From the camera's centre to the nearest surface, m.
+    /// Distance from the camera's centre to the nearest surface, m.
     [[nodiscard]] double clearance() const { return rays_.closest(pose_.position).distance; }
 
-    /// The triangles as they are in the frame.
+    /// Ray caster of the scene at the frame's time.
     [[nodiscard]] const RayCaster& rays() const { return rays_; }
     [[nodiscard]] const Scene& scene() const { return scene_; }
 
-    static constexpr double kFarthest = 65.5355;  // what a depth image can hold, m
-    static constexpr double kDrawing = 5e-5;      // single precision, a metre
-    // Drawing keeps corners at 256ths of a pixel, and computes them in single precision.
+    static constexpr double kFarthest = 65.5355;  // m, limit of a depth image
+    static constexpr double kDrawing = 5e-5;      // error of single precision, per metre of depth
+    // Rasterisation snaps vertices to 1/256 px and computes in single precision.
     static constexpr double kNudge_px = 0.01;
-    // Depth of steeper surfaces (m a px) is not drawn but found by rays.
+    // Slope, m per px, above which depth comes from ray casts instead of rasterisation.
     static constexpr double kSteep = 0.05;
-    // What drawing may place a surface beside its true depth, m.
+    // Largest depth error of rasterisation, m.
     static constexpr double kDrawn_m = kNudge_px * kSteep;
 
   private:
@@ -58,7 +61,7 @@ class FrameRays {
     [[nodiscard]] bool isDepthOn(std::uint32_t triangle, int x, int y, double metres,
                                  double slack) const;
 
-    std::unique_ptr<MovedScene> moved_;  // null for the scene at rest
+    std::unique_ptr<MovedScene> moved_;  // null if nothing moves
     const Scene& scene_;
     const RayCaster& rays_;
     const StoredDataset& dataset_;

@@ -54,13 +54,13 @@ void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
                 continue;
             }
             const Followed& to = followed[i];
-            // What is behind the other camera has no place in its picture.
+            // Points behind the other camera have no position in its image.
             if (to.behind) continue;
             const Eigen::Vector2d expected = to.at - Eigen::Vector2d(x + 0.5, y + 0.5);
             const double longest = expected.cwiseAbs().maxCoeff() + to.off_px + kTolerance_px;
             if (unknown && (to.may_be_behind || longest >= file.largest_px)) continue;
             const double off = (Eigen::Vector2d(uv[0], uv[1]) - expected).norm();
-            // Single precision ends at a ten-millionth of motions far out of the picture.
+            // Single precision stores long motions only to about 1e-7 of their length.
             const double allowed =
                 kTolerance_px + file.rounding_px + to.off_px + 1e-6 * expected.norm();
             if (!unknown && off <= allowed) continue;

@@ -8,27 +8,28 @@
 
 namespace dollytrack::verify {
 
-/// Beyond it a motion is not known, as Middlebury has it.
+/// Larger components mean that the motion is unknown, as in Middlebury's files.
 inline constexpr double kUnknownMotion = 1e9;
 
-/// Where a file's motions come from, and how exact they are.
+/// Origin and precision of a file's motions.
 struct MotionFile {
     std::string name;
     int frame = 0;
-    double rounding_px = 0.0;  // the most that a number of it is off
-    double largest_px = std::numeric_limits<double>::infinity();  // longer ones are unknown
+    double rounding_px = 0.0;  // largest rounding error of a component
+    double largest_px = std::numeric_limits<double>::infinity();  // longer motions are stored as
+                                                                  // unknown
 };
 
-/// Follows all pixels that have a depth into another frame; the others' entries say nothing.
+/// Follows all pixels with depth into another frame. Entries of other pixels are meaningless.
 std::vector<Followed> followAll(const StoredDataset& dataset, FrameImages& images,
                                 const FrameImages::Depth& depth, const OtherView& to);
 
-/// Compares motions, two channels right and down, with what depth and poses say.
+/// Compares motions (two channels, px right and down) with those computed from depth and poses.
 void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
                   const std::vector<Followed>& followed, const MotionFile& file,
                   Findings& findings);
 
-/// What is wrong with an image's size, or with reading it; empty when nothing is.
+/// Problem with reading an image or with its size; empty if none.
 template <class Read>
 std::string problemOf(const Read& image, const Intrinsics& lens) {
     if (!image) return image.error().message;
@@ -36,7 +37,7 @@ std::string problemOf(const Read& image, const Intrinsics& lens) {
     return "it is " + std::to_string(image->width) + " x " + std::to_string(image->height) + " px";
 }
 
-/// Reports what is wrong; whether nothing is.
+/// Reports such a problem as a finding. Returns whether the image is usable.
 template <class Read>
 bool isUsable(const Read& image, const StoredDataset& dataset, const std::string& file, int frame,
               Findings& findings) {

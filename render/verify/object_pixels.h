@@ -7,10 +7,10 @@
 
 namespace dollytrack::verify {
 
-/// What an id image shows of one object.
+/// Pixel count and bounds of one object in an id image.
 struct ObjectPixels {
     int count = 0;
-    int x0 = 0, y0 = 0, x1 = -1, y1 = -1;  // bounds, all included
+    int x0 = 0, y0 = 0, x1 = -1, y1 = -1;  // bounds, inclusive
 
     /// x, y, width, height; [0,0,1,1] is the first pixel.
     [[nodiscard]] std::array<double, 4> box() const {
@@ -18,7 +18,7 @@ struct ObjectPixels {
     }
 };
 
-/// By id, without 0. Counted pixel by pixel.
+/// By id, without 0.
 std::map<int, ObjectPixels> objectPixels(const Image16& ids);
 
 }  // namespace dollytrack::verify

@@ -8,7 +8,7 @@
 namespace dollytrack::verify {
 namespace {
 
-/// A surface less than this before a place counts as the place's own.
+/// A surface less than this in front of a point counts as the point's own.
 constexpr double kSameSurface_m = 0.002;
 
 const char* name(int sight) {
@@ -26,13 +26,13 @@ const char* name(int sight) {
     }
 }
 
-/// Whether a place may be inside the picture and whether it may be outside, within `off_px`.
+/// Whether a point may be inside and may be outside the image, within `off_px`.
 struct Sides {
     bool may_be_inside = false, may_be_outside = false;
 };
 
 Sides sidesOf(const StoredDataset& dataset, const Followed& one) {
-    constexpr double kNear_m = 0.002;  // what the near plane is unsure by
+    constexpr double kNear_m = 0.002;  // uncertainty at the near plane
     if (one.behind) return {one.depth_m > dataset.near_m - kNear_m, true};
     const double off = one.off_px + 1e-3;
     const Intrinsics& lens = dataset.lens;
@@ -41,7 +41,7 @@ Sides sidesOf(const StoredDataset& dataset, const Followed& one) {
                one.at.y() < lens.height - margin;
     };
     Sides sides{inside(-off), !inside(off)};
-    // The near plane cuts as sharply as the border.
+    // The near plane cuts as sharply as the image border.
     if (one.depth_m < dataset.near_m + kNear_m) sides.may_be_outside = true;
     return sides;
 }
@@ -50,20 +50,20 @@ WrongPixels::Text wrong(int found, const char* expected) {
     return {fmt::format("{} ({})", name(found), found), expected};
 }
 
-/// The depth of the other picture at a place between its pixels, where four pixels around it lie on
-/// one smooth surface: there, and nowhere else, that picture alone tells what is seen.
+/// The other image's depth at a subpixel position, if the four pixels around it lie on one smooth
+/// surface; elsewhere that image alone cannot decide visibility.
 std::optional<double> smoothDepthAt(const ImageF& depth, const Eigen::Vector2d& at) {
     const int x = static_cast<int>(std::floor(at.x() - 0.5));
     const int y = static_cast<int>(std::floor(at.y() - 0.5));
-    // One pixel more on all sides, to know that it is smooth.
+    // One more pixel on each side, to test smoothness.
     if (!depth.holds(x - 1, y - 1) || !depth.holds(x + 2, y + 2)) return std::nullopt;
     const auto inverse = [&](int dx, int dy) {
         const double metres = depth.at(x + dx, y + dy);
         return metres > 0.0 ? 1.0 / metres : std::numeric_limits<double>::quiet_NaN();
     };
     const double here = inverse(0, 0);
-    // Of a plane the inverse depth is linear in the image.
-    constexpr double kBend = 0.001;  // of the depth
+    // On a plane the inverse depth is linear in the image.
+    constexpr double kBend = 0.001;  // relative to depth
     for (int i = 0; i < 2; ++i) {
         for (int k = -1; k <= 2; ++k) {
             const double bend_x = inverse(i - 1, k) - 2.0 * inverse(i, k) + inverse(i + 1, k);
@@ -80,8 +80,9 @@ std::optional<double> smoothDepthAt(const ImageF& depth, const Eigen::Vector2d& 
     return 1.0 / ((1.0 - fy) * top + fy * bottom);
 }
 
-/// By the two pictures' depth alone. What is seen through a slit narrower than a pixel is seen, and
-/// the other picture need not show the slit: it lies at an edge of this one.
+/// Compares by the depth of both images. A surface seen through a slit narrower than a pixel may be
+/// visible although the other image misses the slit; such pixels lie at edges of this image and are
+/// skipped.
 void judgeByDepth(const Image8& mask, const std::vector<Followed>& followed,
                   const std::vector<int>& inside, const FrameImages::Depth& own,
                   const FrameImages::Depth& other, WrongPixels& pixels) {
@@ -105,7 +106,7 @@ void judgeByDepth(const Image8& mask, const std::vector<Followed>& followed,
     }
 }
 
-/// By rays through the scene.
+/// Compares by ray casts.
 void judgeByRays(const Subject& subject, const Image8& mask, const std::vector<Followed>& followed,
                  const std::vector<int>& inside, double rounding_m, const OtherView& to,
                  WrongPixels& pixels) {
@@ -124,7 +125,7 @@ void judgeByRays(const Subject& subject, const Image8& mask, const std::vector<F
         const bool wrong_seen = found == kSeen && first < same - slack;
         const bool wrong_occluded = found == kOccluded && first > same + slack;
         if (!wrong_seen && !wrong_occluded) continue;
-        // At an edge, a hair to the side gives the other answer.
+        // At an edge, a ray slightly beside the point may give the other answer.
         const double off = (one.off_px + 0.01) * one.depth_m / subject.dataset.lens.fx;
         std::vector<Eigen::Vector3d> near;
         for (const double dx : {-off, 0.0, off}) {
@@ -182,7 +183,7 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
                 const std::vector<Followed>& followed, const OtherView& to,
                 const FrameImages::Depth* other_depth, const SightFile& file, Findings& findings) {
     WrongPixels pixels;
-    std::vector<int> inside;  // those that the other picture's border does not decide about
+    std::vector<int> inside;  // pixels that may lie inside the other image
     for (int i = 0; i < static_cast<int>(mask.values.size()); ++i) {
         const auto at = static_cast<std::size_t>(i);
         const int found = mask.values[at];
@@ -214,7 +215,8 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
     } else if (other_depth) {
         WrongPixels unlikely;
         judgeByDepth(mask, followed, inside, depth, *other_depth, unlikely);
-        // A thing thinner than a pixel may hide what no pixel tells; whole surfaces it does not.
+        // An object thinner than a pixel may hide points without showing up in the depth; whole
+        // surfaces may not.
         if (unlikely.count() > 5 + inside.size() / 500) {
             unlikely.report(file.name, file.frame, findings);
         }

@@ -9,7 +9,7 @@
 
 namespace dollytrack::verify {
 
-/// What becomes of a pixel's surface in another picture: the values of the masks beside flow and
+/// Visibility of a pixel's surface point in another image: the values of the masks beside flow and
 /// disparity.
 enum Sight : int {
     kSeen = 0,
@@ -18,37 +18,37 @@ enum Sight : int {
     kNothing = 255,
 };
 
-/// Another picture, into which the pixels of a frame are followed.
+/// Another image, into which the pixels of a frame are followed.
 struct OtherView {
     Pose camera;
-    const StoredFrame& frame;  // when it was taken
+    const StoredFrame& frame;  // gives the time of the image
 
-    /// How an object has moved from the first frame to this one.
+    /// Motion of an object from frame `from` to this one, world frame.
     [[nodiscard]] Eigen::Isometry3d motion(const StoredFrame& from, int object_id) const;
 };
 
-/// Where a pixel's surface is in the other picture.
+/// Position of a pixel's surface point in the other image.
 struct Followed {
     bool behind = false;         // nearer than the near plane, or behind the camera
-    bool may_be_behind = false;  // within what the depth is rounded by
+    bool may_be_behind = false;  // may be so within the rounding of the depth
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
-    double off_px = 0.0;   // the most that the rounding of the depth moves `at`
+    double off_px = 0.0;   // largest shift of `at` due to the rounding of the depth
     double depth_m = 0.0;  // in the other camera
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();  // world, when the other picture was taken
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  // world, at the other image's time
 };
 
-/// Follows one pixel of a frame. `motion` is of what it shows.
+/// Follows one pixel of a frame. `motion` is that of the object it shows.
 Followed follow(const StoredDataset& dataset, const StoredFrame& from, int x, int y, double metres,
                 double rounding_m, const OtherView& to, const Eigen::Isometry3d& motion);
 
-/// The file that the masks to check come from, and how findings are reported.
+/// The mask file to check, for findings.
 struct SightFile {
     std::string name;
     int frame = 0;
 };
 
-/// Compares a mask with what the scene's rays say or, without a scene, with the other picture's
-/// depth (may be null). `followed` is by pixel; entries of pixels that show nothing are not read.
+/// Compares a visibility mask with ray casts or, without a scene, with the other image's depth (may
+/// be null). `followed` is by pixel; entries of pixels without depth are not read.
 void checkSight(const Subject& subject, const Image8& mask, const FrameImages::Depth& depth,
                 const std::vector<Followed>& followed, const OtherView& to,
                 const FrameImages::Depth* other_depth, const SightFile& file, Findings& findings);

@@ -9,51 +9,52 @@
 
 namespace dollytrack::verify {
 
-/// Where two objects meet in an instance image: each place is the left or upper pixel of the two.
+/// Object borders in an instance image. Each entry is the left or upper pixel of a pair of
+/// neighbours with different ids.
 struct Outlines {
-    std::vector<std::array<int, 2>> across;  // beside each other
-    std::vector<std::array<int, 2>> down;    // below each other
+    std::vector<std::array<int, 2>> across;  // horizontal pairs
+    std::vector<std::array<int, 2>> down;    // vertical pairs
     int width = 0;                           // px, of the image
     int height = 0;
 
     [[nodiscard]] std::size_t count() const { return across.size() + down.size(); }
 };
 
-/// `of_things_alone` leaves borders with nothing (id 0) out.
+/// `of_things_alone` leaves out borders to pixels without object (id 0).
 Outlines outlinesOf(const Image16& ids, bool of_things_alone);
-/// Those of the image mirrored.
+/// The outlines of the mirrored image.
 Outlines mirrored(const Outlines& outlines, bool left_right, bool upside_down);
 
-/// Fewer places than this judge no picture.
+/// Pictures with fewer border pixels are not judged.
 constexpr std::size_t kFewestPlaces = 200;
 
-/// How well outlines explain a picture.
+/// How well outlines agree with a picture's edges.
 struct Fit {
-    double rank = 0.5;    // mean share of the picture that changes less than these places: 0.5 by
-                          // chance, near 1 where all of them are edges of the picture
-    double strong = 0.0;  // share of these places where the picture changes by kEdge and more
+    double rank = 0.5;    // mean percentile rank (0 to 1) of the picture's change at these pixels:
+                          // 0.5 by chance, near 1 if all of them are edges
+    double strong = 0.0;  // share of these pixels where the picture changes by kEdge or more
     std::size_t count = 0;
 };
 
-/// How much a picture changes from pixel to pixel. Its ranks are what counts, so that dark and
-/// faint pictures are judged as well as others.
+/// Magnitude of a picture's changes between neighbouring pixels. Ranks make dark and low-contrast
+/// pictures comparable.
 class ChangeMap {
   public:
     static constexpr int kEdge = 8;  // of 255
 
     explicit ChangeMap(const Image8& picture);
 
-    /// With the outlines moved by so many pixels.
+    /// The fit of outlines shifted by (dx, dy) px.
     [[nodiscard]] Fit fit(const Outlines& outlines, int dx = 0, int dy = 0) const;
-    /// The share of the picture that changes by kEdge and more.
+    /// Share of the picture that changes by kEdge or more.
     [[nodiscard]] double structure() const { return structure_; }
-    /// Whether all of the picture has one colour.
+    /// Whether the whole picture has one colour.
     [[nodiscard]] bool blank() const { return blank_; }
 
   private:
     struct Direction {
         std::vector<std::uint8_t> change;
-        std::array<float, 256> rank = {};  // of a change
+        std::array<float, 256> rank = {};  // of each change value
     };
     [[nodiscard]] static Direction lookAlong(const Image8& picture, int dx, int dy);
 
@@ -64,24 +65,25 @@ class ChangeMap {
     bool blank_ = true;
 };
 
-/// Whether outlines explain a picture so much better than its own do that they are not beaten by
-/// chance: a thin line beside a faint border can do that to a few places, but not to most.
+/// Whether other outlines fit a picture so much better than its own that chance is excluded. A thin
+/// line beside a low-contrast border may explain a few pixels, but not most.
 bool explainsBetter(const Fit& other, const Fit& own);
 
-/// What the picture says of the outlines of its own frame.
+/// Judgement of a picture by the outlines of its own frame.
 struct OwnFit {
     Fit own;
-    double best = 0.0;      // rank, of these outlines mirrored and moved as well
-    std::string elsewhere;  // what explains the picture better: "mirrored left to right"; or empty
+    double best = 0.0;      // best rank, including mirrored and shifted outlines
+    std::string elsewhere;  // transform that fits better, for example "mirrored left to right"; or
+                            // empty
     Fit fit_elsewhere;
 };
 OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines);
 
-/// Whether all of a picture has one colour.
+/// Whether the whole picture has one colour.
 bool isBlank(const Image8& picture);
 constexpr const char* kBlank = "all of it has one colour";
 
-/// "where objects meet ...": for findings.
+/// Texts for findings: "where objects meet ...".
 std::string textOf(const Fit& own);
 std::string textOf(const OwnFit& judged);
 

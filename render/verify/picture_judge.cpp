@@ -11,15 +11,18 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kWellExplained = 0.8;     // rank: no other frame need be asked
-constexpr double kExplainsNothing = 0.65;  // what is below may be a picture of something else
-constexpr double kLeastStructure = 0.02;   // of a picture, to be one of something
-constexpr double kMostStructure = 0.7;     // more is noise, of few paths a pixel, which hides edges
+constexpr double kWellExplained = 0.8;     // rank above which no other frame is tried
+constexpr double kExplainsNothing = 0.65;  // rank below which the picture may belong to another
+                                           // scene
+constexpr double kLeastStructure = 0.02;   // least structure of a picture with content
+constexpr double kMostStructure = 0.7;     // more is noise of few samples per pixel, which hides
+                                           // edges
 constexpr double kMoreLikeOthers = 0.1;    // share of frames whose labels fit the colours better
-constexpr double kManyAlike = 0.25;        // of the frames: no longer a few faint ones
-constexpr std::size_t kLikeliest = 6;      // frames whose labels are tried, beside the neighbours
+constexpr double kManyAlike = 0.25;        // share of frames above which unexplained pictures are
+                                           // no exception
+constexpr std::size_t kLikeliest = 6;      // frames whose labels are tried, besides the neighbours
 constexpr int kNeighbours = 2;
-constexpr std::size_t kMostTried = 500;  // pictures, those that their labels explain least
+constexpr std::size_t kMostTried = 500;  // pictures, those with the worst fit
 
 }  // namespace
 
@@ -57,7 +60,7 @@ void PictureJudge::judge(const Files& files, Findings& findings) {
             doubtful.push_back(i);
         }
     }
-    // Two and more of all frames, so that one faint frame of three is no majority.
+    // At least two, so that one low-contrast frame of three is no majority.
     const bool many = unexplained >= 2 &&
                       static_cast<double>(unexplained) >= kManyAlike * static_cast<double>(judged);
     std::ranges::stable_sort(doubtful, {}, [&](std::size_t i) { return seen_[i]->fit.own.rank; });
@@ -102,7 +105,7 @@ PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {
     return ranked;
 }
 
-/// What is wrong with a picture that its own labels explain badly; empty where nothing is.
+/// Problem of a picture that its own labels explain badly; empty if none.
 std::string PictureJudge::ask(std::size_t frame, bool many_unexplained, const Files& files) const {
     const Seen& seen = *seen_[frame];
     const Ranked ranked = rankedFor(frame);

@@ -11,40 +11,40 @@
 
 namespace dollytrack::verify {
 
-/// Judges the pictures that one camera made in a dataset by the labels of their frames. One is
-/// wrong where something else explains it better, the labels mirrored or moved, or those of another
-/// frame; or where its own explain nothing of it and the things that they name have other colours
-/// in the rest of the dataset.
+/// Judges one camera's pictures by the labels of their frames. A picture is wrong if mirrored or
+/// shifted labels, or those of another frame, fit it better; or if its own labels fit nothing in it
+/// and its objects have other colours in the rest of the dataset.
 class PictureJudge {
   public:
-    /// Of so many frames. `of_things_alone` leaves borders with nothing (id 0) out.
+    /// `of_things_alone` leaves out borders to pixels without object (id 0).
     PictureJudge(std::size_t frames, bool of_things_alone);
 
-    /// Called once a frame, from many threads; a frame that cannot be read is left out.
+    /// Adds a frame's images. Called once per frame, from many threads; unreadable frames are left
+    /// out.
     void look(std::size_t frame, const Image8& picture, const Image16& ids);
 
-    /// How to read images again; empty where that fails.
+    /// Functions that read images again; an empty image means failure.
     struct Files {
         std::function<std::string(int frame)> picture_name;  // for findings
         std::function<Image8(int frame)> picture;
         std::function<Image16(int frame)> ids;
     };
-    /// Called after all frames.
+    /// Judges all pictures. Called after all frames were added.
     void judge(const Files& files, Findings& findings);
 
   private:
-    /// What is known of a frame once its images were read.
+    /// Measurements of a frame's images.
     struct Seen {
         SmallFrame small;
-        bool judged = false;  // it has outlines enough
+        bool judged = false;  // it has enough outlines
         bool blank = false;
         double structure = 0.0;
         OwnFit fit = {};
     };
-    /// Frames by how well their labels fit the colours of a picture, the best first.
+    /// Other frames by how well their labels fit a picture's colours, best first.
     struct Ranked {
         std::vector<std::size_t> others;
-        double better = 0.0;  // share of them that fit better than its own; 0 where none is known
+        double better = 0.0;  // share that fits better than its own labels; 0 if unknown
     };
 
     [[nodiscard]] static bool isUnexplained(const Seen& seen);

@@ -6,11 +6,10 @@
 
 namespace dollytrack::verify {
 
-/// How far the right camera of the stereo pair is from the left one, m; nothing when no stereo
-/// modality of the dataset tells.
+/// Baseline of the stereo pair, m; nothing if no stereo modality of the dataset specifies it.
 std::optional<double> baselineOf(const StoredDataset& dataset);
 
-/// The same camera, moved by so much along its x axis.
+/// The left camera moved by the baseline along its x axis.
 Pose rightOf(const Pose& left, double baseline_m);
 
 }  // namespace dollytrack::verify

@@ -11,7 +11,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr int kStep = 4;  // px between those asked: far less than a cube of centimetres covers
+constexpr int kStep = 4;  // px between samples: much less than a cube of a few centimetres covers
 
 using Cube = std::array<std::int64_t, 3>;
 
@@ -49,7 +49,7 @@ std::vector<Eigen::Vector3d> seenSurface(const StoredDataset& dataset, double sp
         parallelFor(some.size(), [&](std::size_t i) {
             some[i] = cubesOf(dataset, static_cast<int>(begin + i), spacing_m);
         });
-        for (auto& cubes : some) all.merge(cubes);  // in the order of the frames
+        for (auto& cubes : some) all.merge(cubes);  // in frame order
     }
     std::vector<Eigen::Vector3d> points;
     points.reserve(all.size());

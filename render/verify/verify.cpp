@@ -11,8 +11,8 @@
 namespace dollytrack::verify {
 namespace {
 
-/// Frames looked at between two reports of progress: enough for any number of threads, few enough
-/// that what each found fits into memory.
+/// Frames processed between two progress reports: enough for any number of threads, few enough that
+/// their findings fit into memory.
 constexpr std::size_t kFramesAtOnce = 32;
 
 std::string whySkipped(const Check& check, const Subject& subject, const std::string& no_scene) {
@@ -30,7 +30,7 @@ std::string whySkipped(const Check& check, const Subject& subject, const std::st
     return {};
 }
 
-/// A damaged dataset may surprise a check: that is a finding, and the others go on.
+/// A damaged dataset may make a check throw; this becomes a finding, and other checks continue.
 template <class Work>
 void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
     try {
@@ -40,10 +40,11 @@ void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
     }
 }
 
-/// Frames cost time though they are only listed, so a short dataset.json could ask for hours of
-/// work. A dataset that lacks most of its images is refused before any frame is looked at.
+/// A frame costs time even if it is only listed, so a short dataset.json could cause hours of work.
+/// A dataset that lacks most of its images is refused before any frame is processed.
 Status checkImagesAreThere(const StoredDataset& dataset) {
-    constexpr std::size_t kAlwaysChecked = 20'000;  // images: each that is missing is named
+    constexpr std::size_t kAlwaysChecked = 20'000;  // images: below this number each missing one is
+                                                    // reported
     const std::size_t kinds = static_cast<std::size_t>(std::ranges::count_if(
         imageKinds(), [&](const ImageKind& k) { return dataset.has(k.modality); }));
     const std::size_t listed = kinds * dataset.frames.size();

@@ -9,23 +9,23 @@
 
 namespace dollytrack::verify {
 
-/// What became of one check.
+/// Result of one check.
 struct CheckResult {
     const Check* check = nullptr;
-    std::string skipped;  // why it was not made; empty when it was
+    std::string skipped;  // reason why the check could not run; empty if it ran
     Findings findings;
 
     [[nodiscard]] bool passed() const { return skipped.empty() && findings.count == 0; }
     [[nodiscard]] bool failed() const { return findings.count > 0; }
 };
 
-/// Makes every check that the dataset has the files for; all of them are in the result, in the
-/// table's order. `no_scene` says why the subject has no scene. The result does not depend on the
-/// number of threads. Errors: Cancelled; BadInput when a large dataset lacks most of its images.
+/// Runs every check for which the dataset has the files and returns all checks in the table's
+/// order. `no_scene` is the reason why the subject has no scene. The result does not depend on the
+/// number of threads. Returns Cancelled, or BadInput if a large dataset lacks most of its images.
 Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std::string& no_scene,
                                                const JobContext& job = {});
 
-/// Whether nothing was found.
+/// Whether no check found anything.
 [[nodiscard]] bool isSound(const std::vector<CheckResult>& results);
 
 }  // namespace dollytrack::verify

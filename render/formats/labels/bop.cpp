@@ -35,7 +35,7 @@ constexpr double kMillimetres = 1000.0;
 Json camera(const DatasetContents& contents, const Pose& pose) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
     Eigen::Matrix3d k;
-    // Whole numbers are pixel centres there.
+    // BOP puts pixel centres at integer coordinates.
     k << lens.fx, 0, lens.cx - 0.5, 0, lens.fy, lens.cy - 0.5, 0, 0, 1;
     return {{"cam_K", rows(k)},
             {"depth_scale", 1.0},
@@ -73,7 +73,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                                     {kFiles[2], infos.dump(1) + "\n"}};
 }
 
-/// The masks of each thing, numbered as it is listed in scene_gt.json.
+/// Masks of each object, numbered as in scene_gt.json.
 Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const FrameRecord& frame) {
     std::vector<FrameFile> files;
     int number = 0;

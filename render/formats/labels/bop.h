@@ -4,7 +4,7 @@
 
 namespace dollytrack::render {
 
-/// BOP: the dataset's folder is a scene; poses and visibility of things, and their masks.
+/// BOP: the dataset folder is a BOP scene, with object poses, visibility and masks.
 extern const Format kBopFormat;
 
 }  // namespace dollytrack::render

@@ -30,7 +30,7 @@ Json segmentation(const ObjectMask& mask, int width, int height, Segmentation ki
     return polygons;
 }
 
-/// How much of the object is in sight.
+/// Adds the object's visible share and its occluder.
 void addAttributes(const DatasetFrame& frame, int object_id, Json& annotation) {
     for (const InstanceInFrame& seen : frame.instances) {
         if (seen.object_id != object_id) continue;
@@ -46,13 +46,14 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
     const Scene& scene = contents.scene;
     const int width = contents.camera.width_px;
     const int height = contents.camera.height_px;
-    // Lists are built apart: a reference into an ordered object ends with its next key.
+    // Lists are built separately, because adding a key invalidates references into an ordered
+    // object.
     Json root;
     root["info"] = {{"description", "Dollytrack dataset of " + scene.name}, {"version", "1.0"}};
     root["licenses"] = Json::array();
     Json categories = Json::array();
     for (const DatasetClass& one : scene.classes().classes()) {
-        // Readers ask for the key; a class without one above it stands alone.
+        // Readers require the key; a class without supercategory is its own.
         const std::string& above = one.supercategory.empty() ? one.name : one.supercategory;
         categories.push_back({{"id", one.id}, {"name", one.name}, {"supercategory", above}});
     }
@@ -76,8 +77,8 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
                                    {"bbox", mask.bbox},
                                    {"segmentation", segmentation(mask, width, height, kind)},
                                    {"object_id", object.id}});
-            // Whole masks are measured for the outlines alone: what annotations.json holds must not
-            // depend on which other formats are written.
+            // Amodal masks are measured for polygons only; annotations.json must not depend on
+            // which other formats are written.
             if (kind == Segmentation::Polygons) {
                 addAttributes(frame, object.id, annotations.back());
             }
@@ -86,7 +87,7 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
     root["categories"] = std::move(categories);
     root["images"] = std::move(images);
     root["annotations"] = std::move(annotations);
-    // Names from a scene file may hold anything; invalid UTF-8 must not end the export.
+    // Object names may contain invalid UTF-8, which must not end the export.
     return root.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

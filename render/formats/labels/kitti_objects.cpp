@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 1> kFolders = {"label_2"};
 
-/// 0: whole in sight, 1: partly hidden, 2: mostly.
+/// 0: fully visible, 1: partly occluded, 2: largely occluded.
 int occlusionOf(const InstanceInFrame& seen) {
     const double hidden = 1.0 - static_cast<double>(seen.visible_px) /
                                     std::max(static_cast<double>(seen.silhouette_px), 1.0);
@@ -29,7 +29,7 @@ std::string typeOf(const DatasetClass& of) {
 }
 
 std::string lineOf(const DatasetClass& of, const InstanceInFrame& seen, const BoxInCamera& box) {
-    // The middle of the bottom; the box's third axis is up.
+    // Centre of the box's bottom; the box's third axis is up.
     const Eigen::Vector3d bottom =
         box.center - box.rotation * Eigen::Vector3d(0, 0, 0.5 * box.size.z());
     const Eigen::Vector3d along = box.rotation * Eigen::Vector3d::UnitX();

@@ -4,7 +4,7 @@
 
 namespace dollytrack::render {
 
-/// KITTI's object detection: label_2/, a line an object seen.
+/// KITTI object detection: label_2/, one line per visible object.
 extern const Format kKittiObjectsFormat;
 
 }  // namespace dollytrack::render

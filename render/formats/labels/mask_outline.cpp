@@ -6,11 +6,12 @@
 namespace dollytrack::render {
 namespace {
 
-// Directions of edges between corners of pixels: right, down, left, up; each a right turn on.
+// Edge directions between pixel corners: right, down, left, up; each is a right turn from the
+// previous.
 constexpr std::array<int, 4> kStepX = {1, 0, -1, 0};
 constexpr std::array<int, 4> kStepY = {0, 1, 0, -1};
 
-/// Which edges begin at each corner of a pixel: a bit a direction.
+/// Edges that start at each pixel corner, one bit per direction.
 class EdgeMap {
   public:
     EdgeMap(int width, int height, std::span<const std::uint8_t> mask)
@@ -37,7 +38,7 @@ class EdgeMap {
                      static_cast<std::size_t>(x)];
     }
 
-    /// Walks along the edges from one on until it closes, and takes them away.
+    /// Follows edges from the given one until the outline closes, and removes them.
     Outline take(int x, int y, int direction) {
         Outline outline;
         const int first_x = x, first_y = y;
@@ -48,7 +49,7 @@ class EdgeMap {
             x += kStepX[static_cast<std::size_t>(direction)];
             y += kStepY[static_cast<std::size_t>(direction)];
             before = direction;
-            // Where two outlines meet at a corner the right turn stays with the same pixel.
+            // Where two outlines meet at a corner, a right turn stays with the same pixel.
             for (const int turn : {1, 0, 3}) {
                 const int next = (before + turn) % 4;
                 if ((at(x, y) >> static_cast<unsigned>(next) & 1U) != 0) {
@@ -72,8 +73,8 @@ std::vector<Outline> outlinesOf(int width, int height, std::span<const std::uint
     std::vector<Outline> outlines;
     for (int y = 0; y <= height; ++y) {
         for (int x = 0; x <= width; ++x) {
-            // Row by row, an outline is met first at its topmost edge, which runs to the right; a
-            // hole's runs to the left, and is met at its end: the edge down from it.
+            // In row order an outline is first met at its topmost edge, which runs right. A hole's
+            // top edge runs left and is met at its end, where an edge runs down.
             while ((edges.at(x, y) & 1U) != 0) outlines.push_back(edges.take(x, y, 0));
             while ((edges.at(x, y) & 2U) != 0) {
                 outlines.push_back(edges.take(x, y, 1));

@@ -8,19 +8,19 @@
 
 namespace dollytrack::render {
 
-/// A closed outline along the borders of pixels: corners in px, (0, 0) the image's corner. What is
-/// inside lies to the right of each edge, seen with y down; holes therefore run the other way.
+/// A closed outline along pixel borders: corners in px, (0, 0) is the image's corner. With y down,
+/// the inside is to the right of each edge, so holes run the other way.
 struct Outline {
     std::vector<Eigen::Vector2i> corners;
     bool hole = false;
 };
 
-/// The outlines of a mask (by pixel, rows from the top; 0 is outside), exact to the pixel. Pixels
-/// that touch at a corner alone are apart.
+/// Exact outlines of a mask (by pixel, row 0 at the top; 0 is outside). Pixels that touch only at a
+/// corner are not connected.
 [[nodiscard]] std::vector<Outline> outlinesOf(int width, int height,
                                               std::span<const std::uint8_t> mask);
 
-/// The same of run lengths as COCO's.
+/// The same for a mask in COCO run lengths.
 [[nodiscard]] std::vector<Outline> outlinesOfCounts(int width, int height,
                                                     std::span<const std::uint32_t> counts);
 

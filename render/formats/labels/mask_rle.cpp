@@ -7,7 +7,7 @@ namespace dollytrack::render {
 std::vector<ObjectMask> objectMasks(int width, int height, std::span<const std::uint16_t> ids) {
     struct Open {
         std::vector<std::uint32_t> counts;
-        std::uint32_t end = 0;  // of its last run
+        std::uint32_t end = 0;  // end of its last run
         std::uint32_t area = 0;
         int x0 = 0, y0 = 0, x1 = -1, y1 = -1;
     };
@@ -23,7 +23,7 @@ std::vector<ObjectMask> objectMasks(int width, int height, std::span<const std::
         const int last_x = static_cast<int>(end - 1) / height;
         const int first_y = static_cast<int>(run_start) % height;
         const int last_y = static_cast<int>(end - 1) % height;
-        // A run over a column's end touches the last and the first row.
+        // A run across a column's end touches the last and the first row.
         const int low_y = first_x == last_x ? first_y : 0;
         const int high_y = first_x == last_x ? last_y : height - 1;
         if (mask.area == 0) {
@@ -68,8 +68,8 @@ std::vector<ObjectMask> objectMasks(int width, int height, std::span<const std::
 std::string compressCounts(std::span<const std::uint32_t> counts) {
     std::string text;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        // From the third on, the difference to the run before the last: masks change little from
-        // one column to the next.
+        // From the fourth count on, COCO stores differences to the count before the previous one,
+        // because adjacent columns are similar.
         std::int64_t value = counts[i];
         if (i > 2) value -= counts[i - 2];
         bool more = true;

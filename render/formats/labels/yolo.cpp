@@ -17,14 +17,14 @@ namespace dollytrack::render {
 namespace {
 
 constexpr std::array<const char*, 4> kFiles = {"data.yaml", "classes.txt", "train.txt", "val.txt"};
-/// Readers take a picture's path and put `labels` in the place of `images`.
+/// Readers replace `images` by `labels` in a picture's path.
 constexpr std::array<const char*, 3> kFolders = {"labels", "labels_seg", "images"};
 
 std::string pictureName(int frame) {
     return frameFile(kFolders[2], frame);
 }
 
-/// What is trained on and what is held back: the first fold, or of five where none are asked for.
+/// Training and validation frames: the first fold, or the first of five if none are configured.
 Fold splitOf(const DatasetContents& contents) {
     constexpr int kUsual = 5;
     const bool asked = contents.folds.count > 1;
@@ -33,7 +33,7 @@ Fold splitOf(const DatasetContents& contents) {
             contents.frames, {count, asked ? contents.folds.seed : FoldSettings{}.seed});
         if (split) return std::move(split->folds.front());
     }
-    // A motion too short to be held back without its neighbours.
+    // A trajectory too short to hold frames back together with their neighbours.
     Fold fold;
     const int frames = static_cast<int>(contents.frames.size());
     const int held_back = std::max(1, frames / kUsual);
@@ -44,7 +44,7 @@ Fold splitOf(const DatasetContents& contents) {
     return fold;
 }
 
-/// A list of pictures; readers put the list's own folder before names that begin with "./".
+/// A picture list; readers resolve names that begin with "./" relative to the list's folder.
 std::string listOf(const std::vector<int>& frames) {
     std::string text;
     for (const int frame : frames) text += fmt::format("./{}\n", pictureName(frame));
@@ -55,8 +55,8 @@ std::vector<std::uint8_t> asBytes(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
-/// A name as YAML reads it back: one that could be taken for something else is quoted as JSON is,
-/// which YAML reads alike.
+/// A name as YAML scalar. Names that YAML would read as something else are quoted as in JSON, which
+/// YAML accepts.
 std::string yamlText(const std::string& name) {
     constexpr std::array<std::string_view, 9> kWords = {"y",  "n",   "yes",   "no",  "true",
                                                         "on", "off", "false", "null"};
@@ -70,7 +70,7 @@ std::string yamlText(const std::string& name) {
     return plain ? name : nlohmann::json(name).dump();
 }
 
-/// The largest part of the object in sight: a line holds one outline.
+/// The object's largest visible part, because a line holds one polygon.
 const Outline* largest(const std::vector<Outline>& outlines) {
     const Outline* best = nullptr;
     double best_area = 0.0;
@@ -119,7 +119,7 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
 }
 
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    // Without a line `path`, readers look beside this file, wherever the dataset lies.
+    // Without a `path` line, readers look beside this file wherever the dataset is.
     std::string yaml = fmt::format("train: {}\nval: {}\nnames:\n", kFiles[2], kFiles[3]);
     std::string classes;
     const ClassTable& table = contents.scene.classes();

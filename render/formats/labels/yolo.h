@@ -5,10 +5,10 @@
 
 namespace dollytrack::render {
 
-/// YOLO: a line of normalised numbers a target, boxes in labels/ and outlines in labels_seg/.
+/// YOLO: one line of normalised numbers per target; boxes in labels/, polygons in labels_seg/.
 extern const Format kYoloFormat;
 
-/// Pictures in a folder beside the labels', images/000000.png.
+/// Links to the pictures in a folder beside the labels, for example images/000000.png.
 [[nodiscard]] PictureLinks yoloPictures(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

@@ -8,8 +8,8 @@
 
 namespace dollytrack::render {
 
-/// Further names of a dataset's pictures, where readers look for them: hard links, which take no
-/// room on the disk. Paths relative to the dataset's folder: the new name, and the picture's own.
+/// Additional names of a dataset's pictures, in the layout that readers expect. They are hard links
+/// and take no disk space. Maps each new name to the picture's own, relative to the dataset folder.
 using PictureLinks = std::map<std::string, std::string>;
 
 /// The links of all given formats.

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::array<const char*, 1> kFiles = {"preview.mp4"};
 
-constexpr double kSlowest = 0.01;  // pictures a second
+constexpr double kSlowest = 0.01;  // pictures per second
 constexpr double kFastest = 1000.0;
 
-/// Pictures a second, as the camera flies: one second of film is one of the trajectory.
-/// A frame alone has the trajectory's rate.
+/// Pictures per second, so that the video runs in the trajectory's time. A single frame uses the
+/// trajectory's rate.
 double rateOf(const DatasetContents& contents) {
     const std::vector<DatasetFrame>& frames = contents.frames;
     std::vector<double> steps;

@@ -4,7 +4,7 @@
 
 namespace dollytrack::render {
 
-/// preview.mp4: the colour pictures one after the other.
+/// preview.mp4: the colour pictures in order.
 extern const Format kVideoFormat;
 
 }  // namespace dollytrack::render

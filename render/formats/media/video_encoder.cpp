@@ -23,7 +23,7 @@ tl::unexpected<Error> problem(const char* doing, int error) {
                 std::string("libav could not ") + doing + " (" + text.data() + ")", "preview.mp4");
 }
 
-/// x264 writes its settings into the file, with the decimal comma of the thread's locale.
+/// x264 writes its settings into the file, with the decimal separator of the thread's locale.
 class PlainNumbers {
   public:
     PlainNumbers() : plain_(::newlocale(LC_ALL_MASK, "C", nullptr)) {
@@ -55,7 +55,7 @@ struct Freed {
 template <class T>
 using Owned = std::unique_ptr<T, Freed>;
 
-/// A file in memory that the muxer writes into, and goes back in.
+/// An in-memory file in which the muxer may seek.
 struct MemoryFile {
     std::string bytes;
     std::size_t at = 0;
@@ -81,13 +81,13 @@ struct MemoryFile {
     }
 };
 
-/// BT.709 in video range, by whole numbers: the same on every processor.
+/// RGB to BT.709 video range in integers, for identical results on every processor.
 void toYuv(std::span<const std::uint8_t> rgb, int stride_px, AVFrame& out) {
     const auto pixel = [&](int x, int y) {
         return rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_px) +
                                  static_cast<std::size_t>(x));
     };
-    // Shares of 65536, with the range (219 and 224 of 255) in them.
+    // Weights in units of 1/65536, including the range (219 and 224 of 255).
     for (int y = 0; y < out.height; ++y) {
         for (int x = 0; x < out.width; ++x) {
             const std::uint8_t* p = pixel(x, y);
@@ -122,8 +122,8 @@ struct VideoEncoder::Impl {
     Owned<AVCodecContext> codec;
     Owned<AVFrame> frame;
     Owned<AVPacket> packet;
-    AVStream* stream = nullptr;  // the muxer's
-    int width = 0;               // of the pictures that come
+    AVStream* stream = nullptr;  // owned by the muxer
+    int width = 0;               // of the input pictures
     int height = 0;
 
     Status open(double frames_per_s);
@@ -146,17 +146,17 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     codec->pix_fmt = AV_PIX_FMT_YUV420P;
     codec->framerate = ::av_d2q(frames_per_s, 100'000);
     codec->time_base = ::av_inv_q(codec->framerate);
-    codec->gop_size = 24;  // whole pictures often, to find places quickly
+    codec->gop_size = 24;  // frequent key frames, for fast seeking
     codec->color_primaries = AVCOL_PRI_BT709;
     codec->color_trc = AVCOL_TRC_BT709;
     codec->colorspace = AVCOL_SPC_BT709;
     codec->color_range = AVCOL_RANGE_MPEG;
     codec->thread_count = 1;
     codec->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
-    // Options of x264; another encoder does not know them, and takes its own.
+    // Options of x264; other encoders ignore them and use their defaults.
     ::av_opt_set(codec->priv_data, "preset", "veryfast", 0);
     ::av_opt_set(codec->priv_data, "crf", "24", 0);
-    // With it, x264 164 does not give small pictures the same bytes twice.
+    // With mbtree, x264 164 encodes small pictures differently from run to run.
     ::av_opt_set(codec->priv_data, "mbtree", "0", 0);
     if (const int error = ::avcodec_open2(codec.get(), encoder, nullptr); error < 0) {
         return problem("begin the encoder", error);
@@ -180,7 +180,7 @@ Status VideoEncoder::Impl::open(double frames_per_s) {
     packet.reset(::av_packet_alloc());
     if (!io || !stream || !frame || !packet) return problem("begin a file", AVERROR(ENOMEM));
     muxer->pb = io.get();
-    muxer->flags |= AVFMT_FLAG_BITEXACT;  // neither version nor date
+    muxer->flags |= AVFMT_FLAG_BITEXACT;  // no version and no date
     stream->time_base = codec->time_base;
     stream->avg_frame_rate = codec->framerate;
     int error = ::avcodec_parameters_from_context(stream->codecpar, codec.get());
@@ -193,7 +193,7 @@ Status VideoEncoder::Impl::open(double frames_per_s) {
     return {};
 }
 
-/// Hands over a picture, null for the end, and writes what comes back.
+/// Sends a picture to the encoder (null: end of stream) and writes the packets it returns.
 Status VideoEncoder::Impl::send(const AVFrame* picture) {
     const PlainNumbers plain;
     int error = ::avcodec_send_frame(codec.get(), picture);
@@ -230,7 +230,7 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
         return fail(ErrorCode::Failed, "a picture of another size came for the video",
                     "preview.mp4");
     }
-    // The encoder may still hold the picture before: each gets memory of its own.
+    // The encoder may still hold the previous picture, so each gets its own buffer.
     const std::int64_t pts = impl.frame->pts;
     ::av_frame_unref(impl.frame.get());
     impl.frame->format = impl.codec->pix_fmt;

@@ -9,21 +9,21 @@
 
 namespace dollytrack::render {
 
-/// Makes an MP4 of H.264 pictures in memory. One thread and no clock: the same pictures give the
-/// same bytes with the same libraries, whatever the machine's number of cores.
+/// Encodes an H.264 video as MP4 in memory. Single-threaded and without timestamps: with the same
+/// libraries, equal pictures give equal bytes on any number of cores.
 class VideoEncoder {
   public:
-    /// Sizes are rounded down to even ones, as the format asks. Failed when there is no encoder.
+    /// Sizes are rounded down to even numbers, as the format requires. Returns Failed if no H.264
+    /// encoder is available.
     [[nodiscard]] static Result<VideoEncoder> begin(int width, int height, double frames_per_s);
     ~VideoEncoder();
     VideoEncoder(VideoEncoder&&) noexcept;
     VideoEncoder& operator=(VideoEncoder&&) noexcept;
 
-    /// Adds a picture: rows from the top, 3 bytes a pixel, sRGB, of the size given at the
-    /// beginning.
+    /// Adds an sRGB picture of the size given to begin(), 3 bytes per pixel, row 0 at the top.
     [[nodiscard]] Status add(std::span<const std::uint8_t> rgb);
 
-    /// The file. The object is used up afterwards.
+    /// The encoded file. The object cannot be used afterwards.
     [[nodiscard]] Result<std::string> finish();
 
   private:

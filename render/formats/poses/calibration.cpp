@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array<const char*, 1> kFiles = {"calibration.yaml"};
 
-/// A map that OpenCV reads as a matrix by its dt, and others by the rest. Without OpenCV's tag,
-/// which other readers of YAML refuse.
+/// A mapping that OpenCV recognises as a matrix by its dt. OpenCV's tag is left out, because other
+/// YAML readers refuse it.
 std::string matrix(const char* name, int rows, int columns, std::initializer_list<double> values) {
     std::string text =
         fmt::format("{}:\n   rows: {}\n   cols: {}\n   dt: d\n", name, rows, columns);
@@ -32,7 +32,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
     const bool of_sensor = contains(contents.modalities, kRgbSensor);
     const LensDistortion bent = of_sensor ? distortionOf(contents.sensor) : LensDistortion{};
-    // The middle of the first pixel is (0, 0) there.
+    // Both readers put the first pixel's centre at (0, 0).
     const double cx = lens.cx - 0.5, cy = lens.cy - 0.5;
     std::string text = "%YAML 1.0\n---\n";
     text += fmt::format("image_width: {}\nimage_height: {}\ncamera_name: {}\n", lens.width,

@@ -5,11 +5,11 @@
 
 namespace dollytrack::render {
 
-/// calibration.yaml: the camera as OpenCV's FileStorage, ROS's camera_info and any reader of YAML
-/// take it.
+/// calibration.yaml: the camera in a form that OpenCV's FileStorage, ROS's camera_info and generic
+/// YAML readers accept.
 extern const Format kCalibrationFormat;
 
-/// Of the pictures that formats name, see DatasetContents::pictureModality().
+/// Distortion of the pictures that formats refer to; see DatasetContents::pictureModality().
 [[nodiscard]] LensDistortion pictureDistortion(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

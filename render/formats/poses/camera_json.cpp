@@ -8,7 +8,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json toJson(const Eigen::Vector3d& v) {
-    // -0 is a number readers stumble over when they compare texts.
+    // Adding 0.0 turns -0 into 0, because some readers compare texts.
     return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0});
 }
 
@@ -18,7 +18,7 @@ Eigen::Isometry3d cameraJsonFromWorld(const Scene& scene) {
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
     const Eigen::Matrix3d linear = scene.source_from_world.linear();
     const double scale = linear.col(0).norm();
-    // A mirrored source is no right-handed frame; it gets the general one.
+    // A mirrored source is not right-handed and gets the general frame.
     if (scene.report.up_axis == "y" && scale > 0.0 && linear.determinant() > 0.0) {
         result.linear() = linear / scale;
         result.translation() = scene.source_from_world.translation() / scale;
@@ -34,8 +34,7 @@ std::string cameraJsonText(const Scene& scene, const CameraParams& camera, doubl
     Json root = Json::array();
     for (const CameraEntry& entry : entries) {
         const Pose& pose = entry.frame.pose;
-        // A target beside the axis would say another direction than the pose's; take the point
-        // of the axis nearest to it.
+        // The target is projected onto the viewing axis; otherwise it would contradict the pose.
         const Eigen::Vector3d offset = entry.frame.target_in_world - pose.position;
         const double along = std::max(offset.dot(pose.forward()), 0.1);
         const Eigen::Vector3d target = pose.position + along * pose.forward();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kFiles = {"sparse/0/cameras.txt", "sparse/0/images.txt",
                                                "sparse/0/points3D.txt"};
-constexpr int kPoints = 50'000;  // what structure from motion finds in some hundred pictures
+constexpr int kPoints = 50'000;  // about what structure from motion finds in a few hundred pictures
 
 std::string cameras(const Intrinsics& lens, const LensDistortion& bent) {
     if (!bent.none()) {
@@ -31,7 +31,7 @@ std::string cameras(const Intrinsics& lens, const LensDistortion& bent) {
         lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy);
 }
 
-/// The name of a picture in its folder, which readers are told as theirs.
+/// Picture name inside its folder; readers get the folder separately.
 std::string nameInFolder(const std::string& file) {
     return file.substr(file.find('/') + 1);
 }
@@ -43,7 +43,7 @@ std::string images(const DatasetContents& contents) {
         const Pose& pose = contents.frames[i].camera.pose;
         const Eigen::Quaterniond q = pose.rotation.conjugate();
         const Eigen::Vector3d t = pose.toCamera(Eigen::Vector3d::Zero());
-        // The second line is for the points found in it; an empty one must be there all the same.
+        // The second line lists the image's 2D points; it must exist even if empty.
         text += fmt::format(
             "{} {} {} 1 {}\n\n", i + 1, numbersText(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())),
             numbersText(t), nameInFolder(contents.pictureFile(static_cast<int>(i))));
@@ -51,11 +51,11 @@ std::string images(const DatasetContents& contents) {
     return text;
 }
 
-/// Whether one of the frames shows the point; of many frames some hundred are asked.
+/// Whether any frame shows the point; checks at most about 300 evenly spaced frames.
 bool isSeen(const DatasetContents& contents, const Intrinsics& lens, const RayCaster& rays,
             const Eigen::Vector3d& point) {
     constexpr std::size_t kMostFrames = 300;
-    constexpr double kBefore = 1e-4;  // share of the way: the point itself is no obstacle
+    constexpr double kBefore = 1e-4;  // relative distance kept from the point itself
     const std::size_t step = 1 + contents.frames.size() / (kMostFrames + 1);
     for (std::size_t i = 0; i < contents.frames.size(); i += step) {
         const Pose& pose = contents.frames[i].camera.pose;
@@ -71,7 +71,7 @@ bool isSeen(const DatasetContents& contents, const Intrinsics& lens, const RayCa
     return false;
 }
 
-/// Of so many on all of the scene's surfaces, those that frames show.
+/// Samples `count` surface points and keeps those that frames show.
 std::vector<SurfacePoint> seenPoints(const DatasetContents& contents, const Intrinsics& lens,
                                      const RayCaster& rays, int count) {
     std::vector<SurfacePoint> points = sampleSurface(contents.scene, count, 1);
@@ -83,7 +83,7 @@ std::vector<SurfacePoint> seenPoints(const DatasetContents& contents, const Intr
 
 std::string points(const DatasetContents& contents, const Intrinsics& lens) {
     constexpr int kFewest = kPoints / 5;
-    constexpr int kMostTimes = 10;  // a room of a large building is seen by few of all points
+    constexpr int kMostTimes = 10;  // in a large building, few points are visible
     const RayCaster rays(contents.scene);
     std::vector<SurfacePoint> seen = seenPoints(contents, lens, rays, kPoints);
     if (static_cast<int>(seen.size()) < kFewest) {

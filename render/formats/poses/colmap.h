@@ -4,8 +4,8 @@
 
 namespace dollytrack::render {
 
-/// COLMAP's text model in sparse/0; points3D.txt has a sample of the surfaces in view, coloured, to
-/// begin a reconstruction from. They have no tracks: nothing was matched.
+/// COLMAP's text model in sparse/0. points3D.txt contains coloured samples of the visible surfaces,
+/// to initialise a reconstruction; they have no tracks.
 extern const Format kColmapFormat;
 
 }  // namespace dollytrack::render

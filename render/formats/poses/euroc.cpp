@@ -23,7 +23,7 @@ constexpr std::array<const char*, 8> kFiles = {"mav0/cam0/data.csv",
                                                "mav0/state_groundtruth_estimate0/sensor.yaml",
                                                "mav0/cam1/data.csv",
                                                "mav0/cam1/sensor.yaml"};
-constexpr std::size_t kOneCamera = 6;  // of the files
+constexpr std::size_t kOneCamera = 6;  // number of files with one camera
 constexpr std::array<const char*, 2> kFolders = {"mav0/cam0/data", "mav0/cam1/data"};
 
 bool isStereo(const DatasetContents& contents) {
@@ -34,7 +34,7 @@ std::int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
 
-/// With 19 digits, as times since 1970 have there.
+/// 19 digits, like EuRoC's times since 1970.
 std::string pictureStamp(const DatasetContents& contents, std::size_t frame) {
     return fmt::format("{:019}", nanoseconds(contents.frames[frame].camera.time_s));
 }
@@ -48,7 +48,7 @@ std::string pictureList(const DatasetContents& contents) {
     return text;
 }
 
-/// Where a sensor is on the body: no more than so far to the right of the left camera.
+/// Sensor pose on the body: shifted to the right of the left camera.
 std::string placeOnBody(double right_m) {
     return fmt::format(
         "T_BS:\n  cols: 4\n  rows: 4\n  data: [1.0, 0.0, 0.0, {:.9f}, 0.0, 1.0, 0.0, 0.0, 0.0, "
@@ -63,7 +63,7 @@ double frameRate(const DatasetContents& contents) {
     return seconds > 0.0 ? static_cast<double>(frames.size() - 1) / seconds : 0.0;
 }
 
-/// Centres of pixels are whole numbers there.
+/// EuRoC puts pixel centres at integer coordinates.
 std::string cameraText(const DatasetContents& contents, const char* name, double right_m) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
     return fmt::format(
@@ -102,12 +102,12 @@ std::string groundTruth(const DatasetContents& contents) {
         add(pose.rotation.w());
         for (int i = 0; i < 3; ++i) add(pose.rotation.vec()[i]);
         for (int i = 0; i < 3; ++i) add(velocity[i]);
-        text += ",0,0,0,0,0,0\n";  // no bias
+        text += ",0,0,0,0,0,0\n";  // zero bias
     }
     return text;
 }
 
-/// The folders of the right camera were made before it was known whether there is one.
+/// Removes the right camera's folders, which were created before it was known whether it exists.
 void removeEmptyFolders(const DatasetContents& contents) {
     const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
     if (folder) folder->removeEmpty(kFolders[1]);

@@ -4,11 +4,11 @@
 
 namespace dollytrack::render {
 
-/// The layout of EuRoC's micro aerial vehicle data set (ASL): a folder mav0 with a folder for each
-/// sensor. The body is the left camera; the inertial sensor is there, too.
+/// The layout of the EuRoC micro aerial vehicle data set (ASL): a folder mav0 with one folder per
+/// sensor. The body frame is the left camera's, and so is the inertial sensor's.
 extern const Format kEurocFormat;
 
-/// Pictures under the names of their times, mav0/cam0/data/100000000.png.
+/// Links to the pictures, named by time: mav0/cam0/data/100000000.png.
 [[nodiscard]] PictureLinks eurocPictures(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

@@ -6,9 +6,9 @@
 
 namespace dollytrack::render {
 
-/// The text of imu.csv, in EuRoC's columns: nanoseconds, angular rate (rad/s) and specific force
-/// (m/s2, gravity included) in the camera's axes, at contents.imu_rate_hz along each continuous
-/// motion of the dataset. Between motions, where the camera is carried over, there is nothing.
+/// The text of imu.csv in EuRoC's columns: nanoseconds, angular rate (rad/s) and specific force
+/// (m/s2, including gravity) in camera axes, at contents.imu_rate_hz along each continuous path of
+/// the dataset. Jumps between paths have no rows.
 [[nodiscard]] std::string imuCsvText(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

@@ -15,9 +15,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 1> kFiles = {"transforms_ngp.json"};
-constexpr double kFilled = 0.95;  // of the unit cube's edge: what lies on its faces flickers
+constexpr double kFilled = 0.95;  // share of the unit cube's edge, because surfaces on its faces
+                                  // flicker
 
-/// All that is seen and all that looks: a room, or without one what the cameras span.
+/// Box around the rooms and all cameras.
 Eigen::AlignedBox3d spanOf(const DatasetContents& contents) {
     Eigen::AlignedBox3d span = contents.scene.room_bounds;
     for (const DatasetFrame& frame : contents.frames) span.extend(frame.camera.pose.position);
@@ -27,7 +28,7 @@ Eigen::AlignedBox3d spanOf(const DatasetContents& contents) {
 Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     const Eigen::AlignedBox3d span = spanOf(contents);
     const double scale = kFilled / std::max(span.sizes().maxCoeff(), 1e-3);
-    // Added after scaling, before the axes are renamed: the middle comes to (0.5, 0.5, 0.5).
+    // Applied after scaling, before instant-ngp permutes axes: the centre becomes (0.5, 0.5, 0.5).
     const Eigen::Vector3d offset = Eigen::Vector3d::Constant(0.5) - scale * span.center();
     const Json lens = transformsLens(contents);
     const auto angle = [&](const char* size, const char* focal) {
@@ -39,7 +40,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         {"aabb_scale", 1}, {"scale", scale}, {"offset", {offset.x(), offset.y(), offset.z()}}});
     if (contains(contents.modalities, "depth") && pictureDistortion(contents).none()) {
         root["enable_depth_loading"] = true;
-        root["integer_depth_scale"] = 0.001;  // metres a step; `scale` is applied on top
+        root["integer_depth_scale"] = 0.001;  // metres per step; `scale` is applied in addition
     }
     root["frames"] = transformFrames(contents, "depth_path");
     return std::vector<DatasetFile>{{kFiles[0], root.dump(1) + "\n"}};

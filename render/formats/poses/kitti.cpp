@@ -18,7 +18,7 @@ constexpr std::array<const char*, 3> kFiles = {"poses.txt", "times.txt", "calib.
 
 constexpr std::array<const char*, 1> kFolders = {"kitti_flow"};
 
-/// Where the centre of the first pixel is at (0, 0), the principal point is half a pixel less.
+/// KITTI puts the first pixel's centre at (0, 0), so the principal point is half a pixel less.
 std::string projection(const Intrinsics& lens, double right_m) {
     Eigen::Matrix<double, 3, 4> matrix;
     matrix << lens.fx, 0, lens.cx - 0.5, -lens.fx * right_m, 0, lens.fy, lens.cy - 0.5, 0, 0, 0, 1,
@@ -39,7 +39,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
     std::string calibration;
     for (int camera = 0; camera < 4; ++camera) {
-        // 0 and 2 are the left ones, 1 and 3 the right ones.
+        // 0 and 2 are left cameras, 1 and 3 right cameras.
         const double right_m = camera % 2 == 1 ? contents.stereo_baseline_m : 0.0;
         calibration += fmt::format("P{}: {}\n", camera, projection(lens, right_m));
     }
@@ -48,7 +48,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                                     {kFiles[2], std::move(calibration)}};
 }
 
-/// Flow to the next frame, where there is one.
+/// Flow to the next frame, if there is one.
 Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
     const int next = frame.index + 1;
     if (next >= static_cast<int>(context.contents.frames.size())) return std::vector<FrameFile>{};

@@ -9,11 +9,11 @@
 
 namespace dollytrack::render {
 
-/// KITTI odometry: poses.txt, times.txt and calib.txt; and flow to the next frame, in kitti_flow.
+/// KITTI odometry: poses.txt, times.txt and calib.txt; and flow to the next frame in kitti_flow.
 extern const Format kKittiFormat;
 
-/// Flow as KITTI's pictures hold it: three values a pixel, all 0 where there is none or where it is
-/// longer than some 512 px and does not fit.
+/// Flow as in KITTI's PNG files: three values per pixel, all 0 if unknown or if a component exceeds
+/// about 512 px.
 [[nodiscard]] std::vector<std::uint16_t> kittiFlow(const std::vector<Eigen::Vector2f>& motion);
 
 }  // namespace dollytrack::render

@@ -18,13 +18,13 @@ namespace {
 constexpr std::array<const char*, 2> kFiles = {"pose_left.txt", "pose_right.txt"};
 
 constexpr std::array<const char*, 4> kFolders = {"image_left", "depth_left", "seg_left", "flow"};
-constexpr float kSkyDepth = 10'000.0F;  // where nothing is seen
+constexpr float kSkyDepth = 10'000.0F;  // where nothing is hit
 
-/// A line a frame of a camera so far to the right.
+/// One pose per line, for a camera shifted to the right.
 std::string poseLines(const DatasetContents& contents, double right_m) {
-    // North is our x: east is -y, and down is -z.
+    // North is the world's x, east is -y, and down is -z.
     const Eigen::Vector3d ned_from_world(1, -1, -1);
-    // The camera's own axes are forward, right, down.
+    // The body axes are forward, right, down.
     Eigen::Matrix3d body_from_camera;
     body_from_camera << 0, 0, 1, 1, 0, 0, 0, 1, 0;
     std::string poses;
@@ -45,7 +45,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                                     {kFiles[1], poseLines(contents, contents.stereo_baseline_m)}};
 }
 
-/// 10: hidden, 100: out of the picture, as its masks have them.
+/// TartanAir's mask values, 10: occluded, 100: outside the picture.
 std::uint8_t maskOf(Sight sight) {
     switch (sight) {
         case Sight::Seen:

@@ -4,8 +4,7 @@
 
 namespace dollytrack::render {
 
-/// TartanAir: poses in the world north-east-down, images, and NumPy files of depth, classes and
-/// flow.
+/// TartanAir: poses in a north-east-down world, images, and NumPy files of depth, classes and flow.
 extern const Format kTartanAirFormat;
 
 }  // namespace dollytrack::render

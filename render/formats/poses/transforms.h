@@ -7,15 +7,15 @@
 
 namespace dollytrack::render {
 
-/// The rows of world_from_camera for readers whose cameras have x right, y up and z back.
+/// Rows of world_from_camera for camera axes x right, y up, z back.
 [[nodiscard]] nlohmann::ordered_json transformRows(const Pose& pose);
 
-/// The frames of a transforms.json: each with its picture, its transform_matrix and, where there is
-/// depth, its depth picture under `depth_key`.
+/// The frames of a transforms.json: each with its picture, its transform_matrix and, if there is
+/// depth, its depth image under `depth_key`.
 [[nodiscard]] nlohmann::ordered_json transformFrames(const DatasetContents& contents,
                                                      const char* depth_key);
 
-/// The pinhole camera as every transforms.json names it; pixel centres are at halves.
+/// Pinhole parameters in the keys of transforms.json; pixel centres are at half integers.
 [[nodiscard]] nlohmann::ordered_json transformsLens(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

@@ -18,7 +18,7 @@ constexpr std::array<const char*, 4> kFiles = {"groundtruth.txt", "rgb.txt", "de
 constexpr std::array<const char*, 1> kFolders = {"depth_tum"};
 constexpr float kDepthPerMetre = 5000.0F;
 
-/// A list of one folder's pictures.
+/// List of one folder's pictures.
 std::string pictureList(const DatasetContents& contents, const char* folder) {
     std::string text = "# timestamp filename\n";
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
@@ -28,7 +28,7 @@ std::string pictureList(const DatasetContents& contents, const char* folder) {
     return text;
 }
 
-/// In the order in which ORB-SLAM reads it: colour, depth.
+/// Colour before depth, as ORB-SLAM reads it.
 std::string associations(const DatasetContents& contents) {
     std::string text;
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
@@ -47,7 +47,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                  positionQuaternionText(pose.position, pose.rotation) + "\n";
     }
     std::vector<DatasetFile> files = {{kFiles[0], std::move(poses)}};
-    // Only pictures that are there are listed.
+    // Lists only pictures that exist.
     const bool rgb = contains(contents.modalities, "rgb");
     if (rgb) files.push_back({kFiles[1], pictureList(contents, "rgb")});
     files.push_back({kFiles[2], pictureList(contents, kFolders[0])});
@@ -55,7 +55,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     return files;
 }
 
-/// What is farther than 13.1 m does not fit, and counts as not measured.
+/// Depth beyond 13.1 m does not fit into 16 bits and becomes 0, unmeasured.
 Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const FrameRecord& frame) {
     std::vector<std::uint16_t> depth(frame.depth_m.size());
     for (std::size_t i = 0; i < depth.size(); ++i) {

@@ -4,8 +4,8 @@
 
 namespace dollytrack::render {
 
-/// TUM RGB-D: groundtruth.txt, the lists of pictures, and their associations. The dataset's folder
-/// is the sequence's.
+/// TUM RGB-D: groundtruth.txt, picture lists and associations. The dataset folder is the sequence
+/// folder.
 extern const Format kTumFormat;
 
 }  // namespace dollytrack::render

@@ -11,7 +11,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-// What the format calls them.
+// Constants of glTF.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 constexpr int kVertices = 34962;
@@ -104,7 +104,7 @@ Result<std::string> GlbBuilder::pack(Json root) const {
     root["accessors"] = accessors_;
     root["bufferViews"] = views_;
     root["buffers"] = Json::array({{{"byteLength", binary.size()}}});
-    // Names from a scene file may hold anything; invalid UTF-8 must not end the export.
+    // Object names may contain invalid UTF-8, which must not end the export.
     std::string json = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     pad(json, ' ');
     const std::uint64_t length = 12 + 8 + json.size() + 8 + binary.size();

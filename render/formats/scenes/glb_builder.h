@@ -12,23 +12,22 @@
 
 namespace dollytrack::render {
 
-/// Collects the numbers and pictures of a glTF 2.0 file and packs them, with the JSON that refers
-/// to them, into one .glb.
+/// Collects the binary data of a glTF 2.0 file and packs it with its JSON into a .glb file.
 class GlbBuilder {
   public:
-    /// Add values and return the index of their accessor: those of meshes ...
+    /// Add vertex attributes or indices and return the index of their accessor.
     int addVertices(const std::vector<Eigen::Vector2f>& values);
     int addVertices(const std::vector<Eigen::Vector3f>& values);
     int addIndices(const std::vector<std::uint32_t>& values);
-    /// ... and those of animations.
+    /// Add animation data and return the index of its accessor.
     int addKeys(const std::vector<float>& values);
     int addKeys(const std::vector<Eigen::Vector3f>& values);
     int addKeys(const std::vector<Eigen::Vector4f>& values);
-    /// Adds an encoded picture and returns the index of its image.
+    /// Adds an encoded image and returns its index.
     int addImage(const std::string& name, const char* mime_type,
                  std::span<const std::uint8_t> bytes);
 
-    /// The file: `root` with everything added. Failed beyond the 4 GB that a .glb can hold.
+    /// The file: `root` with all added data. Returns Failed if it exceeds the 4 GB limit of .glb.
     [[nodiscard]] Result<std::string> pack(nlohmann::ordered_json root) const;
 
   private:

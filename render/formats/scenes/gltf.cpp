@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 1> kFiles = {"trajectory.glb"};
 
-/// Keys of an animated node.
+/// Animation keys of one node.
 struct Keys {
     std::vector<float> times_s;
     std::vector<Eigen::Vector3f> positions;
@@ -25,21 +25,21 @@ struct Keys {
         times_s.push_back(static_cast<float>(time_s));
         positions.push_back(position.cast<float>());
         Eigen::Vector4f values = rotation.normalized().coeffs().cast<float>();
-        // Of the two quaternions of a rotation the one on this side: readers that mix the numbers
-        // alone take the short way.
+        // Of a rotation's two quaternions, the one nearer to the previous key: readers that
+        // interpolate components then take the short way.
         if (!rotations.empty() && values.dot(rotations.back()) < 0.0F) values = -values;
         rotations.push_back(values);
     }
 };
 
-/// glTF's cameras look along -z, with y up.
+/// glTF cameras look along -z, with y up.
 Eigen::Quaterniond cameraRotation(const Pose& pose) {
     const Eigen::Quaterniond half_turn(
         Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
     return gltfFromWorld() * pose.rotation * half_turn;
 }
 
-/// The last time before that keys, which are floats, can tell from it.
+/// The latest time before `time_s` that differs from it as a float.
 double justBefore(double time_s, double earlier_s) {
     const double wanted = time_s - 0.001 * (time_s - earlier_s);
     return std::min<double>(wanted, std::nextafter(static_cast<float>(time_s), 0.0F));
@@ -50,7 +50,7 @@ Keys cameraKeys(const std::vector<DatasetFrame>& frames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const TrajectoryFrame& frame = frames[i].camera;
         if (i > 0 && frames[i - 1].camera.path != frame.path) {
-            // Where the camera is carried over it stays until just before: no flight through walls.
+            // At a jump the camera stays until just before it, instead of flying through walls.
             const TrajectoryFrame& before = frames[i - 1].camera;
             const double until = justBefore(frame.time_s, before.time_s);
             keys.add(until, gltfFromWorld() * before.pose.position, cameraRotation(before.pose));
@@ -60,7 +60,7 @@ Keys cameraKeys(const std::vector<DatasetFrame>& frames) {
     return keys;
 }
 
-/// Of an object that moves; its node stands in the middle of its box.
+/// Keys of a moving object; its node's origin is the centre of its box.
 Keys objectKeys(const DatasetContents& contents, const ObjectMotion& motion) {
     const Eigen::Quaterniond turn = gltfFromWorld();
     const Eigen::Vector3d center = contents.scene.object(motion.object_id).box.center;
@@ -73,7 +73,7 @@ Keys objectKeys(const DatasetContents& contents, const ObjectMotion& motion) {
     return keys;
 }
 
-/// Adds to the one animation, so that everything moves together.
+/// Adds to the single animation, so that everything moves in sync.
 void animate(GlbBuilder& builder, Json& animation, int node, const Keys& keys) {
     const int times = builder.addKeys(keys.times_s);
     const std::array outputs = {

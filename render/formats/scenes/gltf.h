@@ -4,8 +4,8 @@
 
 namespace dollytrack::render {
 
-/// trajectory.glb: the scene, an object a node, and a camera that moves through it as the frames
-/// do, for programs that open glTF 2.0.
+/// trajectory.glb: a glTF 2.0 file of the scene, one node per object, with a camera animated along
+/// the frames.
 extern const Format kGltfFormat;
 
 }  // namespace dollytrack::render

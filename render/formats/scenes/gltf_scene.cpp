@@ -21,13 +21,13 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr int kJpegQuality = 92;
 
-/// glTF has one picture for roughness and metallic; two are left out.
+/// glTF stores roughness and metallic in one image; separate maps are omitted.
 int surfaceMap(const Scene& scene, const Material& material) {
     const bool same = material.roughness_map == material.metallic_map;
     return same && hasMap(scene, material.roughness_map) ? material.roughness_map : -1;
 }
 
-/// The pictures that a material has in the file.
+/// The textures that a material uses in the file.
 std::vector<int> picturesOf(const Scene& scene, const Material& material) {
     std::vector<int> there;
     for (const int map : {material.texture, material.normal_map, surfaceMap(scene, material),
@@ -37,7 +37,7 @@ std::vector<int> picturesOf(const Scene& scene, const Material& material) {
     return there;
 }
 
-/// JPEG, as pictures of surfaces mostly were before; PNG where there are holes or numbers.
+/// JPEG, as most textures originally were; PNG for textures with holes or numeric data.
 Result<Bytes> encode(const Texture& texture, bool exact) {
     if (exact) {
         return io::encodePng(texture.width, texture.height, io::PngFormat::Rgba8, texture.rgba);
@@ -52,12 +52,12 @@ Result<Bytes> encode(const Texture& texture, bool exact) {
             return bytes;
         }
     } catch (const cv::Exception&) {
-        // The sentence below says it.
+        // Reported below.
     }
     return fail(ErrorCode::Failed, "the texture could not be written as JPEG", texture.name);
 }
 
-/// Adds the textures in use; returns their number in the file by index in the scene.
+/// Adds the textures in use. Returns their numbers in the file by index in the scene.
 Result<std::map<int, int>> addTextures(const Scene& scene, GlbBuilder& builder, Json& root) {
     std::map<int, int> numbers;
     std::set<int> numeric;
@@ -98,7 +98,7 @@ Json materialJson(const Scene& scene, const Material& material,
     const auto share = [](float value) {
         return static_cast<double>(std::clamp(value, 0.0F, 1.0F));
     };
-    // Metal in some places would be metal all over without its map.
+    // If its metallic map is omitted, the material must not become metallic everywhere.
     const bool whole =
         material.metallic_map < 0 || surfaceMap(scene, material) == material.metallic_map;
     Json surface = {{"baseColorFactor",
@@ -138,7 +138,7 @@ Json materialJson(const Scene& scene, const Material& material,
     return json;
 }
 
-/// One object's corners around its node, and its triangles by material.
+/// An object's vertices relative to its node, and its triangles by material.
 Json meshJson(const Scene& scene, const Object& object, GlbBuilder& builder) {
     const Eigen::Matrix3f turn = gltfFromWorld().toRotationMatrix().cast<float>();
     std::vector<Eigen::Vector3f> positions, normals;
@@ -154,7 +154,7 @@ Json meshJson(const Scene& scene, const Object& object, GlbBuilder& builder) {
         uvs.push_back(uv.allFinite() ? Eigen::Vector2f(uv.x(), 1.0F - uv.y())
                                      : Eigen::Vector2f::Zero());
     }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> corners;  // by material
+    std::map<std::uint32_t, std::vector<std::uint32_t>> corners;  // indices by material
     for (std::uint32_t t = object.first_triangle; t < object.first_triangle + object.triangle_count;
          ++t) {
         auto& list = corners[scene.triangle_material[t]];
@@ -164,7 +164,7 @@ Json meshJson(const Scene& scene, const Object& object, GlbBuilder& builder) {
     }
     const Json plain = {{"POSITION", builder.addVertices(positions)},
                         {"NORMAL", builder.addVertices(normals)}};
-    Json textured;  // made where a material asks for it
+    Json textured;  // created only if a material needs texture coordinates
     Json primitives = Json::array();
     for (const auto& [material, list] : corners) {
         const bool picture = !picturesOf(scene, scene.materials[material]).empty();

@@ -8,11 +8,11 @@
 
 namespace dollytrack::render {
 
-/// glTF's axes from ours: its y is up, its z is our -y.
+/// Rotation from world axes to glTF's, whose y is up and whose z is the world's -y.
 [[nodiscard]] Eigen::Quaterniond gltfFromWorld();
 
-/// Adds a node for every object, in their order and with names as the scene's, and what they need:
-/// meshes, materials, textures. A node stands in the middle of its object's box.
+/// Adds one node per object, in the scene's order and with the scene's names, and the meshes,
+/// materials and textures they use. A node's origin is the centre of its object's box.
 [[nodiscard]] Status addSceneNodes(const Scene& scene, GlbBuilder& builder,
                                    nlohmann::ordered_json& root);
 

@@ -20,7 +20,7 @@ std::uint8_t srgbOf(double linear) {
     return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
 }
 
-/// The texel at a place; textures repeat.
+/// Nearest texel; textures repeat.
 const std::uint8_t* texelAt(const Texture& texture, const Eigen::Vector2f& uv) {
     const auto wrapped = [](float value, int size) {
         const float inside = value - std::floor(value);
@@ -48,7 +48,7 @@ std::array<std::uint8_t, 3> colorAt(const Scene& scene, std::uint32_t triangle,
 }  // namespace
 
 std::vector<SurfacePoint> sampleSurface(const Scene& scene, int count, std::uint64_t seed) {
-    std::vector<double> area_up_to;  // of the triangles up to each
+    std::vector<double> area_up_to;  // cumulative area by triangle
     area_up_to.reserve(scene.triangles.size());
     double area = 0.0;
     for (const Triangle& corners : scene.triangles) {
@@ -68,7 +68,7 @@ std::vector<SurfacePoint> sampleSurface(const Scene& scene, int count, std::uint
         const auto triangle =
             std::min(static_cast<std::size_t>(at - area_up_to.begin()), scene.triangles.size() - 1);
         const Triangle& corners = scene.triangles[triangle];
-        // The square root makes them even: without it they crowd at the first corner.
+        // The square root makes points uniform; otherwise they cluster at the first corner.
         const double root = std::sqrt(random.uniform());
         const double along = random.uniform();
         const Eigen::Vector3d share(1.0 - root, root * (1.0 - along), root * along);

@@ -10,13 +10,14 @@
 
 namespace dollytrack::render {
 
-/// A point of a scene's surface with its colour.
+/// A point on a scene's surface, world frame, with its colour.
 struct SurfacePoint {
     Eigen::Vector3d position;
     std::array<std::uint8_t, 3> color = {0, 0, 0};  // 8-bit sRGB, unlit
 };
 
-/// Points spread evenly over all surfaces; the same for the same seed.
+/// `count` points uniformly distributed over all surfaces, reproducible by `seed`. Empty if the
+/// scene has no area.
 [[nodiscard]] std::vector<SurfacePoint> sampleSurface(const Scene& scene, int count,
                                                       std::uint64_t seed);
 

@@ -88,7 +88,7 @@ Json classRow(const DatasetClass& one) {
     return {{"id", one.id}, {"name", one.name}, {"color", one.color}};
 }
 
-/// Void, then the classes in their order.
+/// The void class, then the classes in their order.
 Json classTable(const ClassTable& classes) {
     Json table = Json::array({classRow(classes.voidClass())});
     for (const DatasetClass& one : classes.classes()) {
@@ -107,7 +107,7 @@ Json namesOf(const std::vector<const Row*>& rows) {
     return names;
 }
 
-/// Where the things that move are: p = rotation * p_as_given + position, world.
+/// Transforms of the moving objects: p = rotation * p_in_scene + position, world frame.
 Json movingTable(const std::vector<ObjectMotion>& motions, std::size_t frame) {
     Json table = Json::array();
     for (const ObjectMotion& motion : motions) {
@@ -196,7 +196,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
                      {"geometry_sha256", card.geometry_sha256},
                      {"appearance_sha256", card.appearance_sha256},
                      {"source_from_world", toJson(scene.source_from_world)}};
-    // Where 'verify' looks for it. Scenes that were made in memory have no file.
+    // Path of the scene for 'verify'. Scenes built in memory have no file.
     if (!scene.source.empty()) {
         const auto path = std::filesystem::absolute(scene.source).lexically_normal();
         root["scene"]["path"] = cleanText(path.string());

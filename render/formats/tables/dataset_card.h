@@ -14,17 +14,17 @@
 
 namespace dollytrack::render {
 
-/// What dataset.json calls itself, under `format`.
+/// Value of `format` in dataset.json.
 inline constexpr const char* kDatasetFormat = "dollytrack dataset";
 
-/// Everything dataset.json says that is not in the dataset's other contents.
+/// Contents of dataset.json that are not in DatasetContents.
 struct DatasetCard {
     std::string product_version;
     std::uint64_t seed = 0;
     nlohmann::json parameters;       // of planning, by section and name
-    nlohmann::json edits;            // made by hand; an empty object without any
-    nlohmann::json planned_metrics;  // as planning estimated them, null when there are none
-    CaptureMetrics counted;          // from the pixels
+    nlohmann::json edits;            // manual edits; an empty object if there are none
+    nlohmann::json planned_metrics;  // as estimated by planning; null if unknown
+    CaptureMetrics counted;          // measured from the pixels
     PictureTally pictures;
     std::vector<ObjectCapture> captures;
     FormatSet formats;
@@ -32,21 +32,21 @@ struct DatasetCard {
     std::string geometry_sha256;  // see scene_hash.h
     std::string appearance_sha256;
     std::string whole_trajectory_sha256;         // see motion_hash.h
-    std::string whole_motions_sha256;            // of objects
-    std::map<std::string, std::string> sha256s;  // of every other file, by relative path
+    std::string whole_motions_sha256;            // of moving objects
+    std::map<std::string, std::string> sha256s;  // of all other files, by relative path
 };
 
-/// The shares of unusable pictures in what pictureTallyJson() gives, as --require names them.
+/// Keys of the shares of unusable pictures in pictureTallyJson(), also names for --require.
 inline constexpr std::array<const char*, 3> kPictureRates = {"dark_rate", "white_rate",
                                                              "flat_rate"};
 
-/// {"measured": 60, "dark": [3, 4], ..., "dark_rate": 0.033, ...}; without pictures rates are null.
+/// {"measured": 60, "dark": [3, 4], ..., "dark_rate": 0.033, ...}; rates are null without pictures.
 [[nodiscard]] nlohmann::ordered_json pictureTallyJson(const PictureTally& tally);
-/// What that says. Throws nlohmann's exceptions.
+/// Inverse of pictureTallyJson(). Throws nlohmann's exceptions.
 [[nodiscard]] PictureTally pictureTallyFrom(const nlohmann::ordered_json& value);
 
-/// What dataset.json says: which conventions the files follow, what they show, and how they came
-/// to be. Holds no clock, so that equal input gives equal bytes.
+/// The content of dataset.json: conventions of the files, objects and frames, results and origin.
+/// It contains no date or time, so that equal input gives equal bytes.
 [[nodiscard]] nlohmann::ordered_json datasetCardJson(const DatasetContents& contents,
                                                      const DatasetCard& card);
 

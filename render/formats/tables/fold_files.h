@@ -12,15 +12,15 @@ namespace dollytrack::render {
 
 inline constexpr const char* kFoldFolder = "folds";
 
-/// The lists of pictures of each fold, folds/fold_0_train.txt and fold_0_val.txt ..., and their
-/// annotations beside them (.json) where the dataset has `coco`.
+/// Picture lists of each fold (folds/fold_0_train.txt, fold_0_val.txt, ...) and, if the dataset has
+/// the format `coco`, their annotations (.json).
 [[nodiscard]] Result<std::vector<DatasetFile>> foldFiles(const DatasetContents& contents,
                                                          const FormatSet& formats);
 
-/// What dataset.json says of them.
+/// Description of the folds for dataset.json.
 [[nodiscard]] nlohmann::ordered_json foldConvention(const DatasetContents& contents);
 
-/// Whether a file in the folder of folds is one of these, or what a killed run left of one.
+/// Whether a name in the folder of folds belongs to such a file or to its temporary file.
 [[nodiscard]] bool isFoldFile(std::string_view name);
 
 }  // namespace dollytrack::render

@@ -12,7 +12,7 @@ namespace {
 
 using Boxes = std::vector<Eigen::AlignedBox2d>;
 
-/// Boxes of the targets that the frame shows, but for specks.
+/// Bounding boxes of the frame's targets, without those too small to count.
 Boxes targetBoxes(const DatasetContents& contents, const DatasetFrame& frame) {
     const double image_px =
         static_cast<double>(contents.camera.width_px) * contents.camera.height_px;
@@ -27,7 +27,7 @@ Boxes targetBoxes(const DatasetContents& contents, const DatasetFrame& frame) {
     return boxes;
 }
 
-/// "speed,turn," on the way from the frame before.
+/// "speed,turn," since the previous frame; empty values at the start of a path.
 std::string motionText(const TrajectoryFrame* before, const TrajectoryFrame& frame) {
     if (before == nullptr || before->path != frame.path) return ",,";
     const double seconds = frame.time_s - before->time_s;

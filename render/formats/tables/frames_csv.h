@@ -6,10 +6,9 @@
 
 namespace dollytrack::render {
 
-/// The text of frames.csv: one row a frame of the dataset, of what can be measured about it. Speed
-/// and turning are means since the frame before; empty where the camera was carried over. Targets
-/// and the image score (imageScores()) are counted from the pixels. The light that was drawn for
-/// each where it varies by frame.
+/// The text of frames.csv: measurements, one row per frame. Speed and turn rate are means since the
+/// previous frame; empty at the start of a path. Targets and the image score (imageScores()) come
+/// from the pixels. If light varies by frame, each frame's light parameters are added.
 [[nodiscard]] std::string framesCsvText(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

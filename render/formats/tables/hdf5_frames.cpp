@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 1> kFolders = {"hdf5"};
 
-/// The classes and names of what the frame shows.
+/// Classes and names of the visible objects, as JSON text.
 std::string attributes(const Scene& scene, const FrameRecord& frame) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const ObjectMask& mask : objectMasks(frame.width, frame.height, frame.instance)) {

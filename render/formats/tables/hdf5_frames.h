@@ -4,7 +4,7 @@
 
 namespace dollytrack::render {
 
-/// HDF5 files as BlenderProc's, one a frame, in hdf5/.
+/// HDF5 files in BlenderProc's layout, one per frame, in hdf5/.
 extern const Format kHdf5FramesFormat;
 
 }  // namespace dollytrack::render

@@ -6,7 +6,7 @@
 
 namespace dollytrack::render {
 
-/// instances.csv: a row a frame and thing that it shows, with a line of names above.
+/// The text of instances.csv: a header line and one row per frame and visible object.
 [[nodiscard]] std::string instancesCsvText(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

@@ -12,7 +12,7 @@ std::vector<std::uint8_t> numpyBytes(std::string_view type, const std::vector<in
     for (const int size : shape) sizes += fmt::format("{}, ", size);
     std::string header =
         fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, sizes);
-    // Ends with a newline, and with it the values begin at a multiple of 64.
+    // Padded so that the header ends with a newline and values begin at a multiple of 64.
     constexpr std::size_t kBefore = 10;
     header.resize((kBefore + header.size() + 1 + 63) / 64 * 64 - kBefore - 1, ' ');
     header += '\n';

@@ -6,8 +6,8 @@
 
 namespace dollytrack::render {
 
-/// What dataset.json says of the rig: of each camera its lens with its formula, how it is carried,
-/// and its pose in every frame.
+/// Description of the rig for dataset.json: each camera's lens with its projection formula, how it
+/// is mounted, and its pose in every frame.
 [[nodiscard]] nlohmann::ordered_json rigCard(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

@@ -1,4 +1,4 @@
-// Base colours, against the materials of what each pixel shows.
+// Compares base colours with the materials of the surfaces shown.
 #include "render/verify/check_list.h"
 
 #include <fmt/format.h>
@@ -12,16 +12,16 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr int kTolerance = 3;  // of 255: drawing holds colours in 8 bits, too
+constexpr int kTolerance = 3;  // of 255; rendering also stores colours in 8 bits
 
-/// 8-bit sRGB of a linear colour.
+/// 8-bit sRGB value of a linear colour.
 int encoded(double linear) {
     const double c = std::clamp(linear, 0.0, 1.0);
     const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
     return static_cast<int>(std::lround(255.0 * s));
 }
 
-/// The colours that a surface may have, by channel: between those of its texture's texels.
+/// Range of colours that a surface may have, by channel, over its texture's texels.
 struct ColorRange {
     std::array<int, 3> least = {255, 255, 255};
     std::array<int, 3> most = {0, 0, 0};
@@ -48,13 +48,13 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
             }
         }
     }
-    // What shines all over has the colour that it shines in.
+    // A uniformly emitting surface has the hue of its emission.
     const float emission = material.emission_map < 0 ? material.emission.maxCoeff() : 0.0F;
     const Eigen::Vector3f color_of_it =
         emission > 0.0F ? Eigen::Vector3f(material.emission / emission) : material.base_color;
     ColorRange range;
     for (std::size_t c = 0; c < 3; ++c) {
-        // Texels are taken for squares of what they encode, as drawing takes them.
+        // The renderer decodes texels by squaring.
         const auto color = [&](int texel) {
             const double share = texel / 255.0;
             return encoded(color_of_it[static_cast<Eigen::Index>(c)] * share * share);
@@ -65,7 +65,7 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
     return range;
 }
 
-/// By object id, the ranges of its materials.
+/// Colour ranges of each object's materials, by id.
 using Colors = std::map<int, std::vector<ColorRange>>;
 
 Colors colorsOf(const Scene& scene) {
@@ -82,8 +82,8 @@ Colors colorsOf(const Scene& scene) {
     return colors;
 }
 
-/// Whether the pixel has a colour of what it or one of its neighbours shows: on the way from one to
-/// the other, drawing may round differently for each image.
+/// Whether the pixel has a colour of the object shown by it or by a neighbour. At borders the
+/// images may be rasterised differently.
 bool mayHave(const Colors& colors, const Image16& ids, int x, int y, const std::uint8_t* color) {
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {

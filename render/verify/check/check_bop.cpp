@@ -21,7 +21,7 @@ constexpr const char* kInfo = "scene_gt_info.json";
 constexpr double kTolerance = 1e-6;  // m and radians
 constexpr double kMillimetres = 1000.0;
 
-/// The three files, parsed.
+/// The three JSON files, parsed.
 struct BopFiles {
     Json camera, truth, info;
 };
@@ -31,7 +31,7 @@ Eigen::Matrix3d matrixFrom(const Json& values) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
 }
 
-/// A pose in metres.
+/// A pose in metres from BOP's millimetres.
 Eigen::Isometry3d poseFrom(const Json& rotation, const Json& translation_mm) {
     const auto t = translation_mm.get<std::array<double, 3>>();
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -40,7 +40,7 @@ Eigen::Isometry3d poseFrom(const Json& rotation, const Json& translation_mm) {
     return pose;
 }
 
-/// One frame of the three files against dataset.json and the instance image.
+/// Compares one frame of the three files with dataset.json and the instance image.
 class FrameCheck {
   public:
     FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
@@ -96,7 +96,7 @@ class FrameCheck {
     void compareCamera(const Json& camera) {
         const Intrinsics& lens = dataset_.lens;
         Eigen::Matrix3d k;
-        // Whole numbers are pixel centres there.
+        // BOP puts pixel centres at integer coordinates.
         k << lens.fx, 0, lens.cx - 0.5, 0, lens.fy, lens.cy - 0.5, 0, 0, 1;
         if (!((matrixFrom(camera.at("cam_K")) - k).cwiseAbs().maxCoeff() <= kTolerance)) {
             add(kCamera, "cam_K " + camera.at("cam_K").dump(), "that of dataset.json");
@@ -158,7 +158,7 @@ class FrameCheck {
         return fmt::format("{}/{:06}_{:06}.png", folder, frame_, number);
     }
 
-    /// Null, and a finding, when there is none of the images' size.
+    /// Null, and a finding, if there is no mask of the image's size.
     const Image8* mask(const char* folder, int number) {
         const std::string file = fileOf(folder, number);
         Result<Image8> read = readImage8(dataset_.folder / file, 1);
@@ -196,7 +196,7 @@ class FrameCheck {
     Image8 mask_;
 };
 
-/// Null, and a finding, when it is no JSON.
+/// Null, and a finding, if the file is no JSON with one entry per frame.
 Json parsed(const StoredDataset& dataset, const char* file, Findings& findings) {
     Result<Json> root = readJson(dataset.folder / file);
     if (!root || root->size() != dataset.frames.size()) {

@@ -1,4 +1,4 @@
-// camera.json beside its poses: the lens, the planes, and the targets that each frame shows well.
+// Checks camera.json except its poses: lens, planes, and the targets that each frame shows well.
 #include "engine/plan/capture.h"
 #include "render/verify/check_list.h"
 #include "render/verify/object_pixels.h"
@@ -21,10 +21,10 @@ constexpr double kTolerance = 1e-6;
 
 using Names = std::vector<std::string>;
 
-/// What there is to compare the targets with.
+/// Data for comparing the targets.
 struct Targets {
-    std::vector<Names> of_frame;                           // as the file names them, sorted
-    std::vector<std::map<int, double>> visible_fractions;  // by object; empty without a table
+    std::vector<Names> of_frame;                           // names in the file, sorted
+    std::vector<std::map<int, double>> visible_fractions;  // by object; empty without instances.csv
 };
 
 double farthestCorner(const StoredDataset& dataset, const Eigen::AlignedBox3d& room) {
@@ -66,7 +66,7 @@ class EntryCheck {
         add(frame, fmt::format("{} {:.9g}", key, found), fmt::format("{:.9g}", expected));
     }
 
-    /// One plane for all, a metre or two behind the farthest corner of the room.
+    /// There is one far plane for all frames, a metre or two behind the room's farthest corner.
     void checkFar(int frame, double far_m) {
         if (frame == 0) far_m_ = far_m;
         if (far_m != far_m_ || !(far_m > dataset_.near_m)) {
@@ -90,7 +90,7 @@ class EntryCheck {
 void readVisibleFractions(const StoredDataset& dataset, Targets& targets) {
     if (!dataset.has("instances")) return;
     const auto table = NumberTable::read(dataset.folder / "instances.csv");
-    if (!table) return;  // told by another check
+    if (!table) return;  // reported by another check
     targets.visible_fractions.resize(dataset.frames.size());
     for (std::size_t row = 0; row < table->rows(); ++row) {
         const double frame = table->number(row, "frame").value_or(-1.0);
@@ -109,8 +109,8 @@ std::string listed(const Names& names) {
     return text.empty() ? "none" : text;
 }
 
-/// Those that a frame shows well: 120 px as if it were 640 x 480, a box of 5 % of the image and,
-/// where a table tells it, 80 % of the whole in sight.
+/// Targets that a frame shows well: 120 px at 640 x 480, a box of 5 % of the image and, if
+/// instances.csv tells, 80 % of the object visible.
 void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameImages& images,
                     Findings& findings) {
     const Image16* ids = images.image16("instance");
@@ -133,7 +133,7 @@ void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameI
             const auto& known = targets.visible_fractions[frame];
             if (const auto at = known.find(id); at != known.end()) fraction = at->second;
         }
-        // Six digits of it are written.
+        // The file has six digits.
         if (!(fraction < rules.min_visible_fraction - kTolerance)) may.push_back(object->name);
         if (fraction > rules.min_visible_fraction + kTolerance) must.push_back(object->name);
     }

@@ -1,4 +1,4 @@
-// The rig's images: by themselves, by the boxes of things, and asked of the scene by rays.
+// Checks the rig's images: their consistency, the objects' boxes, and ray casts into the scene.
 #include "render/verify/check/check_cameras.h"
 #include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
@@ -17,14 +17,15 @@ namespace dollytrack::verify {
 namespace {
 
 constexpr double kRounding = 0.0005 + 1e-6;  // of depth in millimetres, m
-constexpr double kFarthest = 65.5355;        // what a depth image can hold, m
-// Of what is wide and small things are a few pixels wide: there only a blank picture is wrong.
+constexpr double kFarthest = 65.5355;        // m, limit of a depth image
+// In smaller or wide-angle pictures objects are a few pixels wide; there only blank pictures are
+// reported.
 constexpr int kJudgedPixels = 160 * 120;
-constexpr double kNudge = 1e-3;  // px: two ways to compute a ray differ by far less
+constexpr double kNudge = 1e-3;  // px: different ways to compute a ray differ by far less
 
 using Rays = std::vector<std::optional<StoredRay>>;
 
-/// A camera and the rays through its pixels' centres.
+/// A camera and the rays through its pixel centres.
 struct CameraRays {
     StoredCamera camera;
     Rays rays;
@@ -72,7 +73,7 @@ class CameraFrame {
           index_(index),
           pose_(of.camera.poses[static_cast<std::size_t>(index)]) {}
 
-    /// Whether all can be used.
+    /// Reads the images. Returns whether all are usable.
     bool read(Findings& findings) {
         bool good = take(readImage8(path("rgb"), 3), "rgb", rgb_, findings);
         good = take(readImage16(path("depth"), 1), "depth", depth_, findings) && good;
@@ -141,7 +142,7 @@ class CameraFrame {
                 });
             }
             if (hit.object_id == 0 || hit.object_id != ids_.at(x, y)) return;
-            // The scene has the corners' normals at rest.
+            // The scene holds vertex normals of unmoved objects only.
             if (frame_.movement(hit.object_id)) return;
             ++judged;
             const Eigen::Vector3d along = (pose_.rotation * ray->direction).normalized();
@@ -155,7 +156,7 @@ class CameraFrame {
             });
         });
         labels.report(file("instance"), index_, findings);
-        // Where things share a surface the ray may meet either of two triangles.
+        // On shared surfaces the ray may hit either of two triangles.
         if (normals.count() > 10 + judged / 50) {
             normals.report(file("normal_world"), index_, findings);
         }
@@ -275,8 +276,8 @@ class CameraFrame {
         return std::abs(hit.distance - metres) <= kRounding + 1e-5 * metres;
     }
 
-    /// Along the edge of a thing the last bit of a direction decides; and of things in one place
-    /// either may be met.
+    /// Whether a ray close to the pixel's centre agrees. At object edges rounding decides, and of
+    /// coincident surfaces either may be hit.
     [[nodiscard]] bool agreesNearby(const RayCaster& caster, int x, int y) const {
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {

@@ -4,7 +4,7 @@
 
 namespace dollytrack::verify {
 
-/// The images and poses of a rig's cameras, see stored_rig.h.
+/// Checks the images and poses of a rig's cameras; see stored_rig.h.
 CheckWork beginCameras(const Subject& subject, Findings& findings);
 
 }  // namespace dollytrack::verify

@@ -11,7 +11,7 @@
 namespace dollytrack::verify {
 namespace {
 
-/// What dataset.json says of an object's best frame.
+/// An object's best frame in dataset.json.
 struct Best {
     int object_id = 0;
     bool captured = false;
@@ -20,13 +20,13 @@ struct Best {
     double mask_share = 0.0;
 };
 
-/// The best frames of dataset.json.
+/// All best frames in dataset.json.
 struct Captures {
     std::vector<std::vector<Best>> of_frame;
     std::set<int> shown_nowhere;  // object ids
 };
 
-/// Pixels that count, of an image of this area; rules are for one of 640 x 480.
+/// Least number of pixels that counts in an image of this area; the rule is for 640 x 480.
 double leastPixels(double area_px) {
     return CaptureRules{}.min_visible_px * area_px / (640.0 * 480.0);
 }

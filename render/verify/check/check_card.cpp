@@ -32,7 +32,8 @@ class CardReport {
     Findings& findings_;
 };
 
-/// The lens of a camera with square pixels and its axis in the middle, and the one asked for.
+/// Checks that pixels are square, the axis is central, the focal length matches the field of view,
+/// and that all agree with parameters.camera.
 void checkLens(const StoredDataset& dataset, CardReport& report) {
     const Intrinsics& lens = dataset.lens;
     const std::string at = "conventions.intrinsics.";
@@ -50,7 +51,7 @@ void checkLens(const StoredDataset& dataset, CardReport& report) {
     report.near(at + "near_m", dataset.near_m, camera.value("near_m", 0.0));
 }
 
-/// What the readers of this program, and people's, take for granted.
+/// Checks conventions that readers take for granted.
 void checkConventions(const StoredDataset& dataset, CardReport& report) {
     const Json& all = dataset.card.at("conventions");
     const auto same = [&](const std::string& group, const char* key, const Json& expected) {
@@ -95,7 +96,7 @@ void checkTables(const StoredDataset& dataset, CardReport& report) {
     }
 }
 
-/// Things stand or hang on others that are there.
+/// Checks that objects stand or hang on existing objects.
 void checkRelations(const StoredDataset& dataset, CardReport& report) {
     const Json& objects = dataset.card.at("objects");
     for (std::size_t i = 0; i < objects.size(); ++i) {

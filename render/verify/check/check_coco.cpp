@@ -1,4 +1,4 @@
-// COCO's annotations: masks as run lengths, and as polygons.
+// Checks COCO annotations: masks as run lengths and as polygons.
 #include "render/verify/check_list.h"
 #include "render/verify/filled_mask.h"
 #include "render/verify/read/coco_file.h"
@@ -12,9 +12,9 @@
 namespace dollytrack::verify {
 namespace {
 
-using Mask = std::vector<std::uint8_t>;  // column by column, not 0 inside
+using Mask = std::vector<std::uint8_t>;  // column by column, nonzero inside
 
-/// A finding about the first pixel where the mask is not what it should be.
+/// Adds a finding for the first pixel where the masks differ.
 template <class Describe>
 void compareMasks(const char* file, const CocoAnnotation& one, int height, const Mask& found,
                   const Mask& expected, int frame, const Describe& describe, Findings& findings) {
@@ -59,7 +59,7 @@ void compareRunLengths(const CocoAnnotation& one, const Image16& ids, int frame,
         findings);
 }
 
-/// Every outline tells how much of the object is in sight.
+/// Checks that an outline states the object's visible share.
 void checkAttributes(const CocoAnnotation& one, int frame, Findings& findings) {
     for (const char* name : {"visible_fraction", "truncation", "occluder_fraction"}) {
         const nlohmann::json share =
@@ -70,7 +70,7 @@ void checkAttributes(const CocoAnnotation& one, int frame, Findings& findings) {
     }
 }
 
-/// Polygons cannot have holes: they hold what the object encloses.
+/// Polygons cannot have holes, so they include what the object encloses.
 void comparePolygons(const CocoAnnotation& one, const Image16& ids, int frame, Findings& findings) {
     checkAttributes(one, frame, findings);
     Mask mask(ids.values.size());

@@ -1,4 +1,4 @@
-// COLMAP's text model beside its poses: the lens, the names, and the points of the first guess.
+// Checks COLMAP's text model except its poses: lens, names and initial points.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
@@ -16,10 +16,10 @@ constexpr const char* kCameras = "sparse/0/cameras.txt";
 constexpr const char* kImages = "sparse/0/images.txt";
 constexpr const char* kPoints = "sparse/0/points3D.txt";
 
-constexpr double kLens_px = 1e-6;      // nine digits are written
-constexpr double kOnSurface_m = 1e-4;  // of single precision, in the largest rooms
+constexpr double kLens_px = 1e-6;      // the file has nine digits
+constexpr double kOnSurface_m = 1e-4;  // error of single precision in the largest rooms
 
-/// A point may show before what the pixels around it show by so much and this share of its depth.
+/// m, and share of depth: a point may lie this far in front of the surrounding pixels' surface.
 constexpr double kBefore_m = 0.01;
 constexpr double kBeforeShare = 0.01;
 
@@ -28,14 +28,14 @@ struct Point {
     int line = 0;
 };
 
-/// How a frame sees the points.
+/// A frame's view of the points.
 struct Sighting {
     std::size_t judged = 0;
-    std::size_t before = 0;  // what the frame shows there is behind the point
+    std::size_t before = 0;  // points in front of the surface that the frame shows
     std::string example;
 };
 
-/// The words of the lines that say something, with their numbers.
+/// Words of the non-empty, non-comment lines, with line numbers.
 std::vector<std::pair<int, std::vector<std::string_view>>> wordLines(std::string_view text) {
     std::vector<std::pair<int, std::vector<std::string_view>>> lines;
     int number = 0;
@@ -83,11 +83,11 @@ void checkCameras(const StoredDataset& dataset, Findings& findings) {
     }
 }
 
-/// Each picture's name is that of its frame, in the folder of pictures.
+/// Each picture is named after its frame, in the picture folder.
 void checkNames(const StoredDataset& dataset, Findings& findings) {
     const std::string text = textOf(dataset, kImages, findings);
     int frame = 0;
-    // The lines of points are empty.
+    // Lines of 2D points are empty.
     for (const auto& [number, words] : wordLines(text)) {
         const auto wrong = [&, line = number](std::string found, std::string expected) {
             findings.add({fmt::format("{}:{}", kImages, line),
@@ -149,7 +149,7 @@ std::vector<Point> readPoints(const StoredDataset& dataset, Findings& findings) 
     return points;
 }
 
-/// Where a frame has the point, and how deep.
+/// Image position and depth of a point in a frame.
 struct Seen {
     Eigen::Vector2d at;
     double depth_m = 0.0;
@@ -175,7 +175,7 @@ bool isInAnyFrame(const StoredDataset& dataset, const Eigen::Vector3d& place) {
     return false;
 }
 
-/// Whether the point is part of something that moves, of which the model has it at rest.
+/// Whether the point belongs to a moving object, which the model shows unmoved.
 bool isOfMoving(const StoredDataset& dataset, const StoredFrame& frame,
                 const Eigen::Vector3d& place) {
     for (const MovedObject& moved : frame.moving) {
@@ -212,8 +212,8 @@ Sighting look(const StoredDataset& dataset, const std::vector<Point>& points, Fr
     return sighting;
 }
 
-/// With the scene each point lies on it; without, what is thinner than a pixel may stand before
-/// what the pixels show, but not much is.
+/// With the scene each point must lie on it. Without, objects thinner than a pixel may stand in
+/// front of the pixels' surface, but only few points may.
 void judgeByDepth(const std::vector<Sighting>& sightings, Findings& findings) {
     for (std::size_t frame = 0; frame < sightings.size(); ++frame) {
         const Sighting& one = sightings[frame];

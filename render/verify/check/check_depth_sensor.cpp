@@ -1,5 +1,5 @@
-// What a depth camera delivers, against exact depth: within its model's noise, holes where it may
-// have them. The models are written down here again, from what dataset.json says of them.
+// Compares a depth camera's images with exact depth: noise within the model, holes only where
+// allowed. The models are implemented independently, from their description in dataset.json.
 #include "render/verify/check_list.h"
 
 #include <fmt/format.h>
@@ -12,11 +12,11 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kDeviations = 6.5;  // of some 10^9 pixels none lies beyond
-constexpr double kStep_m = 0.1;      // of depth, and
-constexpr double kStepShare = 0.05;  // of this share: a hole
+constexpr double kDeviations = 6.5;  // of about 10^9 pixels none lies beyond
+constexpr double kStep_m = 0.1;      // depth step that becomes a hole, and
+constexpr double kStepShare = 0.05;  // the same relative to depth
 constexpr double kLeastLight = 0.05 / (5.46 * 5.46);
-// Where light and slope are not in the dataset, a frame may be dark in so much of it.
+// Share of a frame that may be too dark if the dataset lacks reflectance and slope.
 constexpr double kMostDark = 0.9;
 
 double linear(double srgb) {
@@ -32,7 +32,7 @@ struct Model {
     [[nodiscard]] bool none() const { return name == "none"; }
     [[nodiscard]] bool redwood() const { return name == "redwood"; }
 
-    /// How far a depth can be off, the jitter apart.
+    /// Largest depth error, without the pixel jitter.
     [[nodiscard]] double reach(double depth) const {
         if (none()) return 0.0;
         if (redwood()) {
@@ -42,15 +42,15 @@ struct Model {
         }
         return 4.0 * kDeviations * strength * (0.0005 + 0.001 * std::max(depth - 0.5, 0.0));
     }
-    /// Pixels aside that a look may take.
+    /// Largest jitter, px.
     [[nodiscard]] int aside() const {
         if (none()) return 0;
         return static_cast<int>(std::ceil(0.25 * kDeviations * strength)) + (redwood() ? 1 : 0);
     }
 };
 
-/// The largest step of depth from the pixel to those beside it, as a share of what makes a hole;
-/// 2 beside nothing.
+/// Largest depth step from the pixel to its neighbours, relative to the step that becomes a hole; 2
+/// beside a pixel without depth.
 double stepAt(const ImageF& depth, int x, int y) {
     double most = 0.0;
     const double here = depth.at(x, y);
@@ -109,7 +109,7 @@ class DepthSensorFrame {
     }
 
   private:
-    /// The nearest and farthest depth that a look at the pixel may take, jitter and all.
+    /// Nearest and farthest depth that the pixel may read, including jitter.
     [[nodiscard]] std::pair<double, double> around(const ImageF& depth, int x, int y) const {
         const double exact = depth.at(x, y);
         double least = exact, most = exact;
@@ -118,7 +118,7 @@ class DepthSensorFrame {
             for (int dx = -aside; dx <= aside; ++dx) {
                 if (!depth.holds(x + dx, y + dy)) continue;
                 const double one = depth.at(x + dx, y + dy);
-                // What is beyond a step of depth is not taken for what is here.
+                // Depth beyond a step is never read.
                 if (std::abs(one - exact) > 1.01 * std::max(kStep_m, kStepShare * exact)) continue;
                 least = std::min(least, one);
                 most = std::max(most, one);
@@ -159,7 +159,7 @@ class DepthSensorFrame {
                stepAt(depth, x, y) > 0.7;
     }
 
-    /// Of time of flight: whether too little light may come back.
+    /// For time of flight: whether too little light may return.
     [[nodiscard]] bool maybeDark(int x, int y, double exact) const {
         if (model_.none() || model_.redwood()) return false;
         const Image16* normals = images_.image16("normal_camera");
@@ -173,7 +173,7 @@ class DepthSensorFrame {
         for (int c = 0; c < 3; ++c) reflectance += linear(albedo->pixel(x, y)[c] / 255.0) / 3.0;
         const double light =
             reflectance * std::abs(ray.normalized().dot(normal)) / (exact * ray).squaredNorm();
-        // Of the depth a pixel or two aside.
+        // Margin for depth one or two pixels aside.
         return light < 1.25 * kLeastLight;
     }
 

@@ -1,4 +1,4 @@
-// EuRoC's layout: times, poses, lenses and pictures.
+// Checks EuRoC's layout: times, poses, lenses and pictures.
 #include "render/verify/check/check_euroc.h"
 
 #include "engine/io/files/text_file.h"
@@ -18,7 +18,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kPose = 1e-6;     // m, and of quaternions
+constexpr double kPose = 1e-6;     // m, and quaternion components
 constexpr double kLens_px = 1e-6;  // numbers have nine digits
 
 std::vector<std::string_view> splitAt(std::string_view text, char separator) {
@@ -51,7 +51,7 @@ class EurocCheck {
         findings_.add({std::move(file), frame, {}, std::move(found), std::move(expected)});
     }
 
-    /// The lines but for comments, by commas; as many as frames, or a finding.
+    /// The fields of all non-comment lines; adds a finding if there is not one line per frame.
     std::vector<std::vector<std::string>> rowsOf(const std::string& file) {
         std::vector<std::vector<std::string>> rows;
         const Result<std::string> text = io::readText(dataset_.folder / file);
@@ -104,7 +104,7 @@ class EurocCheck {
         checkNumbers(sensor, "data", {1, 0, 0, right_m, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
     }
 
-    /// The list of numbers behind a key of a YAML file.
+    /// Compares the list of numbers after a key in a YAML file.
     void checkNumbers(const std::string& file, const std::string& key,
                       const std::vector<double>& expected) {
         const Result<std::string> text = io::readText(dataset_.folder / file);
@@ -153,7 +153,7 @@ class EurocCheck {
         }
     }
 
-    /// The same measurements as in imu.csv, which has a check of its own.
+    /// Compares with imu.csv, which another check verifies.
     void checkImu() {
         const std::string file = "mav0/imu0/data.csv";
         if (!dataset_.sha256s.contains("imu.csv") || hashOf(file) == hashOf("imu.csv")) return;

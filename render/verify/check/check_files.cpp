@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the modalities and formats named in dataset.json must have brought.
+/// Files that the modalities and formats in dataset.json require.
 std::set<std::string> neededFiles(const StoredDataset& dataset) {
     std::set<std::string> names;
     for (const ImageKind& kind : imageKinds()) {
@@ -49,7 +49,7 @@ std::set<std::string> neededFiles(const StoredDataset& dataset) {
     return names;
 }
 
-/// "What is missing" is in the number of an image's name, too.
+/// Frame number in an image's name, if any.
 std::optional<int> frameOf(const std::string& name) {
     const std::string stem = fs::path(name).stem().string();
     if (stem.size() < 6 || stem.find_first_not_of("0123456789") < 6) return std::nullopt;
@@ -70,13 +70,13 @@ void findForeign(const StoredDataset& dataset, Findings& findings) {
     }
     for (const std::string& name : there) {
         if (name == "dataset.json" || dataset.sha256s.contains(name)) continue;
-        // Of an export that has not ended, and may replace this dataset.
+        // Files of an unfinished export that may replace this dataset.
         if (name == ".dollytrack-export" || name.starts_with(".dollytrack-new/")) continue;
         findings.add({name, {}, {}, "a file that dataset.json does not name", "no such file"});
     }
 }
 
-/// A path that leads out of the folder is nobody's file.
+/// Whether a path stays inside the dataset folder.
 bool staysInside(const std::string& name) {
     const fs::path path(name);
     if (path.is_absolute()) return false;
@@ -86,11 +86,10 @@ bool staysInside(const std::string& name) {
     return true;
 }
 
-/// The largest size that a file of this dataset can have, bytes; reading a larger one could take
-/// hours.
+/// Largest possible size of a file of this dataset, bytes; hashing larger ones could take hours.
 std::uintmax_t mostBytes(const StoredDataset& dataset) {
     constexpr std::uintmax_t kOfTables = std::uintmax_t{1} << 32U;
-    constexpr std::uintmax_t kOfPixel = 256;  // of all images of a frame, in one HDF5 file
+    constexpr std::uintmax_t kOfPixel = 256;  // of all images of a frame together, in an HDF5 file
     const auto pixels = static_cast<std::uintmax_t>(dataset.lens.width) *
                         static_cast<std::uintmax_t>(dataset.lens.height);
     return kOfTables + kOfPixel * pixels * dataset.frames.size();

@@ -7,7 +7,7 @@
 namespace dollytrack::verify {
 namespace {
 
-/// One file of motions and its mask.
+/// One flow file and its mask.
 class FlowPair {
   public:
     FlowPair(const Subject& subject, FrameImages& images, FrameImages& other, std::string stem)

@@ -1,4 +1,4 @@
-// The lists for cross-validation.
+// Checks the lists for cross-validation.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What was left out beside a held-back frame.
+/// Limits within which frames beside a held-back frame are left out.
 struct Guard {
     double seconds = 0.0, metres = 0.0, turned_rad = 0.0;
 };
@@ -58,7 +58,7 @@ class FoldCheck {
         findings_.add({std::move(file), frame, {}, std::move(found), std::move(expected)});
     }
 
-    /// The frames whose pictures are in a list, rising.
+    /// Frames in a picture list, increasing.
     std::vector<int> listed(const std::string& file) {
         const Result<std::string> text = io::readText(dataset_.folder / file);
         if (!text) {
@@ -81,7 +81,7 @@ class FoldCheck {
 
     [[nodiscard]] std::optional<int> frameOf(std::string_view picture) const {
         if (!dataset_.sha256s.contains(std::string(picture))) return std::nullopt;
-        // Pictures are named by their frame's number.
+        // Pictures are named by frame number.
         const std::string_view name = picture.substr(picture.find_last_of('/') + 1);
         int frame = 0;
         const auto read = std::from_chars(name.data(), name.data() + name.size(), frame);
@@ -90,8 +90,8 @@ class FoldCheck {
         return fits ? std::optional(frame) : std::nullopt;
     }
 
-    /// Each frame is held back, a neighbour of one that is, or trained on. `guard`: null where
-    /// whole rooms are held back, which leaves nothing out.
+    /// Every frame must be held back, be near a held-back frame, or be trained on. `guard` is null
+    /// if whole rooms are held back, which leaves no frame out.
     void compareParts(const std::string& file, const std::vector<int>& train,
                       const std::vector<int>& val, const Guard* guard) {
         const std::set<int> trained(train.begin(), train.end());
@@ -125,8 +125,8 @@ class FoldCheck {
 
     enum class Nearness { Neighbour, Apart, Unknown };
 
-    /// Times count within one motion alone, and which that is dataset.json does not say: of frames
-    /// that are near in time alone nothing is known.
+    /// Time counts only within one path, which dataset.json does not record: frames that are near
+    /// only in time cannot be judged.
     [[nodiscard]] Nearness nearest(int frame, const std::vector<int>& others,
                                    const Guard& guard) const {
         constexpr double kSlack = 1e-9;
@@ -147,7 +147,7 @@ class FoldCheck {
         return found;
     }
 
-    /// The same annotations as in annotations.json, but for their numbers.
+    /// Compares with annotations.json, ignoring annotation ids.
     void compareCoco(const std::string& file, const std::vector<int>& frames) {
         const auto part = readCoco(dataset_, file, frames, findings_);
         if (!part || !whole()) return;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kFile = "frames.csv";
 
-/// The file has six digits of each number.
+/// The file has six digits per number.
 constexpr double kRounding = 1e-5;
 
 struct FramesTable {
@@ -37,7 +37,7 @@ class FramesReport {
             return value ? fmt::format("{:.6g}", *value) : std::string("nothing");
         };
         if (found.has_value() == expected.has_value()) {
-            // Where nothing is expected, an offset below what six digits hold makes no difference.
+            // Near an expected 0, differences below the file's six digits are accepted.
             if (!found) return;
             const double off = std::abs(*found - *expected);
             if (off <= kRounding * std::max(std::abs(*expected), 0.01)) return;
@@ -49,7 +49,7 @@ class FramesReport {
                        text(expected)});
     }
 
-    /// A number from `low` to `high` must be there.
+    /// Requires a number between `low` and `high`.
     void within(std::size_t frame, const std::string& column, double low, double high) {
         const std::optional<double> found = table_.rows.number(frame, column);
         const double rounding = kRounding * std::max(std::abs(low), std::abs(high));
@@ -66,7 +66,7 @@ class FramesReport {
     Findings& findings_;
 };
 
-/// The rows' frames as the score wants them: what matters is which motion they belong to.
+/// The frames as imageScores() needs them; only their path matters.
 Trajectory motionsOf(const FramesTable& table) {
     Trajectory trajectory;
     for (std::size_t i = 0; i < table.rows.rows(); ++i) {
@@ -113,8 +113,8 @@ void compareMotion(const Subject& subject, const FramesTable& table, FramesRepor
     }
 }
 
-/// Light that varies by frame stays around what is set: as many times brighter or darker, or, of
-/// the exposure, as much more or less.
+/// Light that varies by frame must stay within its range around the set value: a factor, or for the
+/// exposure a difference.
 void compareLight(const StoredDataset& dataset, const FramesTable& table, FramesReport& report) {
     const auto set = dataset.card.at("parameters").value("light", nlohmann::ordered_json());
     if (!set.is_object() || set.value("light_varies", "") != "frame") return;
@@ -122,7 +122,7 @@ void compareLight(const StoredDataset& dataset, const FramesTable& table, Frames
     if (variation <= 0.0) return;
     struct Column {
         const char* name;
-        double most;  // powers of two
+        double most;  // as a power of two
     };
     for (const auto& [name, most] :
          {Column{"lamp_strength", 1.0}, Column{"lamp_temperature_K", 0.5},
@@ -155,7 +155,7 @@ void compareImages(const StoredDataset& dataset, const FramesTable& table, Frame
             continue;
         }
         report.compare(i, "targets", static_cast<double>(table.boxes[i].size()));
-        if (all_seen) report.compare(i, "score", scores[i]);  // it looks back
+        if (all_seen) report.compare(i, "score", scores[i]);  // scores depend on earlier frames
     }
 }
 
@@ -163,7 +163,7 @@ void takeBoxes(const StoredDataset& dataset, FrameImages& images, FramesTable& t
     const Image16* ids = images.image16("instance");
     if (!ids) return;
     const auto frame = static_cast<std::size_t>(images.frame());
-    // Below this an object counts as not shown; the rule is for an image of 640 x 480.
+    // Smaller objects count as not shown; the rule is for 640 x 480.
     const double least_px =
         CaptureRules{}.min_visible_px * ids->width * ids->height / (640.0 * 480.0);
     for (const auto& [id, shown] : images.seen()) {

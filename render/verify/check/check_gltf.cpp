@@ -12,11 +12,11 @@ namespace {
 
 constexpr const char* kFile = "trajectory.glb";
 
-/// m and radians near the origin; what is written are 32-bit floats, of 24 bits.
+/// m and radians near the origin; the file has 32-bit floats with 24 bits of precision.
 constexpr double kTolerance = 1e-6;
 constexpr double kFloatStep = 1.2e-7;
 
-/// y up: x, z, -y of the world.
+/// y up: (x, z, -y) of the world.
 Eigen::Matrix3d gltfFromWorld() {
     Eigen::Matrix3d turn;
     turn << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -28,7 +28,7 @@ struct ExpectedKey {
     Eigen::Matrix3d rotation;
 };
 
-/// What a node has to do at the time of each frame.
+/// Checks a node's animation at the time of each frame.
 class NodeCheck {
   public:
     NodeCheck(const StoredDataset& dataset, const NodeKeys& keys, std::string name,
@@ -109,7 +109,7 @@ CheckWork beginGltf(const Subject& subject, Findings& findings) {
         return {};
     }
     const Eigen::Matrix3d turn = gltfFromWorld();
-    // glTF's cameras look along -z, with y up.
+    // glTF cameras look along -z, with y up.
     const Eigen::Matrix3d half_turn =
         Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
     try {
@@ -129,8 +129,8 @@ CheckWork beginGltf(const Subject& subject, Findings& findings) {
         }
         for (const int id : moving) {
             const StoredObject* object = dataset.object(id);
-            if (!object) continue;  // told by another check
-            // Objects are nodes in their order.
+            if (!object) continue;  // reported by another check
+            // Nodes are in the order of the objects.
             checkNode(dataset, *file, id - 1, object->name, findings,
                       [&](const StoredFrame& frame) {
                           const Eigen::Isometry3d* movement = frame.movement(id);

@@ -1,4 +1,4 @@
-// The file a frame of BlenderProc's kind: the frame's images once more, and its pose.
+// Checks the per-frame HDF5 files in BlenderProc's layout: the frame's images and its pose.
 #include "engine/io/files/hdf5_reader.h"
 #include "render/verify/check_list.h"
 #include "render/verify/read/json_file.h"
@@ -35,7 +35,7 @@ class FrameCheck {
         findings_.add({file_, images_.frame(), {}, std::move(found), std::move(expected)});
     }
 
-    /// Of the images' size; nothing, and a finding, else.
+    /// Reads an image; returns nothing and adds a finding if its size differs.
     std::optional<std::vector<double>> image(const std::string& name, std::size_t channels) {
         const auto width = static_cast<std::uint64_t>(dataset_.lens.width);
         const auto height = static_cast<std::uint64_t>(dataset_.lens.height);
@@ -54,7 +54,7 @@ class FrameCheck {
         return std::move(numbers->values);
     }
 
-    /// `expected(i)` is the number i, rows from the top; NaN where any is right.
+    /// `expected(i)` is value i, row 0 at the top; NaN accepts any value.
     template <class Expected>
     void compare(const std::string& name, const std::vector<double>& found, std::size_t channels,
                  double tolerance, const Expected& expected) {
@@ -83,7 +83,7 @@ class FrameCheck {
         const auto metres = image("depth", 1);
         const FrameImages::Depth* depth = images_.depth();
         if (!metres || !depth) return;
-        // What is beyond a depth image in millimetres, it cannot tell.
+        // A depth image in millimetres does not cover depth beyond its range.
         const bool exact = std::string_view(depth->modality) == "depth_exr";
         compare("depth", *metres, 1, depth->rounding_m + kTolerance, [&](std::size_t i) {
             const double known = depth->metres.values[i];
@@ -136,7 +136,7 @@ class FrameCheck {
         const auto rows =
             parseJson(*text).value_or(Json()).get<std::array<std::array<double, 4>, 4>>();
         Eigen::Matrix4d expected = images_.stored().pose.worldFromCamera().matrix();
-        expected.col(1) *= -1.0;  // y up and z back there
+        expected.col(1) *= -1.0;  // y up, z back in these files
         expected.col(2) *= -1.0;
         double off = 0.0;
         for (std::size_t i = 0; i < 16; ++i) {

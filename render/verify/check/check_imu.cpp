@@ -1,4 +1,4 @@
-// What the inertial sensor measured, integrated over short spans, leads from pose to pose.
+// Integrates the inertial measurements over short spans and compares with the poses.
 #include "engine/camera/imu_track.h"
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
@@ -16,18 +16,18 @@ namespace {
 constexpr const char* kFile = "imu.csv";
 using Samples = std::vector<ImuSample>;
 
-/// What the sum over a span may be off by: a fixed part for the digits of the file, and what a sum
-/// over samples cannot know of a curve between them, by how much the samples bend.
+/// Tolerance of a span's integral: a fixed part for the file's digits, and a part for the unknown
+/// curve between samples, estimated from their curvature.
 struct Tolerance {
     double turn_rad = 2e-5;
     double velocity_mps = 5e-5;
 };
 
-/// One stretch between two frames, summed up.
+/// The integral from one frame to the next.
 struct Span {
     Eigen::Quaterniond turned =
-        Eigen::Quaterniond::Identity();  // from the first camera to the last
-    // Integral of the acceleration in the world, weighted from 0 to 1 and from 1 to 0, m/s.
+        Eigen::Quaterniond::Identity();  // rotation from the first camera to the last
+    // Integral of world acceleration, weighted from 0 to 1 and from 1 to 0, m/s.
     Eigen::Vector3d rising = Eigen::Vector3d::Zero();
     Eigen::Vector3d falling = Eigen::Vector3d::Zero();
     Tolerance tolerance;
@@ -40,8 +40,8 @@ ImuSample mix(const ImuSample& a, const ImuSample& b, double time_s) {
             a.specific_force_mps2 + t * (b.specific_force_mps2 - a.specific_force_mps2)};
 }
 
-/// The samples from `begin` to `end`, ends between samples interpolated, one beyond the last by at
-/// most a sample's interval. Empty where there is a gap.
+/// Samples from `begin` to `end`, interpolated at both ends; extrapolated by at most one interval
+/// after the last. Empty if there is a gap.
 Samples between(const Samples& all, double begin, double end, double interval) {
     const auto at = [&](double time) {
         return std::lower_bound(all.begin(), all.end(), time,
@@ -108,7 +108,7 @@ Span integrate(const Samples& samples, const Eigen::Quaterniond& begin) {
     return span;
 }
 
-/// Where nothing moves there are none, and the file says no more than what its columns are.
+/// A trajectory without motion has no rows, only the header.
 bool hasNoRows(std::string_view text) {
     const auto lines = io::splitLines(text);
     return std::all_of(lines.begin(), lines.end(),
@@ -133,7 +133,7 @@ Result<Samples> readSamples(const std::filesystem::path& path) {
     return samples;
 }
 
-/// Whether the camera moved on from the frame before; unknown where frames.csv does not tell.
+/// Whether the path continues from the previous frame; unknown if frames.csv does not tell.
 std::vector<std::optional<bool>> motionsGoOn(const StoredDataset& dataset) {
     std::vector<std::optional<bool>> goes_on(dataset.frames.size());
     const auto rows = NumberTable::read(dataset.folder / "frames.csv");
@@ -192,7 +192,7 @@ class ImuCheck {
             fmt::format("at most {:.2g} rad", span.tolerance.turn_rad));
     }
 
-    /// Over two spans the velocity at the first frame, which is not known, falls out.
+    /// Over two spans the unknown velocity at the first frame cancels out.
     void compareVelocity(std::size_t middle, const Span& first, const Span& second) {
         const auto& frames = dataset_.frames;
         const auto mean_velocity = [&](std::size_t i) -> Eigen::Vector3d {

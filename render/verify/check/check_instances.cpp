@@ -17,7 +17,7 @@ constexpr const char* kFile = "instances.csv";
 
 struct InstancesTable {
     NumberTable rows;
-    std::vector<std::map<int, std::size_t>> of_frame;  // by object id, the row
+    std::vector<std::map<int, std::size_t>> of_frame;  // row number by object id
 };
 
 /// Compares fields of one row.
@@ -47,7 +47,7 @@ class RowReport {
     Findings& findings_;
 };
 
-constexpr double kShare = 2e-5;  // numbers are written with six digits or so
+constexpr double kShare = 2e-5;  // numbers have about six digits
 constexpr double kMetres = 2e-5;
 
 void compareClasses(RowReport& row, const StoredDataset& dataset, const StoredObject& object) {
@@ -61,7 +61,7 @@ void compareVisible(RowReport& row, const ObjectPixels& seen) {
     row.compare("y", seen.y0);
     row.compare("width", seen.x1 - seen.x0 + 1);
     row.compare("height", seen.y1 - seen.y0 + 1);
-    // The parts of the whole hang together, whatever the whole is.
+    // Shares must be consistent with the amodal area in the same row.
     const double whole = row.number("whole_px");
     const double silhouette = row.number("silhouette_px");
     if (whole > 0.0) {
@@ -72,10 +72,10 @@ void compareVisible(RowReport& row, const ObjectPixels& seen) {
     if (!(silhouette >= seen.count)) row.compare("silhouette_px", seen.count);
 }
 
-/// Against the whole mask, and by what hides it.
+/// Compares with the amodal mask and with the occluding objects.
 void compareWhole(RowReport& row, const AmodalMask& mask, const Image16& ids) {
     const auto pixels = insideOf(mask, ids.width, ids.height);
-    if (pixels.empty()) return;  // the business of another check
+    if (pixels.empty()) return;  // reported by another check
     const auto area = std::count(pixels.begin(), pixels.end(), 1);
     row.compare("silhouette_px", static_cast<double>(area));
     row.compare("amodal_x", mask.box[0]);
@@ -94,7 +94,7 @@ void compareWhole(RowReport& row, const AmodalMask& mask, const Image16& ids) {
     for (const auto& [id, count] : hiding) most = std::max(most, count);
     const auto said = static_cast<int>(row.number("occluder_id"));
     const auto at = hiding.find(said);
-    // Of two that hide the same share either may be named.
+    // If two objects hide the same share, either may be named.
     if (most == 0 || at == hiding.end() || at->second != most) {
         const auto first = std::find_if(hiding.begin(), hiding.end(),
                                         [most](const auto& one) { return one.second == most; });
@@ -115,7 +115,7 @@ void compareBox(RowReport& row, const StoredObject& object, const StoredFrame& f
     const Eigen::Quaterniond said(row.number("quaternion_w"), row.number("quaternion_x"),
                                   row.number("quaternion_y"), row.number("quaternion_z"));
     const Eigen::Quaterniond expected(box.linear());
-    // A rotation has two quaternions.
+    // q and -q are the same rotation.
     const double sign = said.dot(expected) < 0.0 ? -1.0 : 1.0;
     row.compare("quaternion_x", sign * expected.x(), kShare);
     row.compare("quaternion_y", sign * expected.y(), kShare);

@@ -1,4 +1,4 @@
-// KITTI's projections, times and motions, beside its poses.
+// Checks KITTI's projections, times and flow; poses are checked elsewhere.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
@@ -14,11 +14,11 @@ namespace {
 
 constexpr const char* kCalibration = "calib.txt";
 constexpr const char* kTimes = "times.txt";
-constexpr double kTolerance = 1e-6;  // nine digits are written
+constexpr double kTolerance = 1e-6;  // the file has nine digits
 constexpr double kStepsPerPixel = 64.0;
 constexpr double kMiddle = 32768.0;
 
-/// The twelve numbers of a projection, row by row. Whole numbers are the centres of pixels there.
+/// A projection's twelve numbers, row by row. KITTI puts pixel centres at integer coordinates.
 std::array<double, 12> projection(const Intrinsics& lens, double right_m) {
     return {lens.fx, 0, lens.cx - 0.5, -lens.fx * right_m, 0, lens.fy, lens.cy - 0.5, 0, 0, 0,
             1,       0};
@@ -44,7 +44,7 @@ void compareProjection(const StoredDataset& dataset, int camera, int line,
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const auto found = io::parseNumber(words[i + 1], kCalibration, line);
         if (!found) return wrong(found.error().message, "a number");
-        // Nothing else in the dataset says where the right camera is: it is at the right at least.
+        // Without a baseline elsewhere in the dataset, only the sign can be checked.
         if (i == 3 && right && !baseline && *found < 0.0) continue;
         if (std::abs(*found - expected[i]) <= kTolerance) continue;
         return wrong(
@@ -95,7 +95,7 @@ void checkTimes(const StoredDataset& dataset, Findings& findings) {
     }
 }
 
-/// The third channel says where the motion is known.
+/// The third channel marks known flow.
 ImageF motionsFrom(const Image16& image) {
     ImageF motions{image.width, image.height, 2, {}};
     motions.values.reserve(2 * image.values.size() / 3);

@@ -1,4 +1,4 @@
-// KITTI's labels: boxes of things in the image and in space.
+// Checks KITTI's labels: 2D and 3D boxes of objects.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
@@ -14,17 +14,17 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kTolerance = 2e-6;  // six digits are written
+constexpr double kTolerance = 2e-6;  // the file has six digits
 constexpr std::size_t kNumbers = 14;
 
-/// A row but for its type.
+/// A row without its type.
 using Label = std::array<double, kNumbers>;
 constexpr std::array<const char*, kNumbers> kNames = {
     "truncated", "occluded", "alpha",  "left", "top", "right", "bottom",
     "height",    "width",    "length", "x",    "y",   "z",     "rotation_y"};
 enum Field : std::size_t { Truncated, Occluded, Alpha, Left, Height = 7, X = 10, Turned = 13 };
 
-/// Class names without blanks, which separate words there.
+/// Class name without spaces, which separate fields.
 std::string typeOf(const DatasetClass& of) {
     std::string name = of.name;
     std::replace(name.begin(), name.end(), ' ', '_');
@@ -52,7 +52,7 @@ class FrameCheck {
         for (const std::string_view line : io::splitLines(*text)) {
             if (!line.empty()) rows.push_back(io::splitWords(line));
         }
-        // Things that are no targets may be labelled, too, or not.
+        // Objects that are not targets may or may not be labelled.
         std::vector<const StoredObject*> things, targets;
         const auto& seen = images_.seen();
         for (const auto& [id, pixels] : seen) {
@@ -106,7 +106,8 @@ class FrameCheck {
         }
     }
 
-    /// What is hidden and cut off only whole masks tell; here, whether it can be at all.
+    /// The expected label. Truncation and occlusion need amodal masks; here they are only clamped
+    /// to their ranges.
     [[nodiscard]] Label labelOf(const StoredObject& object, const ObjectPixels& seen,
                                 const Label& found) const {
         Label label{};

@@ -1,4 +1,4 @@
-// The images that say what a pixel shows must say the same.
+// Checks that the images that label a pixel agree with each other.
 #include "render/verify/check_list.h"
 #include "render/verify/frame_rays.h"
 
@@ -24,7 +24,7 @@ std::vector<int> classesById(const StoredDataset& dataset) {
     return classes;
 }
 
-/// How far off along the camera's axis the object can be at most, m.
+/// Largest depth that the object can have in the camera, m.
 double farthestDepth(const StoredFrame& frame, const StoredObject& object) {
     double farthest = 0.0;
     const Eigen::Isometry3d* moved = frame.movement(object.id);
@@ -49,8 +49,8 @@ void checkBoxes(const StoredDataset& dataset, FrameImages& images, const Image16
             if (const Eigen::Isometry3d* moved = frame.movement(object->id)) {
                 point = moved->inverse() * point;
             }
-            // The box is that of the exact corners. Depth is rounded by the file and by drawing,
-            // and drawing places the surface's end a little beside the truth.
+            // The box is exact, while depth is rounded by the file and by rasterisation, and
+            // rasterisation places borders slightly off.
             const double margin = along.norm() * (depth.rounding_m + FrameRays::kDrawn_m +
                                                   FrameRays::kDrawing * (1.0 + metres) +
                                                   FrameRays::kNudge_px * metres / dataset.lens.fx);
@@ -66,12 +66,12 @@ void checkBoxes(const StoredDataset& dataset, FrameImages& images, const Image16
     wrong.report(imageFile(depth.modality, images.frame()), images.frame(), findings);
 }
 
-/// `farthest_m` is what the depth image can hold.
+/// @param farthest_m  range of the depth image
 template <class T>
 void checkHoles(const StoredDataset& dataset, FrameImages& images, const Image16& ids,
                 const Image<T>& depth, double farthest_m, const char* modality,
                 Findings& findings) {
-    // Of each object, whether it may be too far away for the image: asked once.
+    // Cached by object: whether it may be too far for the image.
     std::vector<int> may_be_far(65536, -1);
     WrongPixels wrong;
     for (int y = 0; y < ids.height; ++y) {

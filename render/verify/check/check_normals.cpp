@@ -27,12 +27,12 @@ std::string text(const Eigen::Vector3d& n) {
     return fmt::format("({:.4f}, {:.4f}, {:.4f})", n.x(), n.y(), n.z());
 }
 
-/// The normal that the depth has around a pixel, in the camera's frame, where the surface is flat.
-/// Of a plane the inverse depth is linear in the image.
+/// Normal of the depth around a pixel, camera frame, if the surface is flat. On a plane the inverse
+/// depth is linear in the image.
 std::optional<Eigen::Vector3d> flatNormal(const StoredDataset& dataset,
                                           const FrameImages::Depth& depth, const Image16& ids,
                                           int x, int y) {
-    constexpr int kReach = 4;  // px: fewer, and the rounding to millimetres tilts the plane
+    constexpr int kReach = 4;  // px: with fewer, rounding to millimetres tilts the plane
     const ImageF& metres = depth.metres;
     if (!metres.holds(x - kReach, y - kReach) || !metres.holds(x + kReach, y + kReach)) {
         return std::nullopt;
@@ -85,7 +85,7 @@ class NormalImages {
     }
 
     void checkUnit(const Image16& image, const char* modality, Findings& findings) const {
-        // The image's axes are the camera's or the world's.
+        // Whether the image's axes are the world's; else the camera's.
         const bool world = &image == in_world_;
         const Eigen::Quaterniond& rotation = images_.stored().pose.rotation;
         WrongPixels none, length, away;
@@ -148,9 +148,8 @@ class NormalImages {
         return images_.stored().pose.rotation * normalFrom(in_camera_->pixel(x, y));
     }
 
-    /// With the scene by what rays meet, without it by the depth where that is flat. Models may
-    /// shade flat things as if they were round, so the depth alone tells axes and signs, of many
-    /// pixels together.
+    /// Compares with ray casts, or without a scene with flat parts of the depth. Models may shade
+    /// flat surfaces as round, so depth alone verifies axes and signs over many pixels.
     void checkSurface(Findings& findings) const {
         const char* modality = in_world_ ? "normal_world" : "normal_camera";
         const Image16& image = in_world_ ? *in_world_ : *in_camera_;

@@ -1,4 +1,4 @@
-// Every file of poses, read as its readers do, gives the poses of dataset.json.
+// Reads every pose file as its readers do and compares with the poses of dataset.json.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
 #include "render/verify/check_list.h"
@@ -12,18 +12,18 @@
 namespace dollytrack::verify {
 namespace {
 
-/// Metres and radians; files have nine digits after the point.
+/// Metres and radians; files have nine decimals.
 constexpr double kTolerance = 1e-6;
 constexpr double kTimeTolerance_s = 1e-6;
 
-/// What a file's world is, of a dataset with at least one frame.
+/// World frame of a file, for a dataset with at least one frame.
 using FileFromWorld = Eigen::Isometry3d (*)(const StoredDataset& dataset);
 
 Eigen::Isometry3d sameWorld(const StoredDataset& /*dataset*/) {
     return Eigen::Isometry3d::Identity();
 }
 
-/// y up, as dataset.json says how.
+/// y up; dataset.json has the transform.
 Eigen::Isometry3d cameraJsonWorld(const StoredDataset& dataset) {
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
     const auto& rows = dataset.card.at("camera_json_from_world");
@@ -41,7 +41,7 @@ Eigen::Isometry3d firstCamera(const StoredDataset& dataset) {
     return dataset.frames.front().pose.worldFromCamera().inverse();
 }
 
-/// x north, y east, z down; north is the world's x.
+/// North-east-down: x, -y, -z of the world.
 Eigen::Isometry3d northEastDown(const StoredDataset& /*dataset*/) {
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
     result.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
@@ -49,7 +49,7 @@ Eigen::Isometry3d northEastDown(const StoredDataset& /*dataset*/) {
 }
 
 struct PoseFormat {
-    const char* name;  // in dataset.json's formats
+    const char* name;  // as in dataset.json's formats
     const char* file;
     Result<io::PoseList> (*read)(const io::PoseFile& file);
     FileFromWorld file_from_world;
@@ -81,7 +81,7 @@ void comparePose(const PoseFormat& format, const io::ReadPose& read, const Store
                       "position " + positionText(read.position),
                       positionText(expected.translation())});
     }
-    // The chord between two rotations: their angle, for small ones.
+    // Distance between two rotation matrices: their angle, if small.
     const double turned = (read.rotation - expected.linear()).norm() / std::sqrt(2.0);
     if (!(turned <= kTolerance)) {
         findings.add({file,

@@ -1,4 +1,4 @@
-// A sensor's pictures: what is said of them, and that they show their frames.
+// Checks the description of sensor pictures, and that they show their frames.
 #include "render/verify/check_list.h"
 #include "render/verify/read/sensor_files.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kCells = 24;           // of a picture in small, across and down
-constexpr double kFlat = 4.0;        // of 255: a picture that varies less has nothing to compare
-constexpr double kLeastAlike = 0.5;  // correlation with its own frame; noise and blur leave more
-constexpr double kMoreAlike = 0.05;  // than this another frame's cannot be by chance
+constexpr int kCells = 24;           // of the reduced picture, across and down
+constexpr double kFlat = 4.0;        // of 255: a picture with less deviation has nothing to compare
+constexpr double kLeastAlike = 0.5;  // least correlation with its own frame, despite noise and blur
+constexpr double kMoreAlike = 0.05;  // another frame's correlation must not be larger by this
 
-/// A picture in small: mean brightness of cells, and how many pixels each is of.
+/// A reduced picture: brightness sum and pixel count of each cell.
 struct Small {
     std::array<double, kCells* kCells> sum = {};
     std::array<double, kCells* kCells> count = {};
@@ -35,7 +35,7 @@ struct Small {
     }
 };
 
-/// The correlation of the cells that both have, and the smaller deviation of the two.
+/// Correlation over cells present in both, and the smaller standard deviation.
 struct Likeness {
     double correlation = 0.0;
     double deviation = 0.0;
@@ -65,7 +65,7 @@ Small smallOf(const Image8& picture) {
     return small;
 }
 
-/// The sensor's picture with its lines straight again.
+/// Undistorts and reduces the sensor picture.
 Small straightened(const Image8& picture, const Intrinsics& lens, const StoredDistortion& lines) {
     Small small;
     for (int y = 0; y < picture.height; ++y) {
@@ -81,8 +81,7 @@ Small straightened(const Image8& picture, const Intrinsics& lens, const StoredDi
     return small;
 }
 
-/// A row is exposed as long as the shutter says, but with a rolling one for 1 / looks of the
-/// readout at least.
+/// The row exposure is the shutter time, but with a rolling shutter at least readout / looks.
 void checkRowExposure(const Json& exposure, int height, Findings& findings) {
     const auto number = [&](const char* key) {
         return exposure.is_object() && exposure.contains(key) && exposure[key].is_number()
@@ -101,7 +100,7 @@ void checkRowExposure(const Json& exposure, int height, Findings& findings) {
                   fmt::format("{:g} s, by shutter_s, readout_s and looks", expected)});
 }
 
-/// Every parameter is said twice: as asked for, and where the files are described.
+/// Each parameter is stored twice, as requested and in the description of the files.
 void checkParameters(const StoredDataset& dataset, Findings& findings) {
     const Json convention = dataset.convention("rgb_sensor");
     const auto add = [&](const std::string& what, const std::string& found, std::string expected) {

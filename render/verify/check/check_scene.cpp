@@ -7,7 +7,7 @@
 namespace dollytrack::verify {
 namespace {
 
-/// Empty when the two agree.
+/// Difference between a stored object and the scene's; empty if they agree.
 std::string difference(const StoredObject& stored, const Object& object) {
     if (stored.name != object.name) return "its name is " + stored.name;
     if (stored.nyu40 != object.nyu40) return fmt::format("its class is {}", stored.nyu40);

@@ -10,7 +10,7 @@
 namespace dollytrack::verify {
 namespace {
 
-/// One frame's pair of pictures.
+/// One frame's stereo pair.
 class StereoPair {
   public:
     StereoPair(const Subject& subject, FrameImages& images, double baseline_m)
@@ -50,7 +50,7 @@ class StereoPair {
         }
     }
 
-    /// KITTI's: 256 steps a pixel, 0 for nothing and beyond what 16 bits hold.
+    /// KITTI disparity: 256 steps per pixel, 0 for no surface and beyond 16 bits.
     void checkDisparity(const Image16& disparity, const FrameImages::Depth& depth,
                         Findings& findings) const {
         WrongPixels pixels;
@@ -96,8 +96,8 @@ class StereoPair {
                    findings);
     }
 
-    /// What both pictures see has the same colour in most pixels: what shines and what lies near
-    /// the picture's edge, whose shade depends on what is beside it there, may differ.
+    /// Surfaces visible in both pictures have the same colour in most pixels. Highlights, and
+    /// shading near the image border, which depends on the neighbourhood, may differ.
     void checkColours(const FrameImages::Depth& depth, Findings& findings) {
         const Image8* left = images_.image8("rgb");
         const Image8* right = images_.image8("rgb_right");
@@ -126,7 +126,7 @@ class StereoPair {
         if (pixels.count() > 20 + seen / 4) pixels.report(file("rgb"), images_.frame(), findings);
     }
 
-    static constexpr int kAlike = 16;  // of 255; edges are smoothed in each picture by itself
+    static constexpr int kAlike = 16;  // of 255; edges are antialiased in each picture separately
 
     static int leastDifference(const std::uint8_t* colour, const Image8& image, int x, int y) {
         int least = 255;

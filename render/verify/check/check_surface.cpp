@@ -1,4 +1,4 @@
-// What each pixel shows, asked of the scene's triangles by rays.
+// Compares each pixel with ray casts into the scene's triangles.
 #include "render/verify/check_list.h"
 #include "render/verify/frame_rays.h"
 
@@ -14,7 +14,7 @@ std::string seen(const RayHit& hit) {
     return fmt::format("object {} at {:.4f} m", hit.object_id, hit.distance);
 }
 
-/// Against one of the frame's depths. `file` is the one that findings name.
+/// Compares one of the frame's depths. `file` is named in findings.
 void checkDepth(const Subject& subject, FrameImages& images, const Image16& ids,
                 const FrameImages::Depth& depth, const std::string& file, Findings& findings) {
     FrameRays rays(subject, images.stored(), images.stored().pose);
@@ -29,7 +29,7 @@ void checkDepth(const Subject& subject, FrameImages& images, const Image16& ids,
             const double off = std::abs(hit.distance - metres);
             const double allowed = depth.rounding_m + FrameRays::kDrawing * (1.0 + metres);
             if (id == hit.object_id && (id == 0 || off <= allowed)) continue;
-            // Too far for the image: that it has no depth there is another check's business.
+            // Too far for the image; another check verifies that depth is missing there.
             if (id != 0 && metres == 0.0) continue;
             if (rays.mayShow(x, y, id, metres, depth.rounding_m)) continue;
             wrong.add(x, y, [&] {

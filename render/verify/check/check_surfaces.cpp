@@ -1,4 +1,4 @@
-// Images that follow from depth, pose and the objects' boxes.
+// Checks images that follow from depth, pose and the objects' boxes.
 #include "render/verify/check_list.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ std::string text(const Share& share) {
     return fmt::format("({:.4f}, {:.4f}, {:.4f})", share[0], share[1], share[2]);
 }
 
-/// Where in its object's box a point is, 0 to 1 along each axis, and how far off that may be.
+/// A point's coordinates in its object's box, 0 to 1 along each axis, and their largest error.
 struct InBox {
     Share share;
     Share off;

@@ -1,4 +1,5 @@
-// TartanAir's pictures, depth, classes and motions, and its right camera, beside its left poses.
+// Checks TartanAir's pictures, depth, classes, flow and right camera; left poses are checked
+// elsewhere.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
 #include "render/verify/check_list.h"
@@ -18,7 +19,7 @@ constexpr const char* kRightPoses = "pose_right.txt";
 constexpr double kTolerance = 1e-6;  // m and radians
 constexpr double kNothing_m = 10'000.0;
 
-/// The right camera of each frame is the left one, moved along its x axis, by one baseline.
+/// The right camera of each frame is the left one moved along its x axis by one baseline.
 void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
     io::PoseFile file{dataset.folder / kRightPoses, {}};
     Result<std::string> text = io::readText(file.path);
@@ -39,7 +40,7 @@ void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
         const io::ReadPose& read = list->poses[i];
         const Pose& left = dataset.frames[i].pose;
         const Eigen::Vector3d offset = left.toCamera(world_from_ned.cwiseProduct(read.position));
-        if (!baseline) baseline = std::max(offset.x(), 0.0);  // it is at the right at least
+        if (!baseline) baseline = std::max(offset.x(), 0.0);  // only the sign can be checked
         const Eigen::Matrix3d rotation = world_from_ned.asDiagonal() * read.rotation;
         const double turned = (rotation - left.rotation.toRotationMatrix()).norm() / std::sqrt(2.0);
         const double away = (offset - Eigen::Vector3d(*baseline, 0.0, 0.0)).norm();
@@ -104,7 +105,7 @@ class FrameCheck {
         const Result<ImageF> found = readNumpyF(dataset_.folder / file, 1);
         const FrameImages::Depth* depth = images_.depth();
         if (!usable(found, file) || !depth) return;
-        // An image in millimetres holds no more.
+        // An image in millimetres does not cover depth beyond its range.
         const bool exact = std::string_view(depth->modality) == "depth_exr";
         WrongPixels wrong;
         for (int y = 0; y < found->height; ++y) {
@@ -167,7 +168,7 @@ class FrameCheck {
                    findings_);
     }
 
-    /// Its 100 is what is out of the picture as well as where nothing is seen.
+    /// TartanAir's 100 means outside the image as well as no surface.
     static void toSight(const FrameImages::Depth& depth, Image8& mask) {
         for (std::size_t i = 0; i < mask.values.size(); ++i) {
             std::uint8_t& value = mask.values[i];
@@ -188,7 +189,7 @@ class FrameCheck {
         }
     }
 
-    static constexpr std::uint8_t kNoSight = 254;  // no value of a mask
+    static constexpr std::uint8_t kNoSight = 254;  // not a mask value
 
     const Subject& subject_;
     const StoredDataset& dataset_;

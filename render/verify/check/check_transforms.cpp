@@ -1,4 +1,4 @@
-// transforms.json of two programs, beside its poses: lens, names, and where the room is put.
+// Checks transforms.json of nerfstudio and instant-ngp except poses: lens, names, and scaling.
 #include "render/verify/check_list.h"
 #include "render/verify/read/json_file.h"
 #include "render/verify/read/sensor_files.h"
@@ -15,12 +15,12 @@ using Json = nlohmann::json;
 
 constexpr double kTolerance = 1e-9;
 
-/// What sets the two apart.
+/// Differences between the two formats.
 struct TransformsFile {
     const char* format;
     const char* file;
     const char* depth_key;
-    bool in_unit_cube;  // instant-ngp's
+    bool in_unit_cube;  // instant-ngp only
 };
 
 constexpr std::array kFiles = {
@@ -54,7 +54,7 @@ class FileCheck {
     }
 
   private:
-    /// Depth is straight: it is not named beside pictures that are not.
+    /// Depth is undistorted, so it is not listed beside distorted pictures.
     [[nodiscard]] bool depthIsNamed() const { return dataset_.has("depth") && bent_.none(); }
 
     void add(std::optional<int> frame, std::string found, std::string expected) {
@@ -102,8 +102,7 @@ class FileCheck {
         add(frame, fmt::format("{} {}", file_.depth_key, depth), imageFile("depth", frame));
     }
 
-    /// Scaled and moved, cameras and room lie in the unit cube; and they fill it, or detail is
-    /// lost.
+    /// After scaling and offset, cameras and rooms lie in the unit cube and fill it.
     void checkCube(const Json& root) {
         const double scale = root.at("scale").get<double>();
         const auto o = root.at("offset").get<std::array<double, 3>>();

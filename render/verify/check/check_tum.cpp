@@ -1,4 +1,4 @@
-// TUM's depth and lists of pictures, beside its poses.
+// Checks TUM's depth and picture lists; poses are checked elsewhere.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr double kStepsPerMetre = 5000.0;
 constexpr double kTime_s = 1e-6;
 
-/// A list: in each line, folders of pictures, each after its time.
+/// A picture list: each line has, for each folder, a time and a picture.
 struct PictureList {
     const char* file;
     std::vector<const char*> folders;
@@ -90,7 +90,7 @@ void compareDepth(const StoredDataset& dataset, FrameImages& images, Findings& f
             const int steps = found->at(x, y);
             const double expected = kStepsPerMetre * metres;
             const double allowed = 0.5 + kStepsPerMetre * depth->rounding_m + 1e-6 * expected;
-            // What does not fit is none.
+            // Depth beyond the range is stored as 0.
             if (expected > 65535.5 - allowed && steps == 0) continue;
             if (metres > 0.0 ? std::abs(steps - expected) <= allowed : steps == 0) continue;
             wrong.add(x, y, [&] {

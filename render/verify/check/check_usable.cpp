@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kKinds = {"dark", "white", "flat"};
 
-/// Luma of the pixels, rows from the top.
+/// Luma of the pixels, row 0 at the top.
 std::vector<int> lumasOf(const Image8& picture) {
     std::vector<int> lumas;
     lumas.reserve(static_cast<std::size_t>(picture.width) * picture.height);
@@ -58,8 +58,8 @@ bool isFlat(const std::vector<int>& lumas, int width, int height) {
     return 200 * (pairs - alike) < pairs;
 }
 
-/// "usable", "dark", "white" or "flat", by the definition in picture_quality.h, which writes what
-/// is checked here and so takes no part in it.
+/// "usable", "dark", "white" or "flat" by the definition in picture_quality.h. Implemented
+/// independently of that file, which computes the values checked here.
 std::string qualityOf(const Image8& picture) {
     std::vector<int> lumas = lumasOf(picture);
     if (lumas.empty()) return "usable";
@@ -72,7 +72,7 @@ std::string qualityOf(const Image8& picture) {
     return isFlat(lumas, picture.width, picture.height) ? "flat" : "usable";
 }
 
-/// By frame, its quality as dataset.json lists it. A frame in two lists gets a name of no quality.
+/// By frame: its quality in dataset.json. A frame in two lists gets an invalid name.
 std::vector<std::string> readLists(const StoredDataset& dataset, Findings& findings) {
     std::vector<std::string> listed(dataset.frames.size());
     const Json& pictures = dataset.card.at("metrics").at("pictures");

@@ -1,4 +1,4 @@
-// The preview: a picture a frame, in their order.
+// Checks the preview video: one picture per frame, in order.
 #include "engine/io/sandbox/input_file.h"
 #include "render/dataset/picture_file.h"
 #include "render/verify/check_list.h"
@@ -15,8 +15,8 @@ namespace dollytrack::verify {
 namespace {
 
 constexpr const char* kFile = "preview.mp4";
-constexpr double kRate = 0.002;     // of the rate, which is kept as a fraction
-constexpr double kFarthest = 12.0;  // mean difference of 255: what compression may do
+constexpr double kRate = 0.002;     // relative; the rate is stored as a fraction
+constexpr double kFarthest = 12.0;  // mean difference of 255 that compression may cause
 
 class VideoCheck {
   public:
@@ -24,7 +24,7 @@ class VideoCheck {
         : dataset_(dataset), findings_(findings) {}
 
     void run() {
-        // FFmpeg opens by name, and would wait for a pipe.
+        // FFmpeg opens by name and would block on a pipe.
         const Result<io::InputFile> file = io::openNamedFile(dataset_.folder / kFile);
         if (!file) return add({}, file.error().message, "an MP4");
         cv::VideoCapture video((dataset_.folder / kFile).string(), cv::CAP_FFMPEG);
@@ -47,7 +47,7 @@ class VideoCheck {
         findings_.add({kFile, frame, {}, std::move(found), std::move(expected)});
     }
 
-    /// A second of the film is a second of the trajectory.
+    /// A second of the video must be a second of the trajectory.
     void checkRate(double found) {
         std::vector<double> steps;
         for (std::size_t i = 1; i < dataset_.frames.size(); ++i) {
@@ -55,7 +55,7 @@ class VideoCheck {
         }
         if (steps.empty()) return;
         std::ranges::sort(steps);
-        // Between two motions there may be another step; the usual one decides.
+        // Steps between paths may differ; any matching step is accepted.
         const auto first = std::ranges::lower_bound(steps, 1.0 / found * (1.0 - kRate));
         if (first != steps.end() && *first <= 1.0 / found * (1.0 + kRate)) return;
         add({}, fmt::format("{:.4g} pictures a second", found),
@@ -70,7 +70,7 @@ class VideoCheck {
         }
         const cv::Mat rgb =
             render::readPictureFile(dataset_.folder / imageFile("rgb", frame), cv::IMREAD_COLOR);
-        // One that cannot be read is the business of another check.
+        // Unreadable pictures are reported by another check.
         if (rgb.cols < size.width || rgb.rows < size.height) return;
         cv::Mat difference;
         cv::absdiff(picture, rgb(cv::Rect({0, 0}, size)), difference);

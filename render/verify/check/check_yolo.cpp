@@ -16,10 +16,10 @@
 namespace dollytrack::verify {
 namespace {
 
-/// Shares of the image are written with six digits after the point.
+/// Shares of the image are written with six decimals.
 constexpr double kShareTolerance = 1e-6;
 
-/// A line: class, then shares of the image's width and height in turn.
+/// A line: class, then alternating shares of the image's width and height.
 struct Line {
     int number = 0;
     std::vector<double> shares;
@@ -48,7 +48,7 @@ Result<std::vector<Line>> readLines(const std::filesystem::path& path) {
     return lines;
 }
 
-/// A target in sight, as its line has to be.
+/// The expected content of a visible target's line.
 struct Expected {
     int object_id = 0;
     int number = 0;
@@ -67,7 +67,7 @@ std::vector<Expected> expectedLines(const StoredDataset& dataset, FrameImages& i
     return expected;
 }
 
-/// The classes' names, a line each in their order, behind the line `after` if there is one.
+/// Checks the class names, one per line in order, after the line `after` if given.
 void checkNames(const StoredDataset& dataset, const char* file, std::string_view after,
                 Findings& findings) {
     const Result<std::string> text = io::readText(dataset.folder / file);
@@ -86,7 +86,7 @@ void checkNames(const StoredDataset& dataset, const char* file, std::string_view
         const std::string before = after.empty() ? "" : fmt::format("  {}: ", classes.indexOf(one));
         const std::string found = at < lines.size() ? std::string(lines[at]) : "no line";
         ++at;
-        // YAML may have a name in quotes, as JSON has it.
+        // YAML may have quoted names, as in JSON.
         const std::string expected = before + one.name;
         const bool quoted = !after.empty() && found == before + nlohmann::json(one.name).dump();
         if (found == expected || quoted) continue;
@@ -95,8 +95,8 @@ void checkNames(const StoredDataset& dataset, const char* file, std::string_view
     }
 }
 
-/// Frames of a list of pictures, found as Ultralytics' reader finds them: "./" is the list's own
-/// folder, and the labels are where `labels` stands for `images`.
+/// Frames of a picture list, resolved as Ultralytics' reader does: "./" is the list's folder, and
+/// labels are found by replacing `images` by `labels`.
 std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list,
                            Findings& findings) {
     constexpr std::string_view kStart = "./images/";
@@ -133,10 +133,10 @@ std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list
     return frames;
 }
 
-/// Where data.yaml says that pictures are, and that none is trained on and held back.
+/// Checks the paths in data.yaml and that no frame is both trained on and held back.
 void checkSplit(const StoredDataset& dataset, Findings& findings) {
     const Result<std::string> text = io::readText(dataset.folder / "data.yaml");
-    if (!text) return;  // told already
+    if (!text) return;  // already reported
     const auto lines = io::splitLines(*text);
     for (const std::string_view line : {"train: train.txt", "val: val.txt"}) {
         if (std::ranges::find(lines, line) != lines.end()) continue;
@@ -181,7 +181,7 @@ class FrameCheck {
                        fmt::format("object {}: {}", of.object_id, found), std::move(expected)});
     }
 
-    /// The lines, and a finding when they are not as many as targets in sight.
+    /// Reads the lines; adds a finding if their number differs from that of visible targets.
     std::vector<Line> linesOf(const char* folder, std::size_t count) {
         Result<std::vector<Line>> lines = readLines(dataset_.folder / file(folder));
         if (!lines) {
@@ -217,8 +217,7 @@ class FrameCheck {
         }
     }
 
-    /// The outline is around a whole part of the object in sight, and no smaller one than another.
-    /// What the part encloses is inside.
+    /// The outline must surround a whole visible part of the object, a largest one, with its holes.
     void compareOutline(const Line& line, const Expected& of) {
         const char* folder = "labels_seg";
         if (line.number != of.number) {

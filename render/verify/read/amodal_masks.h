@@ -10,21 +10,21 @@
 
 namespace dollytrack::verify {
 
-/// An object's whole silhouette inside the image, as if nothing were before it, as it is written.
+/// An object's amodal mask inside the image, as stored.
 struct AmodalMask {
     int object_id = 0;
     std::array<int, 4> box = {};  // x, y, width, height
-    std::string runs;             // empty when they are of another size than the image's
+    std::string runs;             // COCO run lengths; empty if stored for another image size
 };
 
-/// One frame's file, each object once. Error: BadInput.
+/// Reads one frame's file; each object occurs once. Returns BadInput if the file is invalid.
 Result<std::vector<AmodalMask>> readAmodal(const std::filesystem::path& path, int width,
                                            int height);
 
-/// Column by column, 1 inside; empty when the runs do not sum up to the image.
+/// The mask column by column, 1 inside; empty if the runs do not sum up to the image.
 std::vector<std::uint8_t> insideOf(const AmodalMask& mask, int width, int height);
 
-/// "amodal/000012.json"
+/// Path of a frame's file, for example "amodal/000012.json".
 std::string amodalFile(int frame);
 
 }  // namespace dollytrack::verify

@@ -21,23 +21,22 @@ struct CocoAnnotation {
     double area = 0.0;
     std::array<double, 4> box = {};  // x, y, width, height, px
     nlohmann::json segmentation;
-    nlohmann::json attributes;  // null where there are none
+    nlohmann::json attributes;  // null if missing
 };
 
-/// The annotations of each frame of the dataset.
+/// Annotations by frame of the dataset.
 using CocoByFrame = std::vector<std::vector<CocoAnnotation>>;
 
-/// Reads a COCO file that should list these frames, and finds what can be said without the images:
-/// numbers and names, and that all refer to what there is. Nothing, and a finding, when it is no
-/// such file.
+/// Reads a COCO file that should list these frames and checks what can be checked without images:
+/// numbers, names and references. Returns nothing and adds a finding if it is no COCO file.
 std::optional<CocoByFrame> readCoco(const StoredDataset& dataset, const std::string& file,
                                     std::span<const int> frames, Findings& findings);
 
-/// Finds what is wrong with one segmentation.
+/// Checks one segmentation.
 using CompareMask = std::function<void(const CocoAnnotation& one, const Image16& ids, int frame,
                                        Findings& findings)>;
 
-/// The annotations of one frame against what its id image shows.
+/// Compares one frame's annotations with its id image.
 void compareCoco(const StoredDataset& dataset, const std::string& file,
                  const std::vector<CocoAnnotation>& annotations, FrameImages& images,
                  const CompareMask& compare_mask, Findings& findings);

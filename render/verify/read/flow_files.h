@@ -7,16 +7,16 @@
 
 namespace dollytrack::verify {
 
-/// A file of motions from one frame to another, and its mask, without their endings.
+/// A flow file and its mask, as a path without endings.
 struct FlowFile {
-    std::string stem;  // "flow_forward/000012_000013"
-    int other = 0;     // the frame that the motions lead to
+    std::string stem;  // for example "flow_forward/000012_000013"
+    int other = 0;     // frame to which the motions lead
 };
 
-/// Those that begin at a frame, of all directions and distances that the dataset has.
+/// Flow files that start at a frame, for all directions and distances of the dataset.
 std::vector<FlowFile> flowFiles(const StoredDataset& dataset, int frame);
 
-/// The numbers of frames that motions lead over; empty when dataset.json does not tell.
+/// Frame distances of the flow; empty if dataset.json lacks them.
 std::vector<int> flowDistances(const StoredDataset& dataset, const std::string& modality);
 
 }  // namespace dollytrack::verify

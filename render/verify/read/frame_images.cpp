@@ -38,7 +38,7 @@ std::string sizeProblem(const Result<Image<T>>& image, const Intrinsics& lens) {
                        lens.width, lens.height);
 }
 
-/// Keeps the image when it can be used, else says why not.
+/// Stores the image if it is usable; else returns the problem.
 template <class T>
 std::string take(Result<Image<T>> read, const Intrinsics& lens, Image<T>& image) {
     std::string problem = sizeProblem(read, lens);

@@ -14,29 +14,29 @@
 
 namespace dollytrack::verify {
 
-/// How a modality's images of every frame are written: what their readers rely on.
+/// File type of a modality's images.
 struct ImageKind {
     enum class Type { Bits8, Bits16, Float, Classes };
-    const char* modality;   // and its folder
-    const char* extension;  // ".png"
+    const char* modality;   // also the folder
+    const char* extension;  // for example ".png"
     Type type;
     int channels;
-    const char* mask;  // ending of the 8-bit image that lies beside each; null: none
+    const char* mask;  // ending of the 8-bit mask beside each image; null: none
 };
 
-/// All modalities that have one image a frame under its number.
+/// All modalities with one image per frame, named by frame number.
 std::span<const ImageKind> imageKinds();
 const ImageKind* imageKind(std::string_view modality);
 
-/// Whether an image in millimetres may have this for an exact depth; 0 is none, and beyond what the
-/// image can hold.
+/// Whether an image in millimetres may store this value for an exact depth. 0 means no surface or
+/// beyond the image's range.
 bool isRounded(double metres, std::uint16_t millimetres);
 
-/// "depth/000012.png"
+/// Path of an image, for example "depth/000012.png".
 std::string imageFile(const ImageKind& kind, int frame);
 std::string imageFile(std::string_view modality, int frame);
 
-/// The images of one frame, each read when it is first asked for. Of one thread.
+/// The images of one frame, read on first use. For one thread.
 class FrameImages {
   public:
     FrameImages(const StoredDataset& dataset, int frame) : dataset_(dataset), frame_(frame) {}
@@ -46,35 +46,35 @@ class FrameImages {
         return dataset_.frames[static_cast<std::size_t>(frame_)];
     }
 
-    /// The image; null when the dataset has no such images, or this one cannot be read or has
-    /// another size or type than is said, which is the business of one check alone.
+    /// The image; null if the dataset lacks the modality, the file is unreadable, or its size or
+    /// type is wrong. Only the check `images` reports these problems.
     [[nodiscard]] const Image8* image8(std::string_view modality);
     [[nodiscard]] const Image16* image16(std::string_view modality);
     [[nodiscard]] const ImageF* imageF(std::string_view modality);
-    /// The ids of the classes, whether the dataset has them in 8 bits or in 16.
+    /// Class ids, whether stored in 8 or 16 bits.
     [[nodiscard]] const Image16* classes() { return image16("semantic"); }
-    /// What the instance image shows of each object, by id; of none when there is no such image.
+    /// Pixels of each object in the instance image, by id; empty without that image.
     [[nodiscard]] const std::map<int, ObjectPixels>& seen();
-    /// The mask beside it.
+    /// The mask beside a modality's image.
     [[nodiscard]] const Image8* mask(std::string_view modality);
 
-    /// What is wrong with the file; empty when nothing is.
+    /// Problem with an image file; empty if none.
     [[nodiscard]] std::string problem(std::string_view modality);
     [[nodiscard]] std::string maskProblem(std::string_view modality);
 
-    /// Planar depth, m, 0 for none: exact where the dataset has it so, else in millimetres. Null as
-    /// above. `rounding` is the most it may be off.
+    /// Planar depth, m, 0: no surface; exact if the dataset has depth_exr, else in millimetres.
+    /// Null if unavailable. `rounding_m` is the largest rounding error.
     struct Depth {
         ImageF metres;
         double rounding_m = 0.0;
-        const char* modality = "depth";  // whose images it is from
+        const char* modality = "depth";  // source of the depth
     };
     [[nodiscard]] const Depth* depth();
-    /// Each depth that there is to look at: the above and, where millimetres beside exact depth are
-    /// not that depth rounded, these as well.
+    /// All depths to check: depth() and, if the dataset also has millimetres that are not its
+    /// rounded values, these too.
     [[nodiscard]] std::vector<const Depth*> depths();
 
-    /// Another frame of the same dataset.
+    /// The images of another frame of the same dataset.
     [[nodiscard]] FrameImages& other(int frame);
 
   private:

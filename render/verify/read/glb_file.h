@@ -11,25 +11,25 @@
 
 namespace dollytrack::verify {
 
-/// The keys of one animated node, one after the other in time.
+/// Animation keys of one node, in order of time.
 struct NodeKeys {
     std::vector<float> times_s;
     std::vector<Eigen::Vector3f> translations;
     std::vector<Eigen::Vector4f> rotations;  // x, y, z, w
 };
 
-/// A binary glTF 2.0 file, read without the code that wrote it.
+/// Reader of binary glTF 2.0 files, independent of the writer's code.
 class GlbFile {
   public:
-    /// Error: BadInput, a sentence of what is wrong with it.
+    /// Reads a file. Returns BadInput, describing the problem, if it is invalid.
     static Result<GlbFile> read(const std::filesystem::path& path);
 
     [[nodiscard]] const nlohmann::json& json() const { return json_; }
-    /// Of the first animation. Error: BadInput for keys that are missing, or not of one length.
+    /// Keys of the first animation. Returns BadInput if keys are missing or their counts differ.
     [[nodiscard]] Result<NodeKeys> keys(int node) const;
 
   private:
-    /// The accessor's floats, so many a value.
+    /// The accessor's floats, `components` per value.
     [[nodiscard]] std::vector<float> floats(std::size_t accessor, std::size_t components) const;
     [[nodiscard]] NodeKeys readKeys(int node) const;
 

@@ -5,7 +5,7 @@
 
 namespace dollytrack::verify {
 
-/// An image as its file holds it, rows from the top, channels in the order red, green, blue.
+/// An image as stored, row 0 at the top, channels in the order red, green, blue.
 template <class T>
 struct Image {
     int width = 0;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLargestImageSide = 1 << 14;  // px: what a dataset may have
+constexpr int kLargestImageSide = 1 << 14;  // px, limit for a valid dataset
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26U;
 
 tl::unexpected<Error> unreadableImage(std::string message) {
@@ -31,13 +31,13 @@ Result<std::string> bytesOf(const fs::path& path) {
     return bytes;
 }
 
-/// OpenCV's decoder keeps what it got of a PNG that ends early: what a file must end with is asked
-/// for here.
+/// OpenCV decodes truncated PNG files without error, so the end marker and the size are checked
+/// here.
 Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kBegin = "\x89PNG\r\n\x1a\n";
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
     if (!bytes.starts_with(kBegin)) return unreadableImage("it is no PNG");
-    // Sides, most significant byte first, before anything is made of that size.
+    // Width and height in big-endian order, checked before any memory is allocated.
     std::uint64_t pixels = 1;
     for (const std::size_t at : {16U, 20U}) {
         std::uint64_t side = 0;
@@ -85,13 +85,13 @@ Image<T> imageFrom(const cv::Mat& picture) {
     for (int y = 0; y < picture.rows; ++y) {
         const T* from = picture.ptr<T>(y);
         for (int x = 0; x < picture.cols; ++x, from += channels, to += channels) {
-            std::reverse_copy(from, from + channels, to);  // OpenCV has blue first
+            std::reverse_copy(from, from + channels, to);  // OpenCV stores blue first
         }
     }
     return image;
 }
 
-/// A JPEG that ends early is decoded, too, grey where it ends.
+/// OpenCV decodes truncated JPEG files too, filling with grey.
 Status endsAsJpeg(const std::string& bytes) {
     if (!bytes.starts_with("\xff\xd8")) return unreadableImage("it is no JPEG");
     if (!bytes.ends_with("\xff\xd9")) {
@@ -140,7 +140,7 @@ Result<Image16> readClasses(const fs::path& path, bool wide) {
 }
 
 Result<ImageF> readImageF(const fs::path& path, int channels) {
-    // Debian's OpenCV reads OpenEXR only when it is told so; asked once, before it looks.
+    // Debian's OpenCV reads OpenEXR only if this variable is set before the first use.
     static const int told = ::setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);
     (void)told;
     const Result<std::string> bytes = bytesOf(path);

@@ -12,18 +12,18 @@ using Image8 = Image<std::uint8_t>;
 using Image16 = Image<std::uint16_t>;
 using ImageF = Image<float>;
 
-/// Readers of a dataset's images: none of the code that wrote them. The type and the number of
-/// channels are the file's own; asked for others they fail. Errors: BadInput, a sentence of what
-/// the file is instead, without its place.
+/// Image readers, independent of the writers' code. They fail if the file's type or number of
+/// channels differs from what is requested. Errors are BadInput with a sentence, without the file's
+/// path.
 Result<Image8> readImage8(const std::filesystem::path& path, int channels);
 Result<Image16> readImage16(const std::filesystem::path& path, int channels);
-/// Ids of classes, one channel of 8 or 16 bits.
+/// Class ids, one channel of 8 or 16 bits.
 Result<Image16> readClasses(const std::filesystem::path& path, bool wide);
-/// The same values in 16 bits.
+/// Converts 8 to 16 bits; passes an error on.
 Result<Image16> widened(const Result<Image8>& image);
-/// OpenEXR, 32-bit.
+/// OpenEXR, 32-bit floats.
 Result<ImageF> readImageF(const std::filesystem::path& path, int channels);
-/// Middlebury .flo: two channels, right and down.
+/// Middlebury .flo: two channels, px right and down.
 Result<ImageF> readFlow(const std::filesystem::path& path);
 
 }  // namespace dollytrack::verify

@@ -9,11 +9,11 @@
 
 namespace dollytrack::verify {
 
-/// A file of a dataset that may be damaged. Error: BadInput, also when it nests deeper than any of
-/// ours, without its place.
+/// Reads a JSON file that may be damaged. Returns BadInput, without the file's path, also if it
+/// nests deeper than any valid file.
 Result<nlohmann::json> readJson(const std::filesystem::path& path);
 
-/// The same of a text.
+/// The same for a text.
 Result<nlohmann::json> parseJson(std::string_view text);
 
 }  // namespace dollytrack::verify

@@ -10,15 +10,16 @@
 
 namespace dollytrack::verify {
 
-/// A text of comma separated values with a line of names.
+/// A table of comma-separated values with a header line.
 class NumberTable {
   public:
-    /// Errors: BadInput, with the line, for rows that are longer or shorter than the names.
+    /// Reads a file. Returns BadInput, naming the line, if a row's length differs from the
+    /// header's.
     static Result<NumberTable> read(const std::filesystem::path& path);
 
     [[nodiscard]] std::size_t rows() const { return rows_.size(); }
     [[nodiscard]] bool has(const std::string& column) const { return columns_.contains(column); }
-    /// Nothing for an empty field, one that is no number, and a column that is not there.
+    /// Empty for an empty field, for text that is no number, and for an unknown column.
     [[nodiscard]] std::optional<double> number(std::size_t row, const std::string& column) const;
 
   private:

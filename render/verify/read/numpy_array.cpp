@@ -20,7 +20,7 @@ tl::unexpected<Error> unreadableArray(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
 }
 
-/// What follows 'key': in the header, a Python dictionary.
+/// Value of a key in the header, which is a Python dictionary.
 std::optional<std::string_view> valueOf(std::string_view header, std::string_view key) {
     const std::size_t at = header.find(fmt::format("'{}':", key));
     if (at == std::string_view::npos) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<std::string_view> valueOf(std::string_view header, std::string_vie
     return rest;
 }
 
-/// "(480, 640, 2)", with or without a comma at its end.
+/// Parses "(480, 640, 2)", with or without a trailing comma.
 std::vector<int> shapeFrom(std::string_view text) {
     std::vector<int> shape;
     if (!text.starts_with('(')) return shape;

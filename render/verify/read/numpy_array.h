@@ -8,9 +8,9 @@
 
 namespace dollytrack::verify {
 
-/// Images in NumPy's .npy files: rows x columns, or rows x columns x channels, in C's order. The
-/// type and the channels are the file's own; asked for others they fail. Errors: BadInput, a
-/// sentence of what the file is instead, without its place.
+/// Reads images from NumPy .npy files: rows x columns or rows x columns x channels, in C order.
+/// Fails if the file's type or number of channels differs from what is requested. Errors are
+/// BadInput with a sentence, without the file's path.
 Result<ImageF> readNumpyF(const std::filesystem::path& path, int channels);
 Result<Image8> readNumpy8(const std::filesystem::path& path, int channels);
 Result<Image16> readNumpy16(const std::filesystem::path& path, int channels);

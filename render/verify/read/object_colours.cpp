@@ -6,7 +6,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kLeastKnown = 0.3;  // of the cells
+constexpr double kLeastKnown = 0.3;  // least share of cells with a known object
 
 }  // namespace
 

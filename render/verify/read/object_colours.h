@@ -9,7 +9,7 @@
 
 namespace dollytrack::verify {
 
-/// A picture and its ids in small: 40 x 30 cells.
+/// A picture and its ids, reduced to 40 x 30 cells.
 struct SmallFrame {
     static constexpr int kColumns = 40;
     static constexpr int kRows = 30;
@@ -17,18 +17,18 @@ struct SmallFrame {
 
     SmallFrame(const Image8& picture, const Image16& ids);
 
-    std::array<std::array<std::uint8_t, 3>, kCells> colours;  // mean of a cell
-    std::array<std::uint16_t, kCells> ids;                    // at its middle
+    std::array<std::array<std::uint8_t, 3>, kCells> colours;  // mean of each cell
+    std::array<std::uint16_t, kCells> ids;                    // at each cell's centre
 };
 
-/// What colour each object has over many frames.
+/// Mean colour of each object over many frames.
 class ObjectColours {
   public:
     void add(const SmallFrame& frame);
 
-    /// How far the colours of a picture are from those that its objects have in all other frames,
-    /// were the ids of `labels` its own: mean of the cells and channels, of 255. Negative where
-    /// too few of these objects are seen elsewhere. Both frames were added.
+    /// How much a picture's colours differ from those that its objects have in all other frames, if
+    /// the ids of `labels` were its own: mean over cells and channels, of 255. Negative if too few
+    /// of these objects occur elsewhere. Both frames must have been added.
     [[nodiscard]] double distance(const SmallFrame& picture, const SmallFrame& labels) const;
 
   private:

@@ -5,8 +5,9 @@
 namespace dollytrack::verify {
 namespace {
 
-/// One number: groups of five bits, the lowest first, in characters from '0' on; 32 says that
-/// another follows, 16 in the last one that the number is negative. False at a text's wrong end.
+/// Reads one number: groups of five bits, lowest first, as characters from '0' on. Bit 32 means
+/// that another group follows, bit 16 in the last one that the number is negative. Returns false if
+/// the text ends early or is invalid.
 bool readNumber(std::string_view& text, std::int64_t& number) {
     std::uint64_t bits = 0;
     for (unsigned shift = 0; shift < 60; shift += 5) {
@@ -29,7 +30,8 @@ std::vector<std::uint32_t> readRunLengths(std::string_view text) {
     while (!text.empty()) {
         std::int64_t number = 0;
         if (!readNumber(text, number)) return {};
-        // The first three are what they are, each later one the difference to the last but one.
+        // The first three values are plain, later ones differences to the value before the previous
+        // one.
         if (runs.size() >= 3) number += runs[runs.size() - 2];
         if (number < 0 || number > std::int64_t{0xffffffff}) return {};
         runs.push_back(static_cast<std::uint32_t>(number));

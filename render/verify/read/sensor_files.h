@@ -9,24 +9,24 @@
 
 namespace dollytrack::verify {
 
-/// An image's file as it lies in the dataset: pictures of the sensor may be JPEG.
+/// Path of an image in the dataset; sensor pictures may be JPEG.
 std::string storedFile(const StoredDataset& dataset, const ImageKind& kind, int frame);
 
-/// conventions.rgb_sensor.distortion, as an own reading of OpenCV's model.
+/// conventions.rgb_sensor.distortion: OpenCV's model, implemented independently.
 struct StoredDistortion {
     double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0, k3 = 0.0;
 
     [[nodiscard]] bool none() const {
         return k1 == 0.0 && k2 == 0.0 && p1 == 0.0 && p2 == 0.0 && k3 == 0.0;
     }
-    /// Where the sensor's picture (px) shows what a sharp one shows at (x, y).
+    /// Position in the sensor picture (px) of what an undistorted picture shows at (x, y).
     [[nodiscard]] Eigen::Vector2d inSensor(const Intrinsics& lens, double x, double y) const;
 };
-/// Nothing where the dataset does not say it.
+/// Nothing if the dataset does not specify it.
 std::optional<StoredDistortion> distortionOf(const StoredDataset& dataset);
 
-/// The distortion of the pictures that formats of poses name: the sensor's where there are no
-/// clean ones, else none.
+/// Distortion of the pictures that pose formats refer to: the sensor's if there are no clean
+/// pictures, else none.
 StoredDistortion distortionOfPictures(const StoredDataset& dataset);
 
 }  // namespace dollytrack::verify

@@ -14,8 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of what is exported, the longest has 8192; masks of a size that only a damaged card says would
-// take all memory.
+// px. Exports have at most 8192; a damaged dataset.json with larger sizes must not exhaust memory.
 constexpr int kLargestSide = 1 << 14;
 
 Eigen::Vector3d vectorFrom(const Json& value) {
@@ -66,7 +65,7 @@ StoredFrame frameFrom(const Json& one) {
     return frame;
 }
 
-/// The frames that dataset.json lists as unusable; a check of its own looks at the lists.
+/// Frames that dataset.json lists as unusable; the check `usable` verifies the lists.
 std::set<int> readUnusableFrames(const Json& card) {
     std::set<int> frames;
     for (const char* kind : {"dark", "white", "flat"}) {
@@ -79,7 +78,7 @@ std::set<int> readUnusableFrames(const Json& card) {
     return frames;
 }
 
-/// `field`: what is read at the moment, for the error where it throws.
+/// @param field  set to the field being read, for the message if reading throws
 Status readCard(StoredDataset& dataset, std::string& field) {
     const Json& card = dataset.card;
     const auto list = [&](const char* name) -> const Json& {
@@ -131,7 +130,7 @@ bool StoredDataset::has(std::string_view name) const {
 const StoredObject* StoredDataset::object(int id) const {
     if (id < 1) return nullptr;
     const auto index = static_cast<std::size_t>(id) - 1;
-    // Ids count from 1; a list in which they do not is found by another check.
+    // Ids normally count from 1; another check reports lists that do not.
     if (index < objects.size() && objects[index].id == id) return &objects[index];
     const auto at =
         std::find_if(objects.begin(), objects.end(), [id](const auto& o) { return o.id == id; });

@@ -18,17 +18,17 @@
 
 namespace dollytrack::verify {
 
-/// An object as dataset.json lists it.
+/// An object listed in dataset.json.
 struct StoredObject {
     int id = 0;
     std::string name;
     int nyu40 = 0;
     std::string role;
-    OrientedBox box;   // at rest
-    int class_id = 0;  // of its pixels; in datasets of NYU40 the same as nyu40
+    OrientedBox box;   // without motion
+    int class_id = 0;  // class of its pixels; equals nyu40 if the dataset uses NYU40
 };
 
-/// Where an object is that is not at rest.
+/// Current transform of a moved object, world frame.
 struct MovedObject {
     int object_id = 0;
     Eigen::Isometry3d now_from_rest = Eigen::Isometry3d::Identity();
@@ -38,14 +38,14 @@ struct StoredFrame {
     int source_frame = 0;
     double time_s = 0.0;
     Pose pose;                       // world_from_camera, unit quaternion
-    double quaternion_length = 1.0;  // as it is written
+    double quaternion_length = 1.0;  // as stored
     std::vector<MovedObject> moving;
 
-    /// How the object has moved since rest; null when it has not.
+    /// The object's motion from its position in the scene; null if it has not moved.
     [[nodiscard]] const Eigen::Isometry3d* movement(int object_id) const;
 };
 
-/// A dataset as its dataset.json describes it; nothing else of it is read yet.
+/// A dataset as described by its dataset.json; no other files have been read.
 struct StoredDataset {
     std::filesystem::path folder;
     nlohmann::ordered_json card;  // dataset.json
@@ -58,31 +58,32 @@ struct StoredDataset {
     std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
     std::vector<StoredFrame> frames;
     std::set<int>
-        unusable_frames;  // whose pictures are too dark, white or flat to capture anything
+        unusable_frames;  // their pictures are too dark, white or flat to capture anything
     std::map<std::string, std::string> sha256s;  // by relative path
 
-    /// Whether it has a modality, a format, or "folds".
+    /// Whether the dataset has this modality or format, or "folds".
     [[nodiscard]] bool has(std::string_view what) const;
-    /// Null for an id that is not in the list.
+    /// Null for an unknown id.
     [[nodiscard]] const StoredObject* object(int id) const;
     [[nodiscard]] const ClassTable& classes() const {
         return own_classes ? *own_classes : ClassTable::nyu40();
     }
-    /// The class of an object's boxes; null where it gets none.
+    /// Class of an object's boxes; null if it gets none.
     [[nodiscard]] const DatasetClass* boxClass(const StoredObject& object) const {
         return classes().boxClassFor(object.name, object.nyu40);
     }
-    /// The class of a pixel that shows this object, void for 0 and unknown ids.
+    /// Class of pixels that show this object; void for 0 and unknown ids.
     [[nodiscard]] int pixelClass(int object_id) const;
-    /// conventions.<name>; null when it has none.
+    /// conventions.<name>; null if missing.
     [[nodiscard]] nlohmann::ordered_json convention(const std::string& name) const;
 };
 
-/// Where the object's box is in the frame's camera (x right, y down, z forward; m): from the box's
-/// own axes around its middle.
+/// Pose of an object's box (origin at its centre) in the frame's camera: x right, y down, z
+/// forward; m.
 Eigen::Isometry3d cameraFromBox(const StoredObject& object, const StoredFrame& frame);
 
-/// Errors: BadInput where there is no dataset.json, or one that is not ours, or not complete.
+/// Reads dataset.json in a folder. Returns BadInput if it is missing, incomplete, or not written by
+/// Dollytrack.
 Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder);
 
 }  // namespace dollytrack::verify

@@ -99,7 +99,7 @@ std::optional<StoredRay> StoredCamera::rayThrough(double x, double y) const {
     if (lens == "pinhole") return StoredRay{{0.0, 0.0, 0.0}, {aside.x(), aside.y(), 1.0}};
     const double wanted = aside.norm();
     if (wanted > bent(k, widest) * (1.0 + 1e-9)) return std::nullopt;
-    double low = 0.0, high = widest;  // halved: it rises between them
+    double low = 0.0, high = widest;  // bisection; the function is increasing
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (bent(k, middle) < wanted ? low : high) = middle;
