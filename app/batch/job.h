@@ -24,8 +24,8 @@ struct Job {
     std::vector<std::string> arguments;  // command-line arguments except the scene and the output
 };
 
-/// All combinations of scenes, sets, planners and seeds. A job's name does not depend on the other
-/// jobs.
+/// All combinations of scenes, sets, planners and seeds. A job's name depends only on its own
+/// scene's name, set, planner and seed.
 [[nodiscard]] std::vector<Job> jobsOf(const BatchOrder& order);
 
 /// A share of a batch for one machine: the jobs with (number - 1) % count == index.
