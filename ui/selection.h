@@ -15,8 +15,8 @@ struct Selection {
         Objects,  // two or more
         ObservationPoint,
         PositionPoint,
-        Edge,         // of the roadmap
-        RefusedEdge,  // of the roadmap
+        Edge,         // an edge of the roadmap
+        RefusedEdge,  // a refused edge of the roadmap
         Frame,
         Voxel,
         NoGoBox,

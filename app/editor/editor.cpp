@@ -66,7 +66,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
 
 Editor::~Editor() {
     rememberSettings();
-    settings_saver_.stop();  // two must not write at once
+    settings_saver_.stop();  // two writers must not write at once
     if (const Status saved = saveSettings(settings_); !saved) {
         log::warn("editor", describe(saved.error()));
     }

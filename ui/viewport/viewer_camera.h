@@ -28,7 +28,8 @@ struct ViewerCamera {
     /// Dolly zoom: factor < 1 approaches, > 1 retreats; the world point `at` stays under the
     /// cursor.
     void zoom(double factor, const Eigen::Vector3d& at);
-    /// Moves eye and pivot together: right, up and forward in m.
+    /// Moves eye and pivot together: right and forward along the camera's axes, up along world z,
+    /// in m.
     void fly(const Eigen::Vector3d& right_up_forward);
     /// Rotates about the eye, which stays in place.
     void look(double dx, double dy);

@@ -26,7 +26,7 @@ struct DatasetSceneArguments {
     bool keep_meshes = false;
 };
 
-/// --scene, --labels, --models, --annotations, --keep-meshes
+/// Adds --scene, --labels, --models, --annotations and --keep-meshes.
 void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments);
 
 /// The scene that the dataset shows, with the edits stored in dataset.json.

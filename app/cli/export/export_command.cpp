@@ -193,8 +193,9 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         if (one.room.empty() || arguments.as_json) return;
         printRoom(one.room, one.summary, one.folder);
     };
-    const auto datasets = exportPlanned(*opened, *planned, order, std::move(*context), printIfRoom,
-                                        session.cancelled, job.stage(0.06, 1.0, ""));
+    const auto datasets =
+        exportPlanned(*opened, *planned, order, std::move(*context), printIfRoom, session.cancelled,
+                      job.stage(0.06, 1.0, ""));
     if (!datasets) return tl::unexpected<Error>(datasets.error());
     const nlohmann::json printed = exportJson(order, *datasets, planned->metrics);
     if (arguments.as_json) {

@@ -13,8 +13,8 @@ namespace dollytrack::ui {
 struct ObjectsView {
     const Scene* scene = nullptr;
     const std::vector<ObjectCapture>* captures = nullptr;  // sorted by id; null before planning
-    const std::vector<int>* selected = nullptr;            // ids
-    const std::vector<bool>* hidden = nullptr;             // by id
+    const std::vector<int>* selected = nullptr;            // ids of the selected objects
+    const std::vector<bool>* hidden = nullptr;             // indexed by id
     const Edits* edits = nullptr;  // the newest; the scene may not contain them yet
 };
 

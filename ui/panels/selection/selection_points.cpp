@@ -36,7 +36,7 @@ const char* kindText(TargetKind kind) {
 /// A position point with the newest edits, which the plan may lack: otherwise each frame of a drag
 /// would restart at the plan's pose.
 struct Handle {
-    const PinnedPoint* pin = nullptr;  // null: found by the search
+    const PinnedPoint* pin = nullptr;  // null: the planner chose the pose
     Pose pose;
     std::vector<int> objects;  // objects of its observation point
     [[nodiscard]] bool placedFromView() const { return pin != nullptr && pin->objects.empty(); }

@@ -10,10 +10,10 @@ namespace dollytrack::ui {
 /// Name and style of a strip, the plot of one measured value.
 struct StripStyle {
     const char* name;   // name in the item map: "clearance"
-    const char* title;  // for people
+    const char* title;  // display name
     const char* unit;
     int digits;
-    float hue;  // of its colour, 0..1
+    float hue;  // hue of its colour, 0..1
 };
 [[nodiscard]] const StripStyle& stripStyle(TimelineStrip strip);
 

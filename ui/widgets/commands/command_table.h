@@ -13,7 +13,7 @@ struct Shortcut {
     bool ctrl = false;
     bool shift = false;
     bool alt = false;
-    [[nodiscard]] std::string text() const;  // "Ctrl+Shift+S"; empty when there is none
+    [[nodiscard]] std::string text() const;  // "Ctrl+Shift+S"; empty if there is none
 };
 
 /// A user command. Menus, shortcuts, the palette and the help are generated from the table of

@@ -10,7 +10,7 @@
 namespace dollytrack::ui {
 
 struct FileListView {
-    const FolderListing* listing = nullptr;            // null: still being read
+    const FolderListing* listing = nullptr;            // null: the folder is still being read
     const std::vector<std::uint32_t>* rows = nullptr;  // indices of the displayed entries, from
                                                        // arrange()
     bool takes_keys = true;                            // keyboard input goes to the list
@@ -26,7 +26,7 @@ struct FileListState {
 struct FileListActions {
     bool selected = false;  // the selection changed
     bool opened = false;    // the selected row was opened by double click or Enter
-    bool go_up = false;     // Backspace
+    bool go_up = false;     // Backspace was pressed
     std::string path;       // typed text that is a path, or matches no name; empty: none
 };
 
