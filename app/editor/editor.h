@@ -200,7 +200,7 @@ class Editor {
     Selected selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
-    mutable std::vector<render::StoreyView> storeys_;  // storeys of the two below
+    mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below
     mutable std::shared_ptr<const Scene> storeys_of_scene_;
     mutable std::shared_ptr<const Plan> storeys_of_plan_;
     Playback playback_;
