@@ -17,7 +17,7 @@ struct FreeSpaceOverlayOptions {
     bool free = true;
     bool occupied = true;
     bool unknown = true;  // drawn only in a slice, because there is too much of it
-    int min_level = 0;    // octree level: 0 is the smallest cells, each level doubles the edge
+    int min_level = 0;  // lowest drawn octree level; 0: the smallest cells, each level doubles them
     int max_level = 16;
     std::optional<Slice> slice;  // unset: the whole map
     CellColor color = CellColor::State;

@@ -29,7 +29,8 @@ struct GizmoState {
     Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // in the window, px
     bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
     bool moved = false;              // moved far enough that it is not a click
-    double grabbed = 0.0;            // m along the axis, or radians around it
+    double grabbed = 0.0;            // where the handle was grabbed: m along its axis, or radians
+                                     // around it
     Eigen::Vector3d grabbed_at = Eigen::Vector3d::Zero();
 };
 

@@ -16,7 +16,7 @@ class LineCutter {
     /// Takes the next whole line; returns false if there is none. Lines longer than 64 KiB are
     /// split.
     [[nodiscard]] bool take(std::string& line);
-    /// Takes the rest without a line end.
+    /// Takes the incomplete last line; empty if there is none.
     [[nodiscard]] std::string rest() { return std::move(waiting_); }
 
   private:

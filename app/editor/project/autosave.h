@@ -75,7 +75,7 @@ class Autosave {
     std::filesystem::path restored_from_;
     std::chrono::steady_clock::time_point last_;
     CommandStack::State stored_;  // the state in the copy, written or being written; null: none
-    bool failing_ = false;        // the latest write failed
+    bool failing_ = false;        // the latest write failed and is repeated after kRetry
     int count_ = 0;
     std::shared_ptr<Outbox<Written>> written_ = std::make_shared<Outbox<Written>>();
     std::shared_ptr<Outbox<std::vector<LostWork>>> found_ =

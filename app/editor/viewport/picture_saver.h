@@ -22,7 +22,7 @@ class PictureSaver {
     ~PictureSaver();
 
     void save(const std::filesystem::path& file, ui::PreviewImage image);
-    /// The error of the next image that could not be written.
+    /// The next unreported write error; nullopt if there is none.
     [[nodiscard]] std::optional<Error> takeError();
 
   private:
