@@ -9,8 +9,7 @@ namespace dollytrack::ui {
 /// One document operation (engine/document/operation.h) requested through a widget.
 struct EditRequest {
     nlohmann::json operation;  // null: no request
-    std::string merge_key;     // consecutive requests with the same key become one undo step (a
-                               // drag)
+    std::string merge_key;     // consecutive equal keys become one undo step (a drag)
     bool ends_merge = false;   // the drag has ended; may be set without an operation
 
     [[nodiscard]] bool asks() const { return !operation.is_null(); }

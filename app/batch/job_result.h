@@ -39,8 +39,7 @@ struct WrittenDataset {
 /// table. Files referenced by the scene (textures, models) are not included.
 struct SceneStamp {
     std::uint64_t size = 0;       // total bytes of the files
-    std::int64_t changed_ns = 0;  // sum of the modification times; if it and `size` are equal,
-                                  // hashing is skipped
+    std::int64_t changed_ns = 0;  // sum of the modification times
     std::string sha256;
     bool operator==(const SceneStamp&) const = default;
 };
@@ -61,8 +60,7 @@ struct JobResult {
     SceneStamp scene;
     std::string command;                                                // "export" or "plan"
     std::vector<std::string> arguments;                                 // arguments of the run
-    std::string version;                                                // program version of the
-                                                                        // run
+    std::string version;                                                // program version
     nlohmann::ordered_json metrics = nlohmann::ordered_json::object();  // metrics by name
     std::vector<WrittenDataset> datasets;
     bool ran_now = false;  // ran in the current batch run; not stored

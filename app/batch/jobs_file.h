@@ -31,11 +31,9 @@ struct BatchOrder {
     std::filesystem::path file;
     std::filesystem::path out;  // output folder; empty: not given
     std::vector<SceneFile> scenes;
-    std::vector<ParameterSet> sets;     // empty: default parameters, and job names contain no set
-    std::vector<std::string> planners;  // empty: the default planner, and job names contain no
-                                        // planner
-    std::vector<int> seeds;             // empty: the seed of each scene or project, and job names
-                                        // contain no seed
+    std::vector<ParameterSet> sets;     // empty: default parameters, not part of job names
+    std::vector<std::string> planners;  // empty: the default planner, not part of job names
+    std::vector<int> seeds;             // empty: each scene's own seed, not part of job names
     std::optional<double> unit_m;
     std::optional<std::string> up_axis;
     std::optional<std::filesystem::path> labels;

@@ -57,8 +57,7 @@ bool fitsFilePattern(std::string_view name, const std::string& pattern) {
     // the longest rest.
     std::size_t at = 0;
     std::size_t element = 0;
-    std::size_t star = elements.size();  // index of the last '*' passed; star_end: end of its match
-                                         // in the name
+    std::size_t star = elements.size();  // the last '*' passed; star_end: end of its match
     std::size_t star_end = 0;
     while (at < name.size()) {
         if (element < elements.size() && elements[element] == "*") {

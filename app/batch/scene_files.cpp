@@ -135,8 +135,7 @@ bool fitAll(const Parts& names, const Parts& parts) {
     return fit.back() != 0;
 }
 
-constexpr std::size_t kLongestName = 64;  // bytes; the names of sets, planners and seeds are
-                                          // appended
+constexpr std::size_t kLongestName = 64;  // bytes, without set, planner and seed
 
 /// Truncates to kLongestName bytes, without splitting a UTF-8 character.
 std::string cutName(std::string name) {

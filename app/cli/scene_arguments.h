@@ -43,8 +43,7 @@ struct SceneArguments {
     std::string end;
     bool loop = false;
     std::optional<double> time_s;  // time of the object tracks
-    bool one_of_several = false;   // one of several scenes, which need not contain all names in
-                                   // --ignore and --only
+    bool one_of_several = false;   // one of several scenes: may lack --ignore and --only names
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
@@ -62,13 +61,11 @@ struct OpenedScene {
     planning::PlanParams params;
     Edits edits;                                       // as stored in the project
     PlanEdits plan_edits;                              // with object ids of `scene`
-    nlohmann::json import = nlohmann::json::object();  // import settings that were given: unit_m,
-                                                       // up_axis, labels, ...
+    nlohmann::json import = nlohmann::json::object();  // given settings, such as unit_m, up_axis
     std::string asked_start;  // name of the pinned point given or created by --start; empty: none
     std::string asked_end;
     nlohmann::json stored_result;  // stored plan of the project; null: none, or no longer valid
-    nlohmann::json edits_section = nlohmann::json::object();   // the project's edits section as
-                                                               // read
+    nlohmann::json edits_section = nlohmann::json::object();   // edits section as read
     nlohmann::json project_others = nlohmann::json::object();  // other sections of the project
 };
 

@@ -15,8 +15,7 @@ namespace dollytrack::manual {
 struct ManualSettings {
     std::string version;
     ValuesByOption values;                    // option values for shell completion
-    std::map<std::string, std::string> more;  // additional troff text by subcommand; empty name:
-                                              // the program
+    std::map<std::string, std::string> more;  // more troff text, by subcommand; "": program
 };
 
 /// Writes man1/*.1, bash/PROGRAM, zsh/_PROGRAM and fish/PROGRAM.fish into a folder, generated from

@@ -22,8 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kPython = "/usr/bin/python3";  // Debian's Python, which has Debian's
-                                                     // libraries
+constexpr const char* kPython = "/usr/bin/python3";  // Debian's, with Debian's libraries
 constexpr int kMissingExit = 3;
 constexpr double kCheckTimeout_s = 120.0;  // allows for loading large libraries from a slow disk
 constexpr auto kLookInterval = std::chrono::milliseconds(50);

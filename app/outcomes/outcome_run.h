@@ -27,8 +27,7 @@ struct OutcomeOrder {
     int seeds = 1;
     int frames = 300;          // frames per planner
     int test_frames = 60;      // frames per set of test views
-    bool controls = false;     // adds two controls: the first planner again, and a camera facing a
-                               // wall
+    bool controls = false;     // controls: the first planner again, a camera facing a wall
     cli::SceneArguments each;  // import and planning options of every scene
     std::vector<std::string> export_arguments;  // the same as arguments of 'dollytrack export'
     std::vector<JudgeProgram> judges;

@@ -21,8 +21,7 @@ struct ProcessEnd {
 /// Output, limits and priority of a child process.
 struct ProcessSetup {
     int output = -1;                 // file descriptor for its standard output; -1: discarded
-    int messages = -1;               // file descriptor for its standard error; -1: readable with
-                                     // read()
+    int messages = -1;               // the same for standard error; -1: readable with read()
     std::uint64_t memory_bytes = 0;  // limit of its data (RLIMIT_DATA); 0: none
     bool expendable = false;         // the system ends it first when memory is short
 };

@@ -14,8 +14,7 @@ enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveFree, Yaw, Pitch };
 
 struct GizmoView {
     render::View view;                                 // the viewport's camera
-    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left corner of the image in the
-                                                       // window, px
+    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left of the image in the window, px
     Pose pose;                                         // pose of the edited element
     bool turns = true;                                 // has a yaw handle
     bool tilts = true;                                 // has a pitch handle
@@ -29,16 +28,14 @@ struct GizmoState {
     Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // in the window, px
     bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
     bool moved = false;              // moved far enough that it is not a click
-    double grabbed = 0.0;            // where the handle was grabbed: m along its axis, or radians
-                                     // around it
+    double grabbed = 0.0;            // grab position: m along the axis, or rad around it
     Eigen::Vector3d grabbed_at = Eigen::Vector3d::Zero();
 };
 
 struct GizmoActions {
     bool changed = false;
     bool finished = false;
-    bool clicked = false;  // a press without movement: the click is meant for what lies behind the
-                           // gizmo
+    bool clicked = false;  // a press without movement, meant for what lies behind
     bool with_ctrl = false;
     Pose pose;
 };

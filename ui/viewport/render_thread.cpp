@@ -165,8 +165,7 @@ struct RenderThread::Impl {
     std::uint64_t serial = 0;
     ViewPace pace;
     std::optional<render::View> last_view;
-    std::optional<ViewRequest> owed;  // drawn coarsely, still to be drawn in full; guarded by
-                                      // `mutex`
+    std::optional<ViewRequest> owed;  // drawn coarsely, full image due; guarded by `mutex`
 
     // Used by the window's thread only: the last requests, to skip identical ones.
     std::optional<ViewRequest> asked_view;

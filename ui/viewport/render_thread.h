@@ -41,8 +41,7 @@ struct ViewRequest {
 struct ViewImage {
     unsigned texture = 0;  // in the window's OpenGL context, row 0 at the top
     render::View view;     // the requested view; its size is the pane's
-    int width = 0;  // size of the data below; less than the view's when drawn coarsely during
-                    // motion
+    int width = 0;         // of the data below; less than the view's if drawn coarsely
     int height = 0;
     std::vector<std::uint8_t> rgba;
     std::vector<float> depth_m;
@@ -72,13 +71,10 @@ struct PreviewImage {
 /// The scene to draw from now on; a null scene draws nothing.
 struct SceneRequest {
     std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const RayCaster> rays;             // ray caster of the scene, for mirror
-                                                       // reflections; may be null
-    std::shared_ptr<const render::LightVolume> light;  // null: uniform light until the computed
-                                                       // light is set
+    std::shared_ptr<const RayCaster> rays;             // ray caster for mirrors; may be null
+    std::shared_ptr<const render::LightVolume> light;  // null: uniform light
     int anisotropy = 0;                                // see SceneRenderer::setAnisotropy()
-    std::uint64_t geometry = 0;  // identifies the geometry: it is uploaded again only if this
-                                 // number changes
+    std::uint64_t geometry = 0;  // identifies the geometry; uploaded only if it changes
 };
 
 /// Renders the viewport and the preview on a thread with its own OpenGL context, so that large

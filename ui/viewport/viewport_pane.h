@@ -17,8 +17,7 @@ struct ViewportView {
     std::string remark;      // at the top of the image
     bool locked = false;     // locked to the plan's camera: the mouse does not move it
     double aspect = 0.0;     // fixed aspect ratio of the image; 0: fills the pane
-    bool covered = false;    // another widget covers the pane under the mouse and receives its
-                             // input
+    bool covered = false;    // another widget lies over the mouse and takes its input
     bool on_handle = false;  // the mouse is on a gizmo handle, which receives the left button
 };
 
@@ -34,8 +33,7 @@ struct ViewportState {
 struct ViewportActions {
     int width = 0;  // pane size, px
     int height = 0;
-    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left corner of the image in the
-                                                       // window, px
+    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left of the image in the window, px
     bool hovered = false;
     Eigen::Vector2d cursor = Eigen::Vector2d::Zero();
     std::optional<Eigen::Vector2d> clicked;

@@ -116,8 +116,7 @@ Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
                   fmt::format("{}: {} poses, format {}{}", path, loaded->trajectory.frames.size(),
                               loaded->format,
                               loaded->timed ? "" : ", without times: as if at frame_rate"));
-        constexpr double kNoticeable = 0.5;  // larger differences of the field of view are
-                                             // reported, degrees
+        constexpr double kNoticeable = 0.5;  // larger differences are reported, degrees
         const double hfov = opened.params.camera.hfov_deg;
         if (loaded->hfov_deg && std::abs(*loaded->hfov_deg - hfov) > kNoticeable) {
             log::warn("compare", fmt::format("{}: its images show {:.1f} degrees, but are judged "

@@ -117,8 +117,7 @@ Result<Trajectory> readEstimate(const std::string& path) {
     if (!text) return tl::unexpected<Error>(std::move(text.error()));
     if (holdsNoPose(*text)) return Trajectory{};
     io::TrajectoryReading reading;
-    reading.world = "z-up";  // not converted: it is aligned later, or already in the dataset's
-                             // world
+    reading.world = "z-up";  // not converted: aligned later, or in the right world
     reading.has_options = false;
     Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
     if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));

@@ -112,8 +112,7 @@ std::string metricsTable(const nlohmann::json& m) {
                             const std::string& unit_text) {
         const auto value = [&](const char* what) {
             const double measured = m.value(name + "_" + what + "_" + unit, 0.0);
-            return std::abs(measured) < 1e-6 ? 0.0 : measured;  // smaller values are rounding
-                                                                // errors
+            return std::abs(measured) < 1e-6 ? 0.0 : measured;  // smaller: rounding error
         };
         return fmt::format("{:.3g} {} median, {:.3g} for 95 %, {:.3g} at most", value("median"),
                            unit_text, value("p95"), value("max"));

@@ -15,15 +15,12 @@ namespace dollytrack::cli {
 struct PlannedScene {
     std::shared_ptr<const Scene> scene;
     planning::PlanParams params;
-    std::shared_ptr<const Plan> plan;  // null for a result stored in a project and for baseline
-                                       // planners
+    std::shared_ptr<const Plan> plan;  // null if stored in a project, and for baselines
     Trajectory trajectory;
-    std::vector<Eigen::AlignedBox3d> rooms;  // bounds of each room, by connected component of free
-                                             // space
+    std::vector<Eigen::AlignedBox3d> rooms;  // room bounds, by component of free space
     nlohmann::json metrics;                  // see metricsJson()
     nlohmann::json result;                   // the result to store in a project file
-    std::string nothing_free;  // why the user's restrictions leave no free space; empty: some is
-                               // free
+    std::string nothing_free;  // why the user's settings leave no free space; or empty
 };
 
 /// Plans on a pipeline that the caller may use further. `plan` is set. Warns about unvisited

@@ -76,8 +76,7 @@ class ExportQueue {
         bool stored = false;                    // its note was written, or writing failed
         bool note_due = false;                  // its note is outdated
         bool adopted_snapshot = false;          // the snapshot was written by another editor
-        ExportEnd end = ExportEnd::EditorDied;  // reason recorded in the note if the export stays
-                                                // unfinished
+        ExportEnd end = ExportEnd::EditorDied;  // recorded in the note: why it is unfinished
 
         [[nodiscard]] bool noteDue() const { return !stored || note_due; }
         [[nodiscard]] bool ownsSnapshot() const { return project != nullptr || adopted_snapshot; }

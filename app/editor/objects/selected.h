@@ -67,8 +67,7 @@ class Selected {
 
     ui::Selection now_;
     std::vector<int> objects_of_point_;  // objects that the selected point observes
-    std::string pin_of_point_;           // name of the pin of the selected position point; empty:
-                                         // none
+    std::string pin_of_point_;           // pin name of the selected position point, or empty
     std::string awaited_pin_;
     std::vector<bool> hidden_;
     std::shared_ptr<const ObjectTrace> objects_now_;  // the objects that all stored ids refer to

@@ -36,12 +36,9 @@ struct PlanOutcome {
     std::uint64_t serial = 0;
     std::shared_ptr<const ProjectState> state;
     std::shared_ptr<const Scene> scene;          // with the state's edits applied
-    std::shared_ptr<const ObjectTrace> objects;  // the scene's objects in terms of the imported
-                                                 // ones
-    std::uint64_t geometry = 0;                  // equal numbers mean equal triangles in equal
-                                                 // objects
-    std::uint64_t objects_since = 0;             // since this geometry number, objects have only
-                                                 // been moved
+    std::shared_ptr<const ObjectTrace> objects;  // its objects, traced to the imported ones
+    std::uint64_t geometry = 0;                  // equal: same triangles in same objects
+    std::uint64_t objects_since = 0;             // since this geometry objects only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
     std::shared_ptr<const Plan> plan;  // null after an error
@@ -50,8 +47,7 @@ struct PlanOutcome {
     bool measured = false;  // false: the trajectory is set, its metrics are still missing
     double milliseconds = 0.0;
     std::optional<Error> error;
-    bool outdated = false;              // the newest request was refused; the plan is of an earlier
-                                        // one
+    bool outdated = false;              // the newest request was refused; the plan is older
     std::vector<std::string> warnings;  // edits that do not fit the scene
 
     /// Whether an image of that geometry number shows the same objects, perhaps at other positions.

@@ -21,12 +21,9 @@ struct OpenedProject {
     ProjectState state;
     nlohmann::json import = nlohmann::json::object();
     nlohmann::json loaded_edits = nlohmann::json::object();  // as read, to preserve unknown keys
-    nlohmann::json others = nlohmann::json::object();        // other sections, preserved when
-                                                             // saving
-    std::string file_sha256;                                 // SHA-256 of the project file; empty:
-                                                             // never saved
-    bool file_has_plan = false;                              // the file contains a plan for this
-                                                             // scene file
+    nlohmann::json others = nlohmann::json::object();        // other sections of the file
+    std::string file_sha256;                                 // of the project file; empty: none
+    bool file_has_plan = false;                              // has a plan for this scene file
     std::vector<std::string> warnings;                       // messages for the user
 };
 

@@ -113,8 +113,7 @@ class Workspace {
         bool is_error = false;
         std::string title;
         std::string text;
-        std::filesystem::path missing_scene_of = {};  // project whose scene file is missing; empty:
-                                                      // none
+        std::filesystem::path missing_scene_of = {};  // project without its scene; or empty
         bool restores = false;                        // that project is an autosave copy
     };
     [[nodiscard]] std::optional<Notice> takeNotice();
@@ -139,10 +138,8 @@ class Workspace {
         bool relocated = false;                    // the user chose another scene file
         std::filesystem::path missing_scene = {};  // path of a missing scene; empty: it exists
         Autosave::Origin origin = {};              // origin of restored work
-        std::optional<CommandStack::History> history = {};  // undo history of restored work; unset:
-                                                            // not stored
-        std::optional<nlohmann::json> import_before = {};   // previous settings, if the scene is
-                                                            // imported again
+        std::optional<CommandStack::History> history = {};  // undo history, if it was stored
+        std::optional<nlohmann::json> import_before = {};   // settings before readAgain()
     };
     struct SaveOutcome {
         std::uint64_t serial = 0;

@@ -34,8 +34,7 @@ class InputQueue {
         int action = 0;
         int mods = 0;
         double x = 0.0, y = 0.0;
-        double earliest_s = 0.0, latest_s = 0.0;  // Button only: time interval in which it was
-                                                  // pressed or released
+        double earliest_s = 0.0, latest_s = 0.0;  // Button: interval in which it happened
     };
 
     [[nodiscard]] double earliest(double now_s) const;

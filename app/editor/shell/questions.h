@@ -51,8 +51,7 @@ class Questions {
         std::string title;
         std::string text;
         std::vector<Answer> answers;  // in addition to Cancel
-        bool enter_cancels = true;    // false: Enter chooses the first answer, which must be
-                                      // harmless
+        bool enter_cancels = true;    // false: Enter takes the first answer (harmless)
     };
     void ask(Doubt doubt) { doubt_ = std::move(doubt); }
     /// Drops the question about the previous project's file.
@@ -83,8 +82,7 @@ class Questions {
     Kind shown_ = Kind::None;
     std::deque<Workspace::Notice> notices_;
     std::vector<LostWork> lost_;
-    std::filesystem::path changed_file_;  // file changed by another program: ask whether to
-                                          // overwrite it
+    std::filesystem::path changed_file_;  // changed by another program: overwrite it?
     std::function<void()> after_unsaved_;
     std::string what_next_;
     bool saving_ = false;  // saving was chosen as answer; after_unsaved_ waits for it

@@ -151,8 +151,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // the layout is stored in our settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // the usual desktop value; ImGui's default is
-                                                 // shorter
+    ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // usual desktop value, above ImGui's default
     ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
     window->input_.attach(window->window_);
     ImGui_ImplOpenGL3_Init("#version 450");

@@ -24,11 +24,9 @@ struct ExportView {
     int frame_count = 0;  // frames of its trajectory
     int current_frame = 0;
     CameraParams camera;
-    FieldList* parameters = nullptr;      // the project's fields, for the export parameters; null:
-                                          // none
+    FieldList* parameters = nullptr;      // the project's export parameters; null: none
     const FieldList* standard = nullptr;  // the same fields with their default values
-    std::string folder_says;              // contents of the chosen folder; empty: it is empty, or
-                                          // not checked yet
+    std::string folder_says;              // contents of the folder; empty: none, or unchecked
     bool folder_warns = false;            // `folder_says` is a warning
     std::string why_not_folder;           // why the folder cannot be written; empty: it can
     double bytes_per_frame = 0.0;         // an estimate; 0: unknown

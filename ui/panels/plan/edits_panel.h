@@ -17,10 +17,8 @@ struct EditsView {
     bool plan_is_current = false;  // the plan was made with these edits
     double min_height_m = 0.0;
     double max_height_m = 100.0;
-    OrientedBox new_box;                          // the box that "add" creates: on the surface at
-                                                  // the centre of the view
-    std::optional<OrientedBox> around_selection;  // a box around the selection; unset: nothing is
-                                                  // selected
+    OrientedBox new_box;                          // "Add box": at the centre of the view
+    std::optional<OrientedBox> around_selection;  // around the selection; unset: none
 };
 
 /// User actions of this frame.

@@ -28,8 +28,7 @@ struct PreviewState {
     Modality modality = Modality::Rgb;
     bool open = true;  // false: only the title bar
     bool full = false;
-    bool shows_selection = false;  // preview the selected position point instead of the timeline's
-                                   // frame
+    bool shows_selection = false;  // the selected position point, not the timeline's frame
     float width = 250.0F;          // length of the longer side, px at 96 dots per inch
     PaneCorner corner = PaneCorner::BottomRight;
 };

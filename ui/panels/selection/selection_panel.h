@@ -19,18 +19,14 @@ namespace dollytrack::ui {
 /// Input of the panel for one window frame.
 struct SelectionView {
     const Selection* selection = nullptr;
-    const Scene* scene = nullptr;                     // the scene on the screen; null: no project
-                                                      // is open
+    const Scene* scene = nullptr;                     // on the screen; null: no project
     const Plan* plan = nullptr;                       // plan for that scene; null before planning
-    bool measured = false;                            // the plan has capture metrics for its
-                                                      // current trajectory
-    const Edits* edits = nullptr;                     // the newest; scene and plan may not reflect
-                                                      // them yet
+    bool measured = false;                            // the plan's capture metrics are current
+    const Edits* edits = nullptr;                     // the newest; may be ahead of scene and plan
     const planning::FreeSpace* free_space = nullptr;  // null before planning
     RemedySearch remedy;                              // for the selected object
     double track_time_s = 0.0;                        // time at which the tracks are evaluated
-    const std::vector<double>* piece_sizes_m = nullptr;  // sizes of the selected object's connected
-                                                         // pieces; null: being computed
+    const std::vector<double>* piece_sizes_m = nullptr;  // sizes of its pieces; null: computing
 };
 
 /// State kept between window frames.

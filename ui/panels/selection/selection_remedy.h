@@ -9,8 +9,7 @@ struct RemedySearch {
     enum class State { NotAsked, Searching, Found, Nothing, Failed };
     State state = State::NotAsked;
     double fraction = 0.0;        // Searching
-    LedgerRow row;                // Found and Nothing: ledger row from the search, more detailed
-                                  // than the plan's
+    LedgerRow row;                // Found and Nothing: the search's more detailed ledger row
     bool can_be_applied = false;  // Found: the remedy can be expressed as edit operations
     std::string error;            // Failed
 };

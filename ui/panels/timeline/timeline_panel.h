@@ -33,8 +33,7 @@ struct TimelineView {
     const std::vector<TimelineKey>* keys = nullptr;  // sorted by frame
     const std::vector<TimelineBand>* bands = nullptr;
     const FrameSeries* series = nullptr;   // null or of a different length: being measured
-    const FrameSeries* earlier = nullptr;  // series of the previous plan, drawn until then; null:
-                                           // none
+    const FrameSeries* earlier = nullptr;  // the previous plan's, drawn until then; or null
     int target_count = 0;
     std::function<std::string(int)> object_name = {};  // name of an object id
     // Limits drawn as dashed lines across the strips; 0: none.

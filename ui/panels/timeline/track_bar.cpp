@@ -18,8 +18,7 @@ constexpr DragRange kTimeRange = {0.0, 1e6, 0.02F, "%.2f", " s"};
 
 /// Draws the selected object's keys on the slider.
 void drawKeys(const TrackBarView& view, double end_s, ImVec2 low, ImVec2 high) {
-    const float inset = 0.5F * ImGui::GetStyle().GrabMinSize + 2.0F;  // ImGui's margin at the
-                                                                      // slider's ends
+    const float inset = 0.5F * ImGui::GetStyle().GrabMinSize + 2.0F;  // ImGui's slider margin
     const float half = scaled(4);
     const float y = 0.5F * (low.y + high.y);
     ImDrawList* list = ImGui::GetWindowDrawList();

@@ -22,8 +22,7 @@ struct FileRequest {
     std::string title;                // window title, "Open a scene or a project"
     std::string accept = "Open";      // label of the confirming button
     std::vector<FileFilter> filters;  // the first is active initially; "All files" is appended
-    std::filesystem::path start;      // initial folder, or file to preselect; empty: the current
-                                      // folder
+    std::filesystem::path start;      // initial folder or file; empty: current folder
     std::string name;                 // Save: proposed name
     std::string extension;            // Save: appended to names without it, such as ".dolly"
     std::vector<std::filesystem::path> recent_folders;  // newest first

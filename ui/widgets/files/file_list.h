@@ -11,8 +11,7 @@ namespace dollytrack::ui {
 
 struct FileListView {
     const FolderListing* listing = nullptr;            // null: the folder is still being read
-    const std::vector<std::uint32_t>* rows = nullptr;  // indices of the displayed entries, from
-                                                       // arrange()
+    const std::vector<std::uint32_t>* rows = nullptr;  // entry indices, from arrange()
     bool takes_keys = true;                            // keyboard input goes to the list
 };
 

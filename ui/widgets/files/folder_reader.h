@@ -32,8 +32,7 @@ struct FolderOrder {
     bool descending = false;
     bool hidden = false;  // include names that begin with a dot
     bool folders_only = false;
-    std::vector<std::string> extensions;  // file extensions such as ".glb", in lower case; empty:
-                                          // all
+    std::vector<std::string> extensions;  // such as ".glb", in lower case; empty: all files
     bool operator==(const FolderOrder&) const = default;
 };
 
@@ -47,8 +46,7 @@ struct PathAnswer {
     Found found = Found::Nothing;
     bool parent_is_folder = false;
     std::shared_ptr<const FolderListing> listing;  // for Folder; null otherwise
-    std::string problem;                           // why a new folder could not be created; empty
-                                                   // otherwise
+    std::string problem;                           // why creating a folder failed; or empty
 };
 
 /// Reads folders on a background thread, so that a slow disk never blocks the window. A new request

@@ -33,8 +33,7 @@ class PathLine {
     std::string text_;
     bool typing_ = false;
     bool wants_focus_ = false;
-    bool takes_over_ = false;  // typed letters belong to this field, which does not have the
-                               // keyboard yet
+    bool takes_over_ = false;  // typed letters are kept for this field until it has the keyboard
     bool to_end_ = false;      // move the cursor to the end
     bool escaped_ = false;     // suggestions are hidden until the text changes
     FolderReader reader_;

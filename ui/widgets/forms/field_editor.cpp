@@ -79,8 +79,7 @@ FieldEdit edit(const Field::Choice& choice, const Field&, const std::string& pat
             const std::string name(choice.info.names[i]);
             if (ImGui::Selectable(name.c_str(), i == now)) {
                 choice.set(i);
-                changed = true;  // also when the same entry is chosen: a preset resets the values
-                                 // it sets
+                changed = true;  // also for the same entry: a preset resets values
             }
             nameItem("choice." + name);
         }

@@ -22,8 +22,7 @@ struct NumberLimits {
     std::string format = "%.3f";  // printf format without the unit
     std::string unit = {};        // unit, including a leading space if needed
     bool whole = false;
-    bool slides = true;        // a slider over the whole range; false: a drag changes it by `speed`
-                               // per pixel
+    bool slides = true;        // slider over the range; else a drag by `speed` per pixel
     bool logarithmic = false;  // logarithmic slider; needs min > 0
     float speed = 0.01F;
 };
