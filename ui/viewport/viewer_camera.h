@@ -25,8 +25,8 @@ struct ViewerCamera {
 
     void orbit(double dx, double dy);
     void pan(double dx, double dy, int width);
-    /// Dolly zoom: factor < 1 approaches, > 1 retreats; the world point `at` stays under the
-    /// cursor.
+    /// Multiplies the distance to the pivot by `factor` (clamped to 0.05 .. 2000 m); the world
+    /// point `at` stays under the cursor.
     void zoom(double factor, const Eigen::Vector3d& at);
     /// Moves eye and pivot together: right and forward along the camera's axes, up along world z,
     /// in m.

@@ -114,7 +114,7 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
                : "the no-go boxes leave the camera no free place; move or shrink them";
 }
 
-/// A start or end on the command line must be reached; failing is an error.
+/// An illegal camera pose for --start or --end is an error; other pins are only dropped.
 Status checkEnds(const OpenedScene& opened, const Plan& plan) {
     for (const auto& [option, name] :
          {std::pair("--start", opened.asked_start), std::pair("--end", opened.asked_end)}) {

@@ -13,7 +13,7 @@ namespace dollytrack::editor {
 
 namespace {
 
-// A longer grace would delay the plan for the final value of a drag.
+// Grace of an outdated run. A longer one would delay the plan for the final value of a drag.
 constexpr BackgroundWorker::Patience kPatience{std::chrono::milliseconds(900), 0.6};
 
 }  // namespace

@@ -38,7 +38,7 @@ struct PlanOutcome {
     std::shared_ptr<const Scene> scene;          // with the state's edits applied
     std::shared_ptr<const ObjectTrace> objects;  // its objects, traced to the imported ones
     std::uint64_t geometry = 0;                  // equal: same triangles in same objects
-    std::uint64_t objects_since = 0;             // since this geometry objects only moved
+    std::uint64_t objects_since = 0;             // since this geometry, objects have only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
     std::shared_ptr<const Plan> plan;  // null after an error

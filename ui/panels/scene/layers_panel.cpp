@@ -43,7 +43,7 @@ class Switches {
         }
     }
 
-    /// A combo box for names; returns true if another entry was chosen.
+    /// A combo box for names; returns true if an entry was chosen.
     bool choose(const char* label, const char* name, int& value,
                 const std::vector<std::string>& names) {
         formLabel(label);
