@@ -1,4 +1,4 @@
-# Writes version.cpp, anew only when the commit has changed, so that nothing else is built again.
+# Writes version.cpp, only if the commit has changed, to avoid rebuilds.
 execute_process(COMMAND git describe --always --exclude "*" --abbrev=10 --dirty=-changed
                 WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE commit ERROR_QUIET
                 OUTPUT_STRIP_TRAILING_WHITESPACE)

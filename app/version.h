@@ -2,8 +2,8 @@
 
 namespace dollytrack {
 
-/// "0.1.0 (commit c9b6535f1a)"; without the commit where the source is no Git working tree, with
-/// "-changed" after it where files differ from it.
+/// Program version: "0.1.0 (commit c9b6535f1a)". Without the commit if the source was no Git
+/// working tree; with "-changed" after the commit if tracked files were modified.
 [[nodiscard]] const char* versionText();
 
 }  // namespace dollytrack

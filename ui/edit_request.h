@@ -6,11 +6,11 @@
 
 namespace dollytrack::ui {
 
-/// One operation (engine/document/operation.h) that the user asked for with a widget.
+/// One document operation (engine/document/operation.h) requested through a widget.
 struct EditRequest {
-    nlohmann::json operation;  // null: nothing was asked
-    std::string merge_key;     // of a drag: requests with the same key in a row are one undo step
-    bool ends_merge = false;   // the drag is over, with or without a last operation
+    nlohmann::json operation;  // null: no request
+    std::string merge_key;     // consecutive equal keys become one undo step (a drag)
+    bool ends_merge = false;   // the drag has ended; may be set without an operation
 
     [[nodiscard]] bool asks() const { return !operation.is_null(); }
 };

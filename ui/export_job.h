@@ -8,37 +8,37 @@
 
 namespace dollytrack::ui {
 
-/// A dataset somebody wants.
+/// The settings of one dataset export.
 struct ExportRequest {
-    std::string name;  // of the project, for people
+    std::string name;  // project name, for display
     std::filesystem::path folder;
     std::string range = "::";             // "a:b:s": frames a up to b (not included), every s-th
-    std::vector<std::string> modalities;  // empty: the standard ones
-    std::vector<std::string> formats;     // empty: the standard ones
-    std::string flow_distances;           // "1,5": optical flow to the frames so far away; empty: 1
-    std::filesystem::path rig;            // a file of cameras that ride along; empty: none
-    bool still = false;                   // things that have a track stay where the plan has them
+    std::vector<std::string> modalities;  // empty: the default set
+    std::vector<std::string> formats;     // empty: the default set
+    std::string flow_distances;           // frame distances of optical flow, "1,5"; empty: 1
+    std::filesystem::path rig;            // a camera rig file for additional cameras; empty: none
+    bool still = false;                   // objects with a track stay at their planned poses
     bool overwrite = false;
 };
 
 enum class ExportState { Waiting, Running, Stopping, Done, Cancelled, Failed };
 
-/// A request in the queue and how far it is.
+/// An export request in the queue, with its state and progress.
 struct ExportJob {
     int id = 0;
     ExportRequest request;
     ExportState state = ExportState::Waiting;
-    bool resumes = false;  // goes on where an earlier attempt ended
+    bool resumes = false;  // continues an interrupted export
     std::string stage;     // "rendering"
     double fraction = 0.0;
     int frames_done = 0;
     int frames = 0;                       // 0: not known yet
     double frames_per_s = 0.0;            // 0: not known yet
     double seconds_left = 0.0;            // 0: not known yet
-    Error error;                          // of a failed one
-    std::vector<std::string> last_words;  // what the program said last, oldest first
-    std::filesystem::path contact_sheet;  // empty until it is there
-    bool reported_end = false;            // the program said that it was done
+    Error error;                          // set if state is Failed
+    std::vector<std::string> last_words;  // the export program's last output lines, oldest first
+    std::filesystem::path contact_sheet;  // empty until it exists
+    bool reported_end = false;            // the export program reported completion
 
     [[nodiscard]] bool active() const {
         return state == ExportState::Running || state == ExportState::Stopping;

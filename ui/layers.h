@@ -9,20 +9,20 @@
 
 namespace dollytrack::ui {
 
-/// Of the candidates most are outside of the room, where they hide it and say little.
+/// All verdicts except OutsideRoom: most candidates lie outside the room, where they would hide it.
 constexpr ShownVerdicts allButOutside() {
     ShownVerdicts shown = allVerdicts();
     shown[static_cast<std::size_t>(Verdict::OutsideRoom)] = false;
     return shown;
 }
 
-/// What is drawn over the scene. Plain data: kept with the layout of the window. What is selected
-/// is not part of it; the options' `selected_...` stay as they are made.
+/// Settings of the overlays in the viewport. Plain data, saved with the window layout. The current
+/// selection is not part of it: the `selected_...` fields of the options keep their default values.
 struct LayerSettings {
     bool free_space = false;
-    bool sliced = true;  // free space only within `slice`
+    bool sliced = true;  // free space is drawn only within `slice`
     Slice slice;
-    FreeSpaceOverlayOptions cells;  // its slice is set from the two above
+    FreeSpaceOverlayOptions cells;  // its `slice` is set from `sliced` and `slice`
 
     bool points = true;
     PointsOverlayOptions point_options;
@@ -30,12 +30,12 @@ struct LayerSettings {
     RoadmapOverlayOptions roadmap_options;
     bool trajectory = true;
     TrajectoryOverlayOptions trajectory_options;
-    bool candidates = true;  // of what is selected
+    bool candidates = true;  // candidates of the selected observation point
     bool cone = true;
     ShownVerdicts candidate_kinds = allButOutside();
     bool no_go_boxes = true;
-    bool ceiling_cut = true;  // look into rooms from above
-    int storey = 0;           // that is looked into, 1 the lowest; 0: the topmost
+    bool ceiling_cut = true;  // cut away ceilings, for views from above
+    int storey = 0;           // the storey shown by the cut, 1 the lowest; 0: the topmost
     bool grid = false;
 
     bool operator==(const LayerSettings&) const = default;

@@ -9,15 +9,15 @@ namespace {
 constexpr double kSmallest = 0.75;
 constexpr double kLargest = 4.0;
 
-/// From the size of the pixels; 0 where that is not known.
+/// Scale from the physical pixel size; 0 if that is unknown or implausible.
 double scaleOfPixels(const ScreenSize& screen) {
     constexpr double kMillimetresAnInch = 25.4;
     if (screen.width_mm < 100 || screen.width_mm > 2500) return 0.0;
     const double dpi = kMillimetresAnInch * screen.width_px / screen.width_mm;
-    // Servers without a real screen, and some televisions, say 96 whatever they are.
+    // Display servers without a real screen, and some televisions, always report 96 dpi.
     constexpr double kMadeUp = 96.0;
     if (std::abs(dpi - kMadeUp) < 0.7 || dpi > 500.0) return 0.0;
-    // Desktops leave screens of 24 inches with 1080 lines and of 27 with 1440 (109 dpi) unscaled.
+    // Desktops use scale 1 on 24-inch 1080p and on 27-inch 1440p screens (109 dpi).
     constexpr double kUnscaled = 110.0;
     return dpi / kUnscaled;
 }

@@ -2,7 +2,7 @@
 
 namespace dollytrack::ui {
 
-/// A screen as the window system describes it; millimetres are often made up, 0 where unknown.
+/// A screen as reported by the window system. Millimetres are often wrong; 0: unknown.
 struct ScreenSize {
     int width_px = 0;
     int height_px = 0;
@@ -10,9 +10,10 @@ struct ScreenSize {
     int height_mm = 0;
 };
 
-/// How large to draw on it, in quarters; 1 is 96 dots per inch. Where the desktop has a scale of
-/// its own (`content_scale` is not 1) it is that; else one guessed so that text is as large as one
-/// is used to, and 1280 x 720 still fits.
+/// The scale of the user interface, a multiple of 0.25 between 0.75 and 4; 1 is 96 dots per inch.
+/// If the desktop sets a scale (`content_scale` is not 1), that is used, rounded. Otherwise it is
+/// estimated from the pixel size, or from the height in pixels if that is unknown; it is at least 1
+/// and leaves room for 1280 x 720 scaled pixels.
 [[nodiscard]] double screenScale(double content_scale, const ScreenSize& screen);
 
 }  // namespace dollytrack::ui

@@ -6,8 +6,8 @@
 
 namespace dollytrack::ui {
 
-/// What the user clicked, in the viewport or in a panel. Indices are those of the plan on the
-/// screen, so a new plan makes them doubtful; ids are those of its scene.
+/// The selected elements, chosen in the viewport or in a panel. Indices refer to the plan on the
+/// screen and may be invalid after replanning; ids are those of its scene.
 struct Selection {
     enum class Kind {
         None,
@@ -15,8 +15,8 @@ struct Selection {
         Objects,  // two or more
         ObservationPoint,
         PositionPoint,
-        Edge,         // of the roadmap
-        RefusedEdge,  // of the roadmap
+        Edge,         // an edge of the roadmap
+        RefusedEdge,  // a refused edge of the roadmap
         Frame,
         Voxel,
         NoGoBox,
@@ -24,11 +24,11 @@ struct Selection {
         Candidate,
     };
     Kind kind = Kind::None;
-    std::vector<int> objects;  // ids, with Object and Objects
-    int index = -1;            // in the plan's list; of a box: in PlanEdits::no_go; of a
-                               // region: in PlanEdits::regions; of a candidate: in its search
-    int search = -1;           // of a candidate: the observation point it was tried for
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();  // of a voxel, m, world
+    std::vector<int> objects;  // object ids, for Object and Objects
+    int index = -1;            // index in the plan's list; for NoGoBox in PlanEdits::no_go, for
+                               // Region in PlanEdits::regions, for Candidate in its search
+    int search = -1;           // Candidate only: the observation point it was tested for
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();  // Voxel only: its centre, m, world
 
     bool operator==(const Selection&) const = default;
 

@@ -21,7 +21,8 @@ State& state() {
     return the_state;
 }
 
-/// Latin, Greek for the paper's symbols, punctuation, arrows, mathematics and simple shapes.
+/// Glyph ranges: Latin, Greek for the paper's symbols, punctuation, arrows, mathematics, simple
+/// shapes.
 const ImWchar* glyphRanges() {
     static const std::array<ImWchar, 19> kRanges = {
         0x0020, 0x024F, 0x0370, 0x03FF, 0x2000, 0x206F, 0x2070, 0x209F, 0x2190, 0x21FF,
@@ -105,7 +106,7 @@ void setColors(ThemeKind kind) {
     colors[ImGuiCol_TabActive] = raised;
     colors[ImGuiCol_TabUnfocused] = window;
     colors[ImGuiCol_TabUnfocusedActive] = raised;
-    // The text of a progress bar lies half on it: readable on both halves.
+    // The text of a progress bar overlaps the bar; it must be readable on both colours.
     colors[ImGuiCol_PlotHistogram] = dark ? rgb(0x2D68B8) : rgb(0xA3CBF5);
     colors[ImGuiCol_PlotLines] = accent;
     colors[ImGuiCol_TextSelectedBg] = chosen;

@@ -8,7 +8,7 @@ namespace dollytrack::ui {
 
 enum class ThemeKind { Dark, Light };
 
-/// Colours with a meaning, the same in every panel.
+/// Colours with a meaning, common to all panels.
 struct Palette {
     ImVec4 text_dim, good, warning, bad, accent, panel_line;
 };
@@ -19,14 +19,14 @@ struct Fonts {
     ImFont* mono = nullptr;
 };
 
-/// Loads the fonts at `scale` (1: 96 dots per inch) into the atlas of the current context. Falls
-/// back to ImGui's own font, with a warning in the log, where the packages are missing.
+/// Loads the fonts at `scale` (1: 96 dots per inch) into the atlas of the current ImGui context.
+/// Falls back to ImGui's built-in font, with a logged warning, if the font packages are missing.
 void loadFonts(double scale);
 [[nodiscard]] const Fonts& fonts();
 
 void applyTheme(ThemeKind kind, double scale);
 [[nodiscard]] const Palette& palette();
-/// Lengths in the code are for 96 dots per inch; this makes them right for the screen.
+/// Converts a length at 96 dots per inch to pixels of the screen.
 [[nodiscard]] float scaled(float length);
 
 }  // namespace dollytrack::ui

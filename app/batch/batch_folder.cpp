@@ -33,7 +33,8 @@ bool isOurs(const std::string& list) {
     return json.is_object() && json.contains("format") && json["format"] == kFormat;
 }
 
-/// Nothing is in the folder but lists on their way: parts of one batch start at the same time.
+/// Whether the folder is empty but for jobs.json and its temporary files, which concurrent shards
+/// write.
 bool isFree(const fs::path& folder) {
     std::error_code error;
     for (auto entry = fs::directory_iterator(folder, error);
@@ -55,10 +56,11 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     const Result<std::string> list_text = io::readText(path);
     const std::string found = list_text.value_or("");
     if (found == wanted) return {};
-    // Not there, or made a moment ago; one that cannot be read is somebody's.
+    // An empty list may have just been created by another shard; an unreadable one belongs to
+    // someone else.
     const bool unread = !list_text && fs::exists(path, error);
     if (!isOurs(found) && (!found.empty() || unread || !isFree(folder))) {
-        // Another part of the batch may have marked it just now.
+        // Another shard may have written the list just now.
         if (io::readText(path).value_or("") == wanted) return {};
         return fail(ErrorCode::CannotWrite,
                     "the folder holds files that are not of a Dollytrack batch; choose an empty "

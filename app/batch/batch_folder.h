@@ -11,25 +11,27 @@
 
 namespace dollytrack::batch {
 
-/// What jobs.json in a batch's folder says, so that any machine can put the results together.
+/// Content of jobs.json in a batch's folder, from which any machine can merge the results.
 struct BatchList {
     std::vector<Job> jobs;
     std::vector<std::string> require;
 };
 
-/// The folder of a batch, which holds a folder for each job. Made if missing, and marked as ours
-/// by jobs.json; several machines may do so at once for parts of one batch. Error: CannotWrite,
-/// also for a folder of other files.
+/// Creates the folder of a batch if needed and writes jobs.json into it, which marks it as a batch
+/// folder. Several machines may do so concurrently for shards of the same batch. Error:
+/// CannotWrite, also if the folder contains files that are not of a batch.
 [[nodiscard]] Status claimBatchFolder(const std::filesystem::path& folder, const BatchList& list);
 
-/// The list in a batch's folder. Error: BadInput.
+/// Reads jobs.json. Error: BadInput if it is missing or damaged.
 [[nodiscard]] Result<BatchList> readBatchList(const std::filesystem::path& folder);
 
-/// The right to work on a job: of several batches on one folder only one has it. File systems
-/// without locks give it to all; there, the export's own checks are what is left.
+/// An exclusive lock (flock) on a job's folder, so that only one of several batch processes runs
+/// the job. On file systems without locks every process gets it; then only the export's own checks
+/// prevent conflicts.
 class JobLock {
   public:
-    /// Makes the job's folder, which is called `job`, in that of its batch. Error: CannotWrite.
+    /// Creates the folder `job` within the batch's folder and tries to lock it without waiting;
+    /// isOurs() tells whether it succeeded. Error: CannotWrite.
     [[nodiscard]] static Result<JobLock> take(const io::GuardedFolder& batch,
                                               const std::string& job);
 

@@ -31,7 +31,7 @@ constexpr const char* kDataset = "dataset";
 constexpr const char* kOutput = "metrics.json";
 constexpr const char* kLog = "log.txt";
 constexpr auto kLook = std::chrono::milliseconds(20);
-// An export that is asked to stop finishes the frames on their way first.
+// Time for an export to finish its current frames after a stop signal.
 constexpr auto kGrace = std::chrono::seconds(10);
 
 bool datasetsAreThere(const JobResult& result, const fs::path& folder) {
@@ -41,15 +41,15 @@ bool datasetsAreThere(const JobResult& result, const fs::path& folder) {
     });
 }
 
-/// Whether its folder may hold finished frames that a further run can build on. What refused to go
-/// on will refuse again.
+/// Whether the job's folder may contain finished frames for a resumed run. Runs refused for usage
+/// or bad input would be refused again.
 bool canGoOn(const JobResult& result) {
     if (result.state == JobState::NotRun) return false;
     return result.state != JobState::Failed ||
            (result.exit_code != cli::kUsage && result.exit_code != cli::kBadInput);
 }
 
-/// The program's last sentence, from the end of what it said.
+/// The last message of the program, from the end of its log.
 std::string lastWords(const fs::path& log) {
     constexpr std::size_t kEnough = 4096;
     constexpr std::string_view kOurs = "dollytrack: ";
@@ -92,7 +92,7 @@ struct Running {
     ChildProcess process;
     JobLock lock;
     JobResult result;
-    double seconds_before = 0.0;  // of earlier runs that this one continues
+    double seconds_before = 0.0;  // time of the earlier runs that this one resumes
     Clock::time_point begin;
     std::optional<Clock::time_point> kill_at;
     JobState stopped_as = JobState::Crashed;
@@ -107,8 +107,8 @@ class Runner {
         std::vector<std::size_t> all(jobs_.size());
         std::iota(all.begin(), all.end(), std::size_t{0});
         runThese(all);
-        // Once nothing of ours runs that another batch could wait for in turn: of several batches
-        // at the same jobs, the one that ends last finds all of them done.
+        // Only after all own jobs have ended, so that two batches never wait for each other. Of
+        // several batches on the same jobs, the last to end finds all of them done.
         looks_last_ = true;
         runThese(std::exchange(busy_, {}));
         return std::move(results_);
@@ -128,11 +128,11 @@ class Runner {
             for (auto it = running_.begin(); it != running_.end();) {
                 it = look(*it, stop) ? running_.erase(it) : std::next(it);
             }
-            // Said again and again: what shows it also shows the time.
+            // Reported in every round, because the progress display also shows the elapsed time.
             job_.reportItems(finished_, static_cast<int>(jobs_.size()));
             if (!running_.empty()) std::this_thread::sleep_for(kLook);
         }
-        // What the folders of the jobs hold that were not come to.
+        // After a cancellation, jobs that were not reached take their stored results.
         for (; next != indices.end(); ++next) {
             const auto standing = standingOf(jobs_[*next], settings_);
             if (standing && standing->step == Standing::Step::Nothing) {
@@ -157,7 +157,7 @@ class Runner {
         }
     }
 
-    /// For those who put results together elsewhere; what an earlier run found out is worth more.
+    /// Stores the refusal for merging elsewhere, unless an earlier run left a result.
     void keepRefusal(std::size_t index) {
         JobResult& result = results_[index];
         result.command = jobs_[index].command;
@@ -205,7 +205,8 @@ class Runner {
         result.version = settings_.version;
         result.ran_now = true;
         result.seconds = resumes ? standing->found.seconds : 0.0;
-        // First of all: whatever happens, the next batch knows what the folder's frames are of.
+        // Written before the run, so that the next batch knows which settings the frames in the
+        // folder belong to.
         if (Status status = writeResult(lock->folder(), result); !status) return status;
         const Result<io::FileDescriptor> output = lock->folder().openEmptied(kOutput);
         if (!output) return tl::unexpected<Error>(output.error());
@@ -225,7 +226,7 @@ class Runner {
         return {};
     }
 
-    /// Whether it has ended.
+    /// Checks a job and applies its limits. Returns whether it has ended.
     bool look(Running& one, bool stop) {
         if (const auto end = one.process.end()) {
             conclude(one, *end);
@@ -245,7 +246,7 @@ class Runner {
 
     static void ask(Running& one, int signal, JobState as) {
         one.process.send(signal);
-        one.process.send(SIGCONT);  // one that was stopped could not hear
+        one.process.send(SIGCONT);  // a suspended process would not handle the signal
         one.kill_at = Clock::now() + kGrace;
         one.stopped_as = as;
     }
@@ -312,8 +313,8 @@ class Runner {
     const Result<io::GuardedFolder> batch_ = io::GuardedFolder::make(settings_.folder);
     std::vector<JobResult> results_;
     std::list<Running> running_;
-    std::vector<std::size_t> busy_;  // jobs that another batch was at
-    bool looks_last_ = false;        // at those
+    std::vector<std::size_t> busy_;  // indices of jobs that another batch process holds
+    bool looks_last_ = false;        // this is the second round, for the busy jobs
     int finished_ = 0;
 };
 
@@ -356,7 +357,7 @@ std::vector<std::string> commandOf(const Job& job, const RunSettings& settings, 
     command.insert(command.end(), {"--json", "--threads", std::to_string(settings.threads)});
     if (job.command == "export") {
         const fs::path out = settings.folder / job.name / kDataset;
-        // The job's folder is ours, whatever became of the dataset in it.
+        // The job's folder is locked, so any dataset in it may be overwritten.
         command.insert(command.end(), {"--out", out.string(), "--within", settings.folder.string(),
                                        "--overwrite"});
         if (resumes) command.emplace_back("--resume");

@@ -11,39 +11,41 @@
 namespace dollytrack::batch {
 
 struct RunSettings {
-    std::filesystem::path program;  // ourselves
+    std::filesystem::path program;  // path of this program
     std::string version;
-    std::filesystem::path folder;  // of the batch
-    int parallel = 1;              // jobs at a time
-    int threads = 1;               // of each
-    double timeout_s = 0.0;        // of each; 0: none
-    std::uint64_t memory_mb = 0;   // likewise
+    std::filesystem::path folder;  // folder of the batch
+    int parallel = 1;              // number of concurrent jobs
+    int threads = 1;               // threads per job
+    double timeout_s = 0.0;        // time limit per job; 0: none
+    std::uint64_t memory_mb = 0;   // memory limit per job, MB; 0: none
 };
 
-/// The file of the running program, which does the jobs. Error: Failed.
+/// Path of the running program, which is started again for each job. Error: Failed if it cannot be
+/// found.
 [[nodiscard]] Result<std::filesystem::path> ownProgram();
 
-/// What is to be done for a job, from what its folder holds.
+/// What remains to be done for a job, according to its folder.
 struct Standing {
     enum class Step { Nothing, GoOn, Begin };
     Step step = Step::Begin;
     JobResult found;
-    SceneStamp scene;  // as it is now
-    std::string why;   // of beginning anew, where something was there
+    SceneStamp scene;  // current stamp of the scene
+    std::string why;   // why existing results cannot be used; empty if there are none
 };
 
-/// Error: BadInput when the scene cannot be read.
+/// Compares the job's folder with the job's settings, scene stamp and program version. Error:
+/// BadInput if the scene cannot be read.
 [[nodiscard]] Result<Standing> standingOf(const Job& job, const RunSettings& settings);
 
-/// The command that does a job.
+/// The command line that runs a job.
 [[nodiscard]] std::vector<std::string> commandOf(const Job& job, const RunSettings& settings,
                                                  bool resumes);
 
-/// Does what is not done yet, each job by a child process, so that none of them can stop the others
-/// by crashing, hanging or taking all memory. Results come in the order of the jobs, and are kept
-/// in their folders as soon as each ends. Cancelled: what runs is stopped in a way that it can be
-/// continued, and the rest is left. What another batch is at is looked at once more at the end, and
-/// is Busy when it is still at it.
+/// Runs the unfinished jobs, each in a child process, so that a crash, hang or memory exhaustion
+/// affects only that job. The results are in the order of the jobs; each is written to its job's
+/// folder as soon as the job ends. On cancellation, running jobs are stopped such that they can be
+/// resumed, and the rest is not started. Jobs that another batch process holds are tried again at
+/// the end, and are Busy if it still holds them.
 [[nodiscard]] std::vector<JobResult> runJobs(const std::vector<Job>& jobs,
                                              const RunSettings& settings, const JobContext& job);
 

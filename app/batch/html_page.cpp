@@ -22,7 +22,7 @@ figcaption { font-size: 12px; }
  .good { color: #6cc58a; } .bad { color: #ff8a80; } .open { color: #e0b45c; } }
 )";
 
-// Sorts the table by the column whose head is clicked; numbers by value.
+// Sorts the table by the clicked column; numbers by value.
 constexpr const char* kScript = R"(
 document.querySelectorAll("table.sorted th").forEach(head => {
   let up = false;

@@ -5,8 +5,8 @@
 
 namespace dollytrack::batch {
 
-/// A page that needs no other file. Tables of the class "sorted" are sorted by the column whose
-/// head is clicked. `title` is plain text, `body` is markup.
+/// A self-contained HTML page. Clicking a column's head sorts tables of class "sorted". `title` is
+/// plain text, `body` is HTML.
 [[nodiscard]] std::string htmlPage(std::string_view title, std::string_view body);
 
 }  // namespace dollytrack::batch

@@ -60,7 +60,7 @@ std::vector<Job> jobsOf(const BatchOrder& order) {
                     if (!set.name.empty()) job.name += "." + set.name;
                     if (!planner.empty()) job.name += "." + planner;
                     if (seed) job.name += fmt::format(".seed{}", *seed);
-                    // Absolute, so that it is the same wherever the batch is started.
+                    // Absolute, so that it does not depend on the working directory.
                     job.scene = fs::absolute(order.file.parent_path() / scene.path);
                     job.scene = job.scene.lexically_normal();
                     job.set = set.name;

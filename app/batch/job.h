@@ -12,22 +12,23 @@
 
 namespace dollytrack::batch {
 
-/// One run of the program: a scene with a set, a planner and a seed.
+/// One job of a batch: a scene with a parameter set, a planner and a seed.
 struct Job {
-    int number = 0;               // from 1, in the order of the jobs file
-    std::string name;             // its folder's; "kitchen.wide.uniform.seed2"
-    std::filesystem::path scene;  // from where the program runs
-    std::string set;              // empty: none is named
+    int number = 0;               // counted from 1, in the order of the jobs file
+    std::string name;             // name of the job and of its folder, "kitchen.wide.uniform.seed2"
+    std::filesystem::path scene;  // absolute path of the scene or project
+    std::string set;              // name of the parameter set; empty: the default parameters
     std::string planner;
     std::optional<int> seed;
     std::string command;                 // "export" or "plan"
-    std::vector<std::string> arguments;  // but for the scene and where to write
+    std::vector<std::string> arguments;  // command-line arguments except the scene and the output
 };
 
-/// Every combination, with names that do not change when others come or go.
+/// All combinations of scenes, sets, planners and seeds. A job's name depends only on its own
+/// scene's name, set, planner and seed.
 [[nodiscard]] std::vector<Job> jobsOf(const BatchOrder& order);
 
-/// A part of a batch for one machine: the jobs whose number leaves the same remainder.
+/// A share of a batch for one machine: the jobs with (number - 1) % count == index.
 struct Shard {
     int index = 0;  // 0 <= index < count
     int count = 1;
@@ -35,12 +36,12 @@ struct Shard {
     [[nodiscard]] bool has(const Job& job) const { return (job.number - 1) % count == index; }
 };
 
-/// "2/8": the third of eight, as array tasks of clusters count. Error: Usage.
+/// Parses "index/count": "2/8" is the third of eight, as cluster array tasks count. Error: Usage.
 [[nodiscard]] Result<Shard> parseShard(const std::string& text);
 
-/// A job for a file, without its scene's place on this machine being lost.
+/// The job as JSON, with the absolute path of its scene.
 [[nodiscard]] nlohmann::ordered_json toJson(const Job& job);
-/// Throws nlohmann's exceptions.
+/// Inverse of toJson(). Throws nlohmann::json exceptions.
 [[nodiscard]] Job jobFromJson(const nlohmann::ordered_json& json);
 
 }  // namespace dollytrack::batch

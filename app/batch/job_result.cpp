@@ -31,8 +31,8 @@ void takeNumbers(const Json& from, Json& to) {
     }
 }
 
-/// Those that a job reads and that are named in its order. A project that cannot be read is all
-/// there is: the job will say what is wrong with it.
+/// The input files of a job. If a project cannot be read, only the project file: the job itself
+/// will report the error.
 std::vector<fs::path> filesOf(const Job& job) {
     std::vector<fs::path> files = {job.scene};
     if (job.scene.extension() == ".dolly") {
@@ -66,7 +66,7 @@ Result<SceneStamp> stampOf(const Job& job, const SceneStamp& known) {
         }
         using std::chrono::nanoseconds;
         const auto ns = std::chrono::duration_cast<nanoseconds>(changed.time_since_epoch());
-        // Wraps around where it must: it is only compared.
+        // Unsigned arithmetic, which may wrap around: the sum is only compared.
         stamp.changed_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp.changed_ns) +
                                                      static_cast<std::uint64_t>(ns.count()));
     }
@@ -105,7 +105,7 @@ JobResult readResult(const fs::path& folder) {
         result.command = json.at("command").get<std::string>();
         result.arguments = json.at("arguments").get<std::vector<std::string>>();
         result.version = json.at("version").get<std::string>();
-        // What is no number has not come from us.
+        // Other values cannot come from this program.
         takeNumbers(json.at("metrics"), result.metrics);
         for (const Json& one : json.at("datasets")) {
             result.datasets.push_back({one.at("folder").get<std::string>(),
@@ -152,7 +152,7 @@ void readOutput(const fs::path& output, const fs::path& folder, JobResult& resul
     result.metrics = Json::object();
     result.datasets.clear();
     try {
-        if (!json.contains("out")) {  // of `plan`: metrics alone
+        if (!json.contains("out")) {  // `plan` prints the metrics only
             takeNumbers(json, result.metrics);
             return;
         }

@@ -15,66 +15,71 @@
 namespace dollytrack::batch {
 
 enum class JobState {
-    NotRun,       // not yet, or with other settings
-    Begun,        // a run that nobody saw the end of
-    Done,         // complete, whatever is required of it
-    Failed,       // it said why
-    Crashed,      // ended by a signal of its own
-    TimedOut,     // stopped for taking too long
-    Interrupted,  // stopped with the batch
-    Busy,         // another batch is at it
+    NotRun,       // not run, or only with other settings
+    Begun,        // started, without a recorded end
+    Done,         // completed, whether or not it meets the requirements
+    Failed,       // ended with an error message
+    Crashed,      // ended by a signal that the batch did not send
+    TimedOut,     // stopped for exceeding the time limit
+    Interrupted,  // stopped because the batch was stopped
+    Busy,         // another batch process holds it
 };
 
-/// "done", "timed out": as reports and result.json say it.
+/// The name in reports and result.json: "done", "timed out".
 [[nodiscard]] const char* name(JobState state);
 
 /// A dataset that a job wrote.
 struct WrittenDataset {
-    std::string folder;  // from the job's folder on
+    std::string folder;  // relative to the job's folder
     int frames = 0;
-    std::string unusable;  // which pictures are dark, white or flat; empty if none is
+    std::string unusable;  // which images are dark, white or flat; empty if none are
 };
 
-/// Tells whether a job's files are still those that were used: its scene, for a project also that
-/// one's scene, and its table of labels. Not what the scene file names (textures, models).
+/// Fingerprint of a job's input files: the scene, for a project also its scene file, and the label
+/// table. Files referenced by the scene (textures, models) are not included.
 struct SceneStamp {
-    std::uint64_t size = 0;       // of all together
-    std::int64_t changed_ns = 0;  // summed up; spares hashing files that nobody touched
+    std::uint64_t size = 0;       // total bytes of the files
+    std::int64_t changed_ns = 0;  // sum of the modification times
     std::string sha256;
     bool operator==(const SceneStamp&) const = default;
 };
 
-/// The job's stamp, without reading its files where sizes and times are those of `known`. Error:
-/// BadInput.
+/// Computes the job's stamp. The files are not hashed if their size and times equal those of
+/// `known`. Error: BadInput if a file cannot be read.
 [[nodiscard]] Result<SceneStamp> stampOf(const Job& job, const SceneStamp& known);
 
-/// What is known of a job: kept in its folder, so that any machine can go on from there.
+/// The result of a job, stored as result.json in its folder, so that any machine can continue from
+/// it.
 struct JobResult {
     JobState state = JobState::NotRun;
     int exit_code = 0;
     int signal = 0;
-    std::string message;  // what went wrong
+    std::string message;  // error message; empty if there was none
     double seconds = 0.0;
     std::uint64_t peak_bytes = 0;
     SceneStamp scene;
-    std::string command;                                                // "export" or "plan", and
-    std::vector<std::string> arguments;                                 // what it ran with
-    std::string version;                                                // of the program
-    nlohmann::ordered_json metrics = nlohmann::ordered_json::object();  // numbers by name
+    std::string command;                                                // "export" or "plan"
+    std::vector<std::string> arguments;                                 // arguments of the run
+    std::string version;                                                // program version
+    nlohmann::ordered_json metrics = nlohmann::ordered_json::object();  // metrics by name
     std::vector<WrittenDataset> datasets;
-    bool ran_now = false;  // in this run of the batch; not kept
+    bool ran_now = false;  // ran in the current batch run; not stored
 };
 
-/// Whether the result is of the job as it is asked for now, but for its scene's content.
+/// Whether the result was made with the job's current command and arguments; the scene's content is
+/// not compared.
 [[nodiscard]] bool isOf(const JobResult& result, const Job& job);
 
-/// Reads result.json of a job's folder; a fresh one where there is none, or it is damaged.
+/// Reads result.json of a job's folder; returns a default result (NotRun) if it is missing or
+/// damaged.
 [[nodiscard]] JobResult readResult(const std::filesystem::path& folder);
-/// The result in a batch's folder, where it is of the job as it is asked for now; else a fresh one.
+/// The stored result of a job if it was made with the current arguments; otherwise a default
+/// result.
 [[nodiscard]] JobResult resultOf(const Job& job, const std::filesystem::path& batch_folder);
 [[nodiscard]] Status writeResult(const io::GuardedFolder& folder, const JobResult& result);
 
-/// Takes the numbers and folders over from what the program printed with --json.
+/// Takes metrics and dataset folders from the program's --json output; leaves `result` unchanged if
+/// that is not valid JSON.
 void readOutput(const std::filesystem::path& output, const std::filesystem::path& folder,
                 JobResult& result);
 

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Texts = std::vector<Placed<std::string>>;
 
-constexpr std::size_t kMostMebibytes = 16;  // of a jobs file
+constexpr std::size_t kMostMebibytes = 16;  // size limit of a jobs file
 
 std::vector<std::string> valuesOf(const Texts& texts) {
     std::vector<std::string> values;
@@ -32,7 +32,7 @@ std::vector<std::string> valuesOf(const Texts& texts) {
     return values;
 }
 
-/// As --set takes it; nothing for what no parameter can be.
+/// The value in the form of --set; nullopt for types that no parameter has.
 std::optional<std::string> assignedText(const toml::node& node) {
     if (const auto text = node.value_exact<std::string>()) return *text;
     if (const auto number = node.value_exact<std::int64_t>()) return fmt::format("{}", *number);
@@ -70,12 +70,12 @@ class OrderReader {
         reader_.read("exclude", excluded);
         refuseTwice();
         if (Status status = reader_.finish(); !status) return tl::unexpected(status.error());
-        // What is written wrong is said before a slow disk is searched.
+        // Errors in the file are reported before a possibly slow disk is searched.
         return findScenes(scenes, excluded).map([&] { return std::move(order_); });
     }
 
   private:
-    /// Relative paths count from the jobs file, wherever the program is started.
+    /// Relative paths are relative to the jobs file.
     fs::path besideFile(const std::string& path) const { return file_.parent_path() / path; }
 
     void readImport() {
@@ -214,7 +214,7 @@ class OrderReader {
         for (const auto& one : texts) order_.require_places.push_back(one.where);
     }
 
-    /// What is said in two places would count in one of them.
+    /// Refuses values given in two places, of which only one would apply.
     void refuseTwice() {
         for (const ParameterSet& set : order_.sets) {
             for (const std::string& assignment : set.assignments) {

@@ -6,7 +6,7 @@
 
 namespace dollytrack::batch {
 
-/// The last `bytes` of a log, from the beginning of a line; empty where it cannot be read.
+/// Up to the last `bytes` of a log, starting at a line; empty if it cannot be read.
 [[nodiscard]] std::string endOf(const std::filesystem::path& log, std::size_t bytes);
 
 }  // namespace dollytrack::batch

@@ -10,7 +10,7 @@ namespace dollytrack::batch {
 
 std::string asMarkup(std::string_view text) {
     std::string clean = cleanText(text);
-    // UTF-8 of U+FFFE and U+FFFF, which XML has no place for.
+    // UTF-8 of U+FFFE and U+FFFF, which XML does not allow.
     for (const char* none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
         for (std::size_t at = clean.find(none); at != std::string::npos; at = clean.find(none)) {
             clean.erase(at, 3);

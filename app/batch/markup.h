@@ -5,10 +5,11 @@
 
 namespace dollytrack::batch {
 
-/// Text as content or attribute of XML and HTML: escaped, and without what XML has no place for.
+/// Escapes text for XML and HTML content and attributes, and removes characters that XML does not
+/// allow.
 [[nodiscard]] std::string asMarkup(std::string_view text);
 
-/// A relative path as a link, its unusual bytes as %20 and the like.
+/// Percent-encodes a relative path for a link.
 [[nodiscard]] std::string asLink(std::string_view path);
 
 }  // namespace dollytrack::batch

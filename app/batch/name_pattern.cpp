@@ -8,14 +8,14 @@
 namespace dollytrack::batch {
 namespace {
 
-/// A pattern's parts that stand for one character each, or "*".
+/// Splits a pattern into elements that match one character each, or "*".
 std::vector<std::string> elementsOf(const std::string& pattern) {
     std::vector<std::string> elements;
     for (std::size_t at = 0; at < pattern.size();) {
         std::size_t length = 1;
         if (pattern[at] == '\\' && at + 1 < pattern.size()) length = 2;
         if (pattern[at] == '[') {
-            // A ']' that comes first is a member of the set, and "[:alpha:]" ends with one, too.
+            // A leading ']' is a member of the set, and "[:alpha:]" contains one, too.
             std::size_t end = at + 1;
             if (end < pattern.size() && (pattern[end] == '!' || pattern[end] == '^')) ++end;
             if (end < pattern.size() && pattern[end] == ']') ++end;
@@ -31,7 +31,7 @@ std::vector<std::string> elementsOf(const std::string& pattern) {
             if (end < pattern.size()) length = end + 1 - at;
         }
         std::string element = pattern.substr(at, length);
-        // A bracket that is never closed stands for itself.
+        // An unclosed bracket matches itself.
         if (element == "[") element = "\\[";
         if (element != "*" || elements.empty() || elements.back() != "*") {
             elements.push_back(std::move(element));
@@ -53,10 +53,11 @@ bool fitsFilePattern(std::string_view name, const std::string& pattern) {
     const std::vector<std::string> elements = elementsOf(pattern);
     const bool hidden = name.starts_with('.');
     if (hidden && (elements.empty() || (elements[0] != "." && elements[0] != "\\."))) return false;
-    // Only the last '*' ever has to give way: what the ones before took leaves the most behind.
+    // Backtracking is needed for the last '*' only: the shortest matches of the earlier ones leave
+    // the longest rest.
     std::size_t at = 0;
     std::size_t element = 0;
-    std::size_t star = elements.size();  // the last '*' passed, and where its part of the name ends
+    std::size_t star = elements.size();  // the last '*' passed; star_end: end of its match
     std::size_t star_end = 0;
     while (at < name.size()) {
         if (element < elements.size() && elements[element] == "*") {

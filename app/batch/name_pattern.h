@@ -5,9 +5,9 @@
 
 namespace dollytrack::batch {
 
-/// Whether a file's name fits a pattern of '*', '?' and '[...]', as fnmatch() with FNM_PERIOD says,
-/// but in time that grows with the product of both lengths: fnmatch() tries every way to share a
-/// name among several '*'.
+/// Whether a file name matches a pattern of '*', '?' and '[...]', like fnmatch() with FNM_PERIOD,
+/// but in time proportional to the product of both lengths; fnmatch() can take exponential time
+/// with several '*'.
 [[nodiscard]] bool fitsFilePattern(std::string_view name, const std::string& pattern);
 
 }  // namespace dollytrack::batch

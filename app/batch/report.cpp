@@ -28,7 +28,7 @@ std::string unmetText(const cli::Requirement& wanted, const Json& metrics) {
                        wanted.comparison, wanted.value);
 }
 
-/// Names and values of no meaning, of all that a job's result can hold.
+/// All metric names that a job's result can have, with placeholder values.
 nlohmann::json metricsOfJob(const Job& job) {
     return job.command == "export" ? cli::exportMetricsOf(job.planner)
                                    : cli::metricsOf(job.planner);
@@ -53,7 +53,7 @@ std::string complaintOf(const ReportRow& row) {
 }
 
 std::string Report::linkTo(const ReportRow& row, const std::string& file) const {
-    // Both below the same folder: no look at the disk is needed.
+    // Purely lexical: both paths are below the same folder.
     const auto path = (jobs_folder / row.job.name / file).lexically_relative(folder);
     return asLink(path.generic_string());
 }

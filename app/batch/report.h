@@ -12,57 +12,59 @@
 
 namespace dollytrack::batch {
 
-/// A job and what came of it.
+/// A job with its result.
 struct ReportRow {
     Job job;
     JobResult result;
-    std::vector<std::string> unmet;  // requirements, with what was measured
+    std::vector<std::string> unmet;  // unmet requirements, with the measured values
 };
 
-/// Done, and all that is required is met.
+/// Whether the job is done and meets all requirements.
 [[nodiscard]] bool isGood(const ReportRow& row);
-/// "good", "unmet", or the state of a job that is not done.
+/// "good", "unmet" (done, but not all requirements are met), or the state's name.
 [[nodiscard]] std::string verdictOf(const ReportRow& row);
-/// What is wrong with it, in a sentence; empty when it is good.
+/// The error or the unmet requirements in one sentence; empty if the job is good.
 [[nodiscard]] std::string complaintOf(const ReportRow& row);
 
 struct Report {
     std::string title;
-    std::filesystem::path jobs_folder;  // the folder of the batch
-    std::filesystem::path folder;       // where the report goes
+    std::filesystem::path jobs_folder;  // folder of the batch, which contains the jobs' folders
+    std::filesystem::path folder;       // output folder of the report
     std::vector<std::string> require;
     std::vector<ReportRow> rows;
 
-    /// A link from the report to a file in a job's folder.
+    /// Relative URL from the report to a file in a job's folder.
     [[nodiscard]] std::string linkTo(const ReportRow& row, const std::string& file) const;
 };
 
-/// Puts jobs and results of the same order together. The requirements must be known to be good.
+/// Combines jobs with their results (same order) and evaluates the requirements, which must be
+/// valid.
 [[nodiscard]] std::vector<ReportRow> judge(const std::vector<Job>& jobs,
                                            std::vector<JobResult> results,
                                            const std::vector<std::string>& require);
 
-/// Whether the requirements name metrics of these jobs, asked before any work. Error: Usage.
+/// Checks, before any job runs, that the requirements name metrics that these jobs report. Error:
+/// Usage.
 [[nodiscard]] Status checkRequirements(const std::vector<std::string>& require,
                                        const std::vector<Job>& jobs);
 
-/// Numbers that a report shows of each job, where the job has them.
+/// A metric shown in reports for each job that has it.
 struct ShownMetric {
     const char* name;
     const char* title;
-    const char* unit;  // "%": a rate, 0..1
+    const char* unit;  // "%" for a rate, 0..1
 };
 [[nodiscard]] const std::vector<ShownMetric>& shownMetrics();
-/// As people read it; empty where there is none.
+/// The formatted value; empty if the job lacks it.
 [[nodiscard]] std::string shownValue(const ReportRow& row, const ShownMetric& metric);
 
 [[nodiscard]] nlohmann::ordered_json reportJson(const Report& report);
 [[nodiscard]] std::string reportJunit(const Report& report);
 [[nodiscard]] std::string reportHtml(const Report& report);
-/// A few lines for a terminal.
+/// A summary for the terminal, with one line for each job that is not good.
 [[nodiscard]] std::string reportText(const Report& report);
 
-/// summary.json, junit.xml and index.html. Error: CannotWrite.
+/// Writes summary.json, junit.xml and index.html. Error: CannotWrite.
 [[nodiscard]] Status writeReport(const Report& report);
 
 }  // namespace dollytrack::batch

@@ -22,7 +22,7 @@ const char* classOf(const ReportRow& row) {
     return open ? "open" : "bad";
 }
 
-/// The metrics that any job has, so that no column is empty.
+/// The metrics that at least one job has, so that no column is empty.
 std::vector<ShownMetric> columnsOf(const std::vector<ReportRow>& rows) {
     std::vector<ShownMetric> columns;
     for (const ShownMetric& metric : shownMetrics()) {
@@ -64,7 +64,7 @@ std::string jobTable(const Report& report) {
     return text + "</tbody></table>\n";
 }
 
-/// Means over the scenes and seeds of each set and planner, where there are several of them.
+/// Means over the scenes and seeds, by set and planner; empty if there is only one combination.
 std::string meanTable(const Report& report) {
     std::map<std::pair<std::string, std::string>, std::vector<const ReportRow*>> groups;
     for (const ReportRow& row : report.rows) {
@@ -98,7 +98,8 @@ std::string meanTable(const Report& report) {
     return text + "</tbody></table>\n";
 }
 
-/// " 41 %  frames, 0:12 left": of a long run they are all that a log holds.
+/// Whether a log line is only progress (" 41 %  frames, 0:12 left"), which would fill the log of a
+/// long run.
 bool isProgress(std::string_view line) {
     const std::size_t digit = line.find_first_not_of(' ');
     if (digit == std::string_view::npos) return false;
@@ -107,7 +108,7 @@ bool isProgress(std::string_view line) {
 }
 
 std::string endOfLog(const std::filesystem::path& path) {
-    constexpr std::size_t kEnough = std::size_t{1} << 20U;  // bytes
+    constexpr std::size_t kEnough = std::size_t{1} << 20U;  // bytes of the log that are searched
     std::istringstream file(endOf(path, kEnough));
     std::deque<std::string> lines;
     for (std::string line; std::getline(file, line);) {
@@ -140,7 +141,7 @@ std::string sheets(const Report& report) {
     for (const ReportRow& row : report.rows) {
         for (const WrittenDataset& dataset : row.result.datasets) {
             const auto place = report.jobs_folder / row.job.name / dataset.folder;
-            std::error_code error;  // not every dataset has pictures to show
+            std::error_code error;  // datasets without images have no contact sheet
             if (!std::filesystem::exists(place / "contact_sheet.jpg", error)) continue;
             const std::string link = report.linkTo(row, dataset.folder + "/contact_sheet.jpg");
             text += fmt::format(

@@ -6,8 +6,8 @@
 namespace dollytrack::batch {
 namespace {
 
-/// CI knows four ends of a test: it passed, it was not run, it found something (a failure), or it
-/// could not be carried out (an error).
+/// JUnit distinguishes four outcomes: passed, skipped, failure (a requirement is not met) and error
+/// (the job could not be run).
 std::string endOf(const ReportRow& row) {
     const std::string message = asMarkup(complaintOf(row));
     const std::string verdict = asMarkup(verdictOf(row));

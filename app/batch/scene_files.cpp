@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kAnyFolders = "**";
 
-/// The kinds of files that a pattern picks; a room's folder holds textures and materials, too.
+/// File types that a wildcard selects; scene folders also contain textures and materials.
 bool isScene(const fs::path& path) {
     return lowerExtension(path) == ".dolly" || isSceneFile(path);
 }
@@ -50,7 +50,7 @@ Result<std::vector<Entry>> entriesOf(const fs::path& folder) {
     std::error_code error;
     fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error);
     for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-        std::error_code unknown;  // a link to nothing is neither
+        std::error_code unknown;  // dangling links are neither file nor folder
         entries.push_back({at->path().filename().string(), at->is_directory(unknown)});
     }
     if (error) {
@@ -66,8 +66,9 @@ class Search {
   public:
     Search(fs::path base, Parts parts) : base_(std::move(base)), parts_(std::move(parts)) {}
 
-    /// Looks in `folder` (below the base) for what fits the parts from number `at` on. Several "**"
-    /// lead to the same folder and part in many ways; only the first is followed.
+    /// Searches `folder` (relative to the base) for matches of the pattern's parts from index `at`
+    /// on. With several "**", the same folder and part can be reached repeatedly; repetitions are
+    /// skipped.
     Status look(const fs::path& folder, std::size_t at) {
         if (!looked_.insert({folder.string(), at}).second) return {};
         if (looked_.size() > kMostLooks) {
@@ -86,7 +87,7 @@ class Search {
         for (const Entry& entry : *entries) {
             Status status;
             if (any_depth) {
-                // Links to folders may lead back to where one came from.
+                // Links are not followed: they may form cycles.
                 const bool link = fs::is_symlink(base_ / folder / entry.name);
                 if (entry.folder && !link && entry.name.front() != '.') {
                     status = look(folder / entry.name, at);
@@ -115,9 +116,9 @@ class Search {
     std::vector<SceneFile> found_;
 };
 
-/// Whether the names fit the parts, of which "**" stands for any number of names.
+/// Whether the path's names match the pattern's parts; "**" matches any number of names.
 bool fitAll(const Parts& names, const Parts& parts) {
-    // fit[i]: the first i names fit the parts so far.
+    // fit[i]: the first i names match the parts so far.
     std::vector<char> fit(names.size() + 1, 0);
     fit[0] = 1;
     for (const std::string& part : parts) {
@@ -134,9 +135,9 @@ bool fitAll(const Parts& names, const Parts& parts) {
     return fit.back() != 0;
 }
 
-constexpr std::size_t kLongestName = 64;  // bytes; sets, planners and seeds follow it
+constexpr std::size_t kLongestName = 64;  // bytes, without set, planner and seed
 
-/// At most as many bytes, without a part of a character at the end.
+/// Truncates to kLongestName bytes, without splitting a UTF-8 character.
 std::string cutName(std::string name) {
     std::size_t end = std::min(name.size(), kLongestName);
     while (end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;
@@ -144,7 +145,7 @@ std::string cutName(std::string name) {
     return name;
 }
 
-/// What scenes are called that lie in a folder each: their folders' names tell them apart.
+/// Whether a file name is generic, as in data sets with one folder per scene.
 bool saysNothing(std::string stem) {
     std::ranges::transform(stem, stem.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -153,9 +154,9 @@ bool saysNothing(std::string stem) {
     return std::ranges::find(kStems, stem) != kStems.end();
 }
 
-/// The file's own name after its nearest folders' names.
+/// Parts of a scene's path that can become part of its name.
 struct NameParts {
-    Parts folders;  // the nearest first
+    Parts folders;  // from the innermost
     std::string own;
     std::string ending;
 };
@@ -188,9 +189,9 @@ std::string nameWith(const NameParts& parts, std::size_t folders, bool with_endi
     return cutName(asName(with_ending ? name + "_" + parts.ending : name));
 }
 
-/// The shortest names that tell scenes of the same name apart, if any do.
+/// The shortest names that distinguish these scenes, if any do.
 std::vector<std::string> namesApart(std::vector<NameParts> alike) {
-    // Folders around all of them tell none apart, and what lies right in them keeps its name.
+    // Common outer folders do not distinguish them.
     const auto sharesOutermost = [&](const NameParts& one) {
         return !one.folders.empty() && !alike.front().folders.empty() &&
                one.folders.back() == alike.front().folders.back();
@@ -215,7 +216,8 @@ std::vector<std::string> namesApart(std::vector<NameParts> alike) {
     return names;
 }
 
-/// A dataset config of Habitat stands for each of its scenes. Several configs may list the same.
+/// Replaces Habitat dataset configs by the scenes they list. Several configs may list the same
+/// scene.
 Result<std::vector<SceneFile>> withDatasetScenes(std::vector<SceneFile> files,
                                                  const fs::path& base) {
     const fs::path root = io::absoluteNormal(base.empty() ? fs::path(".") : base);
@@ -262,7 +264,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
         }
         return withDatasetScenes(std::vector<SceneFile>{{path, {}}}, base);
     }
-    // The folders without wildcards are gone into, not looked for.
+    // Leading folders without wildcards are entered directly.
     Parts parts = partsOf(path);
     fs::path folder;
     std::size_t fixed = 0;
@@ -297,11 +299,11 @@ void nameScenes(std::vector<SceneFile>& scenes) {
         const std::vector<std::string> names = namesApart(alike);
         for (std::size_t i = 0; i < indices.size(); ++i) scenes[indices[i]].name = names[i];
     }
-    // Paths that differ in other characters alone.
+    // Number the remaining equal names: paths that differ only in replaced or truncated characters.
     std::set<std::string> all;
     for (const SceneFile& scene : scenes) all.insert(scene.name);
     std::set<std::string> used;
-    std::map<std::string, int> next;  // the number that the next of the same name tries first
+    std::map<std::string, int> next;  // by name, the next number to try
     for (SceneFile& scene : scenes) {
         const std::string name = scene.name;
         int& i = next.try_emplace(name, 2).first->second;

@@ -8,33 +8,33 @@
 
 namespace dollytrack::batch {
 
-/// A scene or project of a batch.
+/// A scene or project file of a batch.
 struct SceneFile {
-    std::filesystem::path path;  // from the jobs file's folder on, or absolute as it was given
-    std::string name;            // as folders are called after it; see nameScenes()
+    std::filesystem::path path;  // relative to the jobs file's folder, or absolute as given
+    std::string name;            // name used for job folders; see nameScenes()
 };
 
-/// Whether a text has wildcards at all.
+/// Whether a text contains wildcards (*, ? or [).
 [[nodiscard]] bool isPattern(const std::string& text);
 
-/// The scenes and projects that a pattern names, in natural order: `*` and `?` within a name, `**`
-/// for any number of folders. A text without wildcards is one file, of whatever kind. A dataset
-/// config of Habitat stands for each of its scenes. Names that begin with a dot are not looked at.
-/// Each file is named once. Error: BadInput where nothing is found, a folder cannot be read, or a
-/// dataset config cannot be used.
+/// The scenes and projects that match a pattern, in natural order: `*`, `?` and `[...]` match
+/// within a name, `**` matches any number of folders. Text without wildcards is a single file of
+/// any type. A Habitat dataset config is replaced by the scenes it lists. Names that begin with a
+/// dot are skipped by wildcards. Each file occurs once. Error: BadInput if nothing is found, a
+/// folder cannot be read, or a dataset config cannot be used.
 [[nodiscard]] Result<std::vector<SceneFile>> filesMatching(const std::string& pattern,
                                                            const std::filesystem::path& base);
 
-/// Whether a pattern without a look at the disk covers a path given in the same way.
+/// Whether a path matches a pattern, both relative to the same folder; does not access the disk.
 [[nodiscard]] bool matches(const std::filesystem::path& path, const std::string& pattern);
 
-/// Gives each a short name of its own made of letters, digits, '-' and '_': that of its file, or of
-/// its folder where the file is called scene, model or the like. Where others have the same one,
-/// the ending or as many folders as it takes are added. What a scene is called does not depend on
-/// scenes of other names, so that a batch which grows finds its finished jobs again.
+/// Gives each scene a short unique name of letters, digits, '-' and '_': that of its file, or of
+/// its folder if the file has a generic name such as "scene" or "model". Equal names are
+/// distinguished by the file extension or by as many parent folders as needed. A scene's name does
+/// not depend on scenes of other names, so a batch that grows finds its finished jobs again.
 void nameScenes(std::vector<SceneFile>& scenes);
 
-/// A text as part of a folder's name.
+/// Makes a text usable in a folder name: other ASCII characters become '_'.
 [[nodiscard]] std::string asName(std::string_view text);
 
 }  // namespace dollytrack::batch

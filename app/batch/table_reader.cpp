@@ -49,7 +49,7 @@ void TableReader::read(const char* key, std::optional<std::string>& target) {
 void TableReader::read(const char* key, std::optional<double>& target, double low, double high) {
     const toml::node* node = find(key);
     if (node == nullptr) return;
-    target = node->value<double>();  // a whole number will do
+    target = node->value<double>();  // accepts integers
     if (node->is_number() && *target >= low && *target <= high) return;
     wants(*node, key, fmt::format("a number, {} to {}", low, high));
 }

@@ -9,15 +9,15 @@
 
 namespace dollytrack::batch {
 
-/// A value with its place, "jobs.toml:12".
+/// A value with its location, "jobs.toml:12".
 template <class T>
 struct Placed {
     T value;
     std::string where;
 };
 
-/// Reads the values of a TOML table. What is not there leaves its target as it is; the first thing
-/// that is wrong is kept until finish(), which also refuses keys that nobody asked for.
+/// Reads and validates the values of a TOML table. Missing keys leave the target unchanged. Only
+/// the first error is kept; finish() returns it, and also refuses unknown keys.
 class TableReader {
   public:
     TableReader(const toml::table& table, std::string file);
@@ -27,17 +27,17 @@ class TableReader {
     void read(const char* key, std::optional<double>& target, double low, double high);
     void read(const char* key, std::optional<int>& target, int low, int high);
     void read(const char* key, bool& target);
-    /// A list, or one text in its place.
+    /// Reads a list of texts, or a single text.
     void read(const char* key, std::vector<Placed<std::string>>& target);
     void read(const char* key, std::vector<int>& target, int low, int high);
 
-    /// The table of that name, if it is there.
+    /// The table of that name; null if it is missing.
     [[nodiscard]] const toml::table* table(const char* key);
     /// The tables of a [[list]].
     [[nodiscard]] std::vector<const toml::table*> tables(const char* key);
 
     [[nodiscard]] std::string placeOf(const toml::node& node) const;
-    /// The place of a key's value; of the table where the key is not there.
+    /// Location of a key's value, or of the table if the key is missing.
     [[nodiscard]] std::string placeOf(const char* key) const;
     void refuse(const std::string& where, std::string message);
     [[nodiscard]] Status finish();

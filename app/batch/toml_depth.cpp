@@ -11,8 +11,8 @@ namespace {
 constexpr int kMostParts = 16;
 constexpr int kDeepest = 32;
 
-/// The end of the string that begins at `at`, as TOML has it: basic or literal, of one line or of
-/// several. Of a string that does not end, the end of its line or of the text.
+/// End of the TOML string that begins at `at` (basic or literal, single-line or multi-line). For an
+/// unterminated string, the end of its line or of the text.
 std::size_t endOfString(std::string_view text, std::size_t at) {
     const char quote = text[at];
     const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
@@ -23,7 +23,7 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
         } else if (!several_lines && (text[i] == quote || text[i] == '\n')) {
             return text[i] == quote ? i + 1 : i;
         } else if (several_lines && text.substr(i, 3) == three) {
-            // Up to two more quotes still belong to the string.
+            // Up to two more quotes before the delimiter belong to the string.
             i += 3;
             for (int more = 0; more < 2 && i < text.size() && text[i] == quote; ++more) ++i;
             return i;
@@ -35,7 +35,7 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
 }  // namespace
 
 Status checkTomlDepth(std::string_view text, const std::string& file) {
-    int parts = 1;  // of the key or number that is being read, whichever it is
+    int parts = 1;  // parts of the current key or number
     int depth = 0;
     std::size_t at = 0;
     while (at < text.size()) {

@@ -7,9 +7,9 @@
 
 namespace dollytrack::batch {
 
-/// Refuses TOML whose keys have more parts ("a.b.c" has three), or whose brackets nest deeper, than
-/// any jobs file needs: toml++ makes a table for each part and frees tables by recursion, which
-/// overflows the stack. Error: BadInput, with file and line.
+/// Checks TOML before parsing: keys may have at most 16 parts ("a.b.c" has three), and brackets may
+/// nest at most 32 deep. toml++ creates a table for each part and frees tables recursively, which
+/// could overflow the stack. Error: BadInput, with file and line.
 Status checkTomlDepth(std::string_view text, const std::string& file);
 
 }  // namespace dollytrack::batch

@@ -37,7 +37,7 @@ Error errorOf(const std::exception& exception) {
     const auto* system = dynamic_cast<const std::system_error*>(&exception);
     const bool no_thread = system != nullptr
                                ? system->code() == std::errc::resource_unavailable_try_again
-                               // TBB's own way to say it.
+                               // TBB's error message.
                                : std::string_view(exception.what()).starts_with("pthread_create");
     if (no_thread) {
         return {ErrorCode::Failed,

@@ -14,7 +14,7 @@ class App;
 
 namespace dollytrack::cli {
 
-/// What a program ends with; README.md has the table.
+/// Exit codes; see the table in README.md.
 enum ExitCode : int {
     kDone = 0,
     kFailed = 1,
@@ -27,20 +27,21 @@ enum ExitCode : int {
 
 int exitCodeFor(ErrorCode code);
 
-/// The error that is reported for an exception that nothing else caught.
+/// Converts an otherwise uncaught exception to an error message.
 Error errorOf(const std::exception& exception);
 
 class ProgressLines;
 
-/// What all subcommands share. The parsed subcommand leaves its work in `action`.
+/// State shared by all subcommands. Parsing a subcommand stores its work in `action`.
 struct Session {
     std::shared_ptr<std::atomic<bool>> cancelled = std::make_shared<std::atomic<bool>>(false);
     std::function<Result<ExitCode>()> action;
     bool quiet = false;
-    int threads = 0;  // as asked for; 0: one per core
-    std::shared_ptr<ProgressLines> lines;  // where progress goes to a program, not to a person
+    int threads = 0;                       // value of --threads; 0: one per core
+    std::shared_ptr<ProgressLines> lines;  // set for --progress json
 
-    /// Progress on stderr (none when quiet, but for a program), stopped by Ctrl-C.
+    /// A job context that shows progress on stderr (a bar unless `quiet`, or JSON lines) and is
+    /// cancelled by Ctrl-C.
     [[nodiscard]] JobContext job() const;
 };
 

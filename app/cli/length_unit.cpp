@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 12> kUnits = {{{"
                                                                               {"feet", "0.3048"},
                                                                               {"yd", "0.9144"}}};
 
-/// Puts the number in a name's place; what is wrong, else nothing.
+/// Replaces a unit's name by its number; returns an error message, or an empty text.
 std::string asMetres(std::string& text) {
     for (const auto& [name, metres] : kUnits) {
         if (text != name) continue;

@@ -4,8 +4,8 @@
 
 namespace dollytrack::cli {
 
-/// Lets an option of metres per unit be given as a unit's name as well: m, dm, cm, mm, km, inch
-/// (in), ft or yd. Numbers must be 1e-6 .. 1e6.
+/// A validator that converts a unit's name to metres per unit: m, dm, cm, mm, km, inch (in), ft or
+/// yd. Numbers must be 1e-6 .. 1e6.
 [[nodiscard]] CLI::Validator lengthUnit();
 
 }  // namespace dollytrack::cli

@@ -24,8 +24,9 @@ namespace {
 std::atomic<bool>* cancel_flag = nullptr;
 volatile std::sig_atomic_t caught_signal = 0;
 
-/// The first signal asks the work to stop cleanly; a second one no longer waits for it, nor does
-/// anybody wait for work that cannot stop, as where its output is a pipe that nobody reads.
+/// The first signal requests a clean stop; a second one ends the program at once. If the work does
+/// not stop within 20 s, for example because it writes to a blocked pipe, an alarm ends the
+/// program.
 void onSignal(int signal) {
     constexpr unsigned kLongestEnd_s = 20;
     if (caught_signal != 0) _exit(128 + signal);
@@ -38,7 +39,7 @@ void onOverdueEnd(int) {
     _exit(128 + caught_signal);
 }
 
-/// The program's last word: for a person, or in the lines that another program reads.
+/// Reports the final error as text, or as JSON line for --progress json.
 int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& error, int code) {
     dollytrack::log::flush();
     if (session.lines) {
@@ -49,7 +50,7 @@ int endWith(const dollytrack::cli::Session& session, const dollytrack::Error& er
     return code;
 }
 
-/// The action, after which nothing printed is left in a buffer.
+/// Runs the action and flushes standard output.
 dollytrack::Result<dollytrack::cli::ExitCode> act(const dollytrack::cli::Session& session) {
     using namespace dollytrack;
     Result<cli::ExitCode> result = session.action();
@@ -71,7 +72,7 @@ int runAction(const dollytrack::cli::Session& session) {
     return *result;
 }
 
-/// Help, the version and lists, which are asked for instead of an action.
+/// Prints help, version or lists, which replace the action.
 int printInstead(const dollytrack::cli::Session& session, const CLI::App& app,
                  const CLI::ParseError& asked) {
     using namespace dollytrack;
@@ -82,7 +83,7 @@ int printInstead(const dollytrack::cli::Session& session, const CLI::App& app,
     return printed ? cli::kDone : endWith(session, printed.error(), cli::kCannotWrite);
 }
 
-/// Before the arguments are parsed, so that what is wrong with them can be said that way, too.
+/// Checked before parsing, so that parsing errors are reported as JSON lines, too.
 bool wantsLines(const std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (arguments[i] == "--progress=json") return true;
@@ -161,7 +162,7 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
                   : verbose     ? log::Level::Debug
                                 : log::Level::Info);
     setThreadCount(session.threads);
-    // Programs that this one starts shall do the same.
+    // Child processes inherit the setting.
     if (no_cache) setenv("DOLLYTRACK_NO_CACHE", "1", 1);
     return runAction(session);
 }
@@ -175,13 +176,13 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, onSignal);
     std::signal(SIGTERM, onSignal);
     std::signal(SIGALRM, onOverdueEnd);
-    // A file that grows beyond the limit of the process is a failed write, which is reported.
+    // Exceeding the file size limit then is a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
     cli::cleanStandardOutput();
     try {
         return runProgram(session, argc, argv);
     } catch (const std::exception& exception) {
-        // fmt throws where a long print meets a full disk.
+        // fmt throws if a long print fails on a full disk.
         const Status printed = cli::finishStandardOutput();
         const Error error = printed ? cli::errorOf(exception) : printed.error();
         return endWith(session, error, cli::exitCodeFor(error.code));

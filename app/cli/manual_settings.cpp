@@ -22,7 +22,7 @@ manual::KnownValues namesOf(const Rows& rows, Takes takes) {
     return known;
 }
 
-/// A list of names, or all of them.
+/// The names and "all", for an option that takes a list.
 template <class Rows>
 manual::KnownValues namesOrAll(const Rows& rows) {
     manual::KnownValues known = namesOf(rows, Takes::List);
@@ -30,7 +30,7 @@ manual::KnownValues namesOrAll(const Rows& rows) {
     return known;
 }
 
-/// "loop=true", "loop=false" where there are few, "fill=" where any number may follow.
+/// Assignments for completion: "loop=true" and "loop=false" for few values, "fill=" for numbers.
 manual::KnownValues assignments(const FieldList& fields) {
     manual::KnownValues known;
     for (const Field& field : fields) {

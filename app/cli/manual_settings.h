@@ -4,7 +4,7 @@
 
 namespace dollytrack::cli {
 
-/// What the manual of the command line says beside the definitions of its options.
+/// Content of the command line's manual that its option definitions lack.
 [[nodiscard]] manual::ManualSettings manualSettings();
 
 }  // namespace dollytrack::cli

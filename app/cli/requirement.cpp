@@ -11,7 +11,7 @@
 namespace dollytrack::cli {
 namespace {
 
-/// Rates and counts, those without a value, and lists, which are counted.
+/// Whether a metric can be compared: numbers, missing values (null), and lists, which are counted.
 bool isMeasured(const nlohmann::json& metric) {
     return metric.is_number() || metric.is_null() || metric.is_array();
 }

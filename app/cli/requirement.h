@@ -10,7 +10,7 @@
 
 namespace dollytrack::cli {
 
-/// A condition on a metric, such as "well_captured_rate>=0.8".
+/// A condition on a metric, such as "well_captured_rate>=0.8"; exactly equal for "=".
 struct Requirement {
     std::string metric;
     std::string comparison;  // ">=", "<=", ">", "<" or "="
@@ -19,16 +19,17 @@ struct Requirement {
     [[nodiscard]] bool holds(double measured) const;
 };
 
-/// Error: Usage when it is not of that form.
+/// Parses a condition; "==" is accepted for "=". Error: Usage if it is malformed.
 Result<Requirement> parseRequirement(std::string_view text);
 
-/// Error: Usage when one of them is not.
+/// Parses several conditions. Error: Usage if one is malformed.
 Result<std::vector<Requirement>> parseRequirements(const std::vector<std::string>& texts);
 
-/// Error: Usage when a requirement names no number of the metrics; says the closest name.
+/// Checks that every requirement names a metric. Error: Usage, with the closest name.
 Status checkNames(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);
 
-/// Whether all hold for metrics that have their names; a warning says which does not.
+/// Whether all requirements hold; metrics without a value do not meet theirs, and the value of a
+/// list is its length. Logs a warning for each that is not met. The names must have been checked.
 bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& metrics);
 
 }  // namespace dollytrack::cli

@@ -23,7 +23,7 @@
 namespace dollytrack::cli {
 namespace {
 
-/// Takes any spelling of an upward axis and hands on the usual one.
+/// Accepts any spelling of an upward axis and normalizes it.
 CLI::Validator upAxisOption() {
     return CLI::Validator(
         [](std::string& text) {
@@ -35,8 +35,8 @@ CLI::Validator upAxisOption() {
         "", "upward axis");
 }
 
-/// Adds a folder, or those of a list with colons between; a folder's own name may have colons.
-/// Folders of a list that are missing are skipped with a warning.
+/// Adds an existing folder, or the folders of a colon-separated list (a folder's own name may
+/// contain colons). Missing folders of a list are skipped with a warning.
 void addModelFolders(const std::string& text, std::vector<std::string>& folders) {
     const std::string wrong = CLI::ExistingDirectory(text);
     if (wrong.empty()) {
@@ -74,7 +74,7 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     }
     if (arguments.duration_s) all.push_back(fmt::format("duration_s={}", *arguments.duration_s));
     if (arguments.loop) all.emplace_back("loop=true");
-    // As files are read: presets come before what changes single fields of theirs.
+    // The order of files: presets come before the fields that they set.
     std::ranges::stable_sort(all, std::less(), [&](const std::string& assignment) {
         return std::ranges::find(fields, assignment.substr(0, assignment.find('=')), &Field::name) -
                fields.begin();
@@ -85,7 +85,7 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     return {};
 }
 
-/// "fill, width_px": the parameters of the plan in which two differ, for a note.
+/// Names of the planning parameters that differ, for a message: "fill, width_px".
 std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other) {
     planning::PlanParams a = planning::onlyOfThePlan(one);
     planning::PlanParams b = planning::onlyOfThePlan(other);
@@ -99,14 +99,15 @@ std::string changedNames(const planning::PlanParams& one, const planning::PlanPa
     return names;
 }
 
-/// "bed" names a pinned point, "1,2,1.5,0,0,1" is a position and what is looked at from there.
+/// The operation for --start or --end: "bed" names a pinned point, "1,2,1.5,0,0,1" is a position
+/// and a target.
 Result<nlohmann::json> endOperation(const std::string& option, const std::string& text) {
     nlohmann::json operation = {{"op", option == "--start" ? "set_start" : "set_end"}};
     std::vector<double> numbers;
     const char* at = text.data();
     const char* end = at + text.size();
     while (at != end) {
-        // Not strtod(), which reads another point in another locale.
+        // strtod() depends on the locale.
         while (at != end && (*at == ' ' || *at == '+')) ++at;
         double number = 0.0;
         const auto [after, error] = std::from_chars(at, end, number);
@@ -129,8 +130,8 @@ Result<nlohmann::json> endOperation(const std::string& option, const std::string
     return operation;
 }
 
-/// A list on the command line that names nothing was meant to name something. That a scene happens
-/// to lack a class which is to be ignored is no slip; that it lacks all of what alone counts is.
+/// Refuses patterns that match no object, probably typing errors. A known class may be missing from
+/// the scene for --ignore, and for --only if another pattern matches.
 Status checkPatterns(const SceneArguments& arguments, const Scene& scene) {
     const auto isAny = [&](const std::string& pattern) {
         return std::ranges::any_of(
@@ -159,8 +160,8 @@ Status checkPatterns(const SceneArguments& arguments, const Scene& scene) {
     return {};
 }
 
-/// Lists that take each other's objects away leave nothing to plan for. A scene without targets, or
-/// `--ignore '*'` alone, is asked for as it is.
+/// Refuses --only and --ignore lists that together leave no target. A scene without targets, or
+/// `--ignore '*'` alone, is accepted.
 Status checkSomeAreLeft(const SceneArguments& arguments, const SceneEdits& edits,
                         const Scene& imported) {
     if (arguments.only.empty() || edits.ignore.empty()) return {};
@@ -184,7 +185,7 @@ void addNew(std::vector<std::string>& list, const std::vector<std::string>& more
     }
 }
 
-/// What the command line asks of the trajectory, over the project's edits.
+/// The project's edits, extended by the command line.
 Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const Scene& imported) {
     ProjectState state{nlohmann::json::object(), std::move(edits)};
     if (!arguments.one_of_several && !(arguments.ignore.empty() && arguments.only.empty())) {
@@ -219,7 +220,7 @@ Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const 
     return std::move(state.edits);
 }
 
-/// Of a point cloud; checked here, kept as far as it was said.
+/// Validates --cloud settings and stores those that were given.
 Status addCloudSettings(const SceneArguments& arguments, nlohmann::json& stored) {
     for (const std::string& assignment : arguments.cloud) {
         CloudParams params;
@@ -233,7 +234,7 @@ Status addCloudSettings(const SceneArguments& arguments, nlohmann::json& stored)
     return {};
 }
 
-/// What the command line says of the scene, over what the project says.
+/// The project's import settings, overridden by the command line.
 nlohmann::json importSettings(const SceneArguments& arguments, nlohmann::json stored) {
     if (arguments.unit_m) stored["unit_m"] = *arguments.unit_m;
     if (arguments.up_axis) stored["up_axis"] = *arguments.up_axis;
@@ -270,7 +271,7 @@ Status applyEdits(OpenedScene& opened, Edits edits) {
                                                {targets.small_volume_m3, targets.size_ratio});
         if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
         opened.scene = std::make_shared<const Scene>(std::move(*edited));
-        // Those of the import were said already.
+        // Warnings of the import were already printed.
         const auto& all = opened.scene->report.warnings;
         const auto said = static_cast<std::ptrdiff_t>(opened.imported->report.warnings.size());
         warnOfAll("edits", {all.begin() + said, all.end()});
@@ -283,7 +284,7 @@ Status applyEdits(OpenedScene& opened, Edits edits) {
 
 namespace {
 
-/// Applies the edits, and what the arguments add to them.
+/// Applies the edits together with those of the arguments.
 Status applyEditsAndArguments(OpenedScene& opened, const Edits& given,
                               const SceneArguments& arguments) {
     Result<Edits> edits = withArguments(given, arguments, *opened.imported);

@@ -21,15 +21,15 @@ struct Trajectory;
 
 namespace dollytrack::cli {
 
-/// The arguments that name a scene or project and say how to read it.
+/// Arguments that name a scene or project and control how it is imported and planned.
 struct SceneArguments {
     std::string path;
     std::optional<double> unit_m;
     std::optional<std::string> up_axis;
     std::optional<std::string> labels;
-    std::vector<std::string> models;         // --models folders
-    std::optional<std::string> annotations;  // a file or a folder
-    bool keep_meshes = false;                // --keep-meshes: no regrouping
+    std::vector<std::string> models;         // folders of --models
+    std::optional<std::string> annotations;  // --annotations: a file or a folder
+    bool keep_meshes = false;                // --keep-meshes: do not regroup meshes into objects
     std::vector<std::string> assignments;    // --set name=value
     std::vector<std::string> cloud;          // --cloud name=value
     std::optional<int> seed;
@@ -37,56 +37,57 @@ struct SceneArguments {
     std::optional<double> max_length_m;
     std::optional<double> fps;
     std::optional<double> duration_s;
-    std::vector<std::string> ignore;  // patterns, beside those of the project
+    std::vector<std::string> ignore;  // patterns, in addition to the project's
     std::vector<std::string> only;
-    std::string start;  // a pinned point's name, or x,y,z,tx,ty,tz
+    std::string start;  // name of a pinned point, or x,y,z,tx,ty,tz (position and target, m)
     std::string end;
     bool loop = false;
-    std::optional<double> time_s;  // of the objects' tracks
-    bool one_of_several = false;   // scenes; what one of them lacks another one may have
+    std::optional<double> time_s;  // time of the object tracks
+    bool one_of_several = false;   // one of several scenes: may lack --ignore and --only names
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
-/// --unit, --up, --labels, --models, --annotations, --keep-meshes, --cloud: part of the above, for
-/// commands that take several scenes.
+/// Adds --unit, --up, --labels, --models, --annotations, --keep-meshes and --cloud: the part of
+/// addSceneArguments() for commands that take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
-/// --set, --seed, --max-frames, --max-length, --fps, --duration; --ignore, --only, --start, --end,
-/// --loop
+/// Adds --set, --seed, --max-frames, --max-length, --fps, --duration, --ignore, --only, --start,
+/// --end and --loop.
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);
 
-/// A scene with the parameters to plan it with, from a scene file or a project.
+/// An opened scene file or project, with its planning parameters.
 struct OpenedScene {
     std::shared_ptr<const Scene> imported;
     std::shared_ptr<const Scene> scene;  // with the edits applied
     planning::PlanParams params;
-    Edits edits;           // as the project has them
-    PlanEdits plan_edits;  // with the numbers that their objects have in the scene
-    nlohmann::json import = nlohmann::json::object();  // unit_m, up_axis, labels, ..., where given
-    std::string asked_start;  // the pinned point that --start names or made; empty without one
+    Edits edits;                                       // as stored in the project
+    PlanEdits plan_edits;                              // with object ids of `scene`
+    nlohmann::json import = nlohmann::json::object();  // given settings, such as unit_m, up_axis
+    std::string asked_start;  // name of the pinned point given or created by --start; empty: none
     std::string asked_end;
-    nlohmann::json stored_result;  // of a project; null when there is none, or it no longer holds
-    nlohmann::json edits_section = nlohmann::json::object();   // as it was read
-    nlohmann::json project_others = nlohmann::json::object();  // what else the project holds
+    nlohmann::json stored_result;  // stored plan of the project; null: none, or no longer valid
+    nlohmann::json edits_section = nlohmann::json::object();   // edits section as read
+    nlohmann::json project_others = nlohmann::json::object();  // other sections of the project
 };
 
-/// Applies edits to the imported scene; what they name and is gone is warned of. Error: BadInput.
+/// Applies edits to the imported scene. Edits of missing objects are skipped with a warning. Error:
+/// BadInput.
 Status applyEdits(OpenedScene& opened, Edits edits);
 
-/// The project that keeps what was opened, with its stored result.
+/// The project to save, with the stored result.
 io::ProjectFile projectOf(const OpenedScene& opened);
 
-/// What is wrong that can be told without reading the scene: no such file, or a parameter that is
-/// none. Errors: BadInput, Usage.
+/// Checks that do not need the scene: the file exists, and the parameters are valid. Errors:
+/// BadInput, Usage.
 [[nodiscard]] Status checkArguments(const SceneArguments& arguments);
 
-/// Loads it and applies the parameters: defaults, then the project's, then the command line's.
-/// A project's result is dropped, with a note, when the command line changes a parameter or the
-/// scene file is another one than was planned. Errors: BadInput, Usage, Cancelled.
+/// Imports the scene and applies the parameters: defaults, then the project's, then the command
+/// line's. The stored plan is dropped, with a warning, if parameters of the plan, import settings,
+/// edits or the scene file differ from those it was made with. Errors: BadInput, Usage, Cancelled.
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job);
 
-/// A copy of an opened scene to which other arguments are applied: parameters, objects to ignore,
-/// start and end. The file is not read again, so arguments of the import have no effect. The copy
-/// has no stored result. Errors: BadInput, Usage.
+/// A copy of an opened scene with other arguments applied: parameters, objects to ignore, start and
+/// end. The file is not read again, so import arguments have no effect. The copy has no stored
+/// plan. Errors: BadInput, Usage.
 Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& arguments);
 
 }  // namespace dollytrack::cli

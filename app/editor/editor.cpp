@@ -25,7 +25,7 @@ void beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more =
     ImGui::Begin(name, nullptr, kPart | more);
 }
 
-/// The points by hand that the plan on the screen was made with.
+/// The pinned points used for the plan on the screen.
 const std::vector<PinnedPoint>& pinnedIn(const PlanOutcome& shown) {
     static const std::vector<PinnedPoint> kNone;
     return shown.state ? shown.state->edits.plan.pinned : kNone;
@@ -66,7 +66,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
 
 Editor::~Editor() {
     rememberSettings();
-    settings_saver_.stop();  // two must not write at once
+    settings_saver_.stop();  // two writers must not write at once
     if (const Status saved = saveSettings(settings_); !saved) {
         log::warn("editor", describe(saved.error()));
     }
@@ -87,7 +87,7 @@ void Editor::refreshScene() {
         remedies_.forget();
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
-        // The copy was of the project before.
+        // The autosave copy belongs to the previous project.
         autosave_.discard();
         autosave_.replaces(workspace_.restoredFrom());
         dropGizmo();
@@ -103,7 +103,7 @@ void Editor::refreshScene() {
             step_playback_.goTo(
                 std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
         }
-        // Indices into the plan before mean nothing in this one, in the middle of a drag as well.
+        // Indices of the previous plan are invalid now, also during a drag.
         const bool chosen = selected_.is(ui::Selection::Kind::PositionPoint);
         if (!selected_.keepIn(plan(), pinnedIn(shown))) dropGizmo();
         if (!chosen && selected_.is(ui::Selection::Kind::PositionPoint)) {
@@ -124,7 +124,7 @@ void Editor::play() {
 }
 
 bool Editor::frame() {
-    // One thing after the other: what is dropped on a question is opened once that is answered.
+    // Files dropped during a question are opened after it is answered.
     if (!questions_.waiting()) {
         for (const std::string& path : window_.takeDroppedPaths()) openAfterAsking(path);
     }
@@ -139,8 +139,8 @@ bool Editor::frame() {
     refreshScene();
     play();
     followTracks();
-    // Keys are for the menu or list that was open: Escape closes it, which has happened by now, and
-    // does nothing else.
+    // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing
+    // else.
     if (!popup_was_open_ && !files_.isOpen() && !panels_.palette.open && !panels_.help.open &&
         !sheet_.isOpen() && !questions_.waiting()) {
         commands_.runShortcuts(&Window::signOfKey);
@@ -152,7 +152,7 @@ bool Editor::frame() {
     requestLayers();
     requestPicture();
     requestPreview();
-    // What was thrown away on the way out would be copied once more, and offered at the next start.
+    // After quitting, discarded work must not be saved again.
     if (!quitting_) autosave();
     rememberSettings();
     popup_was_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
@@ -167,7 +167,7 @@ void Editor::arrange() {
     Layout& layout = settings_.layout;
     const float scale = ui::scaled(1.0F);
     const float status = ImGui::GetFrameHeight() + ui::scaled(6);
-    // The viewport keeps a useful size in a small window.
+    // The viewport keeps a minimum size in small windows.
     const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
     const float most_bottom = std::max(size.y / scale - 300.0F, 120.0F);
     layout.left = std::clamp(layout.left, 180.0F, most_side);
@@ -175,7 +175,7 @@ void Editor::arrange() {
     layout.bottom = std::clamp(layout.bottom, 110.0F, most_bottom);
     const float left = layout.show_left ? scale * layout.left : 0.0F;
     const float right = layout.show_right ? scale * layout.right : 0.0F;
-    // The row for moving things comes on top: it must not push the last strip out of the panel.
+    // The row for track times adds to the height, so that the last strip stays visible.
     const float more = hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
     const float bottom = layout.show_bottom ? scale * layout.bottom + more : 0.0F;
     const float middle = size.y - status - bottom;
@@ -230,7 +230,7 @@ void Editor::arrange() {
 
 void Editor::rememberSettings() {
     if (workspace_.isOpen()) {
-        // Opened, or saved under another name.
+        // The project was opened, or saved under another name.
         const std::filesystem::path& file =
             workspace_.path().empty() ? workspace_.sceneFile() : workspace_.path();
         if (noted_file_ != file) settings_.addRecent(noted_file_ = file);
@@ -258,15 +258,15 @@ void Editor::autosave() {
 
 void Editor::tellRefusal(const Status& done) {
     if (done) return;
-    // What an operation says of its fields is for those who write operations.
+    // Field names of operations mean nothing to users of the editor.
     const bool refused = done.error().code == ErrorCode::Usage;
     questions_.tell(
         {true, "That cannot be done", refused ? done.error().message : describe(done.error()), {}});
 }
 
 void Editor::apply(const nlohmann::json& operation, const std::string& merge_key) {
-    // A point set by hand is there to be moved: its handles show when it is selected. What is a
-    // part of a larger step leaves the selection where it is.
+    // A newly placed point is selected, so that its gizmo appears. Operations within a merged step
+    // keep the selection.
     const bool places_point =
         merge_key.empty() && (operation["op"] == "pin" || operation["op"] == "add_point");
     std::vector<PinnedPoint> pinned_before;
@@ -287,7 +287,7 @@ void Editor::applyRequest(const ui::EditRequest& request) {
     };
     const auto [boxes, regions] = counts();
     if (request.asks()) apply(request.operation, request.merge_key);
-    // A new box is there to be moved: its handles show when it is selected.
+    // A new box is selected, so that its gizmo appears.
     using Kind = ui::Selection::Kind;
     const auto [boxes_now, regions_now] = counts();
     if (boxes_now > boxes) select(ui::Selection::ofItem(Kind::NoGoBox, static_cast<int>(boxes)));
@@ -303,7 +303,7 @@ void Editor::dropGizmo() {
 }
 
 void Editor::cancelDrag() {
-    // Points become an edit when the drag ends, all else while it lasts.
+    // A dragged point becomes an edit only at the end; other drags edit continuously.
     dropGizmo();
     if (workspace_.history().position() > position_before_drag_) {
         workspace_.goTo(position_before_drag_);
@@ -313,7 +313,7 @@ void Editor::cancelDrag() {
 void Editor::select(ui::Selection selection) {
     if (!(selection == selected_.now())) dropGizmo();
     selected_.set(std::move(selection), plan(), pinnedIn(workspace_.shown()));
-    // One wants to see what a point sees.
+    // Shows the view of a selected position point.
     panels_.preview.shows_selection = selected_.is(ui::Selection::Kind::PositionPoint);
     if (selected_.is(ui::Selection::Kind::Frame)) goToFrame(selected_.now().index);
     if (!selected_.objects().empty()) panels_.objects.scroll_to = selected_.objects().back();
@@ -333,7 +333,7 @@ void Editor::lookThroughFrame(bool through) {
     if (through == through_camera_) return;
     through_camera_ = through;
     if (through || plan() == nullptr || playback_.frame() >= frameCount()) return;
-    // Leaves the camera where it was, so that one goes on looking from there.
+    // The free camera continues from the pose of the plan's camera.
     panels_.viewport.camera.orthographic = false;
     panels_.viewport.camera.standAt(
         plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose, 1.5);

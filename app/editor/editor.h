@@ -44,8 +44,8 @@
 
 namespace dollytrack::editor {
 
-/// The shell: puts the panels into the window and turns what they report into changes of the
-/// workspace. Whatever takes time happens elsewhere.
+/// The editor's main class: draws the panels into the window and turns user actions into changes of
+/// the workspace. Long work runs in the background.
 class Editor {
   public:
     Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook& log,
@@ -53,13 +53,13 @@ class Editor {
     ~Editor();
 
     void open(const std::filesystem::path& path) { workspace_.open(path); }
-    /// Asks what shall become of work that an earlier editor lost.
+    /// Searches for unsaved work of editors that ended unexpectedly and offers to restore it.
     void offerLostWork() { autosave_.lookForLostWork(); }
 
-    /// Draws one frame; false ends the program.
+    /// Draws one window frame; returns false to end the program.
     bool frame();
 
-    /// What is shown and where, for Inspector.
+    /// The displayed state and the widgets' positions, for Inspector.
     [[nodiscard]] nlohmann::json stateJson();
 
   private:
@@ -90,7 +90,7 @@ class Editor {
     void drawEdits();
     void drawExport();
     void drawParameters();
-    void setParameter(const std::string& name);  // to what the draft has
+    void setParameter(const std::string& name);  // to the value in the draft
     void drawMetrics();
     void drawSelection();
     void drawTimeline();
@@ -121,18 +121,18 @@ class Editor {
     void requestPreview();
     void requestLayers();
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
-    /// The storeys of the shown scene. Requires a scene.
+    /// The storeys of the shown scene. A scene must be open.
     [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
-    /// By what widths and sizes of overlays are multiplied on this screen, from this far.
+    /// Factor for widths and sizes of overlays: below 1 if the camera is far away.
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
 
     // editor_objects.cpp
-    /// The selected object, where it is one and can be moved; else 0.
+    /// Id of the selected object if exactly one is selected and can be moved; otherwise 0.
     [[nodiscard]] int movableObject() const;
-    /// Where it will be: the scene on the screen may be behind.
+    /// The object's box with the newest edits, which the scene on the screen may lack.
     [[nodiscard]] OrientedBox objectBox(int id) const;
-    [[nodiscard]] Pose objectPose(int id) const;  // its heading is its turn
+    [[nodiscard]] Pose objectPose(int id) const;  // its yaw is the object's rotation
     void moveWithGizmo(const ui::GizmoView& view, int id);
     [[nodiscard]] nlohmann::json removeKeyHere() const;
     void playTracks();
@@ -150,7 +150,7 @@ class Editor {
     void openAfterAsking(const std::filesystem::path& path);
     void save();
 
-    // Changing the project and what is selected
+    // Changing the project and the selection
     void tellRefusal(const Status& done);
     void apply(const nlohmann::json& operation, const std::string& merge_key = {});
     void applyRequest(const ui::EditRequest& request);
@@ -176,60 +176,60 @@ class Editor {
     EditorSettings settings_;
     SettingsSaver settings_saver_;
     bool import_bar_dismissed_ = false;
-    std::filesystem::path noted_file_;  // the newest of the recent ones
+    std::filesystem::path noted_file_;  // the latest entry added to the recent files
     Workspace workspace_;
     Autosave autosave_;
     ui::RenderThread drawing_;
     LayerBuilder layers_;
     ui::CommandTable commands_;
-    /// The same views on the number pad, as Blender has them.
+    /// The same view commands on the number pad, as in Blender.
     struct KeypadKey {
         int key = 0;
         bool ctrl = false;
         std::function<void()> run;
     };
     std::vector<KeypadKey> keypad_;
-    std::unique_ptr<ExportQueue> exports_;  // null where the export program is missing
+    std::unique_ptr<ExportQueue> exports_;  // null if the export program is missing
     std::string why_no_export_;
     std::string why_no_folders_;
     FolderCheck export_folder_;
     PictureFile sheet_;
     ui::FileBrowser files_;
 
-    // What is chosen and shown.
+    // Selection and display state.
     Selected selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
-    mutable std::vector<render::StoreyView> storeys_;  // of the two below
+    mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below
     mutable std::shared_ptr<const Scene> storeys_of_scene_;
     mutable std::shared_ptr<const Plan> storeys_of_plan_;
     Playback playback_;
     TrackTime track_time_;
-    CommandStack::State followed_tracks_;  // from which the tracks' time was read
+    CommandStack::State followed_tracks_;  // state from which track_time_ was read
     StepPlayback step_playback_;
     bool through_camera_ = false;
     GizmoSession gizmo_;
-    std::size_t position_before_drag_ = 0;  // in the history
+    std::size_t position_before_drag_ = 0;  // position in the history
     RemedyFinder remedies_{&Window::wake};
     PlanTimeline plan_timeline_;
     SentScene sent_scene_;
     ParameterDraft parameters_;
 
-    // The panels.
+    // State of the panels.
     PanelStates panels_;
     ui::ViewportActions pane_;
     bool preview_hovered_ = false;
-    bool popup_was_open_ = false;  // in the frame before
+    bool popup_was_open_ = false;  // in the previous window frame
     std::vector<ui::PaletteItem> palette_parameters_;
-    std::string focus_tab_;  // to be brought to the front
+    std::string focus_tab_;  // name of a tab to bring to the front
     TabRow left_tabs_, right_tabs_, bottom_tabs_;
 
     // Questions to the user.
     Questions questions_;
-    std::optional<ui::PreviewImage> picture_to_save_;  // its file is being chosen
+    std::optional<ui::PreviewImage> picture_to_save_;  // image whose file is being chosen
     PictureSaver pictures_;
     bool scene_wanted_to_restore_ = false;
-    std::filesystem::path scene_wanted_by_;  // a project whose scene is being looked for
+    std::filesystem::path scene_wanted_by_;  // project whose scene file the user is choosing
     bool quitting_ = false;
 };
 

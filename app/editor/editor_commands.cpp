@@ -105,7 +105,7 @@ void Editor::addFileCommands() {
                    needs_project});
     commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q), [this] {
                        const auto leave = [this] {
-                           // Saved, or thrown away by its owner: nothing is lost.
+                           // The work was saved or deliberately discarded.
                            autosave_.discard();
                            quitting_ = true;
                        };
@@ -313,7 +313,7 @@ void Editor::addViewCommands() {
         return workspace_.shown().free_space ? "" : "The map is not built yet.";
     };
     const auto slice = [this](double way) {
-        // What one moves one wants to see.
+        // Moving the slice shows it.
         layer_settings_.free_space = layer_settings_.sliced = true;
         ui::Slice& now = layer_settings_.slice;
         const Eigen::AlignedBox3d& room = workspace_.shown().scene->room_bounds;
@@ -453,7 +453,7 @@ void Editor::deleteSelected() {
             const PositionPoint& point = plan()->position_points[index];
             const auto& pinned = workspace_.shown().state->edits.plan.pinned;
             const auto pin = static_cast<std::size_t>(std::max(point.pin, 0));
-            // A point placed from a view stands for nothing else: without its pin it is gone.
+            // A point placed from a view has no object, so removing its pin removes it.
             if (point.pin >= 0 && pin < pinned.size() && pinned[pin].objects.empty()) {
                 apply({{"op", "unpin"}, {"point", pinned[pin].name}});
                 selected_.clear();
@@ -486,7 +486,7 @@ void Editor::drawMenus() {
         for (std::size_t i = 0; i < recent.size(); ++i) {
             std::error_code ignored;
             const std::filesystem::path path = recent[i];
-            // Asking the disk for ten names is quick; only while the menu is open.
+            // Checking ten files is fast enough, and only done while the menu is open.
             const bool there = std::filesystem::exists(path, ignored);
             const std::string text = path.filename().string() + "##" + std::to_string(i);
             if (ImGui::MenuItem(text.c_str(), nullptr, false, there)) openAfterAsking(path);

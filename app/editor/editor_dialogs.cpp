@@ -87,7 +87,7 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
             },
             "before another is opened");
     } else if (answer.id == "save") {
-        // The dialog has asked already whether a file that is there may be replaced.
+        // The dialog has already confirmed replacing an existing file.
         workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
     } else if (answer.id == "annotations") {
         const io::ProjectFile project = workspace_.snapshot(false);

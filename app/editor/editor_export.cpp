@@ -23,7 +23,7 @@ namespace {
 std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities()) {
-        if ((one.needs & render::kNeedsRig) != 0) continue;  // comes with a rig
+        if ((one.needs & render::kNeedsRig) != 0) continue;  // available with a rig only
         const bool colour = (one.needs & (render::kNeedsRgb | render::kNeedsSensorLight)) != 0 ||
                             one.name == std::string_view("rgb_right");
         choices.push_back({one.name, one.text, one.standard, colour});
@@ -39,15 +39,15 @@ std::vector<ui::ExportChoice> formatChoices() {
     return choices;
 }
 
-/// A path as somebody typed it, empty where nothing was.
+/// A typed path, made absolute; empty if nothing was typed.
 std::filesystem::path typedHere(const std::string& text) {
     std::error_code ignored;
     return text.empty() ? std::filesystem::path()
                         : ui::typedPath(text, std::filesystem::current_path(ignored));
 }
 
-/// Of a finished dataset: "40 frames, written 2024-05-31 17:04:09". Reads its dataset.json, or that
-/// of each room.
+/// Describes a complete dataset: "40 frames, written 2024-05-31 17:04:09". Reads its dataset.json,
+/// or that of each room.
 std::string describeDataset(const std::filesystem::path& folder) {
     std::error_code error;
     const bool of_rooms = !std::filesystem::exists(folder / render::kCardFile, error);
@@ -72,7 +72,7 @@ std::string describeDataset(const std::filesystem::path& folder) {
                        error ? "at an unknown time" : localTime(written));
 }
 
-/// Tells the panel what was found.
+/// Converts a finding to the panel's text.
 void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& view) {
     using Kind = FolderFinding::Kind;
     view.folder_warns = true;
@@ -175,7 +175,7 @@ ui::ExportView Editor::exportView() {
         const ui::ExportJob* job =
             draft.folder.empty() ? nullptr : jobThatWillWrite(exportFolder(), view.jobs);
         if (job != nullptr) {
-            // No error: it is so after each export that was begun here.
+            // Only a warning: this is the case after each export started here.
             view.folder_warns = true;
             view.folder_says =
                 fmt::format("{} {} exported there: another one needs its own folder.",
@@ -232,11 +232,11 @@ void Editor::queueExport(const ui::ExportView& view) {
     request.rig = typedHere(panels_.export_draft.rig);
     auto add = [this, project = std::make_shared<const io::ProjectFile>(workspace_.snapshot())](
                    const ui::ExportRequest& wanted) { exports_->add(wanted, project); };
-    // As it is at this moment: an export may just have ended there.
+    // Checked again now, because an export may just have finished there.
     const FolderFinding found = lookAtFolder(request.folder);
     if (found.kind == FolderFinding::Kind::Dataset) return askToReplace(request, add);
     if (found.kind != FolderFinding::Kind::NewInNew) return add(request);
-    // More likely a slip of the finger than a wish.
+    // Several missing folders suggest a typing error.
     questions_.ask(
         {"Make the whole path?",
          fmt::format("Of {}\nonly {} is there.", request.folder.string(), found.around.string()),

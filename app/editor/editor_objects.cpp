@@ -26,15 +26,15 @@ ObjectMove moveOf(const Edits& edits, const Scene& scene, int id) {
     return change != nullptr ? change->move.value_or(ObjectMove{}) : ObjectMove{};
 }
 
-/// A heading as the turn next to this one, so that a key goes on from the key before and not round
-/// the other way; the operation takes one round either way.
+/// The rotation closest to the current one that gives this heading, so that motion between keys
+/// takes the short way; within one turn either way.
 double turnDegrees(double heading, double turn_rad) {
     constexpr double kRound = 2.0 * std::numbers::pi;
     const double next = turn_rad + std::remainder(heading - turn_rad, kRound);
     return (std::abs(next) <= kRound ? next : std::remainder(next, kRound)) * kDegrees;
 }
 
-/// The edges of a box over the viewport's picture.
+/// Draws the edges of a box over the viewport.
 void drawOutline(const OrientedBox& box, const ui::GizmoView& view) {
     const std::array<Eigen::Vector3d, 8> corners = box.corners();
     std::array<std::optional<ImVec2>, 8> at;
@@ -47,7 +47,7 @@ void drawOutline(const OrientedBox& box, const ui::GizmoView& view) {
     }
     for (std::size_t i = 0; i < 8; ++i) {
         for (std::size_t k = i + 1; k < 8; ++k) {
-            // Two corners share an edge when they differ along one of the box's own axes.
+            // Two corners share an edge if they differ along one axis of the box.
             const Eigen::Vector3d way = corners[k] - corners[i];
             int along = 0;
             for (int axis = 0; axis < 3; ++axis) {
@@ -71,7 +71,7 @@ int Editor::movableObject() const {
     const PlanOutcome& shown = workspace_.shown();
     if (!selected_.is(Selection::Kind::Object) || !shown.scene || !workspace_.isOpen()) return 0;
     const auto id = static_cast<std::size_t>(selected_.objects().front());
-    // Numbers of objects that are being made anew mean something else.
+    // Object ids are unreliable while merges or splits are being applied.
     const bool same =
         shown.state->edits.scene.definitions == workspace_.state().edits.scene.definitions;
     return same && id >= 1 && id <= shown.scene->objects.size() ? static_cast<int>(id) : 0;
@@ -114,7 +114,7 @@ void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
     }
     if (actions.finished) workspace_.endMerge();
     if (gizmo_.dragging()) window_.animate();
-    // The handles are in the middle of what is selected, where one may want the thing before it.
+    // The gizmo covers the centre of the selection; clicks go to what lies behind it.
     if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl);
 }
 
@@ -179,13 +179,13 @@ nlohmann::json Editor::removeKeyHere() const {
 }
 
 void Editor::playTracks() {
-    // What plays is one step of undo.
+    // Playing is one undo step.
     workspace_.endMerge();
     track_time_.toggle(lastKeyTime(workspace_.state().edits.scene).value_or(0.0));
 }
 
 void Editor::goToTrackTime(double time_s) {
-    if (track_time_.playing()) workspace_.endMerge();  // what was played is a step of its own
+    if (track_time_.playing()) workspace_.endMerge();  // playing was an undo step of its own
     track_time_.goTo(time_s);
     apply({{"op", "at_time"}, {"time_s", time_s}}, kTimeMerge);
 }
@@ -193,7 +193,7 @@ void Editor::goToTrackTime(double time_s) {
 void Editor::followTracks() {
     if (!workspace_.isOpen()) return;
     const SceneEdits& edits = workspace_.state().edits.scene;
-    // What one has in hand stays there, and the two would cut each other's steps of undo to pieces.
+    // A drag takes precedence over playing; both at once would break each other's undo steps.
     if (track_time_.playing() && gizmo_.dragging()) {
         track_time_.stop();
         workspace_.endMerge();
@@ -207,13 +207,13 @@ void Editor::followTracks() {
             apply({{"op", "at_time"}, {"time_s", *time_s}}, kTimeMerge);
             if (!track_time_.playing()) workspace_.endMerge();
         }
-        // Where the plan fails there is nothing to wait for.
+        // Stops if planning fails: the next time would never become due.
         if (!workspace_.planError().empty()) {
             track_time_.stop();
             workspace_.endMerge();
         }
     }
-    // Undo, and edits of other kinds, may have put them elsewhere.
+    // Undo and other edits may have moved the objects.
     if (followed_tracks_ != workspace_.history().state()) {
         followed_tracks_ = workspace_.history().state();
         track_time_.follow(workspace_.state().edits.scene);

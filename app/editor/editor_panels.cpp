@@ -255,7 +255,7 @@ void Editor::drawSteps() {
 
 void Editor::drawBottom() {
     if (!ImGui::BeginTabBar("bottom tabs")) return;
-    // The algorithm's picture is shown as long as one looks at its steps.
+    // The steps are shown while their tab is open.
     step_playback_.show(false);
     if (bottom_tabs_.begin("Timeline", focus_tab_)) {
         drawTracks();

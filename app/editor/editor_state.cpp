@@ -10,7 +10,7 @@ namespace dollytrack::editor {
 
 namespace {
 
-/// Where places of the world are in the window; null behind the viewer or outside the picture.
+/// Window position of a world position; null if it is behind the camera or outside the image.
 nlohmann::json inWindow(const render::View& view, const ui::ViewportActions& pane,
                         const Eigen::Vector3d& place) {
     const Eigen::Vector3d p = view.pose.toCamera(place);

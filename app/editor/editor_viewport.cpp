@@ -23,12 +23,11 @@ using ui::Selection;
 
 namespace {
 
-// Marks have their full size where a metre takes this many pixels. From further away they would
-// cover the rooms, and one another.
+// Marks have full size from this scale on; when smaller, they would cover the rooms and each other.
 constexpr double kFullSizeMetre_px = 80.0;
 constexpr double kSmallestMarks = 0.6;
 
-/// How the scene was read: "1 unit = 4.1 m, z up".
+/// The import settings in use: "1 unit = 4.1 m, z up".
 std::string importText(const ImportReport& report) {
     ImportProposal as_read;
     as_read.unit_m = report.unit_m;
@@ -84,7 +83,7 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     }
     const Eigen::Vector3d way = camera.towardsViewer();
     if (way.z() < -0.1) return view;
-    // From straight above every wall stays; the lower one looks, the steeper the cut.
+    // In a view straight down all walls stay; the lower the view, the stronger the cut.
     const Eigen::Vector3d level(way.x(), way.y(), 0.0);
     view.structure_cut = render::cutTowards(
         all.size() > 1 ? render::withinStorey(building, storey) : building, storey.floor_z,
@@ -109,7 +108,7 @@ void Editor::requestLayers() {
     request.step = step_playback_.taken();
     request.frame = through_camera_ ? -1 : playback_.frame();
     const ui::ViewerCamera& camera = panels_.viewport.camera;
-    // A parallel view has no eye that could be in it.
+    // A parallel projection has no eye position.
     request.in_cone = through_camera_
                           ? playback_.frame() < frameCount() &&
                                 looksFromCone(request, viewportView(camera).pose.position)
@@ -160,7 +159,8 @@ void Editor::requestPreview() {
     view.intrinsics = makeIntrinsics(camera);
     view.pose = *pose;
     view.near_m = camera.near_m;
-    // As it will be exported, once it rests: smooth pictures take several times as long.
+    // At rest it is rendered as for export; antialiasing and reflections take several times as
+    // long.
     const bool moves = playback_.playing() || gizmo_.draggedPose();
     if (!moves) {
         view.antialias = workspace_.shown().params.picture.antialias;
@@ -175,7 +175,7 @@ void Editor::requestPreview() {
 
 void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
     const ui::ViewImage& image = drawing_.view();
-    // A picture or layers of what was open before say nothing of what is.
+    // Ignores images and layers of a previous project.
     if (!workspace_.shown().hasObjectsOf(image.geometry)) return;
     const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
     const double depth = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
@@ -224,7 +224,7 @@ OrientedBox Editor::boxInView() {
     if (const auto surface =
             is_shown ? ui::surfaceAt(image, 0.5 * Eigen::Vector2d(pane_.width, pane_.height))
                      : std::nullopt) {
-        // Before a wall rather than half inside it.
+        // On a wall, the box is placed in front of it.
         const Eigen::Vector3d way = image.view.pose.position - *surface;
         const Eigen::Vector3d level = Eigen::Vector3d(way.x(), way.y(), 0.0).normalized();
         const bool on_top =
@@ -234,7 +234,7 @@ OrientedBox Editor::boxInView() {
                                   .object_id != 0;
         base = on_top ? *surface : Eigen::Vector3d(*surface + 0.55 * size * level);
     }
-    // What is below carries it; without anything there it stays where one looks.
+    // The box is placed on the surface below, if there is one.
     if (shown.rays) {
         const RayHit below =
             shown.rays->cast(base + 0.05 * Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ());
@@ -302,7 +302,7 @@ void Editor::editWithGizmo() {
     const std::optional<Pose> moved = gizmo_.drawPoint(view);
     if (gizmo_.draggedPose()) window_.animate();
     if (!moved) return;
-    // The drag is one step: planning follows when it ends, the preview while it lasts.
+    // A drag becomes one edit when it ends; meanwhile only the preview follows.
     const PositionPoint& here = *point;
     const nlohmann::json position = ui::pointJson(moved->position);
     const nlohmann::json turn = ui::turnJson(moved->rotation);
@@ -329,7 +329,7 @@ void Editor::drawPreview() {
     view.scene = workspace_.shown().scene.get();
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
-    // In full view nothing of the scene shows around it.
+    // The full preview covers the whole viewport.
     const float margin = panels_.preview.full ? 0.0F : ui::scaled(8);
     view.low = {low.x + margin, low.y + margin};
     view.high = {low.x + size.x - margin, low.y + size.y - margin};
@@ -357,7 +357,7 @@ void Editor::drawLegend() {
     const float margin = ui::scaled(10);
     const ImVec2 low(static_cast<float>(pane_.origin.x()) + margin,
                      static_cast<float>(pane_.origin.y()) + margin);
-    // In a small viewport it would hide a good part of the scene.
+    // In a small viewport the legend would hide much of the scene.
     const bool has_room = static_cast<float>(pane_.width) > ui::scaled(800) &&
                           static_cast<float>(pane_.height) > ui::scaled(440);
     const bool open = settings_.layout.show_legend.value_or(has_room);
@@ -434,7 +434,7 @@ void Editor::drawCentre() {
         const CameraParams& camera = workspace_.shown().params.camera;
         view.aspect = static_cast<double>(camera.width_px) / camera.height_px;
     }
-    // As things are now, not as they were drawn last: the mouse may have come and pressed since.
+    // Computed for the current mouse position, which may differ from that of the last frame.
     const std::optional<ui::GizmoView> handles = gizmoView();
     view.on_handle = handles && gizmo_.takesMouse(*handles);
     view.covered = preview_hovered_ || panels_.legend.hovered || panels_.preview.full;

@@ -16,7 +16,7 @@
 
 namespace {
 
-/// While it lives, the log goes to the window; on every way out it goes to stderr again.
+/// Redirects the log to the window during its lifetime, then back to stderr.
 class LogToWindow {
   public:
     explicit LogToWindow(dollytrack::ui::LogBook& book) {
@@ -55,8 +55,8 @@ int run(const std::string& path, const std::string& socket,
     shell.offerLostWork();
     int frames_until_answer = 0;
     (*window)->run([&] {
-        // The second frame after the question shows what the first one changed. Keys of before
-        // the question may take a frame each.
+        // The first frame after a request may still change the state; the second one shows it.
+        // Queued input events may need a frame each.
         if (inspector && inspector->asked()) {
             if (!(*window)->hasInput() && ++frames_until_answer > 2) {
                 inspector->answer(shell.stateJson());
@@ -67,7 +67,7 @@ int run(const std::string& path, const std::string& socket,
         return shell.frame();
     });
     inspector.reset();
-    log_to_window.reset();  // what is said from here on nobody sees in the window
+    log_to_window.reset();  // later messages would not be seen in the window
     return 0;
 }
 
@@ -75,7 +75,7 @@ int run(const std::string& path, const std::string& socket,
 
 int main(int argc, char** argv) {
     using namespace dollytrack;
-    // A file that grows beyond the limit of the process is a failed write, which is reported.
+    // Exceeding the file size limit then is a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
     CLI::App app("Plan a camera's way through an indoor scene, see why, and tune it by hand.");
     app.name("dollytrack-editor");

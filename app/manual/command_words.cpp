@@ -8,7 +8,7 @@
 namespace dollytrack::manual {
 namespace {
 
-/// "auto", "egl" of "TEXT:{auto,egl}".
+/// The values listed in a type: "auto", "egl" for "TEXT:{auto,egl}".
 std::vector<std::string> listedValues(const std::string& type) {
     const std::size_t begin = type.find(":{");
     const std::size_t end = type.find('}', begin);

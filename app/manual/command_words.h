@@ -10,16 +10,16 @@ class App;
 
 namespace dollytrack::manual {
 
-/// The values that an option takes, where its definition does not list them itself.
+/// The values that an option accepts, if its definition does not list them.
 struct KnownValues {
-    std::vector<std::string> values;  // one that ends in "=" is followed by anything
+    std::vector<std::string> values;  // a value that ends in "=" may be followed by any text
     bool comma_separated = false;
 };
 
-/// By the long name of the option, such as "--set".
+/// By the option's long name, such as "--set".
 using ValuesByOption = std::map<std::string, KnownValues>;
 
-/// What an option or argument takes, for completion in a shell.
+/// The kind of value that an option or argument takes, for shell completion.
 struct ValueWords {
     enum class Kind { None, Anything, File, Folder, Known };
     Kind kind = Kind::None;
@@ -29,19 +29,19 @@ struct ValueWords {
 struct OptionWords {
     std::vector<std::string> names;  // "-o", "--out"
     std::string text;
-    std::string type;  // as help calls the value
+    std::string type;  // the value's name in the help
     ValueWords value;
 };
 
-/// A program, or one of its subcommands.
+/// A program or one of its subcommands.
 struct CommandWords {
     std::string name;  // empty for the program itself
     std::string text;
     std::vector<OptionWords> options;
-    ValueWords argument;  // of its first positional argument
+    ValueWords argument;  // of the first positional argument
 };
 
-/// The program, then its subcommands, in the order of its help.
+/// The program, then its subcommands, in the order of the help.
 [[nodiscard]] std::vector<CommandWords> commandWords(const CLI::App& program,
                                                      const ValuesByOption& known);
 

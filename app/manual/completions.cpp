@@ -12,7 +12,7 @@ namespace {
 
 using Kind = ValueWords::Kind;
 
-/// A function name of shells: '-' is not allowed in all of them.
+/// A name that is valid as a shell function: '-' is replaced.
 std::string identifier(std::string name) {
     for (char& c : name) {
         if (c == '-') c = '_';
@@ -20,7 +20,7 @@ std::string identifier(std::string name) {
     return name;
 }
 
-/// The text in single quotes, with those inside written as `quote` says.
+/// The text in single quotes, with inner quotes replaced by `quote`.
 std::string quoted(std::string_view text, std::string_view quote) {
     std::string result = "'";
     for (const char c : text) {
@@ -35,7 +35,7 @@ std::string quoted(std::string_view text, std::string_view quote) {
 
 std::string quotedForShell(std::string_view text) { return quoted(text, "'\\''"); }
 
-/// The beginning of a text, short enough for a list of completions.
+/// The beginning of a text, shortened for a list of completions.
 std::string shortText(const std::string& text) {
     constexpr std::size_t kMost = 100;
     std::string first = text.substr(0, std::min(text.find('\n'), text.find("; ")));
@@ -44,7 +44,7 @@ std::string shortText(const std::string& text) {
     return first + " ...";
 }
 
-/// How the function of bash below completes a value.
+/// Assignments that tell the bash function below how to complete a value.
 std::string bashKind(const ValueWords& value) {
     switch (value.kind) {
         case Kind::None:
@@ -62,7 +62,7 @@ std::string bashKind(const ValueWords& value) {
                        quotedForShell(fmt::format("{}", fmt::join(value.known.values, " "))));
 }
 
-/// Branches of a case statement, those that do the same put together.
+/// Branches of a case statement; patterns with equal actions are combined.
 std::string bashBranches(const std::vector<std::pair<std::string, std::string>>& action_by_pattern) {
     std::vector<std::string> actions;
     std::map<std::string, std::vector<std::string>> patterns;
@@ -104,7 +104,7 @@ constexpr std::string_view kBashEnd = R"(    esac
 }
 )";
 
-/// Descriptions in _arguments of zsh end at a bracket, values at a colon.
+/// Escapes a description for _arguments of zsh, where brackets and colons are special.
 std::string zshText(const std::string& text) {
     std::string result;
     for (const char c : shortText(text)) {
@@ -114,12 +114,13 @@ std::string zshText(const std::string& text) {
     return result;
 }
 
-/// Writes functions of zsh, one for each list of values.
+/// Generates zsh functions, one for each distinct list of values.
 class ZshFunctions {
   public:
     explicit ZshFunctions(std::string prefix) : prefix_(std::move(prefix)) {}
 
-    /// ":what it is:how to complete it"; empty for what takes no value.
+    /// The value part of an _arguments specification, ":name:action"; empty for options without a
+    /// value.
     std::string completed(const std::string& type, const ValueWords& value) {
         const std::string what = ":" + zshText(type.empty() ? "value" : type) + ":";
         switch (value.kind) {
@@ -163,7 +164,7 @@ class ZshFunctions {
 
     std::string prefix_;
     std::string text_;
-    std::map<std::string, std::string> names_;  // of functions by what they do
+    std::map<std::string, std::string> names_;  // function names by function body
 };
 
 std::string zshOptions(const CommandWords& command, ZshFunctions& functions) {
@@ -171,7 +172,7 @@ std::string zshOptions(const CommandWords& command, ZshFunctions& functions) {
     for (const OptionWords& option : command.options) {
         const std::string value = functions.completed(option.type, option.value);
         for (const std::string& name : option.names) {
-            // "+": the value may follow at once or as the next word, "=" likewise with an "=".
+            // "+": the value may follow directly or as the next word; "=": likewise, after a "=".
             const char* join = value.empty() ? "" : name.starts_with("--") ? "=" : "+";
             text += " \\\n        " + quotedForShell(fmt::format("*{}{}[{}]{}", name, join,
                                                                  zshText(option.text), value));
@@ -212,7 +213,7 @@ std::string quotedForFish(const std::string& text) {
 std::string bashCompletion(const std::string& program, const std::vector<CommandWords>& commands) {
     std::vector<std::pair<std::string, std::string>> of_commands;
     std::vector<std::pair<std::string, std::string>> of_options;
-    std::string general;  // options that every subcommand takes, too
+    std::string general;  // options accepted by every subcommand
     std::string names;
     for (const CommandWords& command : commands) {
         std::string options;
@@ -233,7 +234,7 @@ std::string bashCompletion(const std::string& program, const std::vector<Command
             command.name, fmt::format("options+=' {}'{}", options,
                                       argument.empty() ? "" : " argument=" + argument.substr(5)));
     }
-    // Those of subcommands first: the general ones match every subcommand.
+    // Subcommands' options first, because the general patterns match every subcommand.
     std::stable_partition(of_options.begin(), of_options.end(),
                           [](const auto& one) { return !one.first.starts_with('*'); });
     const std::string argument = bashKind(commands.front().argument);

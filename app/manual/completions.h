@@ -7,8 +7,8 @@
 
 namespace dollytrack::manual {
 
-/// A script each that completes subcommands, options and their values in a shell. `commands` are
-/// those of commandWords().
+/// Shell scripts that complete subcommands, options and values. `commands` is the result of
+/// commandWords().
 [[nodiscard]] std::string bashCompletion(const std::string& program,
                                          const std::vector<CommandWords>& commands);
 [[nodiscard]] std::string zshCompletion(const std::string& program,

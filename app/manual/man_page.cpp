@@ -12,7 +12,7 @@
 namespace dollytrack::manual {
 namespace {
 
-/// Public in CLI::Formatter, whose other functions indent for terminals.
+/// The formatter as CLI::Formatter, whose functions are public and do not indent for terminals.
 const CLI::Formatter& formatterOf(const CLI::App& app) {
     static const CLI::Formatter usual;
     const auto* own = dynamic_cast<const CLI::Formatter*>(app.get_formatter().get());
@@ -34,7 +34,7 @@ std::string optionEntry(const CLI::Formatter& formatter, const CLI::Option& opti
                        troffText(formatter.make_option_desc(&option)));
 }
 
-/// Options or arguments, under a heading.
+/// A section of options or arguments.
 std::string entries(const CLI::App& app, const std::string& heading, bool positional) {
     std::string text;
     for (const CLI::Option* option : app.get_options()) {
@@ -44,7 +44,7 @@ std::string entries(const CLI::App& app, const std::string& heading, bool positi
     return text.empty() ? text : ".SH " + heading + "\n" + text;
 }
 
-/// What help says at its end: prose, and commands to try.
+/// The help's footer, split into notes and example commands.
 struct Footer {
     std::string notes;
     std::string examples;
@@ -78,7 +78,7 @@ std::string troffText(const std::string& text) {
     char before = '\n';
     for (const char c : text) {
         if (before == '\n' && (c == '.' || c == '\'')) result += "\\&";
-        // A long list may be broken after a comma.
+        // Allows a line break after a comma.
         if (before == ',' && c != ' ' && c != '\n') result += "\\:";
         before = c;
         switch (c) {
@@ -143,7 +143,7 @@ std::string manPage(const CLI::App& program, const CLI::App& command, const std:
                             troffText(one->get_description()));
     }
     text += more;
-    // A subcommand without a footer of its own has the program's.
+    // A subcommand without a footer of its own inherits the program's.
     if (is_program || command.get_footer() != program.get_footer()) {
         const Footer footer = footerOf(command);
         if (!footer.notes.empty()) text += ".SH NOTES\n" + footer.notes;

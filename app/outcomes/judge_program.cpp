@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kPython = "/usr/bin/python3";  // Debian's, which has Debian's libraries
+constexpr const char* kPython = "/usr/bin/python3";  // Debian's, with Debian's libraries
 constexpr int kMissingExit = 3;
-constexpr double kCheckTimeout_s = 120.0;  // loading large libraries from a slow disk
+constexpr double kCheckTimeout_s = 120.0;  // allows for loading large libraries from a slow disk
 constexpr auto kLookInterval = std::chrono::milliseconds(50);
 constexpr auto kEndGrace = std::chrono::seconds(5);
 constexpr std::size_t kEnoughWords = 4096;
@@ -44,7 +44,7 @@ std::string lastLine(const fs::path& file) {
     return cleanText(before == std::string::npos ? text : text.substr(before + 1));
 }
 
-/// A process that is watched to its end.
+/// Runs a judge's process until it ends.
 class WatchedProcess {
   public:
     WatchedProcess(const JudgeProgram& judge, const JudgeSettings& settings)
@@ -58,7 +58,7 @@ class WatchedProcess {
         if (!said) return tl::unexpected<Error>(said.error());
         const Result<io::FileDescriptor> log = folder->openEmptied("log.txt");
         if (!log) return tl::unexpected<Error>(log.error());
-        // No compiled files beside the judges: their folder may be anybody's.
+        // -B: no compiled files in the judges' folder, which may belong to the user.
         std::vector<std::string> command = {kPython, "-B", judge_.path.string()};
         command.insert(command.end(), arguments.begin(), arguments.end());
         ProcessSetup setup;
@@ -115,7 +115,7 @@ class WatchedProcess {
         kill_at = Clock::now() + kEndGrace;
     }
 
-    /// Judges say a line an entry.
+    /// Judges print one line per finished entry.
     [[nodiscard]] int finishedEntries() const {
         const std::string text = batch::endOf(settings_.folder / "log.txt", std::size_t{1} << 20U);
         return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
@@ -158,7 +158,7 @@ Result<std::vector<JudgeProgram>> findJudges(const std::vector<fs::path>& folder
             if (path.extension() != ".py") continue;
             const Result<std::string> source = io::readText(path);
             if (!source) return tl::unexpected<Error>(source.error());
-            // A module that judges share has no main program.
+            // Shared modules have no main program.
             if (source->find("__main__") == std::string::npos) continue;
             JudgeProgram judge{path.stem().string(), fs::absolute(path), docLine(*source),
                                source->find("\"tests\"") != std::string::npos,

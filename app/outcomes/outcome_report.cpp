@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The entry's own row, or that of all its planner's scenes together; null without either.
+/// The row of the entry, or of its planner's scenes together ("all"); null if neither exists.
 const Json* rowOfEntry(const Json& rows, const Entry& entry) {
     for (const std::string& scene : {entry.scene, std::string("all")}) {
         for (const Json& row : rows) {
@@ -31,7 +31,7 @@ tl::unexpected<Error> malformed(const std::string& what) {
     return fail(ErrorCode::BadInput, what, "result.json");
 }
 
-/// Every name that any row has a value under, with what the judge says of it.
+/// All value names in the rows, with their units and directions.
 std::vector<Metric> metricsIn(const Json& json) {
     std::vector<Metric> metrics;
     const Json about = json.value("metrics", Json::object());
@@ -71,7 +71,7 @@ Status checkRows(const Json& json) {
     return {};
 }
 
-/// Relative, so that sums in another order are equal.
+/// Relative comparison, to ignore differences from the order of summation.
 bool nearlyEqual(const std::optional<double>& a, const std::optional<double>& b) {
     if (!a || !b) return a.has_value() == b.has_value();
     return std::abs(*a - *b) <= 1e-9 * std::max({1.0, std::abs(*a), std::abs(*b)});
@@ -82,14 +82,14 @@ const Row* rowOf(const std::vector<Row>& rows, const std::string& planner) {
     return found == rows.end() ? nullptr : &*found;
 }
 
-/// Whether `value` is at least as bad as `other`; no value at all is worst.
+/// Whether `value` is at least as bad as `other`; a missing value is worst.
 bool noBetter(const Metric& metric, const std::optional<double>& value,
               const std::optional<double>& other) {
     if (!value || !other) return !value;
     return metric.better == "higher" ? *value <= *other : *value >= *other;
 }
 
-/// Metrics that at least one planner has a value of, by their indices.
+/// Indices of the metrics that at least one planner has.
 std::vector<std::size_t> measuredMetrics(const JudgeOutcome& outcome,
                                          const std::vector<Row>& rows) {
     std::vector<std::size_t> measured;
@@ -101,7 +101,7 @@ std::vector<std::size_t> measuredMetrics(const JudgeOutcome& outcome,
     return measured;
 }
 
-/// Metrics in which the planner is better than the worst of all rows.
+/// Metrics in which this planner is better than another one.
 std::vector<std::string> notWorstIn(const JudgeOutcome& outcome, const std::vector<Row>& rows,
                                     const Row& stare, int& asked) {
     std::vector<std::string> names;
@@ -174,7 +174,7 @@ std::vector<Row> emptyRows(const std::vector<Entry>& entries) {
 
 Status readResult(const Json& json, const std::vector<Entry>& entries, JudgeOutcome& result) {
     if (Status status = checkRows(json); !status) return status;
-    JudgeOutcome outcome = result;  // which stays as it is when a row is missing
+    JudgeOutcome outcome = result;  // `result` stays unchanged on errors
     outcome.metrics = metricsIn(json);
     outcome.rows.clear();
     for (const Entry& entry : entries) {
@@ -284,7 +284,7 @@ std::string outcomeText(const OutcomeReport& report) {
 std::string outcomeCsv(const OutcomeReport& report) {
     std::string text = "scene,planner,seed,frames";
     for (const JudgeOutcome& outcome : report.judges) {
-        // A judge without values has a column all the same, so that its absence is seen.
+        // A judge without values gets an empty column, so that its absence is visible.
         if (outcome.metrics.empty()) text += fmt::format(",{}", cli::csvField(outcome.judge));
         for (const Metric& metric : outcome.metrics) {
             text += fmt::format(",{}", cli::csvField(outcome.judge + "." + metric.name));

@@ -11,19 +11,19 @@
 
 namespace dollytrack::outcomes {
 
-/// The frames of one planner in one scene.
+/// The exported frames of one planner in one scene.
 struct Entry {
     std::string planner;
     std::string scene;
     int seed = 1;
-    std::filesystem::path dataset;  // empty when the export failed
+    std::filesystem::path dataset;  // empty if the export failed
     int frames = 0;
 };
 
-/// A value that a judge measures.
+/// A value measured by a judge.
 struct Metric {
     std::string name;
-    std::string unit;    // "%": the value is a rate, 0..1
+    std::string unit;    // "%": a rate, 0..1
     std::string better;  // "higher", "lower" or empty
 };
 
@@ -34,47 +34,48 @@ struct Row {
     std::vector<std::optional<double>> values;  // in the order of the metrics
 };
 
-/// What one judge found, or why it found nothing: then its rows have no values.
+/// The results of one judge. If it could not run, its rows have no values.
 struct JudgeOutcome {
     std::string judge;
     std::string text;      // what it measures
     std::string state;     // "done", "missing", "failed", "timed out"
-    std::string versions;  // of the programs behind it
+    std::string versions;  // versions of the evaluation programs
     std::vector<Metric> metrics;
-    std::vector<Row> rows;  // one an entry, in the order of the entries
+    std::vector<Row> rows;  // one per entry, in the order of the entries
     std::vector<std::string> notes;
 };
 
 struct OutcomeReport {
     std::vector<Entry> entries;
     std::vector<JudgeOutcome> judges;
-    std::vector<std::string> notes;  // of the frames
+    std::vector<std::string> notes;  // notes on the exported frames
 };
 
-/// The rows of an outcome without any value.
+/// Rows without values, one per entry.
 std::vector<Row> emptyRows(const std::vector<Entry>& entries);
 
-/// Takes over a judge's result.json. Error: BadInput for a result that does not keep to the rules,
-/// with the place, and `result` as it was: every entry needs a row, each with its values.
+/// Reads a judge's result.json. Error: BadInput, with the location, if it violates the protocol:
+/// every entry with a dataset needs a row, and every value must be a number or null. Then `result`
+/// is unchanged.
 Status readResult(const nlohmann::ordered_json& json, const std::vector<Entry>& entries,
                   JudgeOutcome& result);
 
-/// Planner by planner the means over scenes and seeds. A mean is of those that have a value.
+/// Means over scenes and seeds, by planner; missing values are ignored.
 std::vector<Row> meanRows(const JudgeOutcome& outcome);
 
-/// Results of the controls in the metrics that any planner has a value of: whether the planner that
-/// is measured twice is equal, and in which metrics the camera at the wall is not the worst.
+/// Notes on the controls: whether the repeated planner has equal values, and in which metrics the
+/// camera facing a wall is not the worst. Empty if a control is missing.
 std::vector<std::string> controlNotes(const JudgeOutcome& outcome, const std::string& planner,
                                       const std::string& again, const std::string& stare);
 
-/// A table a judge with the means of the planners, and the notes.
+/// One text table per judge with the planners' means, and the notes.
 std::string outcomeText(const OutcomeReport& report);
-/// A line for each scene, planner and seed, a column for each value, and one for notes.
+/// CSV with one line per scene, planner and seed, one column per value, and one for notes.
 std::string outcomeCsv(const OutcomeReport& report);
 std::string outcomeJson(const OutcomeReport& report);
 std::string outcomeHtml(const OutcomeReport& report);
 
-/// A value as tables for people show it.
+/// A formatted value for tables; "-" if it is missing.
 std::string shown(const Metric& metric, const std::optional<double>& value);
 
 }  // namespace dollytrack::outcomes

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// Far from the seeds of the planners, so that no test view is a frame that was trained on.
+// Far from the planners' seeds, so that no test view equals a training frame.
 constexpr int kTestSeedsFrom = 1000;
 
 struct TestKind {
@@ -29,11 +29,11 @@ struct TestKind {
 constexpr TestKind kTests[] = {
     {"uniform", "uniform"}, {"object_facing", "object-facing"}, {"close", "close-views"}};
 
-/// Frames to be exported, and what they are for.
+/// A set of frames to export and its purpose.
 struct FrameSet {
     batch::Job job;
     Entry entry;
-    std::string distribution;  // of a test set; empty for a planner's frames
+    std::string distribution;  // distribution of a test set; empty for a planner's frames
 };
 
 std::string folderName(std::string name) {
@@ -75,11 +75,11 @@ class Measurement {
         return {order_.folder / "judges" / judge.name, order_.timeout_s};
     }
 
-    /// Before the exports, which can take hours: what is missing is said at once.
+    /// Checked before the exports, which can take hours, to report missing dependencies at once.
     Status checkJudges() {
         for (const JudgeProgram& judge : order_.judges) {
             JudgeSettings settings = settingsOf(judge);
-            settings.folder /= "check";  // so that the log of an earlier run stays
+            settings.folder /= "check";  // keeps the log of an earlier run
             std::error_code error;
             fs::create_directories(settings.folder, error);
             const fs::path file = settings.folder / "request.json";
@@ -96,7 +96,7 @@ class Measurement {
         return {};
     }
 
-    /// The user's choices for a judge.
+    /// The user's options and programs for a judge.
     [[nodiscard]] Json choicesOf(const JudgeProgram& judge) const {
         return {{"seed", order_.first_seed},
                 {"options", order_.options.value(judge.name, Json::object())},
@@ -247,7 +247,7 @@ class Measurement {
         return {};
     }
 
-    /// Hashes of all Python files of the judge's folder, by name: it may import any of them.
+    /// Hashes of all Python files in the judge's folder, by name, since it may import any of them.
     static Result<Json> codeHashes(const JudgeProgram& judge) {
         std::map<std::string, std::string> hashes;
         std::error_code error;
@@ -263,8 +263,8 @@ class Measurement {
         return json;
     }
 
-    /// The judge's request. It has hashes of the datasets and of the judge's code, and all
-    /// versions: an earlier result is used only for an equal request.
+    /// The judge's request. It contains hashes of the datasets and the judge's code, and all
+    /// versions: an earlier result is reused only for an equal request.
     Result<Json> requestFor(const JudgeProgram& judge, const std::string& versions) const {
         Result<Json> hashes = codeHashes(judge);
         if (!hashes) return hashes;
@@ -337,7 +337,7 @@ class Measurement {
         return outcome;
     }
 
-    /// Whether the folder holds a result that keeps to the rules.
+    /// Reads an existing result; returns whether it is valid.
     bool readOutcome(const fs::path& folder, JudgeOutcome& outcome) const {
         const Result<Json> json = io::readBoundedJson<Json>(folder / "result.json");
         return json && takeResult(*json, outcome).has_value();
@@ -355,7 +355,7 @@ class Measurement {
         return {};
     }
 
-    /// The state of a judge without a result.
+    /// The state name of a judge without a result.
     static std::string stateOf(JudgeEnd::How how) {
         if (how == JudgeEnd::How::Missing) return "missing";
         return how == JudgeEnd::How::TimedOut ? "timed out" : "failed";
@@ -379,10 +379,10 @@ class Measurement {
     const OutcomeOrder& order_;
     const JobContext& job_;
     fs::path program_;
-    std::vector<JudgeEnd> checks_;  // of the order's judges
+    std::vector<JudgeEnd> checks_;  // by judge, in the order of order_.judges
     std::vector<JudgeProgram> available_;
     std::vector<FrameSet> sets_;
-    std::map<std::string, std::string> scene_hashes_;  // by the scene's name
+    std::map<std::string, std::string> scene_hashes_;  // by scene name
     OutcomeReport report_;
 };
 

@@ -13,45 +13,44 @@
 namespace dollytrack::outcomes {
 
 struct ComparedFile {
-    std::string name;  // in tables and folders
+    std::string name;  // name in tables and folders
     std::filesystem::path path;
 };
 
-/// Which frames are measured by whom.
+/// The planners, scenes and judges of a downstream evaluation.
 struct OutcomeOrder {
-    std::filesystem::path folder;  // for frames, scratch files and results
+    std::filesystem::path folder;  // folder for frames, scratch files and results
     std::vector<ComparedFile> scenes;
-    std::vector<ComparedFile> test_scenes;  // no planner's frames are of these, only test sets
+    std::vector<ComparedFile> test_scenes;  // scenes used for test views only
     std::vector<std::string> planners;
     int first_seed = 1;
     int seeds = 1;
-    int frames = 300;          // of each planner
-    int test_frames = 60;      // of each test set
-    bool controls = false;     // also the first planner again, and a camera that stares at a wall
-    cli::SceneArguments each;  // how to read and plan every scene
-    std::vector<std::string> export_arguments;  // the same for 'dollytrack export'
+    int frames = 300;          // frames per planner
+    int test_frames = 60;      // frames per set of test views
+    bool controls = false;     // controls: the first planner again, a camera facing a wall
+    cli::SceneArguments each;  // import and planning options of every scene
+    std::vector<std::string> export_arguments;  // the same as arguments of 'dollytrack export'
     std::vector<JudgeProgram> judges;
-    nlohmann::ordered_json options;   // by judge: options by name
-    nlohmann::ordered_json programs;  // by judge: the user's programs, each with name and command
-    double timeout_s = 0.0;           // of each judge; 0: without limit
-    int threads = 1;                  // of each export
-    std::string version;              // of the program
+    nlohmann::ordered_json options;   // options by judge and name
+    nlohmann::ordered_json programs;  // the user's programs by judge, each with name and command
+    double timeout_s = 0.0;           // time limit per judge; 0: none
+    int threads = 1;                  // threads per export
+    std::string version;              // program version
 };
 
-/// Checks the judges, exports the frames that are not there yet, and runs the judges that are
-/// installed on all of them; without any, nothing is exported. A judge or an export that fails
-/// leaves rows without values and a note. What is finished when it is cancelled is used by the next
-/// run with the same order. Errors: Cancelled, CannotWrite, and Failed when there are no frames at
-/// all.
+/// Checks the judges, exports the missing frames, and runs the available judges on all frames;
+/// without any judge, nothing is exported. A failing judge or export leaves rows without values and
+/// a note. After cancellation, a run with the same settings reuses what is finished. Errors:
+/// Cancelled, CannotWrite; Failed if no frames could be exported.
 Result<OutcomeReport> measureOutcomes(const OutcomeOrder& order, const JobContext& job);
 
-/// Names of the controls in reports.
+/// Names of the controls in reports: the repeated planner and the camera facing a wall.
 std::string againName(const OutcomeOrder& order);
 inline constexpr const char* kStareName = "wall-stare";
 
-/// Writes what a camera can see of a scene from where it can be: an NPY array of float32 with a row
-/// x, y, z and unit normal for every sample. Errors: those of opening and mapping the scene,
-/// CannotWrite and Cancelled.
+/// Writes the reference surface of a scene, samples of the surface that a camera can see from
+/// reachable positions: an NPY array of float32 with rows x, y, z (m) and unit normal, 4 cm apart.
+/// Errors: those of opening and mapping the scene, CannotWrite and Cancelled.
 Status writeReferenceSurface(const cli::SceneArguments& scene, const std::filesystem::path& file,
                              const JobContext& job);
 

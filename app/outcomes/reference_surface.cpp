@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kReferenceSpacing_m = 0.04;
 
-/// Version 1.0 of NumPy's format: a header of text, then the rows, little-endian as this program's
-/// platforms are.
+/// The samples in NumPy's NPY format 1.0: a text header, then little-endian rows, the byte order of
+/// the supported platforms.
 std::string npyOf(const std::vector<planning::SurfacePatch>& samples) {
     constexpr std::size_t kAlignment = 64;
     constexpr std::size_t kMagicBytes = 10;

@@ -39,23 +39,23 @@ struct Pipe {
     }
 };
 
-/// What the child is to become, ready before it is made.
+/// Arguments of the child, prepared before the fork.
 struct Becoming {
     char* const* arguments = nullptr;
     pid_t parent = 0;
-    int output = -1;  // descriptors; -1: /dev/null
+    int output = -1;  // file descriptors; -1: /dev/null
     int messages = -1;
-    int failure_end = -1;  // tells the parent why it could not become that
+    int failure_end = -1;  // pipe that reports a failed exec to the parent
     rlim_t memory = RLIM_INFINITY;
     bool expendable = false;
 };
 
-/// Runs in the child, which has but this one thread: other threads may have held any lock when it
-/// was made, so nothing here allocates, or calls what is not safe in a signal handler.
+/// Runs in the forked child, which has only this thread: other threads may have held any lock
+/// during the fork, so only async-signal-safe functions are allowed, and no allocation.
 [[noreturn]] void becomeProgram(const Becoming& wanted) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    // The parent may have died before it was asked to take this one along.
+    // The parent may have died before prctl() took effect.
     if (getppid() != wanted.parent) _exit(127);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGCHLD, SIGQUIT}) {
         std::signal(signal, SIG_DFL);
@@ -69,14 +69,14 @@ struct Becoming {
     dup2(wanted.messages >= 0 ? wanted.messages : nothing, STDERR_FILENO);
     if (wanted.memory != RLIM_INFINITY) {
         const rlimit limit{wanted.memory, wanted.memory};
-        // Not RLIMIT_AS: libraries and threads reserve many times the addresses that they use.
+        // Not RLIMIT_AS: libraries and threads reserve far more addresses than they use.
         setrlimit(RLIMIT_DATA, &limit);
     }
     if (wanted.expendable) {
         const int score = open("/proc/self/oom_score_adj", O_WRONLY);
         [[maybe_unused]] const ssize_t told = write(score, "1000", 4);
     }
-    // Files, sockets and devices of libraries that forgot to mark them.
+    // Descriptors that libraries opened without close-on-exec.
     close_range(3, UINT_MAX, CLOSE_RANGE_CLOEXEC);
     execv(wanted.arguments[0], wanted.arguments);
     const int error = errno;
@@ -90,8 +90,8 @@ bool isStopped(pid_t child) {
            found.si_pid == child;
 }
 
-/// Why the child could not become the program; 0 where it did, or was stopped on the way: then it
-/// runs for all that can be known, and whoever waits for it decides how long.
+/// The errno of a failed exec; 0 on success, or if the child was suspended before: then it counts
+/// as running, and the caller decides how long to wait.
 int failureOf(pid_t child, int failure_end) {
     constexpr int kLook_ms = 50;
     pollfd watched{failure_end, POLLIN, 0};
@@ -133,9 +133,9 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
     const pid_t child = fork();
     if (child < 0) return cannotStart(command[0], errno);
     if (child == 0) becomeProgram(wanted);
-    // Here as well: whichever comes first, a signal to the group must find it.
+    // In parent and child, so that the group exists before the first signal, whichever runs first.
     setpgid(child, child);
-    // Stopped with us by the terminal while it was in our group, nobody would wake it.
+    // If the terminal stopped it while it was still in our group, nothing else would continue it.
     kill(-child, SIGCONT);
     words.closeWriteEnd();
     failure.closeWriteEnd();
@@ -163,7 +163,7 @@ ChildProcess::~ChildProcess() {
 
 std::string ChildProcess::read(std::chrono::milliseconds wait) {
     if (heard_end_ < 0) {
-        // Nothing is to be heard, any more or at all; poll() would not wait for nothing.
+        // Without a pipe, poll() would return at once.
         if (!end_) std::this_thread::sleep_for(wait);
         return {};
     }
@@ -191,7 +191,7 @@ std::optional<ProcessEnd> ChildProcess::end() {
 }
 
 void ChildProcess::send(int signal) const {
-    // Once it is waited for, its number may belong to somebody else.
+    // After wait4() the process id may be reused.
     if (process_ > 0 && !end_) kill(-process_, signal);
 }
 

@@ -29,7 +29,7 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
     ProjectContent content;
     content.scene_file = path;
     if (!isProjectFile(path)) {
-        // A project has its edits from then on; what the annotations say later is not mixed in.
+        // Projects contain their edits; later changes of the annotations are ignored.
         Result<io::Annotations> said = io::findAnnotations(path, annotations);
         if (!said) return tl::unexpected<Error>(std::move(said.error()));
         Result<Edits> edits = editsFromJson(said->edits);

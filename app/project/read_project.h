@@ -17,48 +17,48 @@
 
 namespace dollytrack {
 
-/// What a project says, read and checked; of a scene file that is no project yet, the defaults.
-/// Its scene is not imported yet: who opens it may have more to say about that.
+/// The validated content of a project file; for a scene file, the defaults. The scene is not
+/// imported yet: callers may change the import settings first.
 struct ProjectContent {
-    std::filesystem::path project;  // empty: it is a scene file
+    std::filesystem::path project;  // empty: opened from a scene file
     std::filesystem::path scene_file;
-    nlohmann::json import =
-        nlohmann::json::object();  // how to read the scene, as far as it is said
+    nlohmann::json import = nlohmann::json::object();  // import settings that were given
     planning::PlanParams params;
     Edits edits;
-    nlohmann::json result;       // a stored plan; null when there is none
-    std::string planned_sha256;  // of the scene file when the project was written
-    std::string file_sha256;     // of the project file itself
-    nlohmann::json edits_section = nlohmann::json::object();  // as read, for keys we do not know
-    nlohmann::json others = nlohmann::json::object();         // what else the file holds
+    nlohmann::json result;       // stored plan; null if there is none
+    std::string planned_sha256;  // hash of the scene file when the project was written
+    std::string file_sha256;     // hash of the project file
+    nlohmann::json edits_section = nlohmann::json::object();  // as read, to preserve unknown keys
+    nlohmann::json others = nlohmann::json::object();         // other sections of the file
 };
 
-/// Whether the path names a project rather than a scene.
+/// Whether the path is a project (.dolly) rather than a scene.
 [[nodiscard]] bool isProjectFile(const std::filesystem::path& path);
 
-/// A scene file is not looked at, but for the edits in its annotations: `annotations`, or the file
-/// beside it (engine/io/settings/annotation_file.h). Errors: as io::loadProject(); BadInput for
-/// parameters and edits that do not fit, with the file and the place in it.
+/// Reads a project. For a scene file, reads only the edits in its annotations: those given, or
+/// those beside it (engine/io/settings/annotation_file.h). Errors: those of io::loadProject();
+/// BadInput for invalid parameters and edits, with file and location.
 Result<ProjectContent> readProject(const std::filesystem::path& path,
                                    const std::optional<std::filesystem::path>& annotations = {});
 
-/// What a project file holds, checked; `path` may be empty where it was never saved.
+/// Validates a project file's content; `path` is empty if it was never saved. Error: BadInput.
 Result<ProjectContent> contentOf(io::ProjectFile file, const std::filesystem::path& path);
 
 [[nodiscard]] bool sceneIsGone(const ProjectContent& content);
 
-/// Whether importSceneOf() finds a file that it may read. Error: BadInput.
+/// Checks that the scene file exists and has a supported format. Error: BadInput.
 [[nodiscard]] Status checkScene(const ProjectContent& content);
 
-/// Imports the scene file as `import` and the parameters have it. Errors: BadInput when a project's
-/// scene is gone; as importScene().
+/// Imports the scene file with the project's import settings. Errors: BadInput if a project's scene
+/// is missing; those of importScene().
 Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,
                                                    const JobContext& job);
 
-/// Edits that came with names alone get the numbers of their objects. Returns what was left out.
+/// For edits from annotations, which name objects only: adds the objects' ids. Returns warnings
+/// about edits that were skipped.
 Result<std::vector<std::string>> numberEdits(ProjectContent& content, const Scene& imported);
 
-/// Whether the scene file is another one than the project was written for.
+/// Whether the scene file differs from the one that the project was saved for.
 [[nodiscard]] bool sceneHasChanged(const ProjectContent& content, const Scene& imported);
 
 }  // namespace dollytrack

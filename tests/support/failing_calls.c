@@ -81,7 +81,7 @@ static void* next(const char* name) {
 
 static int openWatched(const char* function, int folder, const char* path, int flags, mode_t mode) {
     const int below = isBelowFrom(folder, path);
-    // A step on the way to a file is none of its own.
+    // O_PATH opens, the steps of a walk along a path, are not counted.
     if (below && (flags & O_PATH) == 0 && fails(kOpen)) return -1;
     int descriptor = -1;
     if (folder == AT_FDCWD) {

@@ -15,7 +15,7 @@ const Eigen::Vector3d kRoom(5.0, 4.0, 2.6);
 constexpr double kDoorHigh = 2.05;
 constexpr double kWall = 0.1;
 
-/// Puts targets into one room after another, until there are enough.
+/// Furnishes one room after another until all objects are placed.
 class Furnisher {
   public:
     Furnisher(SceneBuilder& builder, int objects, unsigned seed)
@@ -74,7 +74,7 @@ class Furnisher {
         builder_.box(corner_ + center, size);
     }
 
-    /// By the middle of its foot.
+    /// A small object, given by the centre of its base.
     void small(const std::string& name, const Eigen::Vector3d& foot) {
         add(name, 40, [&] {
             const Eigen::Vector3d size(random_.uniform(0.07, 0.14), random_.uniform(0.07, 0.14),
@@ -106,7 +106,7 @@ class Furnisher {
     Random random_{0};
 };
 
-/// A wall from one corner along an edge, with a door between two places on it.
+/// A wall from a corner along an edge, with a door between two distances along it.
 void wallWithDoor(SceneBuilder& builder, const Eigen::Vector3d& corner,
                   const Eigen::Vector3d& along, double length, double door_from, double door_to) {
     builder.object("wall", {kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}});

@@ -10,15 +10,15 @@
 
 namespace dollytrack::test {
 
-/// Puts a glTF 2.0 file together by hand, so that a test knows every number in it.
+/// Composes a glTF 2.0 file from given values, so that tests know every number in it.
 class GlbWriter {
   public:
     GlbWriter();
 
-    /// The JSON, to be changed at will before it is written.
+    /// The JSON; may be changed before writing.
     nlohmann::json json;
 
-    /// Adds bytes to the buffer, at a multiple of four; returns their buffer view's index.
+    /// Adds bytes to the buffer, aligned to four; returns the index of their buffer view.
     std::size_t addView(std::string_view bytes, std::size_t stride = 0);
 
     template <class T>
@@ -28,11 +28,11 @@ class GlbWriter {
                        stride);
     }
 
-    /// Adds an accessor of a whole view; returns its index.
+    /// Adds an accessor for a whole buffer view; returns its index.
     std::size_t addAccessor(std::size_t view, int component_type, const char* type,
                             std::size_t count, bool normalized = false);
 
-    /// Adds a mesh of one primitive and a node that has it, and puts the node into the scene.
+    /// Adds a mesh with one primitive and a node for it to the scene; returns the node.
     nlohmann::json& addMesh(const char* node_name, nlohmann::json primitive);
 
     /// The file as .glb.

@@ -7,7 +7,8 @@
 
 namespace dollytrack::test {
 
-/// Writes small OBJ scenes: z up and metres here, the file's own axes and unit in the text.
+/// Writes small OBJ scenes. Arguments are in metres with z up; the text has the file's unit and
+/// axes.
 class ObjWriter {
   public:
     /// `units_per_metre` 100 gives centimetres; `y_up` stores (x, z, -y).
@@ -20,7 +21,8 @@ class ObjWriter {
     ObjWriter& box(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
     ObjWriter& quad(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                     const Eigen::Vector3d& d);
-    /// Floor, ceiling and four walls without thickness; named, or all in the object at hand.
+    /// Floor, ceiling and four walls of zero thickness from the origin to `size`; as named objects,
+    /// or all in the current object.
     ObjWriter& room(const Eigen::Vector3d& size, bool named);
 
     [[nodiscard]] std::string text() const { return out_.str(); }
@@ -34,7 +36,7 @@ class ObjWriter {
     std::ostringstream out_;
 };
 
-/// A room of 5 x 4 x 2.6 m, z up, with four things in it: sofa, chair, lamp, coffee_table.
+/// A room of 5 x 4 x 2.6 m, z up, with four objects: sofa, chair, lamp, coffee_table.
 [[nodiscard]] ObjWriter furnished(double units_per_metre = 1.0);
 
 }  // namespace dollytrack::test

@@ -6,7 +6,7 @@
 
 namespace dollytrack::test {
 
-/// A folder of its own for one test, gone afterwards.
+/// A temporary folder, deleted by the destructor.
 class TempFolder {
   public:
     TempFolder();
@@ -15,7 +15,7 @@ class TempFolder {
     TempFolder& operator=(const TempFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    /// Writes a file in it, byte for byte, and returns its path.
+    /// Writes a file in it, byte by byte, and returns its path.
     [[nodiscard]] std::filesystem::path write(const std::string& name, std::string_view text) const;
 
   private:

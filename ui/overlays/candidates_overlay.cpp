@@ -16,7 +16,7 @@ namespace {
 using Mark = render::OverlayMark;
 using EntryShape = LegendEntry::Shape;
 
-// There are many of those refused, over all of the room: they shall not hide it.
+// Refused candidates fill much of the room; smaller marks keep the room visible.
 constexpr double kLegal_px = 8.0;
 constexpr double kRefused_px = 3.5;
 constexpr int kConeSides = 36;
@@ -26,7 +26,8 @@ double halfAngle(const CandidatesOverlayOptions& options) {
     return std::min(options.cone_half_angle_deg, 89.0) * std::numbers::pi / 180.0;
 }
 
-/// As far as the candidates in it are; those outside the room only count where there are no others.
+/// Distance of the farthest candidate inside the cone, m; 0 if there is none. Candidates outside
+/// the room count only if there are no others.
 double coneLength(const ObservationPoint& point, const std::vector<Candidate>& candidates,
                   double half_angle) {
     double length = 0.0;
@@ -42,7 +43,7 @@ double coneLength(const ObservationPoint& point, const std::vector<Candidate>& c
     return length > 0.0 ? length : outside;
 }
 
-/// The cone from the observation point.
+/// The search cone, with its apex at the observation point.
 void addCone(render::Overlay& overlay, const ObservationPoint& point,
              const std::vector<Candidate>& candidates, const CandidatesOverlayOptions& options) {
     const double half_angle = halfAngle(options);
@@ -139,9 +140,9 @@ bool isInCone(const Plan& plan, const CandidatesOverlayOptions& options,
         index >= std::min(plan.observation_points.size(), plan.searches.size())) {
         return false;
     }
-    // A side that one nearly touches covers as much as one that one has passed.
+    // Margin around the cone: a side this close covers as much of the image as from inside.
     constexpr double kTouching_m = 0.15;
-    // Twice as far as it is long, its mouth fits into the picture.
+    // Beyond twice the cone's length, its base fits into the image.
     constexpr double kMouth = 2.0;
     const ObservationPoint& point = plan.observation_points[index];
     const double half_angle = halfAngle(options);

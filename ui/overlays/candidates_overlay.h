@@ -20,25 +20,25 @@ constexpr ShownVerdicts allVerdicts() {
 }
 
 struct CandidatesOverlayOptions {
-    int observation_point = -1;  // index; -1: nothing is shown
+    int observation_point = -1;  // index in Plan::observation_points; -1: the layer is empty
     double cone_half_angle_deg = 40.0;
     bool cone = true;
-    bool cone_filled = true;  // else only its edges
+    bool cone_filled = true;  // false: only its edges
     int selected_candidate = -1;
     ShownVerdicts shown = allVerdicts();
     bool operator==(const CandidatesOverlayOptions&) const = default;
 };
 
-/// Why an observation point is seen from where it is, or from nowhere: the cone that was searched,
-/// every place tried there and elsewhere by the reason it was not taken, and the one that was.
+/// The viewpoint search of one observation point: the search cone, every tested candidate coloured
+/// by its verdict, and the position point that was chosen.
 [[nodiscard]] PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& options);
 
-/// Whether an eye is in the cone or before its mouth: from there its sides are all around what one
-/// looks at, and would tint the whole picture.
+/// Whether an eye (m, world) is within 0.15 m of the search cone, or in front of its base at less
+/// than twice its length. From there the filled sides would cover most of the image.
 [[nodiscard]] bool isInCone(const Plan& plan, const CandidatesOverlayOptions& options,
                             const Eigen::Vector3d& eye);
 
-/// A verdict in words: "in an obstacle".
+/// A verdict as text: "in an obstacle".
 [[nodiscard]] std::string_view inWords(Verdict verdict);
 [[nodiscard]] Eigen::Vector4f colorOf(Verdict verdict);
 

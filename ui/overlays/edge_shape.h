@@ -5,7 +5,7 @@
 
 namespace dollytrack::ui {
 
-/// Adds an edge of the roadmap, by way of its corners.
+/// Adds a roadmap edge as line segments through its intermediate points.
 void addEdge(render::Overlay& overlay, const Plan& plan, const RoadmapEdge& edge,
              const Eigen::Vector4f& rgba, double width_px, double dash_px, std::int32_t tag);
 

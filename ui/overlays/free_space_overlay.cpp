@@ -19,18 +19,18 @@ using planning::FreeSpaceLeaf;
 const Eigen::Vector4f kFree(0.20F, 0.68F, 0.42F, 1.0F);
 const Eigen::Vector4f kOccupied(0.86F, 0.36F, 0.22F, 1.0F);
 const Eigen::Vector4f kUnknown(0.42F, 0.44F, 0.50F, 1.0F);
-constexpr int kBands = 16;         // of clearance: a colour each
-constexpr double kPieceCells = 4;  // edge of the pieces that show clearance
-constexpr int kUnknownLevel = 8;   // of the largest blocks of unknown space
+constexpr int kBands = 16;         // clearance bands, one colour each
+constexpr double kPieceCells = 4;  // edge of the boxes that show clearance
+constexpr int kUnknownLevel = 8;   // level of the largest boxes of unknown space
 
 constexpr int kMostLevels = 17;
 
-/// Rooms of a few metres have levels 0 to 6 or so.
+/// The colour scale spans seven levels, as many as maps of a few metres have.
 Eigen::Vector4f levelColor(int level) {
     return scaleColor(std::min(level / 6.0, 1.0));
 }
 
-/// A block of cells, counted from the world's origin; ends are exclusive.
+/// A box of cells, counted from the world's origin; `high` is exclusive.
 struct CellBlock {
     std::array<std::int64_t, 3> low{};
     std::array<std::int64_t, 3> high{};
@@ -159,12 +159,12 @@ class FreeSpaceBuilder {
         return withOpacity(partColor(room), options_.opacity);
     }
 
-    /// Largest cubes of the octree's own grid whose part in the region is wholly unknown.
+    /// Adds the largest octree-aligned cubes whose part within the region is entirely unknown.
     void addUnknown() {
         const auto top = std::int64_t{1} << kUnknownLevel;
         std::array<std::int64_t, 3> first{};
         for (std::size_t k = 0; k < 3; ++k) {
-            // Rounds down for negative numbers, too.
+            // The shift rounds towards minus infinity, also for negative numbers.
             first[k] = region_.low[k] >> kUnknownLevel << kUnknownLevel;
         }
         for (std::int64_t z = first[2]; z < region_.high[2]; z += top) {
@@ -266,8 +266,8 @@ class FreeSpaceBuilder {
     double cell_m_;
     CellBlock region_;
     PlanLayer layer_;
-    std::vector<double> clearance_;  // of each box, -1: not free
-    std::array<int, 3> count_{};     // leaves by state
+    std::vector<double> clearance_;  // by box; -1: not free
+    std::array<int, 3> count_{};     // number of leaves, by state
     std::vector<int> rooms_;
     std::array<int, kMostLevels> levels_{};
     int no_room_ = 0;
@@ -299,7 +299,7 @@ std::optional<Voxel> voxelAt(const FreeSpace& free_space, const render::View& vi
         enter = std::max(enter, std::min(a, b));
         leave = std::min(leave, std::max(a, b));
     }
-    // From cell to cell: just behind each border is the next cell.
+    // Steps along the ray from cell to cell, just past each cell border.
     const double nudge = 1e-6 * cell_m / ray.direction.norm();
     for (double t = enter + nudge; t < leave;) {
         const Eigen::Vector3d point = ray.origin + t * ray.direction;

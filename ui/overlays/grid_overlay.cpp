@@ -9,10 +9,10 @@
 namespace dollytrack::ui {
 namespace {
 
-// Between the dark theme's background and the light one's, so that it stands out from both.
+// Between the background colours of both themes, to stand out from either.
 const Eigen::Vector4f kGrid(0.47F, 0.52F, 0.60F, 1.0F);
 constexpr double kBeside_m = 2.0;
-constexpr double kMost = 200.0;  // squares in a row; more are a grey floor
+constexpr double kMost = 200.0;  // squares in a row; more would merge into a grey area
 
 }  // namespace
 
@@ -24,7 +24,7 @@ PlanLayer gridLayer(const Eigen::AlignedBox3d& room, double floor_z) {
     const Eigen::Vector2d high = room.max().head<2>() + beside;
     double square = 1.0;
     while ((high - low).maxCoeff() / square > kMost) square *= 10.0;
-    // Whole numbers of squares, so that the rim has none that are cut.
+    // Extends the grid to whole squares.
     const Eigen::Vector2d first = (low / square).array().floor();
     const Eigen::Vector2d last = (high / square).array().ceil();
     for (const int axis : {0, 1}) {

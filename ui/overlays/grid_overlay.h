@@ -6,8 +6,9 @@
 
 namespace dollytrack::ui {
 
-/// Squares of a metre (of ten where a scene is as large as a town) at the height of the floor, on
-/// the world's own coordinates, below `room` and a few metres beside it; every fifth line is bold.
+/// A grid at floor height `floor_z` (m), aligned to the world's axes, covering `room` and 2 m
+/// around it. Squares are 1 m wide, or 10 m (100 m ...) if there would be more than 200 in a row.
+/// Every fifth line is bold. The layer is empty if `room` is.
 [[nodiscard]] PlanLayer gridLayer(const Eigen::AlignedBox3d& room, double floor_z);
 
 }  // namespace dollytrack::ui

@@ -8,7 +8,7 @@
 
 namespace dollytrack::ui {
 
-/// One line of a legend: how something is drawn, what it is, and how many of it there are.
+/// One line of a legend: symbol, name and number of elements.
 struct LegendEntry {
     enum class Shape { Dot, SmallDot, Cross, Ring, Arrow, Line, DashedLine, Block };
     std::string name;
@@ -17,7 +17,7 @@ struct LegendEntry {
     int count = 0;
 };
 
-/// What the colours between two ends mean. The colours are scaleColor(0..1).
+/// A colour scale with its value range. Colours are scaleColor(0..1).
 struct LegendScale {
     std::string name;
     std::string unit;
@@ -31,8 +31,7 @@ struct Legend {
     std::optional<LegendScale> scale;
 };
 
-/// Something to draw together with the legend that explains it. Both are made at once, so that the
-/// legend is true.
+/// An overlay and its legend, built together so that they agree.
 struct PlanLayer {
     render::Overlay overlay;
     Legend legend;

@@ -4,7 +4,7 @@
 
 namespace dollytrack::ui {
 
-/// Colours that mean one thing in all overlays. sRGB.
+/// Colours with the same meaning in all overlays. sRGB with alpha.
 inline const Eigen::Vector4f kLargeTargetColor(0.98F, 0.80F, 0.10F, 1.0F);
 inline const Eigen::Vector4f kSmallTargetColor(0.90F, 0.12F, 0.12F, 1.0F);
 inline const Eigen::Vector4f kKeyFrameColor(0.10F, 0.78F, 0.93F, 1.0F);
@@ -17,14 +17,14 @@ inline const Eigen::Vector4f kSampleColor(0.60F, 0.35F, 0.85F, 1.0F);
 inline const Eigen::Vector4f kDroppedColor(0.45F, 0.45F, 0.48F, 1.0F);
 inline const Eigen::Vector4f kPathColor(1.0F, 1.0F, 1.0F, 1.0F);
 
-/// The same colour, more or less opaque.
+/// The colour with its alpha set to `opacity`.
 [[nodiscard]] Eigen::Vector4f withOpacity(const Eigen::Vector4f& rgba, float opacity);
 
-/// Colours that are easy to tell apart, for the parts of something; they repeat after ten.
+/// Clearly distinct colours for the parts of a whole; they repeat after ten.
 [[nodiscard]] Eigen::Vector4f partColor(int part);
 
-/// From low to high, 0..1 (clamped): dark violet, blue, teal, green, yellow. Brightness rises all
-/// the way, so that it can also be read without colours.
+/// A colour scale over 0..1 (clamped): dark violet, blue, teal, green, yellow. Lightness rises
+/// monotonically, so the scale stays readable without colour vision.
 [[nodiscard]] Eigen::Vector4f scaleColor(double share);
 
 }  // namespace dollytrack::ui

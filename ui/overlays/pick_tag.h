@@ -6,7 +6,7 @@
 
 namespace dollytrack::ui {
 
-/// What a tag of an overlay's element stands for.
+/// The kind of plan element that an overlay tag refers to.
 enum class Picked : std::uint8_t {
     Nothing,
     ObservationPoint,  // index in Plan::observation_points

@@ -10,7 +10,7 @@
 namespace dollytrack::ui {
 namespace {
 
-// As overlays are drawn: a line on a floor is not in it.
+// The same depth bias as in drawing overlays: a line that lies on a floor is not hidden by it.
 constexpr double kBias = 0.01;
 constexpr double kOrthographicBias = 0.02;  // m
 
@@ -66,7 +66,7 @@ class Picker {
         if (enter <= leave) offer(box.tag, 0.0, enter);
     }
 
-    /// The best of what came since the last call.
+    /// The best element offered so far.
     [[nodiscard]] const std::optional<PickedElement>& best() const { return best_; }
 
   private:
@@ -98,7 +98,7 @@ std::optional<PickedElement> pickElement(const render::Overlay& overlay, const r
                                          const Eigen::Vector2d& pixel, double scene_depth_m,
                                          double radius_px, double pixel_scale) {
     std::optional<PickedElement> hidden;
-    // Kind by kind, from what is drawn on top to what lies below.
+    // Marks, lines, boxes: the order from top to bottom in which overlays are drawn.
     for (int kind = 0; kind < 3; ++kind) {
         Picker picker(view, pixel, scene_depth_m, radius_px * pixel_scale);
         if (kind == 0) {

@@ -8,25 +8,26 @@
 
 namespace dollytrack::ui {
 
-/// The element of an overlay under the pointer.
+/// The overlay element under the pointer.
 struct PickedElement {
     PickTag tag;
-    double distance_px = 0.0;  // from the pointer to its border; 0: on it
+    double distance_px = 0.0;  // distance from the pointer to its outline; 0: on it
     double depth_m = 0.0;
-    bool visible = true;  // no surface of the scene stands in front
+    bool visible = true;  // no surface of the scene is in front of it
 };
 
-/// The tagged element next to an image position, none further than `radius_px` away. What can be
-/// seen goes before what is hidden, marks before lines before boxes, then the nearest.
-/// `scene_depth_m` is the depth of the picture there, 0 where there is nothing; `pixel_scale` as it
-/// was drawn with.
+/// The tagged element closest to an image position, at most `radius_px` away; nullopt if there is
+/// none. Visible elements win over hidden ones, then marks over lines over boxes, then the closest.
+/// `scene_depth_m` is the depth of the scene image at that position, 0 for no surface;
+/// `pixel_scale` is the one used for drawing.
 [[nodiscard]] std::optional<PickedElement> pickElement(const render::Overlay& overlay,
                                                        const render::View& view,
                                                        const Eigen::Vector2d& pixel,
                                                        double scene_depth_m, double radius_px = 6.0,
                                                        double pixel_scale = 1.0);
 
-/// Whether `a` is what a person meant rather than `b`, for the best of several layers.
+/// Whether `a` is the better pick, for comparing the results of several layers: visible first, then
+/// smaller distance to the pointer, then smaller depth.
 [[nodiscard]] bool isBetterPick(const PickedElement& a, const PickedElement& b);
 
 }  // namespace dollytrack::ui

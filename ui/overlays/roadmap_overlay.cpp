@@ -13,8 +13,8 @@ namespace {
 using Mark = render::OverlayMark;
 using Shape = LegendEntry::Shape;
 
-/// The connected part of each position point by straight moves alone, as they were before linking;
-/// largest first.
+/// The connected component of each position point by straight moves alone, before linking; numbered
+/// from the largest.
 struct Parts {
     std::vector<int> of_point;
     int count = 0;
@@ -34,7 +34,7 @@ struct Parts {
             const int b = root(edge.b);
             parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
         }
-        std::vector<std::pair<int, int>> sizes;  // minus the size, root
+        std::vector<std::pair<int, int>> sizes;  // negative size, root
         for (const int key : plan.key_frames) {
             const int top = root(key);
             const auto known = std::find_if(sizes.begin(), sizes.end(),
@@ -77,7 +77,7 @@ class RoadmapBuilder {
         const auto& refused = plan_.roadmap.refused;
         for (std::size_t i = 0; i < refused.size(); ++i) {
             const std::int32_t tag = toTag(Picked::RefusedEdge, static_cast<int>(i));
-            // Fully red up to what it hits, then a hint of where it would have gone.
+            // Opaque red up to the collision, then faint along the rest of the refused move.
             addLine(at(refused[i].a), refused[i].collision, withOpacity(kRefusedColor, 0.8F), 1.4,
                     0.0, tag);
             addLine(refused[i].collision, at(refused[i].b), withOpacity(kRefusedColor, 0.35F), 1.0,

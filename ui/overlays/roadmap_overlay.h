@@ -6,8 +6,8 @@
 namespace dollytrack::ui {
 
 enum class EdgeColor {
-    Part,  // connected before linking
-    Room,  // component of free space
+    Part,  // connected components before linking
+    Room,  // components of free space
 };
 
 struct RoadmapOverlayOptions {
@@ -23,9 +23,9 @@ struct RoadmapOverlayOptions {
     bool operator==(const RoadmapOverlayOptions&) const = default;
 };
 
-/// As the paper's Figure 4: the moves that were accepted by the colour of their connected part,
-/// those that were refused in red with a cross where the camera would hit something, RRT*'s
-/// samples and links, edges dropped because they close a cycle dashed, and the path on top.
+/// The roadmap, as in the paper's Figure 4: accepted moves coloured by connected component, refused
+/// moves in red with a cross at the collision, RRT* samples and links, edges dropped to avoid a
+/// cycle (dashed), and the path on top.
 [[nodiscard]] PlanLayer roadmapLayer(const Plan& plan, const RoadmapOverlayOptions& options);
 
 }  // namespace dollytrack::ui

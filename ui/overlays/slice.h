@@ -6,7 +6,7 @@
 
 namespace dollytrack::ui {
 
-/// A thin slab through the map, square to an axis.
+/// An axis-aligned slab of the map.
 struct Slice {
     int axis = 2;  // 0: x, 1: y, 2: z
     double position_m = 1.2;
@@ -14,8 +14,8 @@ struct Slice {
     bool operator==(const Slice&) const = default;
 };
 
-/// The same in whole cells, counted from the world's origin: at least one, and the cell at the
-/// slice's position is among them.
+/// A slice as a range of cell indices counted from the world's origin; `end` is exclusive. It has
+/// at least one cell and contains the cell at the slice's position.
 struct CellRange {
     std::int64_t begin = 0;
     std::int64_t end = 0;

@@ -13,7 +13,7 @@ using Kind = AlgorithmStep::Kind;
 using Mark = render::OverlayMark;
 using Shape = LegendEntry::Shape;
 
-/// Replays the steps and keeps what they leave behind.
+/// Replays the steps and collects the resulting elements.
 class Replay {
   public:
     explicit Replay(const Plan& plan)
@@ -79,7 +79,8 @@ class Replay {
             mark(step->point.cast<double>(), Mark::Shape::Dot, withOpacity(kSampleColor, 0.7F), 3.5,
                  toTag(Picked::Sample, step->index));
         }
-        // The tree of the link being searched; those before it have left only their samples.
+        // Only the tree of the current link search is drawn; earlier searches leave only their
+        // samples.
         for (const AlgorithmStep* step : current_link_) {
             line(step->from.cast<double>(), step->point.cast<double>(),
                  withOpacity(kSampleColor, 0.9F), 1.3, 0.0, toTag(Picked::Sample, step->index));
@@ -110,7 +111,7 @@ class Replay {
         if (dropped > 0) entry("Dropped", Shape::DashedLine, kDroppedColor, dropped);
     }
 
-    /// The order of visits, not the way: that comes from the edges.
+    /// The visiting order as straight lines; the actual path follows the edges.
     void drawVisits() {
         for (const AlgorithmStep* step : visits_) {
             if (step->b >= 0) line(at(step->b), at(step->a), kPathColor, 2.6, 0.0, render::kNoTag);

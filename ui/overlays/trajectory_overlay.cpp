@@ -16,7 +16,7 @@ constexpr double kWidth = 3.6;       // px
 constexpr double kArrowEvery = 2.0;  // m
 const Eigen::Vector4f kPlain(0.62F, 0.66F, 0.74F, 1.0F);
 
-/// One value a frame, and what it is.
+/// One value per frame, with its name and unit.
 struct Values {
     std::vector<double> of_frame;
     LegendScale scale;
@@ -57,7 +57,7 @@ Values valuesOf(const Plan& plan, TrajectoryColor color) {
     }
     values.of_frame.resize(plan.trajectory.frames.size(), 0.0);
     for (const double value : values.of_frame) values.scale.max = std::max(values.scale.max, value);
-    // A dangerously low clearance must not vanish among merely low ones.
+    // A dangerously low clearance must not blend in with moderately low ones.
     if (color == TrajectoryColor::Clearance && !values.of_frame.empty()) {
         values.scale.min = *std::min_element(values.of_frame.begin(), values.of_frame.end());
     }
@@ -97,7 +97,7 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
     const bool dots = options.color == TrajectoryColor::NewlyCaptured;
     const Values values = valuesOf(plan, options.color);
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        // Between paths the camera was carried over: there is no motion to show.
+        // Between separate paths the camera was moved by other means: there is no motion to draw.
         if (frames[i].path != frames[i - 1].path) continue;
         layer.overlay.lines.push_back({frames[i - 1].pose.position, frames[i].pose.position,
                                        dots ? kPlain : colorOf(values, i), kWidth, 0.0,

@@ -5,7 +5,7 @@
 
 namespace dollytrack::ui {
 
-/// What the colours along a trajectory say, from Plan::series.
+/// The value from Plan::series that colours the trajectory.
 enum class TrajectoryColor { Time, Clearance, Speed, TurnRate, Score, NewlyCaptured };
 
 struct TrajectoryOverlayOptions {
@@ -15,8 +15,8 @@ struct TrajectoryOverlayOptions {
     bool operator==(const TrajectoryOverlayOptions&) const = default;
 };
 
-/// The smoothed trajectory, a piece of line a frame, coloured by a value of that frame. By newly
-/// captured objects: a dot where a frame captures some, larger with their number.
+/// The smoothed trajectory as one line segment per frame, coloured by a value of that frame. For
+/// NewlyCaptured, frames that capture new objects also get a dot that grows with their number.
 [[nodiscard]] PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& options);
 
 }  // namespace dollytrack::ui

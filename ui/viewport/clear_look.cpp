@@ -8,11 +8,11 @@
 namespace dollytrack::ui {
 namespace {
 
-constexpr double kMost = 0.8;         // seen so far, another direction is not worth the turn
-constexpr double kTouching_m = 2e-3;  // the thing's own surface may lie on its box
-constexpr int kThroughAtMost = 16;    // surfaces that are left away, one behind the other
+constexpr double kMost = 0.8;         // visible fraction at which the search stops
+constexpr double kTouching_m = 2e-3;  // the object's own surface may lie on its box
+constexpr int kThroughAtMost = 16;    // limit of omitted surfaces along one ray
 
-/// Where a way from outside enters a box, as a share of the way; 0 from inside.
+/// Where a ray enters a box, as a fraction of `way`; 0 if it starts inside.
 double entryInto(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& from,
                  const Eigen::Vector3d& way) {
     double entry = 0.0;

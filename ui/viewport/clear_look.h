@@ -9,15 +9,18 @@
 
 namespace dollytrack::ui {
 
-/// Whether the picture leaves a surface of an object away at a place in the world.
+/// Whether the surface of an object at a world position (m) is omitted from the image, such as a
+/// cut-away ceiling.
 using LeftAway = std::function<bool(int object_id, const Eigen::Vector3d& at)>;
 
-/// The share, 0..1, of straight ways from an eye to points all over a box that reach the box.
+/// The fraction, 0..1, of rays from `eye` to 27 points inside a box that reach the box
+/// unobstructed. Surfaces for which `left_away` returns true do not block.
 [[nodiscard]] double shareSeen(const RayCaster& rays, const Eigen::Vector3d& eye,
                                const Eigen::AlignedBox3d& box, const LeftAway& left_away);
 
-/// Turns and raises a camera that frames something, by as little as makes `share_seen` tell that
-/// most of it is seen; where no direction does, to the one with the largest share.
+/// Rotates a camera about its pivot by the smallest of a set of turns for which `share_seen`
+/// returns at least 0.8; if none does, by the turn with the largest value. Elevation is kept within
+/// 0.05 .. 1.5 rad.
 [[nodiscard]] ViewerCamera clearLook(
     const ViewerCamera& framed,
     const std::function<double(const ViewerCamera& camera)>& share_seen);

@@ -11,7 +11,7 @@ std::uint8_t byte(float value) {
     return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(value, 0.0F, 1.0F)));
 }
 
-/// From warm and bright to cool and dark, rising steadily in lightness towards the viewer.
+/// From near (0: warm, bright) to far (1: cool, dark), with steadily falling lightness.
 Eigen::Vector3f depthColor(float share) {
     static const std::array<Eigen::Vector3f, 5> kStops = {
         Eigen::Vector3f(0.99F, 0.92F, 0.65F), Eigen::Vector3f(0.96F, 0.60F, 0.30F),
@@ -23,7 +23,7 @@ Eigen::Vector3f depthColor(float share) {
     return (1.0F - t) * kStops[i] + t * kStops[i + 1];
 }
 
-/// Normals from differences of depth, camera frame.
+/// Normals in the camera frame from depth differences.
 Eigen::Vector3f normalColor(const render::FrameRecord& record, const render::View& view, int x,
                             int y) {
     const auto point = [&](int px, int py) -> Eigen::Vector3d {
@@ -41,7 +41,7 @@ Eigen::Vector3f normalColor(const render::FrameRecord& record, const render::Vie
     return (0.5 * normal + Eigen::Vector3d::Constant(0.5)).cast<float>();
 }
 
-/// By class id, those of a table of one's own; empty for NYU40.
+/// Colours by class id if the user provided a class table; empty for NYU40.
 std::vector<Eigen::Vector3f> colorsOfClasses(const ClassTable& table) {
     if (table.isNyu40()) return {};
     std::vector<Eigen::Vector3f> colors(ClassTable::kLargestId + 1, Eigen::Vector3f::Zero());
@@ -56,7 +56,7 @@ std::vector<Eigen::Vector3f> colorsOfClasses(const ClassTable& table) {
 
 Eigen::Vector3f colorOfId(int id) {
     if (id <= 0) return {0, 0, 0};
-    // The golden ratio spreads hues evenly, however many there are.
+    // Steps by the golden ratio spread hues evenly for any number of ids.
     const double hue = std::fmod(0.61803398875 * id, 1.0) * 6.0;
     const double lightness = 0.55 + 0.15 * ((id / 7) % 3 - 1);
     const double chroma = (1.0 - std::abs(2.0 * lightness - 1.0)) * 0.75;

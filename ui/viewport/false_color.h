@@ -8,13 +8,13 @@
 
 namespace dollytrack::ui {
 
-/// A modality of a frame as a picture for people, 4 bytes a pixel: depth from near (bright, warm)
-/// to far (dark, cool), ids and classes in colours of their own, normals of the surface in the
-/// camera's frame computed from depth. Black where nothing was hit.
+/// A modality of a frame as an RGBA image for display, 4 bytes per pixel: depth from near (bright,
+/// warm) to far (dark, cool), distinct colours for ids and classes, surface normals in the camera
+/// frame computed from depth. Black where no surface was hit.
 [[nodiscard]] std::vector<std::uint8_t> falseColor(const render::FrameRecord& record,
                                                    const render::View& view, Modality modality);
 
-/// The colour that stands for an id or a class, sRGB; neighbours in number differ clearly.
+/// The sRGB colour of an id or a class; consecutive numbers get clearly different colours.
 [[nodiscard]] Eigen::Vector3f colorOfId(int id);
 
 }  // namespace dollytrack::ui

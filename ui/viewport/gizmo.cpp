@@ -16,10 +16,10 @@ namespace dollytrack::ui {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kArrow_px = 78.0;  // length on the screen, whatever the distance
+constexpr double kArrow_px = 78.0;  // length on the screen at any distance
 constexpr double kRing_px = 58.0;
 constexpr double kGrab_px = 9.0;
-constexpr double kClick_px = 2.0;  // a hand that clicks is not quite still
+constexpr double kClick_px = 2.0;  // tolerated mouse movement during a click
 
 constexpr std::array<ImU32, 3> kAxisColors = {
     IM_COL32(232, 84, 84, 255), IM_COL32(104, 200, 96, 255), IM_COL32(88, 140, 255, 255)};
@@ -70,7 +70,7 @@ Eigen::Vector3d directionOf(double yaw, double pitch) {
     return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
 }
 
-/// Points of the ring, or of the arc through the direction of view, on the screen.
+/// Screen points of the yaw ring, or of the pitch arc through the viewing direction.
 std::vector<ImVec2> curve(const Painter& paint, const Pose& pose, GizmoPart part) {
     std::vector<ImVec2> points;
     const double radius = scaled(kRing_px) * paint.metres_per_px;
@@ -86,7 +86,7 @@ std::vector<ImVec2> curve(const Painter& paint, const Pose& pose, GizmoPart part
     return points;
 }
 
-/// Angle at which the mouse's ray meets the plane that the ring or arc lies in.
+/// Angle at which the mouse ray meets the plane of the ring or arc.
 std::optional<double> angleUnder(const render::ViewRay& ray, const Pose& pose, GizmoPart part) {
     const double yaw = heading(pose.forward());
     const Eigen::Vector3d normal = part == GizmoPart::Yaw ? Eigen::Vector3d::UnitZ().eval()
@@ -109,7 +109,8 @@ render::ViewRay rayUnderMouse(const GizmoView& view) {
     return view.view.rayThrough(mouse.x - view.origin.x(), mouse.y - view.origin.y());
 }
 
-/// Where the ray meets the plane through the point, square to the direction of view.
+/// Intersection of the ray with the plane through the point, perpendicular to the viewing
+/// direction.
 Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
                               const Eigen::Vector3d& point) {
     const Eigen::Vector3d forward = view.view.pose.forward();
@@ -165,11 +166,11 @@ void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
     }
 }
 
-/// Where the handles are on the screen.
+/// Positions of the handles on the screen.
 struct Handles {
     ImVec2 middle;
     std::array<std::optional<ImVec2>, 3> tips;
-    std::array<std::vector<ImVec2>, 2> curves;  // to turn about the vertical, and to look up
+    std::array<std::vector<ImVec2>, 2> curves;  // the yaw ring and the pitch arc
 };
 
 std::optional<Handles> handlesOf(const GizmoView& view) {
@@ -215,7 +216,7 @@ GizmoPart handleUnderMouse(const GizmoView& view, const Handles& handles) {
     return hot;
 }
 
-/// Where each can be grabbed with nothing else near.
+/// Registers, for each handle, a position at which no other handle overlaps in the item map.
 void nameHandles(const GizmoView& view, const Handles& handles) {
     const auto name = [](const char* text, ImVec2 at) {
         nameArea(text, at.x - 3, at.y - 3, at.x + 3, at.y + 3);

@@ -9,46 +9,46 @@
 
 namespace dollytrack::ui {
 
-/// Which handle of the gizmo the mouse has.
+/// The handle that is dragged or hovered.
 enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveFree, Yaw, Pitch };
 
 struct GizmoView {
-    render::View view;                                 // of the viewport's picture
-    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // of the picture in the window, px
-    Pose pose;                                         // of the thing that is edited
-    bool turns = true;                                 // has a handle for yaw
-    bool tilts = true;                                 // and one for pitch
-    bool hovered = false;                              // the viewport has the mouse
+    render::View view;                                 // the viewport's camera
+    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left of the image in the window, px
+    Pose pose;                                         // pose of the edited element
+    bool turns = true;                                 // has a yaw handle
+    bool tilts = true;                                 // has a pitch handle
+    bool hovered = false;                              // the mouse is over the viewport
 };
 
-/// What it remembers during a drag.
+/// State during a drag.
 struct GizmoState {
     GizmoPart dragged = GizmoPart::None;
     Pose begin;
-    Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // of the window, px
-    bool pressed_with_ctrl = false;  // Ctrl may be up again when the button is
-    bool moved = false;              // far enough to be no click
-    double grabbed = 0.0;            // m along the axis, or radians around it
+    Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // in the window, px
+    bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
+    bool moved = false;              // moved far enough that it is not a click
+    double grabbed = 0.0;            // grab position: m along the axis, or rad around it
     Eigen::Vector3d grabbed_at = Eigen::Vector3d::Zero();
 };
 
 struct GizmoActions {
     bool changed = false;
     bool finished = false;
-    bool clicked = false;  // it ended without having begun: meant is what lies behind
+    bool clicked = false;  // a press without movement, meant for what lies behind
     bool with_ctrl = false;
     Pose pose;
 };
 
-/// Handles over the picture: three arrows and a disc to move, a ring to turn about the vertical and
-/// an arc to look up and down. Draws into the current ImGui window.
+/// Draws the handles over the image into the current ImGui window and handles the mouse: three
+/// arrows and a disc to move, a ring for yaw and an arc for pitch.
 GizmoActions drawGizmo(const GizmoView& view, GizmoState& state);
 
-/// Whether the mouse is on one of its handles now.
+/// Whether the mouse is on one of the gizmo's handles.
 [[nodiscard]] bool isOnGizmo(const GizmoView& view);
 
-/// Where a ray comes nearest to a line: metres along the line's unit direction; nothing when the
-/// two are nearly parallel.
+/// The point on a line closest to a ray, as metres from `origin` along the unit direction `axis`;
+/// nullopt if the two are nearly parallel.
 [[nodiscard]] std::optional<double> nearestAlong(const render::ViewRay& ray,
                                                  const Eigen::Vector3d& origin,
                                                  const Eigen::Vector3d& axis);

@@ -20,7 +20,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Light from everywhere, for the seconds before the room's own light is computed.
+/// Nearly uniform ambient light, used until the scene's own light is computed.
 render::LightVolume plainLight(const Scene& scene) {
     render::LightVolume light;
     light.low = scene.room_bounds.isEmpty() ? Eigen::Vector3d::Zero().eval()
@@ -40,7 +40,7 @@ struct PreviewRequest {
     Modality modality = Modality::Rgb;
 };
 
-/// Pictures that travel between the threads: one shown, one finished, one being drawn.
+/// Triple buffer between the threads: one image is shown, one is finished, one is being drawn.
 template <class Image>
 struct Relay {
     std::array<Image, 3> images;
@@ -49,14 +49,14 @@ struct Relay {
     int drawn = 2;
     bool news = false;
 
-    /// The window's side: takes over what is finished, and what it shows into a texture.
+    /// Window's thread: takes the finished image and uploads it to the texture.
     void takeNews(std::mutex& mutex, gl::PictureTexture& picture) {
         {
             const std::lock_guard lock(mutex);
             if (!std::exchange(news, false)) return;
             std::swap(shown, finished);
         }
-        // The thread leaves alone what is shown.
+        // The render thread does not touch the shown image.
         Image& image = images[static_cast<std::size_t>(shown)];
         picture.upload(image.width, image.height, image.rgba);
         image.texture = picture.get();
@@ -65,7 +65,7 @@ struct Relay {
     [[nodiscard]] const Image& newest() const { return images[static_cast<std::size_t>(shown)]; }
 };
 
-/// Whether two views show the same of an unchanged scene.
+/// Whether two views of an unchanged scene give the same image.
 bool samePicture(const render::View& a, const render::View& b) {
     const auto lens = [](const render::View& view) {
         const Intrinsics& i = view.intrinsics;
@@ -82,7 +82,7 @@ bool samePicture(const render::View& a, const render::View& b) {
            a.backdrop == b.backdrop && a.antialias == b.antialias && a.reflections == b.reflections;
 }
 
-/// The same view in fewer pixels.
+/// The same view with its width and height divided by `by`.
 render::View shrunk(render::View view, int by) {
     Intrinsics& lens = view.intrinsics;
     const int width = std::max(lens.width / by, 1);
@@ -94,22 +94,22 @@ render::View shrunk(render::View view, int by) {
     return view;
 }
 
-/// Where the viewport's pictures are drawn.
+/// Render targets of the viewport at one resolution.
 struct ViewCanvas {
     std::optional<render::RenderTarget> target;
     std::optional<render::OverlayCanvas> canvas;
-    std::optional<render::View> drawn;  // what the target holds
+    std::optional<render::View> drawn;  // the view in `target`, if it is valid
 };
 
-/// Overlays on the card, by the pointer they came as.
+/// Overlays on the GPU, by pointer.
 struct LayerCache {
     struct Entry {
-        std::shared_ptr<const render::Overlay> overlay;  // keeps the address from being used again
+        std::shared_ptr<const render::Overlay> overlay;  // keeps the address from being reused
         render::OverlayBuffers buffers;
     };
     std::vector<Entry> entries;
 
-    /// Forgets what is not drawn any more and sends what is new.
+    /// Drops overlays that are no longer drawn and uploads new ones.
     std::vector<render::OverlayLayer> prepare(const std::vector<ViewLayer>& layers) {
         std::erase_if(entries, [&](const Entry& entry) {
             return std::ranges::find(layers, entry.overlay, &ViewLayer::overlay) == layers.end();
@@ -150,12 +150,12 @@ struct RenderThread::Impl {
     bool is_ready = false;
     bool final_light = false;
 
-    // The thread's own.
+    // Used by the render thread only.
     std::shared_ptr<const Scene> scene;
     std::uint64_t geometry = 0;
     std::shared_ptr<const render::LightVolume> lit_by;
     std::shared_ptr<const RayCaster> rays;
-    std::optional<render::TracedReflections> reflections;  // where anything does
+    std::optional<render::TracedReflections> reflections;  // set if any surface reflects
     std::optional<render::SceneRenderer> renderer;
     ViewCanvas whole;
     ViewCanvas coarse;
@@ -165,9 +165,9 @@ struct RenderThread::Impl {
     std::uint64_t serial = 0;
     ViewPace pace;
     std::optional<render::View> last_view;
-    std::optional<ViewRequest> owed;  // was drawn with fewer pixels; under the mutex
+    std::optional<ViewRequest> owed;  // drawn coarsely, full image due; guarded by `mutex`
 
-    // The window's: what it asked for last, so that asking again for the same costs nothing.
+    // Used by the window's thread only: the last requests, to skip identical ones.
     std::optional<ViewRequest> asked_view;
     std::optional<PreviewRequest> asked_preview;
     gl::PictureTexture view_picture;
@@ -179,7 +179,7 @@ struct RenderThread::Impl {
     void release();
     Status loadScene(SceneRequest request);
     Status drawView(ViewRequest request);
-    /// Whether the scene had to be drawn, too.
+    /// Returns whether the scene was drawn again, rather than only the overlays.
     Result<bool> drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
     Status drawPreview(const PreviewRequest& request);
     void say(const Status& status) {
@@ -278,7 +278,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
             }
         }
     } else {
-        renderer.reset();  // before the new one: both may not fit
+        renderer.reset();  // released first: both may not fit into memory
         Result<render::SceneRenderer> made =
             render::SceneRenderer::create(*scene, light, render::Detail::FullAndCoarse);
         if (!made) return tl::unexpected<Error>(std::move(made.error()));
@@ -401,7 +401,7 @@ void RenderThread::setScene(SceneRequest request) {
     {
         const std::lock_guard lock(impl_->mutex);
         impl_->next_scene = std::move(request);
-        // Pictures asked for of the scene before would mix the two.
+        // Pending requests belong to the previous scene.
         impl_->next_view.reset();
         impl_->next_preview.reset();
     }

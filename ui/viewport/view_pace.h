@@ -4,26 +4,27 @@
 
 namespace dollytrack::ui {
 
-/// In how many pixels a view is drawn so that it follows the mouse: fewer while it moves and a
-/// whole picture takes too long, all once it rests.
+/// Chooses the resolution of the viewport so that it follows the mouse: reduced while the view
+/// moves and a full image takes longer than kFluent_ms, full once the view rests.
 class ViewPace {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Without a new view for so long it rests. Views that come more seldom are no movement.
+    /// The view rests after this time without a change.
     static constexpr std::chrono::milliseconds kRest{150};
-    static constexpr double kFluent_ms = 50.0;  // whole pictures that take no longer stay whole
+    static constexpr double kFluent_ms = 50.0;  // full images that take no longer are not reduced
 
-    /// Of the pane's pixels, a side, in one of the picture's. `same`: as the view before, of which
-    /// at most what lies over it is new.
+    /// Returns by how much width and height are divided: 1 (full), 2 or 3. `same`: the view equals
+    /// the previous one; only its overlays may differ.
     [[nodiscard]] int shrinkFor(bool same, Time now) const;
 
-    /// What was drawn: a whole picture (shrink 1) of the scene tells how long these take.
+    /// Records a drawn image. Only a full image (shrink 1) that included the scene updates the
+    /// measured time.
     void drew(int shrink, bool same, bool scene, double milliseconds, Time now);
-    /// Other things to draw take other times.
+    /// Resets the measurement, for a different scene.
     void forget() { *this = {}; }
 
-    /// From then on it rests.
+    /// The time at which the view counts as resting.
     [[nodiscard]] Time restsAt() const { return moved_ + kRest; }
 
   private:

@@ -22,7 +22,7 @@ Eigen::Vector3d ViewerCamera::towardsViewer() const {
 Pose ViewerCamera::pose() const {
     Pose pose;
     pose.position = pivot + distance * towardsViewer();
-    // Straight from above, right is where it would be just before.
+    // In a view straight down, the right axis is the limit of nearly vertical views.
     const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
     pose.rotation = lookAlong(-towardsViewer(), right);
     return pose;
@@ -38,10 +38,10 @@ render::View ViewerCamera::view(int width, int height) const {
     view.pose = pose();
     view.near_m = std::clamp(0.02 * distance, 0.01, 0.05);
     if (orthographic) {
-        // As much of the plane through the pivot as the pinhole camera shows.
+        // The orthographic view shows as much of the plane through the pivot as the pinhole camera.
         const double shown_m = 2.0 * distance * std::tan(0.5 * hfov_deg * kPi / 180.0);
         view.orthographic = render::Orthographic{camera.width_px / shown_m, 0.0};
-        // The image plane goes back far enough to have the whole scene before it.
+        // The image plane moves back so that the whole scene is in front of it.
         constexpr double kBack = 200.0;  // m
         view.pose.position += kBack * towardsViewer();
         view.orthographic->depth_m = kBack + 2.0 * distance + 300.0;
@@ -65,7 +65,7 @@ void ViewerCamera::zoom(double factor, const Eigen::Vector3d& at) {
     constexpr double kFarthest = 2000.0;
     const double wanted = std::clamp(factor * distance, kNearest, kFarthest);
     factor = wanted / distance;
-    // Everything shrinks towards the point under the cursor, so that point stays where it is.
+    // Scaling about the point under the cursor keeps that point in place.
     const Eigen::Vector3d eye = pivot + distance * towardsViewer();
     const Eigen::Vector3d moved_eye = at + factor * (eye - at);
     distance = wanted;

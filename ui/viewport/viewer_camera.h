@@ -7,11 +7,11 @@
 
 namespace dollytrack::ui {
 
-/// From where a person looks at the scene: a turntable around a pivot, up is always up. Angles in
-/// radians, lengths in metres, movements of the mouse in pixels of the viewport.
+/// The viewport's camera: an orbit camera around a pivot with a fixed up direction. Angles in
+/// radians, lengths in metres, mouse movements in viewport pixels.
 struct ViewerCamera {
     Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
-    double azimuth = 4.3;    // of the viewer as seen from the pivot, from +x towards +y
+    double azimuth = 4.3;    // of the eye as seen from the pivot, from +x towards +y
     double elevation = 0.8;  // above the horizon, -pi/2 .. pi/2
     double distance = 8.0;
     double hfov_deg = 50.0;
@@ -25,15 +25,18 @@ struct ViewerCamera {
 
     void orbit(double dx, double dy);
     void pan(double dx, double dy, int width);
-    /// Comes nearer (factor < 1) or goes back, keeping `at` under the cursor.
+    /// Multiplies the distance to the pivot by `factor` (clamped to 0.05 .. 2000 m); the world
+    /// point `at` stays under the cursor.
     void zoom(double factor, const Eigen::Vector3d& at);
-    /// Moves eye and pivot together: right, up and forward in m.
+    /// Moves eye and pivot together: right and forward along the camera's axes, up along world z,
+    /// in m.
     void fly(const Eigen::Vector3d& right_up_forward);
-    /// Turns the head: the eye stays.
+    /// Rotates about the eye, which stays in place.
     void look(double dx, double dy);
     void frame(const Eigen::AlignedBox3d& box, double aspect);
     void lookFrom(Axis axis);
-    /// Takes the place of a camera of the plan.
+    /// Takes the position and direction of a camera of the plan; the pivot lies `pivot_distance` m
+    /// ahead.
     void standAt(const Pose& pose, double pivot_distance);
 };
 

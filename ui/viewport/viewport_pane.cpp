@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kClickSlack_px = 4.0F;
 
-/// The part of the pane that a picture of the given aspect fills.
+/// The part of the pane that an image of the given aspect ratio fills.
 void fitInto(ImVec2& low, ImVec2& size, double aspect) {
     if (aspect <= 0.0) return;
     const float wanted_height = size.x / static_cast<float>(aspect);
@@ -28,7 +28,7 @@ void fitInto(ImVec2& low, ImVec2& size, double aspect) {
     }
 }
 
-/// Text on a plate of its own; `top` is the middle of its upper edge.
+/// Text on a background plate; `top` is the middle of its upper edge.
 void drawPlate(const std::string& text, ImVec2 top, const ImVec4& color) {
     if (text.empty()) return;
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -68,7 +68,7 @@ void flyWithKeys(ViewportState& state, ViewportActions& actions) {
     actions.camera_moved = true;
 }
 
-/// Whether the mouse's left button is a handle's.
+/// Whether the left button belongs to a gizmo handle.
 bool isHandles(const ViewportView& view) {
     return view.on_handle && ImGui::IsMouseDown(ImGuiMouseButton_Left);
 }
@@ -86,7 +86,7 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
         return;
     }
     state.pressed_at = {io.MousePos.x, io.MousePos.y};
-    state.pressed_with_ctrl = io.KeyCtrl;  // Ctrl may be up again when the button is
+    state.pressed_with_ctrl = io.KeyCtrl;  // kept because Ctrl may be released before the button
 }
 
 void continueDrag(ViewportState& state, const ViewportView& view, ViewportActions& actions) {
@@ -122,7 +122,7 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
 
 namespace {
 
-/// Where in the image's own pixels one of the pane's lies.
+/// Converts a pane position to pixels of the image, which may be smaller.
 std::optional<std::size_t> placeOf(const ViewImage& image, const Eigen::Vector2d& pixel) {
     if (image.serial == 0) return {};
     const Intrinsics& pane = image.view.intrinsics;

@@ -10,18 +10,18 @@
 
 namespace dollytrack::ui {
 
-/// What the viewport may read this frame.
+/// Input of the viewport for one window frame.
 struct ViewportView {
     const ViewImage* image = nullptr;
-    std::string message;     // in the middle, while there is no picture
-    std::string remark;      // at the top, over the picture
-    bool locked = false;     // looking through the plan's camera: the mouse does not move it
-    double aspect = 0.0;     // of the picture when it is not the pane's own; 0: fills the pane
-    bool covered = false;    // something lies over it there, and has the mouse and the wheel
-    bool on_handle = false;  // the mouse is on a gizmo, which has its left button
+    std::string message;     // centred, while there is no image
+    std::string remark;      // at the top of the image
+    bool locked = false;     // locked to the plan's camera: the mouse does not move it
+    double aspect = 0.0;     // fixed aspect ratio of the image; 0: fills the pane
+    bool covered = false;    // another widget lies over the mouse and takes its input
+    bool on_handle = false;  // the mouse is on a gizmo handle, which receives the left button
 };
 
-/// What it remembers between frames.
+/// State kept between window frames.
 struct ViewportState {
     ViewerCamera camera;
     enum class Drag { None, Orbit, Pan, Look, Pressed } drag = Drag::None;
@@ -29,28 +29,29 @@ struct ViewportState {
     bool pressed_with_ctrl = false;
 };
 
-/// What the user did. Pixels are those of the picture.
+/// User input of this frame. Positions are in pixels of the image.
 struct ViewportActions {
-    int width = 0;  // of the pane, px
+    int width = 0;  // pane size, px
     int height = 0;
-    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // of the picture in the window
+    Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left of the image in the window, px
     bool hovered = false;
     Eigen::Vector2d cursor = Eigen::Vector2d::Zero();
     std::optional<Eigen::Vector2d> clicked;
     bool add_to_selection = false;
     bool double_clicked = false;
     bool camera_moved = false;
-    bool unlock = false;  // the user tried to move a locked camera
+    bool unlock = false;  // the user tried to move the locked camera
 };
 
-/// The picture of the scene with the mouse on it: left drag orbits, Shift+left or middle drag pans,
-/// the wheel goes towards what is under the cursor, right drag looks around while W A S D Q E fly.
+/// Draws the scene's image and handles its mouse: left drag orbits, Shift+left or middle drag pans,
+/// the wheel zooms towards the point under the cursor, right drag looks around while W A S D Q E
+/// fly.
 ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 
-/// Where the surface under a pixel of the picture is; nothing where none is.
+/// World position (m) of the surface under an image pixel; nullopt if there is no surface.
 [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image,
                                                        const Eigen::Vector2d& pixel);
-/// Id of the object under a pixel; 0 for none.
+/// Id of the object under an image pixel; 0 for none.
 [[nodiscard]] int objectAt(const ViewImage& image, const Eigen::Vector2d& pixel);
 
 }  // namespace dollytrack::ui

@@ -13,7 +13,7 @@ float widthOf(std::string_view text) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
 }
 
-/// Where a text may be cut: before each letter, and at the end.
+/// Byte offsets at which a text may be cut: before each UTF-8 character, and at the end.
 std::vector<std::size_t> cutsOf(std::string_view text) {
     std::vector<std::size_t> cuts;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -24,10 +24,10 @@ std::vector<std::size_t> cutsOf(std::string_view text) {
     return cuts;
 }
 
-/// The text with only so many of its letters left.
+/// The text shortened to `letters` characters.
 std::string keep(std::string_view text, const std::vector<std::size_t>& cuts, std::size_t letters,
                  Cut cut) {
-    // Of a name the beginning says more than the end.
+    // The beginning keeps three fifths: it says more than the end.
     const std::size_t behind = cut == Cut::Middle ? letters * 2 / 5 : 0;
     std::string kept(text.substr(0, cuts[letters - behind]));
     kept += kDots;

@@ -7,21 +7,20 @@
 
 namespace dollytrack::ui {
 
-/// What of a text goes when there is too little room: its end, or the middle, as with names that
-/// differ in their number and with paths.
+/// The part of a text that is dropped if it is too wide: the end, or the middle (for paths and for
+/// names that end in a number).
 enum class Cut { End, Middle };
 
-/// The text as it is, or cut so that with "…" it is no wider than `width` in the font at hand.
-/// UTF-8 stays whole.
+/// Shortens a text with "…" to at most `width` px in the current font. UTF-8 characters stay whole.
 [[nodiscard]] std::string cutToWidth(std::string_view text, float width, Cut cut = Cut::End);
 
-/// Text in one line no wider than `width`, 0: than what is left of the line or column. Where it is
-/// cut the tooltip has the whole of it, above `tip`.
+/// Draws one line of text, shortened to `width` px; 0: to the space left in the line or column. The
+/// tooltip shows the full text if it was shortened, then `tip`.
 void cutText(const std::string& text, const ImVec4& color, const std::string& tip = {},
              Cut cut = Cut::End, float width = 0.0F);
 
-/// The tooltip of the item drawn last, which shows `text` in `width`: the whole text where that is
-/// too narrow, and `tip`.
+/// The tooltip of the previous item, which shows `text` within `width` px: the full text if it does
+/// not fit, then `tip`.
 void wholeText(const std::string& text, float width, const std::string& tip = {});
 
 }  // namespace dollytrack::ui

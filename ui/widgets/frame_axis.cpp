@@ -38,7 +38,7 @@ int FrameAxis::frameAt(double x) const {
 }
 
 int FrameAxis::endFrame() const {
-    // What shows less than a thousandth of a frame is rounding.
+    // Less than a thousandth of a frame is a rounding error.
     return std::clamp(static_cast<int>(std::ceil(first_ + shown_ - 1e-3)), 1, count_);
 }
 

@@ -5,31 +5,32 @@
 
 namespace dollytrack::ui {
 
-/// Frames along the x axis of a timeline. Frame i covers [i, i + 1) of the axis; zoom and scroll
-/// choose which part of 0..count lies between `left` and `right` on the screen (px).
+/// The horizontal frame axis of a timeline. Frame i covers [i, i + 1); zoom and scroll choose the
+/// part of 0..count that lies between `left` and `right` (px on the screen). At least 8 frames are
+/// shown, if there are that many.
 class FrameAxis {
   public:
     FrameAxis(int count, double left, double right, double first, double shown);
 
     [[nodiscard]] double left() const { return left_; }
     [[nodiscard]] double right() const { return right_; }
-    [[nodiscard]] double first() const { return first_; }  // in frames
+    [[nodiscard]] double first() const { return first_; }  // in frames, may be fractional
     [[nodiscard]] double shown() const { return shown_; }
     [[nodiscard]] double pixelsPerFrame() const { return (right_ - left_) / shown_; }
 
-    /// Where a place on the axis, in frames, is on the screen. A frame's middle is at i + 0.5.
+    /// Screen position (px) of an axis position in frames. A frame's centre is at i + 0.5.
     [[nodiscard]] double xOf(double place) const;
     [[nodiscard]] double placeAt(double x) const;
-    /// The frame under a screen position; outside, the nearest one.
+    /// The frame at a screen position, clamped to the trajectory.
     [[nodiscard]] int frameAt(double x) const;
 
-    /// One past the last frame of which anything is shown.
+    /// One past the last visible frame.
     [[nodiscard]] int endFrame() const;
 
-    /// Shows `factor` times as many frames, keeping what is under x in its place.
+    /// Multiplies the visible range by `factor`; the axis position at x stays in place.
     void zoom(double x, double factor);
     void pan(double pixels);
-    /// Scrolls as little as needed to show the frame.
+    /// Scrolls by the smallest amount that shows the frame.
     void reveal(int frame);
 
   private:
@@ -40,15 +41,15 @@ class FrameAxis {
     double first_, shown_;
 };
 
-/// The range of the values that fall onto one column of pixels.
+/// Minimum, maximum and last value of the frames in one column of pixels.
 struct PlotColumn {
     double low = 0.0;
     double high = 0.0;
-    double last = 0.0;  // of the last of its frames, where the next column goes on
+    double last = 0.0;  // value of the column's last frame, where the next column continues
 };
 
-/// One a pixel between the axis's ends, beginning at its left end. No value is lost: a spike of one
-/// frame among thousands still reaches its full height. `value(i)` is read for 0 <= i < count.
+/// One column per pixel, from the axis's left end. Every visible value is included: a spike of one
+/// frame among thousands keeps its full height. `value(i)` is called for 0 <= i < count.
 template <class Value>
 std::vector<PlotColumn> plotColumns(const FrameAxis& axis, int count, const Value& value) {
     std::vector<PlotColumn> columns;
@@ -62,7 +63,7 @@ std::vector<PlotColumn> plotColumns(const FrameAxis& axis, int count, const Valu
         const int to = axis.frameAt(axis.left() + static_cast<double>(x + 1));
         const auto first = static_cast<double>(value(from));
         PlotColumn column{first, first, first};
-        // The frame that the next column begins in counts there, unless this is the last.
+        // A frame that continues in the next column counts there, except in the last column.
         const int end = x + 1 == width ? axis.endFrame() : to;
         for (int i = from + 1; i < end; ++i) {
             const auto v = static_cast<double>(value(i));

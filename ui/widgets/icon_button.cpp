@@ -12,7 +12,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Draws in a square of -1..1, y down.
+/// Draws shapes in the square -1..1, y down.
 class IconPen {
   public:
     IconPen(ImVec2 center, float half, ImU32 color)
@@ -24,7 +24,7 @@ class IconPen {
     void bar(float x, float y, float width, float height) const {
         list_->AddRectFilled(at(x, y), at(x + width, y + height), color_);
     }
-    /// Points left or right, its flat side at x.
+    /// A triangle that points left or right, with its flat side at x.
     void arrow(float x, float tip_x, float half_height = 0.9F) const {
         list_->AddTriangleFilled(at(x, -half_height), at(tip_x, 0), at(x, half_height), color_);
     }
@@ -35,7 +35,7 @@ class IconPen {
         list_->AddQuadFilled(at(x, -0.75F), at(x + 0.55F, 0), at(x, 0.75F), at(x - 0.55F, 0),
                              color_);
     }
-    /// Almost a ring, with an arrow head at its end.
+    /// An open ring with an arrow head.
     void ring() const {
         list_->PathArcTo(center_, 0.75F * half_, -0.3F, 4.6F, 20);
         list_->PathStroke(color_, ImDrawFlags_None, stroke());

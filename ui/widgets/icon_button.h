@@ -5,7 +5,7 @@
 
 namespace dollytrack::ui {
 
-/// Signs that are drawn rather than looked up in a font, so that they are always there.
+/// Icons drawn as shapes, so that they do not depend on a font.
 enum class Icon {
     ToStart,
     PreviousMark,
@@ -27,12 +27,12 @@ enum class Icon {
 
 struct IconOptions {
     std::string tip = {};
-    std::string why_not = {};  // not empty: disabled, and this says why
-    bool on = false;           // of a switch
+    std::string why_not = {};  // not empty: the button is disabled, and its tooltip says why
+    bool on = false;           // highlighted, for a switch that is on
     bool small = false;        // as high as a line of text
 };
 
-/// A square button; `name` is its name in the item map.
+/// A square button called `name` in the item map; returns whether it was pressed.
 bool iconButton(Icon icon, std::string_view name, const IconOptions& options = {});
 
 }  // namespace dollytrack::ui

@@ -6,23 +6,23 @@
 
 namespace dollytrack::ui {
 
-/// Where a named widget is on the screen, in window pixels, clipped to what is visible of it.
+/// Screen rectangle of a named widget, in window pixels, clipped to its visible part.
 struct NamedItem {
     std::string name;  // "parameters.fill", "menu.file.open"
     float left = 0, top = 0, right = 0, bottom = 0;
     bool enabled = true;
 };
 
-/// Names the widget drawn last, so that scripts can find it and click it as a person would. Does
-/// nothing unless the map is wanted. Like ImGui itself it works on the current context.
+/// Records the previous widget under a name, so that scripts can find and click it. Does nothing
+/// unless the map is enabled. Like ImGui, it works on the current context.
 void nameItem(std::string_view name, bool enabled = true);
-/// The same for a rectangle of one's own drawing.
+/// Records a custom-drawn rectangle, in window pixels.
 void nameArea(std::string_view name, float left, float top, float right, float bottom);
 
 namespace item_map {
 void want(bool wanted);
 void beginFrame();
-/// Of the last whole frame.
+/// Widgets of the last completed frame.
 const std::vector<NamedItem>& items();
 void endFrame();
 }  // namespace item_map

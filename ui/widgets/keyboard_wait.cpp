@@ -5,7 +5,7 @@
 namespace dollytrack::ui {
 namespace {
 
-bool awaited = false;  // there is one keyboard
+bool awaited = false;  // one flag is enough: there is one keyboard
 
 }  // namespace
 

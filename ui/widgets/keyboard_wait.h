@@ -2,11 +2,11 @@
 
 namespace dollytrack::ui {
 
-/// Says that a widget has asked for the keyboard and does not have it yet: what is typed meanwhile
-/// belongs to it. To be repeated in every frame that this holds.
+/// Announces that a widget has requested the keyboard but does not have it yet, so that typed
+/// characters are kept for it. To be called in every such frame.
 void awaitKeyboard();
 
-/// Whether that was said since the last call.
+/// Returns whether awaitKeyboard() was called since the last call, and resets it.
 [[nodiscard]] bool takeKeyboardAwaited();
 
 }  // namespace dollytrack::ui

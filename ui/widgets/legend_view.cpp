@@ -16,7 +16,7 @@ namespace dollytrack::ui {
 namespace {
 
 ImU32 toColor(const Eigen::Vector4f& rgba) {
-    // As opaque as needed to be known again on the panel.
+    // Opaque enough to be recognizable on the panel.
     return ImGui::GetColorU32(ImVec4(rgba.x(), rgba.y(), rgba.z(), std::max(rgba.w(), 0.7F)));
 }
 
@@ -24,7 +24,7 @@ float brightness(const Eigen::Vector4f& rgba) {
     return 0.3F * rgba.x() + 0.6F * rgba.y() + 0.1F * rgba.z();
 }
 
-/// Signs are made for the scene; on a panel of their own brightness they need something behind.
+/// Symbols are coloured for the scene; on a panel of similar brightness they get a background.
 void drawBacking(const LegendEntry& entry, ImVec2 low, ImVec2 high) {
     const ImVec4 panel = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
     const float behind = brightness({panel.x, panel.y, panel.z, 1.0F});
@@ -34,7 +34,7 @@ void drawBacking(const LegendEntry& entry, ImVec2 low, ImVec2 high) {
         low, high, ImGui::GetColorU32(ImVec4(gray, gray, gray, 1.0F)), scaled(3));
 }
 
-/// The sign as it is drawn in the scene, in a box of a line's height.
+/// Draws the symbol as in the scene, in a box one text line high.
 void drawSign(const LegendEntry& entry) {
     using Shape = LegendEntry::Shape;
     const float height = ImGui::GetTextLineHeight();
@@ -108,7 +108,7 @@ void drawScale(const LegendScale& scale) {
     ImGui::TextColored(palette().text_dim, "%s", end.c_str());
 }
 
-/// Below its title. `room` is the width that names are cut to; 0: as wide as they are.
+/// Draws a legend without its title. `room`: width that names are cut to, px; 0: not cut.
 void drawLegend(const Legend& legend, float room) {
     for (const LegendEntry& entry : legend.entries) {
         const std::string count = std::to_string(entry.count);
@@ -156,11 +156,10 @@ void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
     ImGui::PushStyleColor(ImGuiCol_ChildBg, back);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, scaled(5));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(8), scaled(5)});
-    // A child of the viewport's window rather than a window of its own, which would lie over the
-    // shade behind dialogs.
+    // A child window, since a separate window would lie above the dimming behind dialogs.
     ImGui::BeginChild(
         "legend", {std::max(size.x, 1.0F), std::max(size.y, 1.0F)}, true,
-        // Home and the arrows are the viewport's: nothing here is for them.
+        // Home and the arrow keys belong to the viewport.
         ImGuiWindowFlags_NoNav | (size.y < state.size.y ? 0 : ImGuiWindowFlags_NoScrollbar));
     nameArea("legend", low.x, low.y, low.x + size.x, low.y + size.y);
     state.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);

@@ -9,19 +9,18 @@
 
 namespace dollytrack::ui {
 
-/// What the signs and colours in the scene mean, as many lines as that takes. Names that are wider
-/// than the column are cut, their numbers are not.
+/// Draws the legends of the overlays. Names are cut to the column's width, numbers are not.
 void drawLegends(const std::vector<Legend>& legends);
 
 struct LegendBoxState {
-    bool open = true;  // else only its title
+    bool open = true;  // false: only its title
     bool hovered = false;
-    ImVec2 size;                      // of what it held in the frame before
-    std::vector<std::string> folded;  // titles of parts that show only those
+    ImVec2 size;                      // content size in the previous frame
+    std::vector<std::string> folded;  // titles of the collapsed legends
 };
 
-/// The same in a box over the window at hand, with its corner at `low` and within `room`; what is
-/// more is scrolled to. A click on a title folds its part, or the box.
+/// Draws the legends in a box in the current window, with its top-left corner at `low` and at most
+/// `room` large; longer content scrolls. Clicking a title collapses that legend, or the box.
 void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
                    LegendBoxState& state);
 

@@ -13,7 +13,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// "Don't save" as the item map has it: "dont_save".
+/// Item-map name of a label: "message.dont_save" for "Don't save".
 std::string itemName(const std::string& label) {
     std::string name = "message.";
     for (const char c : label) {
@@ -37,7 +37,7 @@ void drawTitle(const MessageBox& box) {
     ImGui::Spacing();
 }
 
-/// Text that is longer than the window scrolls; its end can always be read.
+/// Long text scrolls, so that its end can be read.
 void drawText(const MessageBox& box) {
     const float wrap = ImGui::GetContentRegionAvail().x;
     const float height = ImGui::CalcTextSize(box.text.c_str(), nullptr, false, wrap).y;
@@ -75,7 +75,7 @@ int drawContent(const MessageBox& box) {
     ImGui::Dummy({0, scaled(6)});
     int pressed = drawButtons(box);
     const int last = static_cast<int>(box.buttons.size()) - 1;
-    // Not in the frame it appears in: the key that caused the message must not answer it.
+    // Ignores keys in the first frame: the key that caused the message must not answer it.
     if (!ImGui::IsWindowAppearing()) {
         if (ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) ||
             ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false)) {

@@ -5,22 +5,23 @@
 
 namespace dollytrack::ui {
 
-/// A message over the window that waits for an answer.
+/// A modal message that waits for an answer.
 struct MessageBox {
     bool is_error = false;
     std::string title;
     std::string text;                           // may have several lines
-    std::vector<std::string> buttons = {"OK"};  // the first is what Enter presses
+    std::vector<std::string> buttons = {"OK"};  // the first is pressed by Enter
     int escape = -1;                            // button that Escape presses; -1: the last
 };
 
-/// Draws it in the middle of the window while it is given. Returns the button that was pressed, or
-/// -1: then it must be drawn again in the next frame.
+/// Draws the message in the middle of the window; to be called every frame until it is answered.
+/// Returns the index of the pressed button, or -1.
 int drawMessageBox(const MessageBox& box);
 
 enum class UnsavedAnswer { None, Save, Discard, Cancel };
 
-/// Asks what shall become of unsaved changes before `what_next` ("before it is closed").
+/// Asks whether to save unsaved changes. `what_next` completes "They are lost if you do not save
+/// them ...", such as "before it is closed".
 UnsavedAnswer askUnsaved(const std::string& project, const std::string& what_next);
 
 }  // namespace dollytrack::ui

@@ -41,7 +41,7 @@ int drawNoteBar(const std::string& name, const std::string& text,
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
-    // What follows begins right below, without the gap between widgets.
+    // The next widget follows directly, without ImGui's spacing.
     ImGui::SetCursorScreenPos({low.x, low.y + size.y});
     return pressed;
 }

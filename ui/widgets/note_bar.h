@@ -10,9 +10,8 @@ struct NoteBarButton {
     std::string tip;
 };
 
-/// A line over the whole width of the window at hand that says something without waiting for an
-/// answer. Returns the button that was pressed, or -1. `name` is its name in the item map, and
-/// `name`.0, .1 … those of its buttons.
+/// A notification bar across the current window that does not block. Returns the index of the
+/// pressed button, or -1. In the item map the bar is called `name`, and its buttons `name`.0, .1 ….
 int drawNoteBar(const std::string& name, const std::string& text,
                 const std::vector<NoteBarButton>& buttons);
 

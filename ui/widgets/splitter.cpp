@@ -9,7 +9,7 @@ namespace dollytrack::ui {
 
 bool splitter(const char* name, ImVec2 low, ImVec2 high, bool vertical, float sign, float& length,
               float least, float most) {
-    // A window of its own, so that it can be grabbed over the borders of its neighbours.
+    // A separate window, so that it can be grabbed over its neighbours' borders.
     ImGui::SetNextWindowPos(low);
     ImGui::SetNextWindowSize({high.x - low.x, high.y - low.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

@@ -4,8 +4,9 @@
 
 namespace dollytrack::ui {
 
-/// A line that can be dragged to change a length (px): of the part on its left or top (sign +1), or
-/// on its right or bottom (sign -1). Returns whether the length changed.
+/// A draggable line between `low` and `high` (px) that changes a length (px) within `least` ..
+/// `most`: that of the part on its left or top (sign +1), or on its right or bottom (sign -1).
+/// Returns whether the length changed.
 bool splitter(const char* name, ImVec2 low, ImVec2 high, bool vertical, float sign, float& length,
               float least, float most);
 

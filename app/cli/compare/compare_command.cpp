@@ -21,7 +21,7 @@ namespace dollytrack::cli {
 namespace {
 
 struct CompareArguments {
-    SceneArguments each;  // how to read and plan every scene; its path is set in turn
+    SceneArguments each;  // import and planning options of every scene; its path is set for each
     std::vector<std::string> scenes;
     std::vector<std::string> planners = {"all"};
     std::vector<std::string> trajectories;
@@ -42,7 +42,7 @@ nlohmann::ordered_json rowsJson(const ComparedScene& scene) {
     for (const ComparedRow& row : scene.rows) {
         nlohmann::ordered_json one = {{"planner", row.planner}};
         for (std::size_t i = 0; i < metrics.size(); ++i) {
-            nlohmann::ordered_json value;  // null where the metric does not apply
+            nlohmann::ordered_json value;  // null if the metric does not apply
             if (row.values[i]) value = *row.values[i];
             one[std::string(metrics[i].name)] = std::move(value);
         }
@@ -77,8 +77,8 @@ ExitCode listPlanners() {
     return kDone;
 }
 
-/// What each trajectory is called in the tables: its file's name, with the folder's and then a
-/// number where something else has that name already.
+/// Names of the trajectories in tables: the file name, with its folder and then a number if the
+/// name is taken.
 std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
     std::vector<std::string> taken = {"bound"};
     for (const planning::Planner& planner : planning::planners()) taken.emplace_back(planner.name);
@@ -98,7 +98,7 @@ std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
     return names;
 }
 
-/// The trajectories that come with the scene, in its world.
+/// Reads the --trajectory files, in world coordinates of the scene.
 Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
                                            const OpenedScene& opened) {
     std::vector<GivenFlight> given;
@@ -116,7 +116,7 @@ Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
                   fmt::format("{}: {} poses, format {}{}", path, loaded->trajectory.frames.size(),
                               loaded->format,
                               loaded->timed ? "" : ", without times: as if at frame_rate"));
-        constexpr double kNoticeable = 0.5;  // degrees
+        constexpr double kNoticeable = 0.5;  // larger differences are reported, degrees
         const double hfov = opened.params.camera.hfov_deg;
         if (loaded->hfov_deg && std::abs(*loaded->hfov_deg - hfov) > kNoticeable) {
             log::warn("compare", fmt::format("{}: its images show {:.1f} degrees, but are judged "
@@ -128,7 +128,7 @@ Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
     return given;
 }
 
-/// Bars for the figures that tell planners apart.
+/// Bar charts of the metrics that rank planners.
 render::Figure comparisonFigure(const ComparedScene& scene) {
     render::Figure figure;
     figure.title = scene.scene;
@@ -152,7 +152,7 @@ render::Figure comparisonFigure(const ComparedScene& scene) {
     return figure;
 }
 
-/// Refuses options that only --outcomes uses when it is not given.
+/// Refuses options of --outcomes if --outcomes is not given.
 Status checkOutcomesGiven(const OutcomeArguments& given) {
     if (!given.judges.empty()) return {};
     const OutcomeArguments usual;
@@ -173,7 +173,7 @@ Status checkOutcomesGiven(const OutcomeArguments& given) {
     return {};
 }
 
-/// What would be in vain or in doubt only after long work.
+/// Checks that would otherwise fail only after long work.
 Status checkUsage(const CompareArguments& arguments) {
     if (arguments.scenes.empty()) {
         return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
@@ -212,8 +212,8 @@ Status writeFiles(const CompareArguments& arguments, const std::vector<ComparedS
         arguments.picture);
 }
 
-/// The usual 300, unless the command line says otherwise. Without a limit planners would be
-/// compared that show whatever they like.
+/// Sets the frame budget to 300 unless the command line has one: without a common budget, planners
+/// are not comparable.
 SceneArguments withFrames(SceneArguments each) {
     const auto sets = [](const std::string& text) { return text.starts_with("max_frames="); };
     const bool set = std::ranges::any_of(each.assignments, sets);
@@ -269,7 +269,7 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
                 });
             });
         if (!scene) {
-            // What is wrong with the command, or stops it, concerns all scenes alike.
+            // Usage errors and cancellation affect all scenes.
             const ErrorCode code = scene.error().code;
             if (code == ErrorCode::Cancelled || code == ErrorCode::Usage) {
                 return tl::unexpected<Error>(std::move(scene.error()));
@@ -284,7 +284,7 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
         compared.push_back(std::move(*scene));
     }
     if (compared.empty()) return tl::unexpected<Error>(std::move(last));
-    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
+    // Printed before writing files, so that a full disk does not lose the results.
     if (arguments.as_json) {
         fmt::print("{}\n", comparisonJson(compared, order));
     } else {

@@ -31,7 +31,7 @@ class SceneComparison {
     SceneComparison(const RivalScene& scene, const planning::PlanParams& params)
         : scene_(scene), params_(params), best_(bestCaptures(*scene.scene, {})) {}
 
-    /// A flight that fails gives no row, but a cancelled job ends it all.
+    /// Evaluates one planner. A failed seed is skipped; cancellation ends the comparison.
     Status run(const planning::Planner& planner, int seeds, const JobContext& job) {
         std::vector<JudgedRow> rows;
         for (int i = 0; i < seeds; ++i) {
@@ -111,7 +111,7 @@ class SceneComparison {
 
     const RivalScene& scene_;
     const planning::PlanParams& params_;
-    std::vector<ObjectCapture> best_;  // by any flight
+    std::vector<ObjectCapture> best_;  // best captures over all trajectories
     ComparedScene result_;
 };
 
@@ -164,7 +164,7 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
 ComparedScene meanOver(const std::vector<ComparedScene>& scenes) {
     ComparedScene mean;
     mean.scene = fmt::format("mean of {} scenes", scenes.size());
-    std::vector<std::vector<JudgedRow>> rows;  // by planner
+    std::vector<std::vector<JudgedRow>> rows;  // metric rows by planner
     for (const ComparedScene& scene : scenes) {
         mean.map_ms += scene.map_ms / static_cast<double>(scenes.size());
         for (const ComparedRow& row : scene.rows) {

@@ -10,53 +10,53 @@
 
 namespace dollytrack::cli {
 
-/// A trajectory that comes with the scene, to be judged beside the planners.
+/// An existing trajectory, evaluated beside the planners.
 struct GivenFlight {
     std::string name;
     planning::Flight flight;
 };
 
-/// One planner's numbers in one scene: medians over the seeds.
+/// Metrics of one planner in one scene: medians over the seeds.
 struct ComparedRow {
     std::string planner;
     planning::JudgedRow values;  // in the order of judgedMetrics()
 };
 
 struct ComparedScene {
-    std::string scene;  // its name in tables; the caller's
+    std::string scene;  // name in tables; set by the caller
     double map_ms = 0.0;
     std::vector<ComparedRow> rows;
-    int failures = 0;  // flights that could not be planned; said in the log
+    int failures = 0;  // trajectories that could not be planned; each is logged
 };
 
 struct ComparisonOrder {
     std::vector<const planning::Planner*> planners;
-    int seeds = 1;  // the parameters' seed and those after it
+    int seeds = 1;  // number of seeds, starting at the parameters' seed
     bool bound = false;
 };
 
-/// Plans with every planner in one map of the scene and judges all flights alike. With `bound` a
-/// last row tells what no planner can pass: a dense search, helped by all that the flights found.
-/// Errors: Usage for more seeds than there are numbers, those of the map, and Cancelled; a planner
-/// that fails is left out with a warning.
+/// Plans with every planner on one map of the scene and evaluates all trajectories in the same way.
+/// With `bound`, the last row is an upper bound on the capture rates: a dense viewpoint search plus
+/// all captures of the trajectories. A planner that fails is skipped with a warning. Errors: Usage
+/// if the seeds exceed the largest int; errors of the map; Cancelled.
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
                                 const std::vector<GivenFlight>& given, const JobContext& job);
 
-/// Planner by planner the mean over the scenes that have a row of it.
+/// Means by planner, over the scenes in which the planner has a row.
 ComparedScene meanOver(const std::vector<ComparedScene>& scenes);
 
-/// A planner a line, a metric a column; columns without any value are left out.
+/// A text table with one line per planner and one column per metric; columns without values are
+/// omitted.
 std::string comparisonTable(const ComparedScene& scene);
 
-/// What scenes are called in tables: their files' names, with the folders' where files of several
-/// folders have the same.
+/// Display names of scenes: their file stems, with the parent folder if several are equal.
 std::vector<std::string> sceneNames(const std::vector<std::string>& paths);
 
-/// A text as a field of a CSV file: commas and quotes of file names must not break the table.
+/// Quotes a text for a CSV field if it contains commas, quotes or line breaks.
 std::string csvField(const std::string& text);
 
-/// All metrics, a line for each scene and planner; empty where a metric does not apply.
+/// CSV with all metrics, one line per scene and planner; empty if a metric does not apply.
 std::string comparisonCsv(const std::vector<ComparedScene>& scenes);
 
 }  // namespace dollytrack::cli

@@ -11,8 +11,8 @@
 namespace dollytrack::cli {
 namespace {
 
-constexpr double kNear_m = 0.05;      // of completeness
-constexpr double kSpacing_m = 0.025;  // of what it is asked of: half of that
+constexpr double kNear_m = 0.05;      // distance limit for completeness
+constexpr double kSpacing_m = 0.025;  // spacing of the reference surface points: half of that
 
 struct EvaluateArguments {
     std::string folder;
@@ -39,7 +39,7 @@ Status addReconstruction(const EvaluateArguments& arguments, const verify::Store
         Result<std::vector<Eigen::Vector3d>> cloud = io::readPlyPoints(arguments.clouds[i]);
         if (!cloud) return tl::unexpected<Error>(std::move(cloud.error()));
         RunFigures& run = runs[i];
-        // Where a cloud belongs is not known without its trajectory.
+        // A point cloud is aligned by its run's trajectory.
         if (!run.error.measured) continue;
         for (Eigen::Vector3d& point : *cloud) point = run.error.world_from_estimate * point;
         run.cloud = arguments.clouds[i];

@@ -20,7 +20,7 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 constexpr std::size_t kNameWidth = 24;
 
 nlohmann::json toJson(const ErrorFigures& figures, double factor) {
-    if (figures.count == 0) {  // not 0, which is the best there is
+    if (figures.count == 0) {  // null rather than 0, the best value
         return {{"rmse", nullptr},
                 {"mean", nullptr},
                 {"median", nullptr},
@@ -66,7 +66,7 @@ nlohmann::json toJson(const RunFigures& run) {
     return one;
 }
 
-/// A number in a column of its own, however large; '-' for one that is not there.
+/// A number in a table cell of fixed width; '-' if it is unknown.
 std::string cell(double value, bool known, int decimals) {
     constexpr std::size_t kWidth = 9;
     std::string text = known ? fmt::format("{:.{}f}", value, decimals) : "-";
@@ -117,7 +117,7 @@ Result<Trajectory> readEstimate(const std::string& path) {
     if (!text) return tl::unexpected<Error>(std::move(text.error()));
     if (holdsNoPose(*text)) return Trajectory{};
     io::TrajectoryReading reading;
-    reading.world = "z-up";  // as it is: it is aligned anyway, or has to be in our world
+    reading.world = "z-up";  // not converted: aligned later, or in the right world
     reading.has_options = false;
     Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
     if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));

@@ -13,37 +13,38 @@
 
 namespace dollytrack::cli {
 
-/// When a run of a SLAM program counts as a success.
+/// Conditions for a successful SLAM run.
 struct SuccessLimits {
-    double min_tracked = 0.8;  // share of the frames that have a pose
-    double max_ate_m = 0.5;    // absolute trajectory error, RMSE
+    double min_tracked = 0.8;  // minimum fraction of frames with a pose
+    double max_ate_m = 0.5;    // maximum absolute trajectory error (RMSE), m
 };
 
-/// What one run has estimated, measured against the dataset.
+/// Errors of one SLAM run with respect to the dataset.
 struct RunFigures {
-    std::string name;  // of its file
+    std::string name;  // file name of the trajectory
     TrajectoryError error;
-    std::string not_measured;  // why there are no errors, in a sentence; empty where there are
+    std::string not_measured;  // why there are no errors; empty if there are
     bool success = false;
-    std::string cloud;  // of its point cloud; empty without one
+    std::string cloud;  // file name of its point cloud; empty: none
     std::optional<CloudError> reconstruction;
     std::optional<double> completeness;
 };
 
-/// The dataset's own trajectory. Its motions are told apart where frames.csv tells.
+/// The ground-truth trajectory of the dataset. Separate motions are distinguished if frames.csv has
+/// the column `path`.
 Trajectory trueTrajectory(const verify::StoredDataset& dataset);
 
-/// A file of timed poses. One without any pose is what a program leaves that never began to track:
-/// an empty trajectory. Errors: BadInput, also for a file without times.
+/// Reads a file of timed poses. A file without poses, which a program leaves if it never started
+/// tracking, gives an empty trajectory. Error: BadInput, also if the poses have no times.
 Result<Trajectory> readEstimate(const std::string& path);
 
-/// Why an estimate has no errors; empty where it has.
+/// Why an estimate has no errors; empty if it has.
 std::string whyNotMeasured(const Trajectory& truth, const Trajectory& estimate,
                            const TrajectoryError& error, const TrajectoryErrorSettings& settings);
 
 bool isSuccess(const TrajectoryError& error, const SuccessLimits& limits);
 
-/// Share of the runs that are successes.
+/// Fraction of successful runs; 0 if there are no runs.
 double successRate(const std::vector<RunFigures>& runs);
 
 nlohmann::json evaluationJson(const std::vector<RunFigures>& runs, const SuccessLimits& limits);

@@ -24,7 +24,7 @@ using outcomes::JudgeProgram;
 using outcomes::OutcomeOrder;
 using outcomes::OutcomeReport;
 
-/// "320x240" as the two assignments that make frames of that size.
+/// Converts "320x240" to the assignments of width_px and height_px.
 Result<std::vector<std::string>> sizeAssignments(const std::string& text) {
     int width = 0;
     int height = 0;
@@ -39,8 +39,8 @@ Result<std::vector<std::string>> sizeAssignments(const std::string& text) {
     return std::vector{fmt::format("width_px={}", width), fmt::format("height_px={}", height)};
 }
 
-/// The arguments that make `export` read and plan a scene in this way. Seed and number of frames
-/// are the caller's.
+/// Arguments with which `export` reads and plans a scene in this way. Seed and number of frames are
+/// added by the caller.
 std::vector<std::string> exportArguments(const SceneArguments& each) {
     std::vector<std::string> words;
     const auto add = [&](const char* option, const std::string& value) {
@@ -65,7 +65,7 @@ std::vector<std::string> exportArguments(const SceneArguments& each) {
     return words;
 }
 
-/// The options JUDGE.NAME=VALUE, by judge.
+/// The --judge-option values, grouped by judge.
 Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     for (const std::string& text : arguments.options) {
@@ -86,7 +86,7 @@ Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
     return all;
 }
 
-/// The programs of --slam, by judge.
+/// The --slam programs, grouped by judge.
 Result<nlohmann::ordered_json> judgePrograms(const OutcomeArguments& arguments) {
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
     std::set<std::string> names;
@@ -125,7 +125,7 @@ Status checkOptionNames(const nlohmann::ordered_json& options,
     return {};
 }
 
-/// Refuses parameters that every export is given in another way.
+/// Refuses parameters that the comparison sets itself for every export.
 Status checkAssignments(const std::vector<std::string>& assignments) {
     for (const std::string& text : assignments) {
         const char* instead = nullptr;
@@ -169,13 +169,13 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
     order.each = subjects.each;
     Result<std::vector<std::string>> size = sizeAssignments(arguments.resolution);
     if (!size) return tl::unexpected<Error>(std::move(size.error()));
-    // First, so that what the user sets holds. Our planner would make fewer frames where more show
-    // nothing new; all planners have to have the same number.
+    // Inserted first, so that user settings take precedence. max_repeat_rate=1 keeps our planner
+    // from using fewer frames than the others, since all planners need the same number.
     size->emplace_back("max_repeat_rate=1");
     order.each.assignments.insert(order.each.assignments.begin(), size->begin(), size->end());
     order.export_arguments = exportArguments(order.each);
     const int frames = subjects.each.max_frames.value_or(0);
-    if (frames > 0) order.frames = frames;  // 0: the usual number
+    if (frames > 0) order.frames = frames;  // 0: the default number
     order.test_frames = arguments.test_frames;
     order.controls = arguments.controls;
     order.timeout_s = arguments.timeout_s;
@@ -203,7 +203,8 @@ bool hasValue(const outcomes::Row& row) {
     return std::ranges::any_of(row.values, [](const auto& value) { return value.has_value(); });
 }
 
-/// Whether every judge has measured every entry. A missing judge matters only where it was named.
+/// Whether every judge has measured every entry. Judges with missing dependencies count only if
+/// they were named.
 bool isComplete(const OutcomeReport& report, const std::vector<std::string>& named) {
     const bool frames = std::ranges::none_of(
         report.entries, [](const auto& entry) { return entry.dataset.empty(); });
@@ -280,7 +281,7 @@ Result<ExitCode> runOutcomes(const OutcomeArguments& arguments, const OutcomeSub
     if (!order) return tl::unexpected<Error>(order.error());
     const Result<OutcomeReport> report = outcomes::measureOutcomes(*order, session.job());
     if (!report) return tl::unexpected<Error>(report.error());
-    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
+    // Printed before writing files, so that a full disk does not lose the results.
     fmt::print("{}",
                subjects.as_json ? outcomes::outcomeJson(*report) : outcomes::outcomeText(*report));
     if (Status status = writeReports(*report, order->folder); !status) {

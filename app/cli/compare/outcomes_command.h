@@ -8,14 +8,14 @@
 
 namespace dollytrack::cli {
 
-/// The options of `compare --outcomes`.
+/// Options of `compare --outcomes`, the downstream evaluation.
 struct OutcomeArguments {
-    std::vector<std::string> judges;  // empty: not asked for
+    std::vector<std::string> judges;  // empty: --outcomes is not given
     std::string out;
     std::string resolution = "320x240";
     std::vector<std::string> options;  // JUDGE.NAME=VALUE
     std::vector<std::string> slam;     // NAME=COMMAND
-    std::vector<std::string> folders;  // with further judges
+    std::vector<std::string> folders;  // folders with additional judges
     std::vector<std::string> test_scenes;
     double timeout_s = 0.0;
     int test_frames = 60;
@@ -24,20 +24,20 @@ struct OutcomeArguments {
 
 void addOutcomeArguments(CLI::App& command, OutcomeArguments& arguments);
 
-/// What is compared: scenes by their paths, planners by name.
+/// What to compare: scenes by path, planners by name.
 struct OutcomeSubjects {
     std::vector<std::string> scenes;
     std::vector<std::string> planners;
     int seeds = 1;
-    SceneArguments each;  // how to read and plan every scene
+    SceneArguments each;  // import and planning options of every scene
     bool as_json = false;
 };
 
-/// Exports the planners' frames, has the judges measure them and reports it.
+/// Exports frames of every planner, runs the judges on them and reports the results.
 Result<ExitCode> runOutcomes(const OutcomeArguments& arguments, const OutcomeSubjects& subjects,
                              const Session& session);
 
-/// Says of each judge what it measures, and what it needs where that is missing.
+/// Prints for each judge what it measures and whether its dependencies are installed.
 Result<ExitCode> listOutcomes(const OutcomeArguments& arguments, const Session& session);
 
 }  // namespace dollytrack::cli

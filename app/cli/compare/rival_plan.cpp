@@ -37,7 +37,7 @@ nlohmann::json judgedJson(const planning::Judgement& judgement, const std::strin
         if (row[i]) value = *row[i];
         metrics[std::string(infos[i].name)] = std::move(value);
     }
-    // Counts, not the numbers of a table.
+    // Integers instead of the table's real numbers.
     metrics["objects"] = judgement.captures.objects;
     metrics["frames"] = judgement.frames;
     metrics["planner"] = planner;
@@ -119,7 +119,7 @@ nlohmann::json metricsOf(const std::string& planner) {
             if (value.is_null()) value = 0.0;
         }
     }
-    metrics["scanned_share"] = 0.0;  // only scans have it
+    metrics["scanned_share"] = 0.0;  // only scans have this metric
     return metrics;
 }
 

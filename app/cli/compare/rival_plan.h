@@ -13,28 +13,29 @@ class App;
 
 namespace dollytrack::cli {
 
-/// --planner, for commands that make one trajectory.
+/// Adds --planner, for commands that plan one trajectory.
 void addPlannerArgument(CLI::App& command, std::string& planner);
 
-/// Whether it is another planner than our own. Error: Usage, with the closest name.
+/// Whether the name is a baseline planner rather than our own. Error: Usage for an unknown name,
+/// with the closest one.
 Result<bool> namesRival(const std::string& planner);
 
-/// The trajectory of a rival, with the seed of the parameters. Its metrics are what the judge of
-/// `compare` measures (null where one does not apply) and the planner's name. There is no result
-/// for a project: what projects keep are our own plans. Errors: as the planner gives them.
+/// Plans with a baseline planner, with the seed of the parameters. The metrics are those of
+/// `compare` (null if one does not apply) and the planner's name. `result` stays null, because
+/// projects only store our own plans. Errors: those of the planner.
 Result<PlannedScene> planAsRival(const std::string& planner, const OpenedScene& opened,
                                  const JobContext& job);
 
-/// The metrics of a trajectory of any origin in this scene, as planAsRival() has them, and under
-/// "ledger" for each target the frame that shows it best (-1: none). Errors: Usage, Cancelled.
+/// Evaluates any trajectory in this scene: the metrics of planAsRival() without the planner's name,
+/// and as "ledger" the best frame for each target (-1: none). Errors: Usage, Cancelled.
 Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
                                        const JobContext& job);
 
-/// All metrics that `plan --planner` gives, with values of no meaning: to check names before any
-/// work. The planner must be known.
+/// All metric names of `plan --planner`, with placeholder values, to check names before planning.
+/// The planner must be known.
 nlohmann::json metricsOf(const std::string& planner);
 
-/// A rival's metrics for a person, one a line.
+/// A baseline's metrics as text, one per line.
 std::string judgedTable(const nlohmann::json& metrics);
 
 }  // namespace dollytrack::cli

@@ -47,7 +47,7 @@ Result<std::vector<std::string>> valuesOf(const std::string& text, const std::st
     return values;
 }
 
-/// Those with which reading the scene again could give another one.
+/// The assignments that can change the imported scene.
 std::vector<std::string> ofImport(std::vector<std::string> assignments) {
     std::erase_if(assignments, [](const std::string& text) {
         return !text.starts_with("small_volume_m3=") && !text.starts_with("size_ratio=");
@@ -55,7 +55,7 @@ std::vector<std::string> ofImport(std::vector<std::string> assignments) {
     return assignments;
 }
 
-/// Points without numbers, for planners that could not plan.
+/// A point without metrics, for a planner that failed.
 SweepPoint gapOf(const planning::Planner& planner, const Error& error) {
     SweepPoint point;
     point.planner = planner.name;
@@ -126,7 +126,7 @@ Result<planning::Flight> Sweeper::fly(const planning::Planner& planner,
                                       const planning::PlanParams& params,
                                       std::vector<StageTime>& stages, const JobContext& job) {
     const bool ours = planner.plan == planning::planOurs;
-    // The paper's path is ours where ours has no room views.
+    // Without room views, the paper's smoothing uses the same path as our planner.
     const bool same_path =
         planner.plan == planning::planPaperSmoothing && params.gaze.view_mix <= 0.0;
     if (!ours && !same_path) {

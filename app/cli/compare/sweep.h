@@ -14,38 +14,38 @@
 
 namespace dollytrack::cli {
 
-/// A parameter and the values it takes in turn.
+/// A parameter and its sweep values.
 struct SweptParameter {
     std::string name;
     std::string unit;
-    std::vector<std::string> values;  // as `--set` reads them
+    std::vector<std::string> values;  // in the form of `--set`
 };
 
-/// From "name=from:to:step", ends included, or "name=a,b,c". Error: Usage, also for a value that
-/// the parameter cannot take.
+/// Parses "name=from:to:step" (ends included) or "name=a,b,c". Error: Usage, also for values that
+/// the parameter does not accept.
 Result<SweptParameter> parseSweptParameter(const std::string& text);
 
-/// The number that a text is, whole and finite; else nothing.
+/// Parses a finite number; nullopt if the text is anything else.
 std::optional<double> finiteNumber(const std::string& text);
 
-/// What came of one planner at one combination of values.
+/// Result of one planner for one combination of values.
 struct SweepPoint {
-    std::vector<std::string> values;  // one for each parameter
+    std::vector<std::string> values;  // one value per parameter
     std::string planner;
     planning::JudgedRow metrics;
-    std::vector<StageTime> stages;  // of Dollytrack's own pipeline; empty for others
-    std::string gap;                // why there are no metrics; empty where there are
+    std::vector<StageTime> stages;  // stage times of our planner; empty for others
+    std::string gap;                // why there are no metrics; empty if there are
 };
 
-/// Plans the same scene again and again, keeping what a change does not concern: the scene, the
-/// map, and the pipeline with its stages.
+/// Plans one scene repeatedly and reuses what a parameter change does not affect: the scene, the
+/// map, and stages of the pipeline.
 class Sweeper {
   public:
     explicit Sweeper(SceneArguments arguments) : arguments_(std::move(arguments)) {}
 
-    /// A point of each planner with "name=value" set; where nothing can be mapped or planned with
-    /// these values, with the reason. All have the same budget of frames. Errors: Cancelled, and
-    /// what openScene() gives.
+    /// Plans with each planner with these "name=value" assignments, all with the same frame budget.
+    /// If mapping or planning fails, the point has the reason in `gap`. Errors: Cancelled; errors
+    /// of openScene().
     Result<std::vector<SweepPoint>> at(const std::vector<std::string>& assignments,
                                        const std::vector<const planning::Planner*>& planners,
                                        const JobContext& job);
@@ -59,9 +59,9 @@ class Sweeper {
 
     SceneArguments arguments_;
     std::optional<OpenedScene> opened_;
-    std::vector<std::string> opened_with_;  // assignments that concern the import
+    std::vector<std::string> opened_with_;  // assignments that affect the import
     std::unique_ptr<planning::Pipeline> pipeline_;
-    std::shared_ptr<const Plan> plan_;  // at the values at hand; null before it is made
+    std::shared_ptr<const Plan> plan_;  // plan for the current values; null until needed
     std::optional<planning::RivalScene> mapped_;
     CameraParams mapped_camera_;
     planning::FreeSpaceParams mapped_space_;

@@ -47,7 +47,7 @@ Result<std::vector<SweptParameter>> parseParameters(const std::vector<std::strin
     return parameters;
 }
 
-/// Indices in judgedMetrics().
+/// Indices of the named metrics in judgedMetrics().
 Result<std::vector<int>> findMetrics(const std::vector<std::string>& names) {
     const auto& metrics = planning::judgedMetrics();
     std::vector<std::string> known;
@@ -68,7 +68,8 @@ Result<std::vector<int>> findMetrics(const std::vector<std::string>& names) {
     return found;
 }
 
-/// All combinations, the first parameter changing slowest, so that what it needs is made once.
+/// All combinations; the first parameter changes slowest, so that what depends on it is computed
+/// once.
 std::vector<std::vector<std::string>> combinations(const std::vector<SweptParameter>& parameters) {
     std::vector<std::vector<std::string>> all = {{}};
     for (const SweptParameter& parameter : parameters) {
@@ -84,7 +85,8 @@ std::vector<std::vector<std::string>> combinations(const std::vector<SweptParame
     return all;
 }
 
-/// The paper's figure 5 needs the paper's smoothing beside ours.
+/// Default planners and metrics; the paper's figure 5 compares our planner with the paper's
+/// smoothing.
 void setDefaults(SweepArguments& arguments, const std::vector<SweptParameter>& parameters) {
     const bool figure_5 = parameters.front().name == "corner_distance_m";
     if (arguments.planners.empty()) {
@@ -149,7 +151,7 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
             points.push_back(std::move(point));
         }
     }
-    // Printed first: what took long must not be lost with a disk that filled up meanwhile.
+    // Printed before writing files, so that a full disk does not lose the results.
     fmt::print("{}", sweepTable(*parameters, points, *metrics));
     if (!arguments.csv.empty()) {
         if (Status status = io::writeWhole(arguments.csv, sweepCsv(*parameters, points)); !status) {

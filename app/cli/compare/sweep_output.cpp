@@ -33,7 +33,7 @@ std::vector<std::string> stageNames(const std::vector<SweepPoint>& points) {
     return names;
 }
 
-/// The planner, and the values of all parameters but the first.
+/// Curve name: the planner, and the values of all parameters but the first.
 std::string curveName(const std::vector<SweptParameter>& parameters, const SweepPoint& point) {
     std::string name = point.planner;
     for (std::size_t i = 1; i < parameters.size(); ++i) {

@@ -8,19 +8,20 @@
 
 namespace dollytrack::cli {
 
-/// A line for each point: the values, the planner, all metrics, the times of the pipeline's stages.
+/// CSV with one line per point: values, planner, all metrics, and the times of the pipeline's
+/// stages.
 std::string sweepCsv(const std::vector<SweptParameter>& parameters,
                      const std::vector<SweepPoint>& points);
 
-/// The same for people, with some metrics.
+/// A text table of the points with the chosen metrics (indices in judgedMetrics()).
 std::string sweepTable(const std::vector<SweptParameter>& parameters,
                        const std::vector<SweepPoint>& points, const std::vector<int>& metrics);
 
-/// Whether a parameter can be the x axis. Error: Usage when its values are no numbers.
+/// Checks that a parameter can be the x axis. Error: Usage if a value is not a number.
 Status checkAxis(const SweptParameter& parameter);
 
-/// A chart for each metric over the first parameter, which must pass checkAxis(); a curve for each
-/// planner and combination of the others.
+/// One chart per metric over the first parameter, which must pass checkAxis(), with one curve per
+/// planner and combination of the other parameters.
 render::Figure sweepFigure(const std::string& title, const std::vector<SweptParameter>& parameters,
                            const std::vector<SweepPoint>& points, const std::vector<int>& metrics);
 

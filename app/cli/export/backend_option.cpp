@@ -8,7 +8,7 @@
 namespace dollytrack::cli {
 
 Result<std::unique_ptr<gl::Context>> BackendOption::createContext() const {
-    const auto found = std::ranges::find(gl::kBackendNames, name);  // the option took no other
+    const auto found = std::ranges::find(gl::kBackendNames, name);  // validated by the option
     return gl::createHeadlessContext(static_cast<gl::Backend>(found - gl::kBackendNames.begin()));
 }
 

@@ -10,7 +10,7 @@ class App;
 
 namespace dollytrack::cli {
 
-/// --gl auto|egl|osmesa of commands that draw.
+/// The option --gl auto|egl|osmesa of commands that render.
 struct BackendOption {
     std::string name = "auto";
 

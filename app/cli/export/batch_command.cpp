@@ -39,7 +39,7 @@ struct BatchArguments {
     bool as_json = false;
 };
 
-/// Not in any job's name.
+/// Folder of the shards' reports; '@' cannot occur in a job's name.
 constexpr const char* kShards = "@shards";
 
 Result<batch::RunSettings> settingsFor(const BatchArguments& arguments, const BatchOrder& order,
@@ -73,7 +73,7 @@ ExitCode exitCodeOf(const Report& report) {
     return std::all_of(report.rows.begin(), report.rows.end(), batch::isGood) ? kDone : kPartial;
 }
 
-/// What would be done, without a trace on the disk.
+/// Lists the jobs and what remains to be done, without writing anything.
 ExitCode listJobs(const std::vector<Job>& jobs, const batch::RunSettings& settings, bool as_json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Job& job : jobs) {
@@ -99,7 +99,7 @@ ExitCode listJobs(const std::vector<Job>& jobs, const batch::RunSettings& settin
     return kDone;
 }
 
-/// The results that all machines left in a batch's folder, whoever did which part.
+/// Merges the results in a batch's folder, whichever machine produced them.
 Result<ExitCode> mergeBatch(const BatchArguments& arguments) {
     const fs::path folder = fs::absolute(arguments.merge).lexically_normal();
     Result<BatchList> list = batch::readBatchList(folder);

@@ -30,7 +30,8 @@ nlohmann::json summaryJson(const render::DatasetSummary& summary, const std::str
             {"pictures", render::pictureTallyJson(summary.pictures)}};
 }
 
-/// Of datasets one a room: the rates over all of them; their lists of frames stay their own.
+/// Summary of one dataset per room, with rates over all images; the frame lists stay with the
+/// rooms.
 nlohmann::json roomsJson(const std::string& folder, nlohmann::json rooms,
                          const render::PictureTally& pictures) {
     nlohmann::json rates = render::pictureTallyJson(pictures);
@@ -45,7 +46,7 @@ void addTally(render::PictureTally& all, const render::PictureTally& one) {
     all.flat.insert(all.flat.end(), one.flat.begin(), one.flat.end());
 }
 
-/// What people say of the scene: the file that the project names, or that lies beside it.
+/// The annotations file that the project names, or that lies beside the scene.
 Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
     std::optional<std::filesystem::path> given;
     if (opened.import.contains("annotations")) {
@@ -63,7 +64,7 @@ bool wantsSensor(const render::DatasetSettings& settings) {
     return wants(settings, render::kRgbSensor) || wants(settings, "depth_sensor");
 }
 
-/// What the parameters decide of the settings.
+/// Copies the settings that come from the plan's parameters.
 void addParameters(const PlannedScene& planned, render::DatasetSettings& settings) {
     settings.imu_rate_hz = planned.params.imu.imu_rate_hz;
     settings.stereo_baseline_m = planned.params.stereo.stereo_baseline_m;
@@ -73,7 +74,7 @@ void addParameters(const PlannedScene& planned, render::DatasetSettings& setting
     settings.score = planned.params.repair.score;
 }
 
-/// What dataset.json says of where the frames come from.
+/// The origin of the frames, as recorded in dataset.json.
 Result<render::DatasetOrigin> originOf(const Trajectory& trajectory, const RayCaster& rays,
                                        const render::DatasetSettings& settings, bool still,
                                        const OpenedScene& opened, const PlannedScene& planned) {
@@ -119,7 +120,7 @@ Status checkNotEmpty(const ExportOrder& order, const OpenedScene& opened,
                 order.scene.empty() ? opened.imported->source.string() : order.scene);
 }
 
-/// Writes each room's dataset into a folder of its own.
+/// Writes one dataset per room, each into its own folder.
 Result<std::vector<ExportedDataset>> exportRooms(
     const std::vector<RoomExport>& rooms, const ExportOrder& order, const auto& render,
     const std::function<void(const ExportedDataset&)>& on_written,
@@ -188,7 +189,7 @@ Result<Rig> rigOf(const std::string& file, const std::vector<std::string>& camer
 
 Status checkFolder(const render::DatasetSettings& settings) {
     render::DatasetSettings checked = settings;
-    // Datasets of rooms lie in folders of their own, each of which is asked about when it is begun.
+    // Datasets per room have folders of their own, which are checked when each begins.
     checked.overwrite = checked.overwrite || holdsRooms(settings.folder);
     return render::checkSettings(checked);
 }
@@ -215,14 +216,14 @@ Result<std::vector<ExportedDataset>> exportPlanned(
     if (Status status = checkRooms(*rooms, settings.range, settings.folds); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
-    for (RoomExport& one : *rooms) {  // what is written of the room, not what was planned
+    for (RoomExport& one : *rooms) {  // the number of exported frames, not of planned ones
         const int count = static_cast<int>(one.trajectory.frames.size());
         one.about["frames"] = render::framesOf(settings.range, count).size();
     }
     const RayCaster rays(*planned.scene);
     const auto render = [&](const Trajectory& trajectory, const std::string& folder,
                             const JobContext& part) -> Result<render::DatasetSummary> {
-        if (!context) {  // the dataset before took it
+        if (!context) {  // consumed by the previous dataset
             auto created = order.backend.createContext();
             if (!created) return tl::unexpected<Error>(std::move(created.error()));
             context = std::move(*created);

@@ -23,15 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What dataset.json says of the scene.
+/// The scene's description in dataset.json.
 struct SaidOfScene {
     std::string file, sha256;
-    std::string path;  // where it was; empty in datasets of before
+    std::string path;  // original path; empty in older datasets
     Eigen::Matrix4d source_from_world = Eigen::Matrix4d::Identity();
     Edits edits;
     SizeRules sizes;
-    LightParams light;    // whose variation changes materials
-    bool albedo = false;  // it says what colours there are
+    LightParams light;    // its variation also changes materials
+    bool albedo = false;  // the dataset has albedo images, so the check needs colours
 };
 
 Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
@@ -50,7 +50,7 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
                     rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
             }
         }
-        // Exporting without a plan's parameters, as tests do, leaves the program's own rules.
+        // Datasets exported without plan parameters, as in tests, use the default size rules.
         const auto targets = dataset.card.at("parameters").value("targets", nlohmann::json());
         if (targets.is_object()) {
             said.sizes.small_volume_m3 = targets.value("small_volume_m3", 0.1);
@@ -80,8 +80,8 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
     return said;
 }
 
-/// Where the jobs of a batch had the scene from, if the dataset is of one: its folder is
-/// BATCH/JOB/dataset, or of a room in there, and BATCH/jobs.json lists the jobs.
+/// Folders of the scene in the batch that made the dataset, if any: the dataset is
+/// BATCH/JOB/dataset or a room in it, and BATCH/jobs.json lists the jobs.
 std::vector<fs::path> foldersOfBatch(const fs::path& dataset) {
     std::vector<fs::path> folders;
     std::error_code error;
@@ -97,15 +97,15 @@ std::vector<fs::path> foldersOfBatch(const fs::path& dataset) {
                 if (one.at("name").get<std::string>() != job.filename().string()) continue;
                 folders.push_back(fs::path(one.at("scene").get<std::string>()).parent_path());
             }
-        } catch (const std::exception&) {  // damaged, or unreadable: it is looked for elsewhere
+        } catch (const std::exception&) {  // damaged or unreadable: search elsewhere
         }
     }
     return folders;
 }
 
-/// Where the projects in a folder that are of this scene have it.
+/// Scene folders named by the project files in a folder that belong to this scene.
 std::vector<fs::path> foldersOfProjects(const fs::path& folder, const std::string& scene_sha256) {
-    constexpr std::size_t kMost = 200;  // of projects that are read
+    constexpr std::size_t kMost = 200;  // limit of project files read
     std::vector<fs::path> projects;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -124,7 +124,7 @@ std::vector<fs::path> foldersOfProjects(const fs::path& folder, const std::strin
     return folders;
 }
 
-/// The named file where one would leave it; empty when it is nowhere, or no longer the same.
+/// Searches for the scene file; returns an empty path if no file has the recorded hash.
 fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     std::error_code error;
     const fs::path name = fs::path(said.file).filename();
@@ -154,7 +154,7 @@ fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     return {};
 }
 
-/// How the file was read then: what was said of its unit and axis is not kept, but its outcome is.
+/// Restores unit and upward axis from the recorded transform.
 void asThen(const SaidOfScene& said, ImportOptions& options) {
     const Eigen::Vector3d up = said.source_from_world.block<3, 1>(0, 2);
     Eigen::Index axis = 2;
@@ -176,7 +176,8 @@ Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
     options.size_ratio = said.sizes.size_ratio;
     Result<Scene> scene = importScene(path, options, job);
     if (!scene) return scene;
-    // What the program finds out itself it finds again, to the last bit.
+    // Automatic detection of unit and axis is deterministic, so an equal transform means equal
+    // options.
     if (scene->source_from_world.matrix() != said.source_from_world) {
         asThen(said, options);
         scene = importScene(path, options, job);

@@ -17,29 +17,30 @@ class App;
 
 namespace dollytrack::cli {
 
-/// Which scene a dataset was made of, for commands that look at a dataset again.
+/// Arguments that identify the scene of a dataset, for commands that examine datasets.
 struct DatasetSceneArguments {
-    std::string path;  // scene or project; empty: looked for
+    std::string path;  // scene or project; empty: search for it
     std::optional<std::string> labels;
-    std::vector<std::string> models;  // folders
+    std::vector<std::string> models;  // folders with models
     std::optional<std::string> annotations;
     bool keep_meshes = false;
 };
 
-/// --scene, --labels, --models, --annotations, --keep-meshes
+/// Adds --scene, --labels, --models, --annotations and --keep-meshes.
 void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments);
 
-/// The scene that the dataset shows, as it was then: with the edits that dataset.json has.
+/// The scene that the dataset shows, with the edits stored in dataset.json.
 struct DatasetScene {
-    std::shared_ptr<const Scene> scene;  // null when it is not at hand
+    std::shared_ptr<const Scene> scene;  // null if it was not found
     std::unique_ptr<RayCaster> rays;
-    std::string missing;  // why there is none
+    std::string missing;  // why it was not found
 };
 
-/// The scene file or project given; else the file that dataset.json names, in the dataset's folder,
-/// beside it, in the working folder, where the batch had it from that made it, or where a project
-/// in one of the first three has it, if it still is the same. Errors: BadInput, also when the scene
-/// given is another one; Cancelled.
+/// Opens the given scene file or project. If none is given, searches for the file named in
+/// dataset.json: at its original path, in the dataset's folder, in its parent folder and in the
+/// working directory, at the path in the batch that made the dataset, and at the paths in project
+/// files in those folders. A file found is used only if its hash is unchanged. Errors: BadInput,
+/// also if the given scene is a different one; Cancelled.
 Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
                                       const DatasetSceneArguments& arguments,
                                       const JobContext& job);

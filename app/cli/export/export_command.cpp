@@ -29,8 +29,8 @@ struct ExportArguments {
     std::vector<std::string> formats;
     std::string planner = "dollytrack";
     render::FoldSettings folds;
-    std::string rig;                   // a file
-    std::vector<std::string> cameras;  // more of the rig, NAME:field=value,...
+    std::string rig;                   // file with rig cameras
+    std::vector<std::string> cameras;  // additional rig cameras, NAME:field=value,...
     bool overwrite = false;
     bool resume = false;
     bool still = false;
@@ -40,7 +40,7 @@ struct ExportArguments {
     bool as_json = false;
 };
 
-/// Prints which share of a scan's rooms was scanned; nothing for a modelled scene.
+/// Prints the scanned share of a scan's rooms; nothing for a modelled scene.
 void printScanned(const nlohmann::json& planned) {
     const std::string scanned = scannedText(planned);
     if (!scanned.empty()) fmt::print("\nscan: {}\n", scanned);
@@ -82,7 +82,7 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
     }
 }
 
-/// One line a room: rates of all targets say nothing of one room's.
+/// Prints one line per room; rates over all targets are meaningless for one room.
 void printRoom(const std::string& room, const render::DatasetSummary& summary,
                const std::string& folder) {
     fmt::print("{:<14} {:>6} frames, {} objects captured, {} well; in {}\n", room, summary.frames,
@@ -97,7 +97,7 @@ void printTable(const char* title, std::span<const Row> rows) {
     }
 }
 
-/// What --modalities and --formats can name.
+/// Prints the names accepted by --modalities and --formats.
 void printChoices() {
     printTable("modalities", render::modalities());
     printTable("formats", render::formats());
@@ -123,7 +123,7 @@ std::string standardNames(std::span<const Row> rows) {
     return all;
 }
 
-/// What --camera can set.
+/// The fields accepted by --camera.
 std::string cameraFields() {
     RigCamera standard;
     std::string all;
@@ -163,13 +163,14 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     if (Status status = checkNames(*requirements, exportMetricsOf(arguments.planner)); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
-    // What is mistyped before what is in the way: it has to be mended whichever folder is taken.
+    // Spelling errors are reported before problems of the folder, since they must be fixed in any
+    // case.
     if (Status status = render::checkChoices(settings); !status)
         return tl::unexpected<Error>(std::move(status.error()));
     if (Status status = checkArguments(arguments.scene); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
-    // Said before the work, not after it.
+    // Checked before the work.
     if (Status status = checkFolder(settings); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -181,7 +182,7 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
         return tl::unexpected<Error>(std::move(status.error()));
     }
     warnOfExport(opened->params, order.settings);
-    // A context early: a machine that cannot draw should say so before minutes of planning.
+    // Created early, so that a machine without OpenGL fails before minutes of planning.
     Result<std::unique_ptr<gl::Context>> context = order.backend.createContext();
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
     const JobContext planning = job.stage(0.03, 0.06, "planning");

@@ -22,7 +22,7 @@ nlohmann::json exportMetrics(const nlohmann::json& printed) {
     if (!all.empty() && all.front().at("planned").is_object()) metrics = all.front()["planned"];
     const nlohmann::json none = captureMetricsJson({});
     for (const auto& [name, value] : none.items()) {
-        // A room's rates over the targets of all rooms would say little.
+        // Rates of one room over the targets of all rooms would be misleading.
         metrics[kCounted + name] =
             one_a_room ? nlohmann::json() : printed.at("counted").value(name, nlohmann::json());
     }

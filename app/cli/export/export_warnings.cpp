@@ -35,7 +35,7 @@ void warnOfSun(const LightParams& light) {
     const LightParams standard;
     const bool set_strength = light.sun_strength > 0.0;
     if (!set_strength && light.sun_azimuth_deg == standard.sun_azimuth_deg) return;
-    // A variation draws another time.
+    // Light variation may draw another time of day.
     if (sunElevationDeg(light.time_of_day_h) > 0.0 || resolved(light).sun_elevation_deg > 0.0) {
         return;
     }
@@ -54,7 +54,7 @@ void warnOfPictures(const PictureParams& picture) {
               "render_mode=reference too");
 }
 
-/// Rows that are read one after the other have several looks in any case.
+/// Warns of blur settings without exposure samples; a rolling shutter always has several samples.
 void warnOfLooks(const SensorParams& sensor, const render::DatasetSettings& settings) {
     const bool blurs = sensor.shutter_s > 0.0 || sensor.aperture_mm > 0.0;
     if (sensor.looks > 1 || sensor.readout_s > 0.0 || !blurs) return;
@@ -64,7 +64,8 @@ void warnOfLooks(const SensorParams& sensor, const render::DatasetSettings& sett
                                     sensor.shutter_s > 0.0 ? "shutter_s" : "aperture_mm"));
 }
 
-/// Of the same place, direction and lens: its images are those of the dataset.
+/// Whether a rig camera has the pose and lens of the planned camera, so that its images would be
+/// the same.
 bool repeats(const RigCamera& camera, const CameraParams& planned) {
     const Pose place = carrierFromCamera(camera);
     return camera.lens == Lens::Pinhole && !camera.level && place.position.norm() < 1e-9 &&

@@ -5,8 +5,8 @@
 
 namespace dollytrack::cli {
 
-/// Says what an export can do but was hardly meant to: light by frame that does not vary or that
-/// nothing records, settings that others make idle, a camera that is the planned one once more.
+/// Warns about settings that are valid but probably unintended: per-frame light that does not vary
+/// or is not recorded, settings without effect, a rig camera equal to the planned camera.
 void warnOfExport(const planning::PlanParams& params, const render::DatasetSettings& settings);
 
 }  // namespace dollytrack::cli

@@ -15,14 +15,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* kList = "rooms.json";
 
-/// A name from a file becomes a folder's: it must not lead out of it.
+/// Whether a name from a file can be a folder name; it must not lead out of the folder.
 bool isPlain(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
 }
 
 RoomExport takeRoom(const nlohmann::json& room, const Trajectory& all) {
     RoomExport one{room.at("name").get<std::string>(), room, {all.frame_interval_s, {}}};
-    one.about.erase("paths");  // numbers in the trajectory of all
+    one.about.erase("paths");  // path indices of the whole trajectory
     const auto paths = room.at("paths").get<std::set<int>>();
     for (const TrajectoryFrame& frame : all.frames) {
         if (!paths.contains(frame.path)) continue;

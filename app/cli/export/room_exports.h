@@ -17,36 +17,37 @@
 
 namespace dollytrack::cli {
 
-/// A room's trajectory, which becomes a dataset of its own.
+/// The trajectory of one room, exported as its own dataset.
 struct RoomExport {
-    std::string room;  // its name, and its folder's
+    std::string room;  // name of the room and of its folder
     nlohmann::json about;
     Trajectory trajectory;
 };
 
-/// The trajectories of a plan that has one a room; none where it has one for all. A dataset's
-/// frames, poses and times then belong to one motion, as readers of TUM and COCO files take for
-/// granted: each begins at time 0. Rooms without frames are left out. Error: BadInput.
+/// The trajectories of a plan with one trajectory per room; empty for a single trajectory. Each
+/// dataset is then one motion that starts at time 0, as readers of TUM and COCO files expect. Rooms
+/// without frames are omitted. Error: BadInput if the stored rooms are damaged.
 Result<std::vector<RoomExport>> roomExports(const PlannedScene& planned);
 
-/// Whether every room has frames in the range, and enough for the folds: asked before the first is
-/// rendered. Error: Usage, with the room's name.
+/// Checks, before rendering, that every room has frames in the range, and enough for the folds.
+/// Error: Usage, with the room's name.
 Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRange& range,
                   const render::FoldSettings& folds);
 
-/// Makes the folder of the rooms' folders and writes rooms.json there, which lists them. Before the
-/// first frame, so that even what is interrupted can be told from other folders. No link below
-/// `root` is followed. Errors: CannotWrite, also when a dataset of all rooms is there.
+/// Creates the folder of the room folders and writes rooms.json, which lists them, before the first
+/// frame, so that even an interrupted export is recognized. Symbolic links below `root` are not
+/// followed. Error: CannotWrite, also if the folder contains a dataset of all rooms.
 Status claimForRooms(const std::filesystem::path& folder, const std::filesystem::path& root,
                      const std::vector<RoomExport>& exports);
 
-/// Whether claimForRooms() was there.
+/// Whether the folder contains a rooms.json.
 bool holdsRooms(const std::filesystem::path& folder);
 
-/// The folders of the rooms that rooms.json lists, whether they are there or not. Error: BadInput.
+/// The room folders that rooms.json lists; they need not exist. Error: BadInput.
 Result<std::vector<std::filesystem::path>> roomFolders(const std::filesystem::path& folder);
 
-/// A job's context for `count` of its `total` frames, `before` of which are done.
+/// A job context that reports `count` frames of a dataset as frames before .. before + count of
+/// `total`.
 JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,
                      int before, int count, int total);
 

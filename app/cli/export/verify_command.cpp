@@ -31,10 +31,10 @@ struct Verified {
     std::size_t frames = 0;
     std::size_t files = 0;
     std::vector<CheckResult> results;
-    std::string no_scene;  // why there is none; what needs it is not proven
+    std::string no_scene;  // why the scene was not found; checks that need it are skipped
     render::PictureTally pictures;
 
-    /// Checks that a scene would allow.
+    /// Number of checks skipped because the scene is missing.
     [[nodiscard]] std::ptrdiff_t unproven() const {
         if (no_scene.empty()) return 0;
         return std::count_if(results.begin(), results.end(),
@@ -42,23 +42,24 @@ struct Verified {
     }
 };
 
-/// The unusable pictures that dataset.json lists, which the check "usable" proves. They are no
-/// damage.
+/// The unusable images that dataset.json lists, which the check "usable" verifies. They do not
+/// count as damage.
 render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
     try {
         return render::pictureTallyFrom(dataset.card.at("metrics").at("pictures"));
-    } catch (const nlohmann::json::exception&) {  // an older dataset, or a damaged one
+    } catch (const nlohmann::json::exception&) {  // an older or damaged dataset
         return {};
     }
 }
 
-/// "sound", and whether more could be known.
+/// The verdict; "sound as far as it goes" if checks were skipped for lack of the scene.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
     return verified.unproven() == 0 ? "sound" : "sound as far as it goes";
 }
 
-/// " (3 look at what was not exported; 2 need the scene: name it with --scene)"
+/// The reasons for skipped checks: " (3 look at what was not exported; 2 need the scene: name it
+/// with --scene)".
 std::string whySkipped(const Verified& verified, std::ptrdiff_t skipped) {
     const std::ptrdiff_t unproven = verified.unproven();
     const std::ptrdiff_t absent = skipped - unproven;
@@ -161,13 +162,13 @@ Result<Verified> verifyOne(const fs::path& folder, const VerifyArguments& argume
                     std::move(*results), scene->missing,         picturesOf(*dataset)};
 }
 
-/// What is to be verified, and what should be there to be.
+/// The datasets to verify, and those that are missing.
 struct Datasets {
     std::vector<fs::path> folders;
     std::vector<std::string> missing;  // rooms without a dataset
 };
 
-/// The datasets in a folder: itself, or one a room.
+/// The datasets in a folder: the folder itself, or one per room.
 Result<Datasets> datasetsIn(const fs::path& folder) {
     std::error_code error;
     if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder))

@@ -23,7 +23,7 @@ render::Chart chartOf(const std::vector<planning::CoveragePoint>& points, std::s
     render::Curve captured{"captured", {}, {}};
     render::Curve well{"well captured", {}, {}};
     for (const planning::CoveragePoint& point : points) {
-        // By what was used, which may be less than was allowed.
+        // Over the used frames or length, which may be less than the budget.
         const double x = by_frames ? point.frames : point.path_length_m;
         captured.x.push_back(x);
         captured.y.push_back(100.0 * point.capture_rate);

@@ -8,17 +8,19 @@
 
 namespace dollytrack::cli {
 
-/// A line for each budget: which it is, and what a plan within it has and captures.
+/// CSV with one line per budget: its kind and limits, and the frames, length and captured objects
+/// of a plan within it.
 std::string coverageCsv(const planning::CoverageCurves& curves);
 
-/// Two diagrams: the share of objects captured, and captured well, over frames and over metres.
+/// Two charts: the fractions of objects captured and well captured, over frames and over path
+/// length.
 render::Figure coverageFigure(const std::string& title, const planning::CoverageCurves& curves);
 
-/// Whether writeCoverage() knows every file's extension and can write it. Errors: Usage,
+/// Checks that writeCoverage() supports every file's extension and can write there. Errors: Usage,
 /// CannotWrite.
 Status checkCoverageFiles(const std::vector<std::string>& paths);
 
-/// A table (.csv) or a picture (.svg, .png). Errors: Usage, CannotWrite.
+/// Writes the curves as a table (.csv) or chart (.svg, .png). Errors: Usage, CannotWrite.
 Status writeCoverage(const std::string& title, const planning::CoverageCurves& curves,
                      const std::string& path);
 

@@ -31,14 +31,14 @@ struct EditArguments {
     SceneArguments scene;
     std::string out;
     std::string script;
-    std::string annotations;  // to be written
+    std::string annotations;  // annotation file to write
     std::vector<std::string> operations;
     bool plan = false;
     bool list = false;
     bool dry_run = false;
     bool as_json = false;
 
-    /// Nothing is to be edited: the edits that are there are listed.
+    /// Whether the command only lists the existing edits.
     [[nodiscard]] bool showsOnly() const {
         return script.empty() && operations.empty() && annotations.empty();
     }
@@ -48,11 +48,11 @@ struct EditArguments {
     }
 };
 
-/// `code`: of the error. A file is bad input, an option's text is usage.
+/// Parses JSON. `code`: the error's code, BadInput for a file, Usage for an option's text.
 Result<nlohmann::json> parse(const std::string& text, const std::string& where, ErrorCode code) {
     Result<nlohmann::json> json = io::parseBoundedJson(text, where);
     if (json) return json;
-    const bool has_place = json.error().where != where;  // of what is no JSON at all
+    const bool has_place = json.error().where != where;  // true if the text is not JSON at all
     return fail(code,
                 has_place ? "This is not valid JSON; names and texts stand in double quotes, as in "
                             "{\"op\":\"exclude\",\"object\":\"lamp_3\"}."
@@ -60,7 +60,7 @@ Result<nlohmann::json> parse(const std::string& text, const std::string& where, 
                 json.error().where);
 }
 
-/// The script's operations, then those given one by one.
+/// The operations of the script, then those of --op.
 Result<nlohmann::json> readOperations(const EditArguments& arguments) {
     nlohmann::json all = nlohmann::json::array();
     if (!arguments.script.empty()) {
@@ -102,7 +102,7 @@ void printOperations(bool as_json) {
     if (as_json) fmt::print("{}\n", jsonText(list));
 }
 
-/// The edits that a project has, in the order of its file: kind, name and what is said of it.
+/// One edit of a project for the list: kind, name and description.
 struct EditRow {
     std::string kind;
     std::string name;
@@ -197,7 +197,7 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
     return rows;
 }
 
-/// What was changed by hand, for one who has not said what to edit.
+/// Prints the manual edits, if no operation was given.
 void printEdits(const Edits& edits, bool as_json) {
     if (as_json) {
         fmt::print("{}\n", jsonText(editsJson(edits)));
@@ -216,7 +216,7 @@ void printEdits(const Edits& edits, bool as_json) {
     }
 }
 
-/// Errors that --list does not have.
+/// Checks the arguments of commands other than --list.
 Status checkArguments(const EditArguments& arguments) {
     if (arguments.scene.path.empty()) {
         return fail(ErrorCode::Usage, "Name the project to edit, or a scene and -o.");
@@ -249,8 +249,8 @@ Status checkArguments(const EditArguments& arguments) {
     return {};
 }
 
-/// Applies the operations to what was opened; names of the steps. A stored plan no longer holds
-/// when they change anything.
+/// Applies the operations and returns the names of the steps. If they change anything, the stored
+/// plan is dropped.
 Result<std::vector<std::string>> apply(const nlohmann::json& operations, OpenedScene& opened) {
     ProjectState state;
     state.parameters = toJson(planning::listFields(opened.params));
@@ -279,7 +279,7 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
         return tl::unexpected<Error>(std::move(status.error()));
     }
     if (arguments.showsOnly()) {
-        // Without its scene, which may be large or elsewhere.
+        // Without reading the scene, which may be large or missing.
         const Result<ProjectContent> project = readProject(arguments.scene.path);
         if (!project) return tl::unexpected<Error>(project.error());
         printEdits(project->edits, arguments.as_json);

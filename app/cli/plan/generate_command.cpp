@@ -35,7 +35,7 @@ struct GenerateArguments {
     bool as_json = false;
 };
 
-/// "5x4x2.7": length, width and height in metres.
+/// Parses length, width and height in metres: "5x4x2.7".
 Status readSize(std::string_view text, generate::RoomSpec& spec) {
     const auto wrong = [] {
         return fail(ErrorCode::Usage,
@@ -54,7 +54,7 @@ Status readSize(std::string_view text, generate::RoomSpec& spec) {
         at = next == end ? next : next + 1;
     }
     const auto in = [](double value, double low, double high) {
-        return value >= low && value <= high;  // false for NaN, too
+        return value >= low && value <= high;  // also false for NaN
     };
     if (!in(spec.length_m, generate::kLeastSide, generate::kMostSide) ||
         !in(spec.width_m, generate::kLeastSide, generate::kMostSide) ||
@@ -80,7 +80,7 @@ Result<std::vector<generate::RoomPreset>> choosePresets(const std::vector<std::s
     return chosen;
 }
 
-/// What a room is to be: its preset varied a little, unless the user wants it exactly.
+/// The specification of a room: its preset with random variation, unless the user fixed values.
 Result<generate::RoomSpec> specOf(const generate::RoomPreset& preset,
                                   const GenerateArguments& arguments, std::uint64_t number) {
     generate::RoomSpec spec = generate::varied(preset.spec, arguments.seed, number);
@@ -98,7 +98,7 @@ bool isRoomName(std::string_view name) {
     return name.find_first_not_of("0123456789", kRoomPrefix.size()) == std::string_view::npos;
 }
 
-/// The files that writeRoom() writes; what somebody has put beside them stays.
+/// Removes the files that writeRoom() writes; other files stay.
 Status removeRooms(const fs::path& folder) {
     std::error_code error;
     std::vector<fs::path> rooms;
@@ -113,12 +113,12 @@ Status removeRooms(const fs::path& folder) {
             fs::remove(file, error);
             if (error) return tl::unexpected(io::writeError(error.value(), file));
         }
-        fs::remove(room, error);  // fails when something else lies in it
+        fs::remove(room, error);  // fails if it contains other files
     }
     return {};
 }
 
-/// Rooms are not strewn among other files, nor over older rooms.
+/// Refuses folders with other files, and existing rooms unless they may be overwritten.
 Status prepareFolder(const fs::path& folder, bool overwrite) {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -162,7 +162,7 @@ Status writeList(const GenerateArguments& arguments, const nlohmann::ordered_jso
     return io::writeWhole(fs::path(arguments.out) / kListName, list.dump(1) + "\n");
 }
 
-/// The rooms one after the other; what is listed is whole.
+/// Generates the rooms one by one; only completely written rooms are listed.
 Status generateRooms(const GenerateArguments& arguments,
                      const std::vector<generate::RoomPreset>& presets,
                      const generate::FurnitureCatalog& catalog, const JobContext& job,
@@ -208,11 +208,11 @@ Result<ExitCode> runGenerate(const GenerateArguments& arguments, const Session& 
     }
     const JobContext job = session.job().stage(0.0, 1.0, "generating rooms");
     const Status made = generateRooms(arguments, *presets, *catalog, job, rooms);
-    // What is listed is on the disk, also after a power cut.
+    // Listed rooms must be on the disk, also after a power failure.
     if (Status status = io::syncFolder(arguments.out); made && !status) {
         return tl::unexpected(status.error());
     }
-    // Also when stopped: what is finished is listed.
+    // After cancellation, too: finished rooms are listed.
     if (Status status = writeList(arguments, rooms); made && !status) {
         return tl::unexpected(status.error());
     }

@@ -10,13 +10,13 @@
 namespace dollytrack::cli {
 namespace {
 
-constexpr std::size_t kNumbers = 58;  // columns that everything but the object's name takes
+constexpr std::size_t kNumbers = 58;  // columns of everything except the object's name
 constexpr std::size_t kLeastName = 12;
 constexpr std::size_t kMostName = 34;
-constexpr std::size_t kLeastWidth = 40;  // narrower terminals wrap by themselves
+constexpr std::size_t kLeastWidth = 40;  // below this, wrapping is left to the terminal
 constexpr std::size_t kIndent = 8;
 
-/// 0: not captured, 1: not well, 2: well.
+/// Sort key: 0: not captured, 1: captured but not well, 2: well captured.
 int standing(const LedgerRow& row) {
     return row.well_captured ? 2 : row.captured ? 1 : 0;
 }

@@ -8,9 +8,9 @@
 
 namespace dollytrack::cli {
 
-/// The capture ledger for a person: one object a row, those not captured first, then those not
-/// captured well; below each of these the reason and what would help, wrapped to `width` columns
-/// (0: not at all).
+/// The capture ledger as text: one object per row, first those not captured, then those not well
+/// captured, each with the reason and the remedy below, wrapped to `width` columns (0: not
+/// wrapped).
 std::string ledgerTable(const Scene& scene, std::vector<LedgerRow> ledger, std::size_t width);
 
 }  // namespace dollytrack::cli

@@ -25,7 +25,7 @@ std::string tallyText(const nlohmann::json& tally) {
                        tally.value("low", 0), tally.value("frames", 0));
 }
 
-/// Image scores; before and after, where low frames were repaired.
+/// Rows for the image scores; before and after if frames were repaired.
 std::string scoreRows(const nlohmann::json& repair) {
     if (repair.empty()) return {};
     const int dropped = repair.value("dropped", 0);
@@ -112,7 +112,7 @@ std::string metricsTable(const nlohmann::json& m) {
                             const std::string& unit_text) {
         const auto value = [&](const char* what) {
             const double measured = m.value(name + "_" + what + "_" + unit, 0.0);
-            return std::abs(measured) < 1e-6 ? 0.0 : measured;  // rounding is no motion
+            return std::abs(measured) < 1e-6 ? 0.0 : measured;  // smaller: rounding error
         };
         return fmt::format("{:.3g} {} median, {:.3g} for 95 %, {:.3g} at most", value("median"),
                            unit_text, value("p95"), value("max"));

@@ -7,15 +7,15 @@
 
 namespace dollytrack::cli {
 
-/// The metrics of a plan for a person: rates in %, and what was not captured, with the reasons.
+/// The metrics of a plan as text: rates in %, and the uncaptured objects with their reasons.
 std::string metricsTable(const nlohmann::json& metrics);
 
-/// The share of a scan's rooms that was scanned, in words; empty for a modelled scene.
+/// The scanned share of a scan's rooms as text; empty for a modelled scene.
 std::string scannedText(std::optional<double> share);
-/// The same, from the metrics of a plan.
+/// The same, from a plan's metrics.
 std::string scannedText(const nlohmann::json& metrics);
 
-/// JSON for stdout. Never throws: bytes that are no UTF-8 are replaced.
+/// JSON text for stdout. Never throws: invalid UTF-8 is replaced.
 std::string jsonText(const nlohmann::json& json);
 
 }  // namespace dollytrack::cli

@@ -7,7 +7,7 @@
 namespace dollytrack::cli {
 namespace {
 
-/// Of an object whose box has this middle in the file; as moveObject() does it.
+/// The transform that moveObject() applies to an object whose box in the file has this centre.
 Eigen::Isometry3d isometry(const Eigen::Vector3d& middle, const ObjectMove& move) {
     return Eigen::Translation3d(middle + move.offset_m) *
            Eigen::AngleAxisd(move.turn_rad, Eigen::Vector3d::UnitZ()) *

@@ -9,8 +9,8 @@
 
 namespace dollytrack::cli {
 
-/// The motions of the objects that have a track, over the frames of a trajectory whose times are
-/// the tracks'. `scene` is with the edits applied.
+/// The motions of objects with tracks over the frames of a trajectory, whose times are used as
+/// track times. The edits must be applied to `scene`.
 [[nodiscard]] std::vector<render::ObjectMotion> objectMotions(const Scene& scene,
                                                               const SceneEdits& edits,
                                                               const Trajectory& trajectory);

@@ -9,13 +9,15 @@
 
 namespace dollytrack::cli {
 
-/// What stands on, lies in or hangs on what, floors and walls among it, for the dataset.
+/// Support relations for the dataset: which object is on, in or hanging on which other, including
+/// floors and walls.
 [[nodiscard]] std::vector<render::ObjectRelation> relationsOf(const Scene& scene,
                                                               const RayCaster& rays,
                                                               const planning::TargetParams& params);
 
-/// What people say of it in the annotations comes before what was found: of each object that they
-/// name, theirs alone count. Objects that this scene does not have are left out with a warning.
+/// Replaces detected relations by those in the annotations: for each object named there, only the
+/// annotated relations count. Relations of objects that the scene does not contain (or that are
+/// ambiguous) are skipped with a warning.
 void overrideRelations(const Scene& scene, const std::vector<io::AnnotatedRelation>& said,
                        std::vector<render::ObjectRelation>& relations);
 

@@ -41,8 +41,8 @@ struct PlanArguments {
     SceneArguments scene;
     std::string out;
     std::string picture;
-    int storey = 0;         // that the picture looks into; 0: the topmost
-    BackendOption backend;  // of the picture
+    int storey = 0;         // storey shown in the picture; 0: the topmost
+    BackendOption backend;  // OpenGL backend for the picture
     std::vector<std::string> coverage;
     std::vector<std::string> requirements;
     std::string planner = "dollytrack";
@@ -70,7 +70,7 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
     return {};
 }
 
-/// The ledger with what would help, in the plan's files and output as well.
+/// Adds remedies to the ledger, also in the plan's metrics and in the result to be stored.
 Result<std::vector<LedgerRow>> explain(const OpenedScene& opened, PlannedScene& planned,
                                        const JobContext& job) {
     auto rows = planning::findRemedies(opened.scene, opened.params, opened.plan_edits,
@@ -118,14 +118,14 @@ Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, con
     return {};
 }
 
-/// Told before the work, not after it: a misspelt metric must not cost minutes.
+/// Checked before the work: a misspelt metric must not cost minutes.
 Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_bound) {
     nlohmann::json metrics = metricsOf("dollytrack");
     if (with_bound) addBound(metrics, {}, 0.0);
     return checkNames(requirements, metrics);
 }
 
-/// What only our own plans have, or only our own planner can do.
+/// Refuses options that only plans of our own planner support.
 Status checkRivalUsage(const PlanArguments& arguments) {
     const std::vector<std::pair<bool, const char*>> ours = {
         {!arguments.out.empty(), "--out"},
@@ -144,7 +144,7 @@ Status checkRivalUsage(const PlanArguments& arguments) {
     return {};
 }
 
-/// The metrics of another planner's trajectory.
+/// Prints the metrics of a baseline planner's trajectory.
 Result<ExitCode> runRival(const PlanArguments& arguments,
                           const std::vector<Requirement>& requirements, const Session& session) {
     if (Status status = checkRivalUsage(arguments); !status) {
@@ -172,7 +172,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     const Result<bool> rival = namesRival(arguments.planner);
     if (!rival) return tl::unexpected<Error>(rival.error());
     if (*rival) return runRival(arguments, *requirements, session);
-    // Said before the work: a file that cannot be opened again is of no use.
+    // Checked before the work: files with another extension cannot be opened again.
     if (!arguments.out.empty() && std::filesystem::path(arguments.out).extension() != ".dolly") {
         return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
     }
@@ -235,7 +235,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(planned->metrics));
     } else {
-        // The rows say the same of what is missing, and more.
+        // The ledger table contains the same reasons and more.
         if (arguments.explain) planned->metrics.erase("uncaptured");
         fmt::print("{}", metricsTable(planned->metrics));
     }

@@ -16,8 +16,8 @@ namespace dollytrack::cli {
 
 namespace {
 
-/// Of what was asked for and is not there, or is not visited. Where all kinds are asked for, it is
-/// no news that a scene lacks some.
+/// Warns about requested anchors that are missing or not visited. If all kinds are requested, only
+/// a complete lack is reported.
 void warnOfAnchors(const Plan& plan) {
     const auto& anchors = plan.anchors;
     const bool none = !anchors.empty() && std::all_of(anchors.begin(), anchors.end(),
@@ -37,7 +37,8 @@ void warnOfAnchors(const Plan& plan) {
     }
 }
 
-/// Who joins frames by straight lines would fly through things. A budget of frames is a choice.
+/// Warns if straight lines between frames would hit objects although the path does not. Not if the
+/// user chose a frame budget.
 void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
     const int lines = plan.trajectory_metrics.straight_lines_that_hit;
     if (lines == 0 || (timing.max_frames > 0 && !planning::keepsFrameRate(timing))) return;
@@ -53,14 +54,14 @@ void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
     if (!note.empty()) log::warn("planning", note);
 }
 
-/// Whether each path has a room of its own, so that rooms alone part them.
+/// Whether each path is in a different room, so that exporting by room separates them.
 bool roomsPartThem(const std::vector<CameraPath>& paths) {
     std::set<int> components;
     for (const CameraPath& path : paths) components.insert(path.component);
     return components.size() == paths.size();
 }
 
-/// Who reads the poses as one motion would see the camera jump.
+/// Warns about separate motions, which a reader of the poses would take for one motion with jumps.
 void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& constraints) {
     if (constraints.rooms != planning::RoomTours::Joined) return;
     std::set<int> motions;
@@ -75,7 +76,7 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
             roomsPartThem(plan.paths) ? ", and --set rooms=each exports rooms by themselves" : ""));
 }
 
-/// What keeps the camera from everywhere, of what a person may set; empty where something is free.
+/// The user setting that leaves no free space; empty if some is free.
 std::string whyNothingIsFree(const planning::Pipeline& pipeline,
                              const planning::FreeSpaceParams& band) {
     const auto region = pipeline.region();
@@ -113,7 +114,7 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
                : "the no-go boxes leave the camera no free place; move or shrink them";
 }
 
-/// A begin or end that the command line asks for is no wish to be dropped.
+/// An illegal camera pose for --start or --end is an error; other pins are only dropped.
 Status checkEnds(const OpenedScene& opened, const Plan& plan) {
     for (const auto& [option, name] :
          {std::pair("--start", opened.asked_start), std::pair("--end", opened.asked_end)}) {
@@ -185,7 +186,7 @@ Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& jo
         trajectoryFromJson(opened.stored_result.value("trajectory", nlohmann::json::object()));
     if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
     planned.trajectory = std::move(*trajectory);
-    if (planned.trajectory.frames.empty()) {  // planned again for the reason
+    if (planned.trajectory.frames.empty()) {  // planned again to find the reason
         planning::Pipeline pipeline(opened.scene);
         return planScene(opened, pipeline, job);
     }

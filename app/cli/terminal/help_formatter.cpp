@@ -7,7 +7,7 @@ namespace dollytrack::cli {
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
     constexpr std::string_view kMore = " ...";
     std::string text = CLI::Formatter::make_option_opts(option);
-    // Those without a dash are arguments, which take what comes.
+    // Positional arguments keep the mark.
     const bool named = option->nonpositional();
     const std::size_t at = text.find(kMore);
     if (named && !option->get_allow_extra_args() && at != std::string::npos) {

@@ -4,8 +4,8 @@
 
 namespace dollytrack::cli {
 
-/// Help in which only options that take several values at once are followed by "...": those that
-/// are repeated for each value are not.
+/// A help formatter that marks only options with several values at once by "...", not options that
+/// are repeated for each value.
 class HelpFormatter : public CLI::Formatter {
   public:
     std::string make_option_opts(const CLI::Option* option) const override;

@@ -15,8 +15,8 @@ Status checkWritable(const std::string& path) {
     if (std::filesystem::is_directory(path, error)) {
         return tl::unexpected<Error>(io::writeError(EISDIR, path));
     }
-    // The folder is what matters, as a file is written beside the old one and renamed. The dot
-    // tells a folder that is none from one without permission.
+    // Files are written beside the old one and renamed, so the folder must be writable. The dot
+    // distinguishes a path that is no folder from a missing permission.
     const std::filesystem::path folder = std::filesystem::path(path).parent_path() / ".";
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
         return tl::unexpected<Error>(io::writeError(errno, path));

@@ -6,9 +6,8 @@
 
 namespace dollytrack::cli {
 
-/// Whether a file can be written there, as far as one can tell without writing it: asked before
-/// long work, so that its result is not lost for a mistyped folder. Empty: nothing is to be
-/// written. Error: CannotWrite.
+/// Checks, without writing, that a file can be written, so that long work does not end with a
+/// failed write. An empty path is accepted. Error: CannotWrite.
 Status checkWritable(const std::string& path);
 
 }  // namespace dollytrack::cli

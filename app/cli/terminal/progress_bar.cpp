@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kRedraw = std::chrono::milliseconds(100);
 constexpr auto kPlainLine = std::chrono::seconds(10);
 constexpr int kBarWidth = 24;
-// Before this much is done a guess of the time left would only jump about.
+// Below this fraction an estimate of the time left is too unstable.
 constexpr double kEnoughToGuess = 0.02;
 
 std::string timeLeft(double seconds) {

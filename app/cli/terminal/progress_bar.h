@@ -7,15 +7,17 @@
 
 namespace dollytrack::cli {
 
-/// Progress for a person: on a terminal one line that is redrawn, with rate and time left;
-/// elsewhere a plain line every ten seconds and at the end. Copies share the line.
+/// Progress display for users: on a terminal one line that is redrawn, with the time left;
+/// otherwise a plain line every ten seconds. Copies share the line.
 class ProgressBar {
   public:
     ProgressBar();
 
-    /// Called with rising fractions; `note` is what is being done.
+    /// Shows a fraction, 0..1; `note` names the current stage. Calls within the redraw interval are
+    /// ignored.
     void show(double fraction, const std::string& note) const;
-    /// Ends the line, so that other output starts on a fresh one. Also done by the last copy.
+    /// Clears the line, so that other output starts on a fresh one. The last copy's destructor does
+    /// the same.
     void finish() const;
 
     [[nodiscard]] JobContext::Progress callback() const;

@@ -18,10 +18,10 @@ using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr auto kBetween = std::chrono::milliseconds(100);
-// Before this much is done a guess of the time left would only jump about.
+// Below this fraction an estimate of the time left is too unstable.
 constexpr double kLeastFractionToGuess = 0.02;
 
-/// In one call, so that lines of several threads do not mix.
+/// One call per line, so that lines of several threads do not mix.
 void writeLine(const Json& json) {
     const std::string line =
         cleanLines(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -33,7 +33,7 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Digits that mean something to a reader.
+/// Rounds to three decimals.
 double rounded(double value) {
     return std::round(value * 1000.0) / 1000.0;
 }
@@ -63,7 +63,7 @@ struct ProgressLines::State {
     std::optional<Clock::time_point> last_line;
     int frames = 0;
     int frames_done = 0;
-    int frames_found = 0;  // done already when the first was reported: they cost no time
+    int frames_found = 0;  // frames that a resumed export had finished; not part of the rate
     Clock::time_point frames_begin;
 
     void addFrames(int done, int total) {

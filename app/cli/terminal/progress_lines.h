@@ -9,19 +9,18 @@
 
 namespace dollytrack::cli {
 
-/// Progress for a program that runs this one: on stderr, an object a line, each at once.
+/// Progress for programs that run this one, as JSON objects on stderr, one per line:
 ///   {"stage": "frames", "fraction": 0.41, "frames_done": 12, "frames": 30, "frames_per_s": 8.1,
-///    "seconds_left": 2.2}       at most ten a second; without frames and guesses while there are
-///    none
+///    "seconds_left": 2.2}       at most ten per second; fields that are unknown are omitted
 ///   {"log": {"level": "warning", "subsystem": "import", "message": "...", "repeats": 1}}
-/// and at last either of
+/// and at the end one of
 ///   {"done": true, "exit_code": 0, "seconds": 4.2, "frames_done": 30, "frames": 30}
 ///   {"error": {"code": "cannot_write", "exit_code": 6, "message": "...", "where": "..."}}
 class ProgressLines {
   public:
     ProgressLines();
 
-    /// Reports through the lines, and stops with the flag.
+    /// A job context that reports through these lines and is cancelled by the flag.
     [[nodiscard]] JobContext context(std::shared_ptr<const std::atomic<bool>> cancel_flag) const;
     [[nodiscard]] static log::Sink logSink();
 

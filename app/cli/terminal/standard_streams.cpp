@@ -11,7 +11,7 @@
 namespace dollytrack::cli {
 namespace {
 
-/// What a stream of stdio calls to write. Returns 0 for an error, which it keeps in errno.
+/// Write function of the stdio stream. Returns 0 on error, with errno set.
 ssize_t writeClean(void* cleaner, const char* text, std::size_t size) {
     const std::string clean = static_cast<LineCleaner*>(cleaner)->add({text, size});
     std::string_view rest = clean;
@@ -27,7 +27,7 @@ ssize_t writeClean(void* cleaner, const char* text, std::size_t size) {
 }  // namespace
 
 void cleanStandardOutput() {
-    // Used until the very end of the program, when stdio writes out its streams.
+    // Never destroyed: stdio flushes its streams at the very end of the program.
     static LineCleaner* const cleaner = new LineCleaner;
     std::FILE* clean = ::fopencookie(cleaner, "w", {nullptr, writeClean, nullptr, nullptr});
     if (clean == nullptr) return;

@@ -6,16 +6,15 @@
 
 namespace dollytrack::cli {
 
-/// From here on everything printed to `stdout` passes cleanLines() on its way to the descriptor,
-/// whoever prints it: names in scenes, paths and values may hold what a terminal would obey.
-/// JSON stays valid, as it has no control characters but line breaks. `stdout` has no descriptor
-/// of its own any more. Called once, at the program's start.
+/// Redirects `stdout` through cleanLines(), because names in scenes, paths and values may contain
+/// terminal control sequences. JSON stays valid, since it contains no control characters but line
+/// breaks. Afterwards `stdout` has no file descriptor. To be called once, at program start.
 void cleanStandardOutput();
 
-/// Writes out what was printed so far. Error: CannotWrite, where any of it could not be written.
+/// Flushes standard output. Error: CannotWrite if any output so far could not be written.
 Status finishStandardOutput();
 
-/// Cleans a message the same way and writes it to standard error, with a line break.
+/// Writes a message, cleaned in the same way, and a line break to standard error.
 void printToStandardError(std::string_view message);
 
 }  // namespace dollytrack::cli

@@ -11,7 +11,8 @@
 namespace dollytrack::cli {
 namespace {
 
-/// "--range" of "--range=3", "-o" of "-ofile"; empty for what is no option's name.
+/// The option's name: "--range" of "--range=3", "-o" of "-ofile"; empty if the argument is not an
+/// option.
 std::string optionName(const std::string& argument) {
     if (argument.starts_with("--")) {
         return argument.size() > 2 ? argument.substr(0, argument.find('=')) : "";
@@ -21,7 +22,7 @@ std::string optionName(const std::string& argument) {
     return is_short ? argument.substr(0, 2) : "";
 }
 
-/// Whether the option takes the argument after it.
+/// Whether the option consumes the next argument.
 bool takesValue(const CLI::App* app, const std::string& argument) {
     const bool holds_it = argument.find('=') != std::string::npos ||
                           (!argument.starts_with("--") && argument.size() > 2);
@@ -51,8 +52,7 @@ std::string sentence(const char* kind, const std::string& wrong,
                : fmt::format("There is no {} '{}'; did you mean '{}'?", kind, wrong, close);
 }
 
-/// Whether an option of the program or of one of its subcommands takes no fractions, by how its
-/// help calls the value.
+/// Whether an option takes whole numbers, judged by its value's type name in the help.
 bool wantsWholeNumber(const CLI::App& app, const std::string& name) {
     std::vector<const CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
     all.push_back(&app);
@@ -77,7 +77,7 @@ std::string explainUnknownName(const CLI::App& app, const std::vector<std::strin
         if (argument == "--") break;
         const std::string name = optionName(argument);
         if (name.empty()) {
-            if (command != nullptr) continue;  // a value
+            if (command != nullptr) continue;  // a positional value
             const auto found = std::find(subcommands.begin(), subcommands.end(), argument);
             if (found == subcommands.end()) return sentence("subcommand", argument, subcommands);
             command = all[static_cast<std::size_t>(found - subcommands.begin())];
@@ -103,7 +103,7 @@ std::string explainRefusal(const CLI::App& app, const CLI::ParseError& error) {
         return at == std::string::npos ? std::string() : words.substr(at + mark.size());
     };
     if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-        // "Could not convert: --seed = x"; all options that are converted are numbers.
+        // Message format: "Could not convert: --seed = x". All converted options are numbers.
         const std::string value = after(" = ");
         const std::string name = after("Could not convert: ").substr(0, after(": ").find(" = "));
         if (value.empty()) return words;

@@ -10,12 +10,12 @@ class ParseError;
 
 namespace dollytrack::cli {
 
-/// What may be wrong with a command line that could not be parsed: "There is no subcommand 'paln';
-/// did you mean 'plan'?", or the same for an option. Empty when all its names are known.
+/// Explains an unknown name on a command line that failed to parse: "There is no subcommand 'paln';
+/// did you mean 'plan'?", or the same for an option. Empty if all names are known.
 std::string explainUnknownName(const CLI::App& app, const std::vector<std::string>& arguments);
 
-/// One sentence for what else the parser refuses: a text where a number is wanted, or an argument
-/// too many. The parser's own words where there is nothing better to say.
+/// One sentence for other parsing errors, such as text instead of a number, or an extra argument;
+/// the parser's own message for the rest.
 std::string explainRefusal(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace dollytrack::cli

@@ -16,7 +16,7 @@ std::size_t columns(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), beginsCharacter));
 }
 
-/// As many whole characters as fit.
+/// The longest prefix of whole characters that fits.
 std::string_view head(std::string_view text, std::size_t width) {
     std::size_t seen = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -44,7 +44,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
     std::string line = std::string(lead) + std::string(indent - std::min(indent, lead.size()), ' ');
     const std::string blanks(indent, ' ');
     std::string lines;
-    bool empty = true;  // the line has no word yet
+    bool empty = true;  // whether the line has no word yet
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(' '), text.size());
         const std::string_view word = text.substr(0, end);

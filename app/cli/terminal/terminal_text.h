@@ -6,15 +6,15 @@
 
 namespace dollytrack::cli {
 
-/// Columns of the terminal behind standard output; 0 when it is none, as for a file or a pipe.
+/// Width of the terminal at standard output, in columns; 0 for a file or pipe.
 std::size_t terminalWidth();
 
-/// The text in exactly `width` columns, UTF-8 characters counted as one each: filled up with
-/// blanks, or cut with an ellipsis.
+/// The text padded with spaces, or cut with an ellipsis, to exactly `width` columns; each UTF-8
+/// character counts as one.
 std::string inColumn(std::string_view text, std::size_t width);
 
-/// The text in lines of at most `width` columns (0: one line), each begun with `indent` blanks and
-/// ended. `lead` stands in front of the first line instead of its blanks.
+/// The text wrapped to lines of at most `width` columns (0: one line), each indented by `indent`
+/// spaces and ended by a line break. `lead` replaces the indentation of the first line.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent,
                     std::string_view lead = {});
 

@@ -26,7 +26,7 @@ constexpr std::array<const char*, 3> kEnds = {"editor_died", "editor_left", "set
 
 constexpr std::string_view kDigits = "0123456789";
 
-/// Removes "-17" from the end of a text; false where it does not end so.
+/// Removes a trailing "-17"; returns false if the text does not end so.
 bool removeNumber(std::string_view& text) {
     const std::size_t last = text.find_last_not_of(kDigits);
     if (last == std::string_view::npos || last + 1 == text.size() || text[last] != '-') {
@@ -42,8 +42,8 @@ bool removeEnding(std::string_view& text, std::string_view ending) {
     return true;
 }
 
-/// The mark in the name of a file as exportFile() makes them, [HOST-]NUMBER-NUMBER; empty: it is
-/// not ours. What is half written has ".tmp.<process>" behind.
+/// The mark in a file name of exportFile(), [HOST-]NUMBER-NUMBER; empty for other files. Partly
+/// written files end in ".tmp.<process>".
 std::string markOf(const fs::path& file) {
     const std::string whole = file.filename().string();
     std::string_view name = whole;
@@ -84,7 +84,7 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
     try {
         return io::writeWhole(file, text.dump(1) + "\n");
     } catch (const json::exception&) {
-        // Another name in its place would be another folder.
+        // A replaced character would name another folder.
         return fail(ErrorCode::CannotWrite,
                     "A path of this export is not UTF-8; it cannot be noted for later.",
                     file.string());
@@ -108,7 +108,7 @@ Result<ExportNote> readNote(const fs::path& file) {
         note.snapshot = read.at("snapshot").get<bool>();
         note.frames_done = read.at("frames_done").get<int>();
         note.frames = read.at("frames").get<int>();
-        // Notes of earlier versions do not say it.
+        // Older notes lack this field.
         const auto* end = std::ranges::find(kEnds, read.value("end", std::string(kEnds[0])));
         if (end != kEnds.end()) note.end = static_cast<ExportEnd>(end - kEnds.begin());
     } catch (const json::exception&) {
@@ -126,8 +126,7 @@ Result<ExportNote> takeOverNote(const fs::path& left, const fs::path& folder,
         fs::remove(left, error);
         return note;
     }
-    // The snapshot first, which is nothing without its note: a crash in between must not leave one
-    // that counts as left over.
+    // Copies the snapshot first: after a crash in between, it has no note and is cleaned up.
     const fs::path old_snapshot = note->project_file;
     if (note->snapshot) {
         note->project_file = exportFile(folder, mark, job, ".dolly");

@@ -9,42 +9,42 @@
 
 namespace dollytrack::editor {
 
-/// Why an export that an editor left is not done.
+/// Why an export of an earlier editor is unfinished.
 enum class ExportEnd {
-    EditorDied,  // while the export ran or waited
-    EditorLeft,  // likewise, and the editor stopped it
-    Settled,     // it was cancelled by the user or failed, who was told
+    EditorDied,  // the editor crashed while the export ran or waited
+    EditorLeft,  // the editor was closed and stopped the export
+    Settled,     // cancelled by the user, or failed with a message to the user
 };
 
-/// What an editor leaves of an export on the disk, so that the next one can offer to go on with it.
+/// The record of an export on the disk, from which the next editor can offer to resume it.
 struct ExportNote {
     ui::ExportRequest request;
     std::filesystem::path project_file;
-    bool snapshot = false;  // the project file is ours, and goes with the note
+    bool snapshot = false;  // the project file is a snapshot, deleted together with the note
     int frames_done = 0;
     int frames = 0;                         // 0: not known yet
-    ExportEnd end = ExportEnd::EditorDied;  // as it is if the editor ends without another word
+    ExportEnd end = ExportEnd::EditorDied;  // value that stays if the editor crashes
 
     bool operator==(const ExportNote&) const = default;
 };
 
-/// "export-<mark>-<job>", of the snapshot (.dolly) and of the note (.json).
+/// Path of a job's snapshot (.dolly) or note (.json): "export-<mark>-<job><ending>".
 [[nodiscard]] std::filesystem::path exportFile(const std::filesystem::path& folder,
                                                const std::string& mark, int job,
                                                const char* ending);
 
-/// Written whole or not at all. Error: CannotWrite.
+/// Writes the note atomically. Error: CannotWrite.
 Status writeNote(const std::filesystem::path& file, const ExportNote& note);
-/// Error: BadInput.
+/// Reads a note. Error: BadInput.
 Result<ExportNote> readNote(const std::filesystem::path& file);
 
-/// Makes the note that another editor left, and its snapshot, those of a job of one's own. A note
-/// that cannot be read is removed; otherwise an error leaves it. Errors: BadInput, CannotWrite.
+/// Renames another editor's note and snapshot to a job of this editor and returns the note. An
+/// unreadable note is removed; on other errors it stays. Errors: BadInput, CannotWrite.
 Result<ExportNote> takeOverNote(const std::filesystem::path& left,
                                 const std::filesystem::path& folder, const std::string& mark,
                                 int job);
 
-/// Notes of editors that no longer run, oldest first. Snapshots without a note are removed.
+/// Notes of editors that no longer run, oldest first. Removes snapshots without a note.
 [[nodiscard]] std::vector<std::filesystem::path> findLeftNotes(const std::filesystem::path& folder);
 
 }  // namespace dollytrack::editor

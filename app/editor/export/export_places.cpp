@@ -34,7 +34,7 @@ fs::path findInPath(const std::string& program) {
 
 namespace {
 
-/// Written in one way, so that folders can be compared without asking the disk.
+/// Normalizes a path, so that folders can be compared without disk access.
 fs::path plainly(const fs::path& folder) {
     const fs::path normal = folder.lexically_normal();
     return normal.has_filename() ? normal : normal.parent_path();
@@ -122,8 +122,8 @@ Status openFolder(const fs::path& folder) {
     if (!fs::is_directory(folder, error)) {
         return fail(ErrorCode::Failed, "The folder is not there any more.", folder.string());
     }
-    // By way of a shell that ends at once, so that nobody has to wait for the file manager. The
-    // folder is the shell's $0: no character of it is read as a command.
+    // Started through a shell that exits at once, so that no zombie process remains. The folder is
+    // passed as $0, so it is never interpreted as a command.
     std::string shell = "sh";
     std::string flag = "-c";
     std::string script = "xdg-open \"$0\" >/dev/null 2>&1 &";

@@ -9,33 +9,33 @@
 
 namespace dollytrack::editor {
 
-/// A program in PATH; empty when it is in none of its folders.
+/// Path of an executable found in PATH; empty if there is none.
 [[nodiscard]] std::filesystem::path findInPath(const std::string& program);
 
-/// A folder for another project's dataset, beside `folder` and named after the project; with a
-/// number where a job of the queue writes there already.
+/// A folder for another project's dataset, beside `folder` and named after the project, with a
+/// number if a job of the queue uses that folder.
 [[nodiscard]] std::filesystem::path folderBeside(const std::filesystem::path& folder,
                                                  const std::filesystem::path& project,
                                                  const std::vector<ui::ExportJob>& jobs);
 
-/// A folder for one more dataset, beside `folder` and named after it ("dataset_2"), where there is
-/// none and no job of the queue writes.
+/// A folder for another dataset, beside `folder` and named after it ("dataset_2"), that neither
+/// exists nor is used by a job of the queue.
 [[nodiscard]] std::filesystem::path freeFolderBeside(const std::filesystem::path& folder,
                                                      const std::vector<ui::ExportJob>& jobs);
 
-/// The job that runs or waits to write into this folder; null: none does. What a second one wrote
-/// there would replace what the first did.
+/// The running or waiting job that writes to this folder; null: none. A second job there would
+/// replace the first one's dataset.
 [[nodiscard]] const ui::ExportJob* jobThatWillWrite(const std::filesystem::path& folder,
                                                     const std::vector<ui::ExportJob>& jobs);
 
-/// The contact sheet of the dataset in a folder, or of its first room that has one where each room
-/// has a dataset; empty without.
+/// Path of the contact sheet of the dataset in a folder, or of the first room dataset that has one;
+/// empty if there is none.
 [[nodiscard]] std::filesystem::path contactSheetIn(const std::filesystem::path& folder);
 
-/// Why openFolder() cannot work on this computer; empty when it can.
+/// Why openFolder() cannot work on this computer; empty if it can.
 [[nodiscard]] std::string whyNoFolders();
 
-/// Shows a folder in the desktop's file manager. Returns at once.
+/// Opens a folder in the desktop's file manager. Returns at once. Error: Failed.
 Status openFolder(const std::filesystem::path& folder);
 
 }  // namespace dollytrack::editor

@@ -9,10 +9,10 @@
 
 namespace dollytrack::editor {
 
-/// The command line program that exports: beside this one, else in PATH.
+/// Path of the program `dollytrack`: beside this one, or in PATH. Error: Failed if it is missing.
 [[nodiscard]] Result<std::filesystem::path> findExportProgram();
 
-/// The command that does a job, with its progress as lines of JSON.
+/// The command line that runs a job and reports progress as JSON lines.
 [[nodiscard]] std::vector<std::string> exportCommand(const std::filesystem::path& program,
                                                      const std::filesystem::path& project,
                                                      const ui::ExportJob& job);

@@ -66,7 +66,7 @@ ErrorCode codeNamed(const std::string& name) {
     return ErrorCode::Failed;
 }
 
-/// Its own words where it had any.
+/// Appends the program's last message, if there is one.
 std::string withLastWords(std::string sentence, const ui::ExportJob& job) {
     if (!job.last_words.empty()) sentence += " It said last: " + job.last_words.back();
     return sentence;
@@ -82,7 +82,7 @@ bool LineCutter::take(std::string& line) {
     const std::size_t end = waiting_.find('\n');
     if (end == std::string::npos) {
         if (waiting_.size() <= kLongestLine) return false;
-        // Nobody reads that; what follows counts as a line of its own.
+        // Cuts overlong lines; the rest counts as a new line.
         line = waiting_.substr(0, kLongestLine);
         waiting_.clear();
         return true;

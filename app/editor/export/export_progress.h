@@ -8,30 +8,31 @@
 
 namespace dollytrack::editor {
 
-/// Cuts what a program says into lines, however it arrives.
+/// Splits a program's output into lines.
 class LineCutter {
   public:
-    /// The next whole line of what was added, if there is one. Lines too long for any message are
-    /// cut short.
+    /// Appends output of the program.
     void add(std::string_view text);
+    /// Takes the next whole line; returns false if there is none. Lines longer than 64 KiB are
+    /// split.
     [[nodiscard]] bool take(std::string& line);
-    /// What is left without an end.
+    /// Takes the incomplete last line; empty if there is none.
     [[nodiscard]] std::string rest() { return std::move(waiting_); }
 
   private:
     std::string waiting_;
 };
 
-/// Brings a job up to date with a line of `dollytrack export --progress json`. Log lines go to our
-/// own log. A line that is no JSON is kept among the job's last words; values of a wrong kind are
-/// passed over.
+/// Updates a job from a line of `dollytrack export --progress json`. Its log records are passed to
+/// our log. Lines that are not JSON are stored in the job's last_words; values of a wrong type are
+/// ignored.
 void readProgressLine(const std::string& line, ui::ExportJob& job);
 
-/// What there is when the program has ended.
+/// State at the end of the export program.
 struct Outcome {
     ProcessEnd end;
-    bool cancelled = false;  // somebody asked it to stop
-    bool dataset = false;    // a finished dataset is in the folder
+    bool cancelled = false;  // it was asked to stop
+    bool dataset = false;    // a complete dataset is in the folder
 };
 void concludeJob(const Outcome& outcome, ui::ExportJob& job);
 

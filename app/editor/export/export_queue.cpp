@@ -20,10 +20,10 @@ using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
 
 constexpr auto kLook = std::chrono::milliseconds(50);
-// To finish the frame at hand and say goodbye.
+// Time for the program to finish its current frame after a stop request.
 constexpr auto kPatience = std::chrono::seconds(10);
 constexpr auto kPatienceAtExit = std::chrono::seconds(2);
-// Between two notes of how far a job is.
+// Minimum time between two updates of a note.
 constexpr auto kNoteInterval = std::chrono::seconds(2);
 
 }  // namespace
@@ -43,7 +43,7 @@ ExportQueue::~ExportQueue() {
     }
     something_to_do_.notify_all();
     thread_.join();
-    // What is not done can be gone on with by the next editor.
+    // Unfinished jobs can be resumed by the next editor.
     for (Entry& entry : entries_) {
         if (entry.job.state == ui::ExportState::Done || !entry.stored) {
             removeFiles(entry);
@@ -125,7 +125,7 @@ void ExportQueue::resume(int id) {
     update(id, [](Entry& entry) {
         ui::ExportJob& job = entry.job;
         if (job.state != ui::ExportState::Cancelled && job.state != ui::ExportState::Failed) return;
-        // One that never wrote a frame begins as it was asked to.
+        // A job without finished frames starts as originally requested.
         job.resumes = job.frames_done > 0;
         job.state = ui::ExportState::Waiting;
         job.error = {};
@@ -212,8 +212,8 @@ void ExportQueue::update(int id, const std::function<void(Entry&)>& change) {
     changed();
 }
 
-/// All programs are started from this thread, which lives as long as the queue: the system ends
-/// them when it ends.
+/// Starts all programs on this thread, which lives as long as the queue: the system ends a child
+/// process when the thread that started it ends.
 void ExportQueue::loop() {
     try {
         adoptLeftJobs();
@@ -251,7 +251,7 @@ void ExportQueue::loop() {
     }
 }
 
-/// Takes over what editors left that no longer run.
+/// Takes over the jobs of editors that no longer run.
 void ExportQueue::adoptLeftJobs() {
     const FolderLock alone(snapshot_folder_);
     for (const fs::path& left : findLeftNotes(snapshot_folder_)) {
@@ -278,7 +278,7 @@ void ExportQueue::adoptLeftJobs() {
         entry.end = note->end;
         {
             const std::lock_guard lock(mutex_);
-            // What the user cancelled, or was told of, is in the queue and no news.
+            // Jobs that the user cancelled, or whose failure was reported, are not announced again.
             if (entry.end != ExportEnd::Settled) {
                 found_.push_back({entry.job, entry.end == ExportEnd::EditorDied});
             }
@@ -289,8 +289,8 @@ void ExportQueue::adoptLeftJobs() {
     changed();
 }
 
-/// So that a job which waits survives a crash as well. What cannot be written is no reason to
-/// refuse the job: it is said when its turn comes.
+/// Writes snapshots and notes of new jobs, so that waiting jobs survive a crash. Write errors are
+/// reported when the job starts.
 void ExportQueue::storeNewJobs() {
     while (true) {
         int id = 0;
@@ -302,7 +302,7 @@ void ExportQueue::storeNewJobs() {
             at->note_due = false;
             id = at->job.id;
         }
-        // Another job may be running: it has no part in what goes wrong here.
+        // Errors here must not affect a running job.
         try {
             mark_.hold();
             if (writeSnapshot(id)) keepNote(id);
@@ -341,7 +341,7 @@ void ExportQueue::writeOrRemoveNote(int id) {
     removeIfGone(id, file);
 }
 
-/// A job may be removed while one of its files is being written.
+/// Removes a file that was written while its job was removed.
 void ExportQueue::removeIfGone(int id, const fs::path& file) {
     const std::lock_guard lock(mutex_);
     std::error_code ignored;
@@ -351,7 +351,8 @@ void ExportQueue::removeIfGone(int id, const fs::path& file) {
 Status ExportQueue::writeSnapshot(int id) {
     std::shared_ptr<const io::ProjectFile> project;
     fs::path file;
-    // Whether it is written is not asked of the disk: a file of that name could be another's.
+    // Uses the entry's flag rather than the disk, where a file of that name could belong to another
+    // program.
     update(id, [&](Entry& entry) {
         if (!entry.snapshot_written) project = entry.project;
         file = entry.project_file;
@@ -429,7 +430,7 @@ void ExportQueue::follow(int id, ChildProcess& process) {
             process.send(SIGKILL);
         }
     }
-    // What it said just before its end; something that it left behind could go on for ever.
+    // Reads the last output; bounded, because processes left behind might write forever.
     for (int i = 0; i < 100 && listen(std::chrono::milliseconds(0)); ++i) {
     }
     fs::path folder;

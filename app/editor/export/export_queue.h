@@ -23,60 +23,60 @@ class ChildProcess;
 
 namespace dollytrack::editor {
 
-/// Exports one dataset after another, each by a `dollytrack export` of its own on a snapshot of the
-/// project, so that the bytes are those of the command line and a crash costs no more than that
-/// run. All functions return at once, but the destructor, which stops what runs.
+/// Runs exports one after another, each as a `dollytrack export` process on a snapshot of the
+/// project, so that the output equals that of the command line and a crash ends only that run. All
+/// functions return at once, except the destructor, which stops the running export.
 class ExportQueue {
   public:
-    /// Snapshots and notes are kept in `snapshot_folder` until their job is done or removed. Jobs
-    /// that an editor left there which no longer runs join the queue as cancelled ones. `on_change`
-    /// is called from a thread of the queue when there is news.
+    /// Keeps snapshots and notes in `snapshot_folder` until their job is done or removed. Jobs left
+    /// there by editors that no longer run are added as cancelled. The queue's thread calls
+    /// `on_change` after each change.
     ExportQueue(std::filesystem::path snapshot_folder, std::filesystem::path program,
                 std::function<void()> on_change = {});
     ~ExportQueue();
     ExportQueue(const ExportQueue&) = delete;
     ExportQueue& operator=(const ExportQueue&) = delete;
 
-    /// The project as it is now. Returns the job's number.
+    /// Adds an export of the project's current state. Returns the job's id.
     int add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project);
-    /// A project file as it will be when its turn comes.
+    /// Adds an export of a project file, read when the job starts. Returns the job's id.
     int addFile(ui::ExportRequest request, std::filesystem::path project_file);
 
-    /// While held, what runs goes on and nothing new begins.
+    /// While held, the running job continues and no other starts.
     void hold(bool held);
     [[nodiscard]] bool held() const;
 
-    // Of the jobs by number; nothing happens where that makes no sense.
+    // The following take a job's id and ignore unknown ids and inapplicable states.
     void cancel(int id);
-    /// Puts a cancelled or failed job back in the queue, to go on where it ended.
+    /// Queues a cancelled or failed job again; it resumes if it had finished frames.
     void resume(int id);
-    /// Also cancels it. The dataset stays as it is.
+    /// Removes a job, cancelling it if it runs. The dataset stays.
     void remove(int id);
-    /// Earlier (-1) or later (1) in the queue.
+    /// Moves a job earlier (-1) or later (1) in the queue.
     void move(int id, int by);
 
     [[nodiscard]] std::vector<ui::ExportJob> jobs() const;
-    /// A job that another editor left because that editor ended.
+    /// An unfinished job of an earlier editor.
     struct Found {
         ui::ExportJob job;
-        bool editor_died = false;  // else it was stopped when that editor was left
+        bool editor_died = false;  // false: the editor was closed and stopped it
     };
-    /// Returns what was found, and forgets it: a second call returns nothing.
+    /// Returns the jobs found at start-up, once.
     [[nodiscard]] std::vector<Found> takeFound();
     [[nodiscard]] bool busy() const;
-    /// How many run or wait.
+    /// Number of running and waiting jobs.
     [[nodiscard]] int unfinished() const;
 
   private:
     struct Entry {
         ui::ExportJob job;
-        std::shared_ptr<const io::ProjectFile> project;  // null: it is a file already
+        std::shared_ptr<const io::ProjectFile> project;  // null: the project is a file
         std::filesystem::path project_file;
         bool snapshot_written = false;
-        bool stored = false;                    // its note was written, or could not be
-        bool note_due = false;                  // the note says what is no longer so
-        bool adopted_snapshot = false;          // another editor wrote it
-        ExportEnd end = ExportEnd::EditorDied;  // what its note says
+        bool stored = false;                    // its note was written, or writing failed
+        bool note_due = false;                  // its note is outdated
+        bool adopted_snapshot = false;          // the snapshot was written by another editor
+        ExportEnd end = ExportEnd::EditorDied;  // recorded in the note: why it is unfinished
 
         [[nodiscard]] bool noteDue() const { return !stored || note_due; }
         [[nodiscard]] bool ownsSnapshot() const { return project != nullptr || adopted_snapshot; }
@@ -92,7 +92,7 @@ class ExportQueue {
     void loop();
     void adoptLeftJobs();
     void storeNewJobs();
-    /// Nothing that happens to a job's note may end the job: what goes wrong is only logged.
+    /// Writes or removes a job's note. Errors are only logged: they must not end the job.
     void keepNote(int id);
     void writeOrRemoveNote(int id);
     void removeIfGone(int id, const std::filesystem::path& file);
@@ -101,7 +101,7 @@ class ExportQueue {
     void runEntry(int id);
     Status writeSnapshot(int id);
     void follow(int id, ChildProcess& process);
-    /// Changes the job under the lock.
+    /// Changes an entry under the lock.
     void update(int id, const std::function<void(Entry&)>& change);
 
     std::filesystem::path snapshot_folder_;

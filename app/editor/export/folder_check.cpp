@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 using FindingKind = FolderFinding::Kind;
 
-// Files come and go while one looks at the form.
+// Files may change while the form is open.
 constexpr std::chrono::seconds kLookAgain{1};
 
 }  // namespace

@@ -9,17 +9,17 @@
 
 namespace dollytrack::editor {
 
-/// What a dataset would find in a folder.
+/// The state of a folder chosen for a dataset.
 struct FolderFinding {
     enum class Kind {
-        Unknown,     // not looked at yet
-        Free,        // there and empty
-        New,         // not there, but the folder around it is
-        NewInNew,    // neither; `around` is the nearest that is there
-        Dataset,     // an earlier dataset, which the new one replaces
-        Unfinished,  // an export that did not end; the new one replaces it
+        Unknown,     // not checked yet
+        Free,        // exists and is empty
+        New,         // does not exist, but its parent folder does
+        NewInNew,    // neither exists; `around` is the nearest existing parent
+        Dataset,     // a complete dataset
+        Unfinished,  // an interrupted export, which a new one replaces
         OtherFiles,
-        NoFolder,  // a file has that name, or a part of the path's
+        NoFolder,  // the path or a part of it is a file
     };
     std::filesystem::path folder;
     Kind kind = Kind::Unknown;
@@ -28,12 +28,12 @@ struct FolderFinding {
 
 [[nodiscard]] FolderFinding lookAtFolder(const std::filesystem::path& folder);
 
-/// Keeps looking, in the background: disks far away answer slowly. Main thread only.
+/// Checks a folder repeatedly in the background, because network disks are slow. Main thread only.
 class FolderCheck {
   public:
     explicit FolderCheck(std::function<void()> wake) : looker_(std::move(wake)) {}
 
-    /// What is known of this folder now. Once a frame while it matters.
+    /// The latest finding for this folder. To be called every frame while needed.
     const FolderFinding& of(const std::filesystem::path& folder);
 
   private:

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLockEnding = ".lock";
 
-/// When the process began, in clock ticks since boot. Empty when there is no such process.
+/// Start time of a process in clock ticks since boot; empty if it does not exist.
 std::string startOf(pid_t process) {
     std::ifstream file("/proc/" + std::to_string(process) + "/stat");
     std::string text((std::istreambuf_iterator<char>(file)), {});
@@ -32,7 +32,7 @@ std::string startOf(pid_t process) {
     return text.substr(at, text.find(' ', at) - at);
 }
 
-/// The computer's name with nothing in it that separates the parts of a mark.
+/// The host name, without characters that separate the parts of a mark.
 std::string hostName() {
     std::array<char, 256> name{};
     if (gethostname(name.data(), name.size() - 1) != 0) return "host";
@@ -42,7 +42,7 @@ std::string hostName() {
     return text.empty() ? "host" : text;
 }
 
-/// "host-process-start"; marks of earlier versions have no host.
+/// Looks up the process of a mark "host-process-start"; older marks have no host.
 bool processRuns(std::string_view mark) {
     const std::size_t before_start = mark.rfind('-');
     if (before_start == std::string_view::npos) return false;
@@ -91,7 +91,8 @@ void OwnerMark::hold() {
     fs::create_directories(folder_, ignored);
     const int file = open(lockFile(folder_, text_).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (file < 0) return;
-    // Of the open file, not of the process: a second one here must not give it back.
+    // An open-file-description lock: closing another descriptor in this process must not release
+    // it.
     struct flock lock = wholeFile();
     if (fcntl(file, F_OFD_SETLK, &lock) == 0) {
         lock_ = file;
@@ -115,7 +116,7 @@ void OwnerMark::tidy(const fs::path& folder) {
     for (const fs::directory_entry& entry : filesIn(folder)) {
         const fs::path& file = entry.path();
         if (file.extension() != kLockEnding) continue;
-        // One that is just being made is not locked yet, but its process runs.
+        // A lock file that is being created is not locked yet, but its process runs.
         const std::string mark = file.stem().string();
         if (!isHeld(folder, mark) && !processRuns(mark)) left_over.push_back(file);
     }
@@ -123,7 +124,7 @@ void OwnerMark::tidy(const fs::path& folder) {
 }
 
 FolderLock::FolderLock(const fs::path& folder) {
-    // Stays: who waits for it must find the same file.
+    // Never removed: waiting processes must find the same file.
     lock_ = open((folder / ".taking-over").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     struct flock lock = wholeFile();
     while (lock_ >= 0 && fcntl(lock_, F_OFD_SETLKW, &lock) != 0 && errno == EINTR) {

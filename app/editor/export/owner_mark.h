@@ -6,25 +6,25 @@
 
 namespace dollytrack::editor {
 
-/// The name under which this program leaves files in a folder that several share, on one computer
-/// or on many: "host-1234-56789", with its process and when that began. A locked file of that name
-/// says that it runs; the system gives the lock back however the program ends.
+/// Identifies this process in a folder shared by several processes, on one or several computers:
+/// "host-1234-56789" (host, process id, start time). A locked file of that name shows that the
+/// process runs; the system releases the lock however the process ends.
 class OwnerMark {
   public:
     explicit OwnerMark(std::filesystem::path folder);
-    ~OwnerMark();  // the lock's file goes
+    ~OwnerMark();  // removes the lock file
     OwnerMark(const OwnerMark&) = delete;
     OwnerMark& operator=(const OwnerMark&) = delete;
 
     [[nodiscard]] const std::string& text() const { return text_; }
-    /// Makes the folder and takes the lock, unless it is held already. Call before each file is
-    /// left: what was in the way at first may be gone. From one thread at a time.
+    /// Creates the folder and takes the lock, unless it is held already. To be called before each
+    /// file is written, because earlier attempts may have failed. One thread at a time.
     void hold();
 
-    /// Whether the program of a mark in this folder still runs. Where locks do not work, a process
-    /// of this computer is looked up, and one of another is taken to run.
+    /// Whether the process of a mark in this folder still runs. Without working locks, a process of
+    /// this computer is looked up, and one of another computer is assumed to run.
     [[nodiscard]] static bool isHeld(const std::filesystem::path& folder, std::string_view mark);
-    /// Removes the locks of programs that no longer run.
+    /// Removes lock files of processes that no longer run.
     static void tidy(const std::filesystem::path& folder);
 
   private:
@@ -33,8 +33,8 @@ class OwnerMark {
     int lock_ = -1;
 };
 
-/// Held while one goes through what others left in a folder: of two programs that begin at once
-/// one waits. Does nothing where locks do not work.
+/// Held while scanning a folder for files left by others: of two programs that start at once, one
+/// waits. Does nothing if locks do not work.
 class FolderLock {
   public:
     explicit FolderLock(const std::filesystem::path& folder);

@@ -11,14 +11,14 @@
 
 namespace dollytrack::editor {
 
-/// Finds the connected pieces of the selected object in the background, as a million triangles
-/// take a while. Main thread only.
+/// Computes the connected pieces of the selected object in the background; a million triangles take
+/// a while. Main thread only.
 class PieceCount {
   public:
     explicit PieceCount(std::function<void()> wake) : counter_(std::move(wake)) {}
 
-    /// The sizes of the object's pieces, see pieceSizes(); null while they are being found. Called
-    /// in every frame while the object is selected.
+    /// The sizes of the object's pieces, see pieceSizes(); null while they are being computed. To
+    /// be called every frame while the object is selected.
     const std::vector<double>* of(const std::shared_ptr<const Scene>& scene, int object);
 
   private:

@@ -46,7 +46,7 @@ void RemedyFinder::forget() {
 ui::RemedySearch RemedyFinder::state(const PlanOutcome& shown, int object_id) {
     using State = ui::RemedySearch::State;
     const bool same = shown.plan == plan_ && object_id == object_id_;
-    if (searching_ && shown.plan != plan_) forget();  // of use to nobody any more
+    if (searching_ && shown.plan != plan_) forget();  // the answer would be outdated
     const bool ended = !worker_.state().busy;
     if (auto answer = answers_->take(); answer && answer->question == question_) {
         answer_ = std::move(answer);

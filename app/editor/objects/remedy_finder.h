@@ -12,21 +12,22 @@
 
 namespace dollytrack::editor {
 
-/// Looks in the background for what would get an object of a plan captured. An answer belongs to
-/// its object and its plan: with another of either it is forgotten.
+/// Searches in the background for a remedy: a change after which an object is captured. The answer
+/// is dropped when the object or the plan changes.
 class RemedyFinder {
   public:
     explicit RemedyFinder(std::function<void()> wake);
 
     void find(const PlanOutcome& shown, int object_id);
     void cancel();
-    /// Lets go of plan and scene as well.
+    /// Drops the search with its plan and scene.
     void forget();
-    /// Where the search for this object in this plan is.
+    /// The state of the search for this object in this plan.
     [[nodiscard]] ui::RemedySearch state(const PlanOutcome& shown, int object_id);
-    /// What applies the answer (engine/document/remedy_operations.h).
+    /// The operations that apply the remedy (engine/document/remedy_operations.h); empty if there
+    /// is none.
     [[nodiscard]] nlohmann::json operations() const;
-    /// What that is called as a step of the history.
+    /// Name of the remedy as a step of the history.
     [[nodiscard]] std::string name() const;
 
   private:
@@ -35,7 +36,7 @@ class RemedyFinder {
         Result<LedgerRow> row;
     };
 
-    std::shared_ptr<const Plan> plan_;  // asked about
+    std::shared_ptr<const Plan> plan_;  // plan of the search
     std::shared_ptr<const Scene> scene_;
     int object_id_ = 0;
     std::uint64_t question_ = 0;

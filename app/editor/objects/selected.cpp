@@ -9,7 +9,7 @@ using SelectionKind = ui::Selection::Kind;
 
 namespace {
 
-/// The position point of an observation point; -1: it has none.
+/// Index of the position point for an observation point; -1: none.
 int positionPointFor(const Plan& plan, int observation_point) {
     for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
         if (plan.position_points[i].observation_point == observation_point) {
@@ -82,7 +82,7 @@ bool Selected::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) 
     std::string awaited = std::exchange(awaited_pin_, {});
     if (plan != nullptr && selectPin(awaited, *plan, pinned)) return true;
     const bool kept = keepPlace(plan, pinned);
-    // A plan made with the pin that has no point for it never gets one: its place is not legal.
+    // If the plan was made with this pin but has no point for it, the pin was refused.
     if (std::ranges::count(pinned, awaited, &PinnedPoint::name) == 0) {
         awaited_pin_ = std::move(awaited);
     }
@@ -90,7 +90,7 @@ bool Selected::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) 
 }
 
 bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
-    // Objects, cells of space and boxes are not the plan's.
+    // Objects, cells and boxes do not depend on the plan.
     if (is(SelectionKind::None) || is(SelectionKind::Voxel) || is(SelectionKind::NoGoBox) ||
         is(SelectionKind::Region) || !now_.objects.empty()) {
         return true;
@@ -98,7 +98,8 @@ bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinne
     const auto fits = [&](std::size_t count) {
         return now_.index >= 0 && static_cast<std::size_t>(now_.index) < count;
     };
-    // A frame is a moment; a point is what it looks at; other numbers mean something else now.
+    // A frame is identified by its index, a point by its objects; other indices are invalid in a
+    // new plan.
     if (plan != nullptr && is(SelectionKind::Frame) && fits(plan->trajectory.frames.size()))
         return true;
     if (plan != nullptr && selectPin(std::string(pin_of_point_), *plan, pinned)) return true;
@@ -120,7 +121,7 @@ bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinne
 void Selected::follow(const std::shared_ptr<const ObjectTrace>& objects) {
     if (!objects || objects == objects_now_) return;
     const std::shared_ptr<const ObjectTrace> before = std::exchange(objects_now_, objects);
-    // The first of a project has nothing before it: followed from itself, none is hidden.
+    // The first scene of a project has no predecessor: nothing is hidden.
     const ObjectTrace& from = before ? *before : *objects;
     hidden_ = followFlags(hidden_, from, *objects);
     objects_of_point_ = followObjects(objects_of_point_, from, *objects);

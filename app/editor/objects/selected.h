@@ -14,45 +14,48 @@
 
 namespace dollytrack::editor {
 
-/// What is selected, how it is found again in the next plan, and which objects are hidden.
+/// The selection, preserved across plans, and the hidden objects.
 class Selected {
   public:
     [[nodiscard]] const ui::Selection& now() const { return now_; }
     [[nodiscard]] bool is(ui::Selection::Kind kind) const { return now_.kind == kind; }
     [[nodiscard]] const std::vector<int>& objects() const { return now_.objects; }
-    /// The index as a place in a list; 0 where there is none.
+    /// The selected index; 0 if there is none.
     [[nodiscard]] std::size_t index() const {
         return static_cast<std::size_t>(now_.index > 0 ? now_.index : 0);
     }
-    /// The selected position point of the plan; null: none is.
+    /// The selected position point of the plan; null if none is selected.
     [[nodiscard]] const PositionPoint* positionPoint(const Plan* plan) const;
-    /// The selected no-go box; null: none is.
+    /// The selected no-go box; null if none is selected.
     [[nodiscard]] const NoGoBox* noGoBox(const std::vector<NoGoBox>& boxes) const;
-    /// The selected region; null: none is.
+    /// The selected region; null if none is selected.
     [[nodiscard]] const Region* region(const std::vector<Region>& regions) const;
 
-    /// `pinned` are the points by hand that the plan was made with.
+    /// Changes the selection. `pinned` are the pinned points that the plan was made with.
     void set(ui::Selection selection, const Plan* plan, const std::vector<PinnedPoint>& pinned);
     void clear();
-    /// The point pinned under this name is selected as soon as a plan has it.
+    /// Selects the pinned point of this name as soon as a plan contains it.
     void awaitPin(const std::string& name) { awaited_pin_ = name; }
-    /// The objects with this one in or out, or this one alone.
+    /// A selection of objects: with `add`, the current one with this object toggled; otherwise this
+    /// object alone (0: none).
     [[nodiscard]] ui::Selection withObject(int object, bool add) const;
-    /// There is a new plan, in which indices mean something else. False: what was selected is not
-    /// there any more, and nothing is selected now.
+    /// Finds the selection again in a new plan. Returns false if the selected element no longer
+    /// exists; then nothing is selected.
     bool keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned);
-    /// The scene's objects may be others, with other numbers: what is selected or hidden follows
-    /// its object. Comes before keepIn(), which looks for objects by their new numbers.
+    /// Updates ids of selected and hidden objects after merges and splits. To be called before
+    /// keepIn(), which searches by the new ids.
     void follow(const std::shared_ptr<const ObjectTrace>& objects);
-    /// Another project is open, or none: nothing of the one before is to be followed.
+    /// Resets everything for another project, or none.
     void forget();
 
-    [[nodiscard]] const std::vector<bool>& hidden() const { return hidden_; }  // by object id
+    [[nodiscard]] const std::vector<bool>& hidden() const {
+        return hidden_;
+    }  // indexed by object id
     void toggleHidden(int object);
     void hideObjects();
     void showAll();
 
-    /// Around all that is selected; empty when nothing with a place is.
+    /// The bounds of the selected elements, m, world; empty if they have no position.
     [[nodiscard]] Eigen::AlignedBox3d box(const Scene& scene, const Plan* plan,
                                           const PlanEdits& edits) const;
 
@@ -63,11 +66,11 @@ class Selected {
                    const std::vector<PinnedPoint>& pinned);
 
     ui::Selection now_;
-    std::vector<int> objects_of_point_;  // ids: what a selected point looks at
-    std::string pin_of_point_;           // its name, of a selected position point; empty: none
+    std::vector<int> objects_of_point_;  // objects that the selected point observes
+    std::string pin_of_point_;           // pin name of the selected position point, or empty
     std::string awaited_pin_;
     std::vector<bool> hidden_;
-    std::shared_ptr<const ObjectTrace> objects_now_;  // whose numbers all of these are
+    std::shared_ptr<const ObjectTrace> objects_now_;  // the objects that all stored ids refer to
 };
 
 }  // namespace dollytrack::editor

@@ -64,7 +64,7 @@ void Autosave::hearOfCopies() {
         if (std::exchange(failing_, false)) log::info("autosave", "copies are written again");
         if (restored_from_ == news->replaced) restored_from_.clear();
     } else if (!std::exchange(failing_, true)) {
-        // Said once: the disk stays full for a while.
+        // Reported once, since a full disk stays full for a while.
         log::warn("autosave", "no copy of the unsaved work: " + describe(news->status.error()) +
                                   " It is tried again every " + std::to_string(kRetry.count()) +
                                   " s.");
@@ -82,7 +82,7 @@ void Autosave::store(const CommandStack::History& history, io::ProjectFile snaps
     last_ = std::chrono::steady_clock::now();
     stored_ = history.steps[history.position].state;
     ++count_;
-    snapshot.result = nullptr;  // planning makes it again, and the copy stays small
+    snapshot.result = nullptr;  // omitted: it can be planned again, and the copy stays small
     snapshot.others[kSection] = {{"project", origin.project.string()},
                                  {"project_sha256", origin.sha256}};
     writer_.start([snapshot = std::move(snapshot), history, file = file_, old = restored_from_,
@@ -107,7 +107,7 @@ void Autosave::discard() {
     if (!stored_ && restored_from_.empty()) return;
     stored_.reset();
     failing_ = false;
-    // After a copy that is being written, and in its order.
+    // Queued after a copy that is being written.
     writer_.start([file = file_, old = std::exchange(restored_from_, {})](const JobContext&) {
         std::error_code ignored;
         std::filesystem::remove(file, ignored);

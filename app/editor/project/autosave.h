@@ -14,54 +14,54 @@
 
 namespace dollytrack::editor {
 
-/// Work of an editor that ended without closing its project.
+/// Unsaved work of an editor that ended unexpectedly.
 struct LostWork {
-    std::filesystem::path file;     // the copy, itself a project
-    std::filesystem::path project;  // where it was saved before; empty: never
+    std::filesystem::path file;     // the autosave copy, a project file
+    std::filesystem::path project;  // the project's own file; empty: never saved
     std::string scene;              // path of its scene file
-    std::string when;               // local time, for people
+    std::string when;               // local time of the copy, for display
 };
 
-/// Keeps a copy of unsaved work in the state folder, written whole in the background, so that a
-/// crash costs at most the interval. Main thread only.
+/// Writes copies of unsaved work to the state folder, atomically and in the background, so that a
+/// crash loses at most the interval. Main thread only.
 class Autosave {
   public:
-    /// The project that a copy's work belongs to.
+    /// The project that a copy belongs to.
     struct Origin {
         std::filesystem::path project;  // empty: never saved
-        std::string sha256;             // of that file when the work on it began
-        nlohmann::json history = {};    // as history_json.h has it; null in copies that had none
+        std::string sha256;             // hash of that file when the work began
+        nlohmann::json history = {};    // undo history (history_json.h); null in copies without one
     };
 
-    /// `wake` is called when lost work was found.
+    /// `wake` is called when the search for lost work has ended.
     explicit Autosave(std::function<void()> wake);
     ~Autosave();
 
-    /// Once a frame while there is unsaved work: whether it is time to hand over a copy of this
-    /// state, because it is new or the last one could not be written.
+    /// To be called every frame while there is unsaved work. Returns whether a copy of this state
+    /// is due: because the state is new, or because the last write failed.
     [[nodiscard]] bool isDue(const CommandStack::State& state);
-    /// `origin` without its history, which is written from `history`.
+    /// Starts writing a copy. `origin` needs no history; that is taken from `history`.
     void store(const CommandStack::History& history, io::ProjectFile snapshot,
                const Origin& origin);
-    /// Copies handed over so far.
+    /// Number of copies started so far.
     [[nodiscard]] int count() const { return count_; }
-    /// Work is open that was restored from this copy (empty: other work): it goes when the first
-    /// new one is written.
+    /// The open work was restored from this copy (empty: it was not), which is deleted when the
+    /// first new copy is written.
     void replaces(const std::filesystem::path& copy) { restored_from_ = copy; }
-    /// The work is saved, or thrown away by its owner: the copy goes.
+    /// Deletes the copy, after saving or discarding the work.
     void discard();
 
-    /// Looks in the background for copies whose editor no longer runs.
+    /// Searches in the background for copies of editors that no longer run.
     void lookForLostWork();
     [[nodiscard]] bool looking() const { return finder_.state().busy; }
-    /// What was found, newest first; once.
+    /// The found work, newest first, once.
     [[nodiscard]] std::vector<LostWork> takeLostWork();
     static void forget(const LostWork& work);
-    /// Takes our notes out of a copy's other sections.
+    /// Removes the autosave section from a copy's other sections and returns its content.
     [[nodiscard]] static Origin takeOrigin(nlohmann::json& others);
 
     static constexpr std::chrono::seconds kInterval{5};
-    static constexpr std::chrono::seconds kRetry{10};  // after a copy that could not be written
+    static constexpr std::chrono::seconds kRetry{10};  // after a failed write
 
   private:
     struct Written {
@@ -74,8 +74,8 @@ class Autosave {
     std::filesystem::path file_;
     std::filesystem::path restored_from_;
     std::chrono::steady_clock::time_point last_;
-    CommandStack::State stored_;  // what the copy holds, or will; null: there is none
-    bool failing_ = false;        // the newest could not be written
+    CommandStack::State stored_;  // the state in the copy, written or being written; null: none
+    bool failing_ = false;        // the latest write failed and is repeated after kRetry
     int count_ = 0;
     std::shared_ptr<Outbox<Written>> written_ = std::make_shared<Outbox<Written>>();
     std::shared_ptr<Outbox<std::vector<LostWork>>> found_ =

@@ -17,7 +17,7 @@ void FileWatch::beginAnew() {
 
 void FileWatch::look(const std::filesystem::path& file) {
     if (const std::optional<Seen> seen = seen_->take(); seen && seen->round == round_) {
-        // A file that is written once more is news again.
+        // A further change is reported again.
         if (stamp_ && !(*stamp_ == seen->stamp)) dismissed_ = false;
         stamp_ = seen->stamp;
         changed_ = seen->changed;
@@ -31,11 +31,11 @@ void FileWatch::look(const std::filesystem::path& file) {
         Stamp stamp;
         stamp.written = std::filesystem::last_write_time(file, error);
         if (!error) stamp.bytes = std::filesystem::file_size(file, error);
-        if (error) return;  // gone, or being replaced
+        if (error) return;  // missing, or being replaced
         const bool same = before && *before == stamp;
         const bool changed = same ? was_changed : known->changedElsewhere(file);
         outbox->put({round, stamp, changed});
-        if (changed && !same) wake();  // else the window may sleep on
+        if (changed && !same) wake();  // otherwise the window can keep sleeping
     });
 }
 

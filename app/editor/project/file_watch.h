@@ -12,25 +12,25 @@
 
 namespace dollytrack::editor {
 
-/// Notices that another program has written the open project's file. Looks in the background about
+/// Detects that another program has changed the open project's file. Checks in the background about
 /// once a second. Main thread only.
 class FileWatch {
   public:
     FileWatch(std::shared_ptr<const KnownFiles> known, std::function<void()> wake);
 
-    /// Once a frame; an empty path: there is nothing to watch.
+    /// To be called every frame; an empty path watches nothing.
     void look(const std::filesystem::path& file);
-    /// The file was read or written here: what was seen of it before says nothing any more.
+    /// Resets the state after the file was read or written here.
     void beginAnew();
-    /// Whether the file holds something else than what is known here, and nobody was told.
+    /// Whether the file was changed by another program and this was not dismissed.
     [[nodiscard]] bool changed() const { return changed_ && !dismissed_; }
-    /// It was seen: says nothing until the file changes once more.
+    /// Dismisses the change; the next change is reported again.
     void dismiss() { dismissed_ = true; }
 
     static constexpr std::chrono::milliseconds kInterval{1000};
 
   private:
-    /// Cheap to ask for. When it is the same, the content is not read again.
+    /// Time and size; the content is read again only if they change.
     struct Stamp {
         std::filesystem::file_time_type written;
         std::uintmax_t bytes = 0;
@@ -45,7 +45,7 @@ class FileWatch {
     std::shared_ptr<const KnownFiles> known_;
     std::function<void()> wake_;
     std::chrono::steady_clock::time_point last_look_;
-    std::uint64_t round_ = 0;  // rises when what is known changes
+    std::uint64_t round_ = 0;  // increases with each reset; older answers are ignored
     std::optional<Stamp> stamp_;
     bool changed_ = false;
     bool dismissed_ = false;

@@ -5,8 +5,8 @@
 
 namespace dollytrack::editor {
 
-/// What is in a folder, in any order; as much as can be read of it. Throws nothing but bad_alloc:
-/// a range over a directory_iterator may throw on a failing disk.
+/// The entries of a folder, unsorted, as far as they can be read. Throws only bad_alloc; a
+/// range-for over directory_iterator may throw on a failing disk.
 [[nodiscard]] inline std::vector<std::filesystem::directory_entry> filesIn(
     const std::filesystem::path& folder) {
     std::vector<std::filesystem::directory_entry> entries;

@@ -19,7 +19,7 @@ bool KnownFiles::changedElsewhere(const std::filesystem::path& file) const {
     const std::string known = contentOf(file);
     std::error_code error;
     if (known.empty() || !std::filesystem::exists(file, error)) return false;
-    // Not by size and time: programs set times back, and copies keep them.
+    // Size and time are not reliable: programs restore times, and copies keep them.
     const Result<std::string> now = io::sha256OfFile(file);
     return !now || *now != known;
 }

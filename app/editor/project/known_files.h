@@ -7,14 +7,15 @@
 
 namespace dollytrack::editor {
 
-/// What project files held when this editor read or wrote them last, so that it notices what
-/// another program has written since. Any thread.
+/// The contents (hashes) of project files when this editor last read or wrote them, to detect
+/// changes by other programs. Thread-safe.
 class KnownFiles {
   public:
     void remember(const std::filesystem::path& file, const std::string& sha256);
-    /// SHA-256 of its content; empty: neither read nor written here.
+    /// The recorded SHA-256; empty if the file was neither read nor written here.
     [[nodiscard]] std::string contentOf(const std::filesystem::path& file) const;
-    /// Whether the file holds something else now. Not when it is gone, nor when it was never known.
+    /// Whether the file's content differs from the recorded one. False if the file is missing or
+    /// unknown.
     [[nodiscard]] bool changedElsewhere(const std::filesystem::path& file) const;
 
   private:

@@ -13,12 +13,12 @@ namespace dollytrack::editor {
 
 namespace {
 
-// With a longer grace the plan for the last value of a drag would come late.
+// Grace of an outdated run. A longer one would delay the plan for the final value of a drag.
 constexpr BackgroundWorker::Patience kPatience{std::chrono::milliseconds(900), 0.6};
 
 }  // namespace
 
-/// Belongs to the worker's thread.
+/// Used by the worker's thread only.
 struct LivePlanner::Desk {
     std::shared_ptr<const Scene> imported;
     SceneEdits scene_edits;
@@ -59,7 +59,8 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
     scene = std::make_shared<const Scene>(std::move(*edited));
     if (!same_geometry) ++geometry;
     if (!same_objects) objects_since = geometry;
-    // Frees its memory before the new one is built; where things have only moved much is kept.
+    // Frees memory before the new pipeline is built; if objects have only moved, most of it is
+    // reused.
     if (!goes_on) pipeline.reset();
     if (pipeline) {
         pipeline->setScene(scene, same_geometry);
@@ -123,11 +124,11 @@ void LivePlanner::start(PlanRequest request) {
                                                 worker_.cancelOutdated();
                                             });
             if (plan) return collect(std::move(*plan), true);
-            if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request waits
+            if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request is waiting
             outcome.error = std::move(plan.error());
             collect(nullptr, false);
         } catch (const std::exception& error) {
-            desk->scene.reset();  // what is half made is made anew next time
+            desk->scene.reset();  // incomplete data is rebuilt next time
             outcome.plan = nullptr;
             outcome.measured = false;
             if (outcome.scene) {

@@ -24,41 +24,41 @@ class FreeSpace;
 
 namespace dollytrack::editor {
 
-/// What is to be planned. The newest request wins.
+/// A planning request. A newer request replaces older ones.
 struct PlanRequest {
     std::shared_ptr<const Scene> imported;
     std::shared_ptr<const ProjectState> state;
-    std::uint64_t serial = 0;  // the caller's, to tell outcomes apart
+    std::uint64_t serial = 0;  // set by the caller to identify the outcome
 };
 
-/// What came of it. After an error the scene may still be there, without a plan.
+/// The outcome of a request. After an error the scene may be set, without a plan.
 struct PlanOutcome {
     std::uint64_t serial = 0;
     std::shared_ptr<const ProjectState> state;
-    std::shared_ptr<const Scene> scene;          // with the state's edits
-    std::shared_ptr<const ObjectTrace> objects;  // of that scene, by the imported one
-    std::uint64_t geometry = 0;                  // equal numbers: equal triangles in equal objects
-    std::uint64_t objects_since = 0;             // since that geometry objects have only moved
+    std::shared_ptr<const Scene> scene;          // with the state's edits applied
+    std::shared_ptr<const ObjectTrace> objects;  // its objects, traced to the imported ones
+    std::uint64_t geometry = 0;                  // equal: same triangles in same objects
+    std::uint64_t objects_since = 0;             // since this geometry, objects have only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
     std::shared_ptr<const Plan> plan;  // null after an error
     planning::PlanParams params;
-    PlanEdits edits;        // of the plan, with the numbers that objects have in this scene
-    bool measured = false;  // false: the trajectory is there, its metrics are still to come
+    PlanEdits edits;        // plan edits with object ids of this scene
+    bool measured = false;  // false: the trajectory is set, its metrics are still missing
     double milliseconds = 0.0;
     std::optional<Error> error;
-    bool outdated = false;              // the plan is of an earlier request: the newest was refused
-    std::vector<std::string> warnings;  // edits that no longer fit the scene
+    bool outdated = false;              // the newest request was refused; the plan is older
+    std::vector<std::string> warnings;  // edits that do not fit the scene
 
-    /// Whether a picture of that geometry shows the same objects, if perhaps elsewhere.
+    /// Whether an image of that geometry number shows the same objects, perhaps at other positions.
     [[nodiscard]] bool hasObjectsOf(std::uint64_t other_geometry) const {
         return other_geometry >= objects_since && other_geometry <= geometry;
     }
 };
 
-/// Plans in the background, keeping what earlier plans of the same scene made, so that a change
-/// costs only what depends on it. While requests keep coming, a run that is outdated goes on until
-/// its trajectory is there, but for about a second at the most: so a drag shows plans on its way.
+/// Plans in the background and reuses results of earlier plans of the scene, so that a change costs
+/// only what depends on it. If requests keep arriving, an outdated run continues until its
+/// trajectory is ready, for at most about a second, so that a drag shows intermediate plans.
 class LivePlanner {
   public:
     explicit LivePlanner(std::function<void()> wake,
@@ -74,9 +74,9 @@ class LivePlanner {
   private:
     struct Desk;
     std::shared_ptr<Outbox<PlanOutcome>> outcomes_;
-    std::shared_ptr<Desk> desk_;  // what the worker keeps between runs
+    std::shared_ptr<Desk> desk_;  // data that the worker keeps between runs
     std::function<void()> wake_;
-    BackgroundWorker worker_;  // last: it stops before what it uses goes
+    BackgroundWorker worker_;  // last member: stops before the others are destroyed
 };
 
 }  // namespace dollytrack::editor

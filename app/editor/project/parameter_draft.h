@@ -8,16 +8,16 @@
 
 namespace dollytrack::editor {
 
-/// The parameters as the widgets edit them, beside the standard ones.
+/// The parameters being edited by the widgets, with their defaults.
 class ParameterDraft {
   public:
     ParameterDraft()
         : fields_(planning::listFields(params_)),
           standard_fields_(planning::listFields(standard_)) {}
-    ParameterDraft(const ParameterDraft&) = delete;  // its fields point into it
+    ParameterDraft(const ParameterDraft&) = delete;  // not copyable: the fields point into it
     ParameterDraft& operator=(const ParameterDraft&) = delete;
 
-    /// False where they do not fit.
+    /// Takes parameters from JSON; returns false if they are invalid.
     bool read(const nlohmann::json& parameters) {
         return setFromJson(fields_, parameters).has_value();
     }
@@ -26,7 +26,7 @@ class ParameterDraft {
     [[nodiscard]] FieldList& fields() { return fields_; }
     [[nodiscard]] const FieldList& standard() const { return standard_fields_; }
 
-    std::string filter;  // of the names that are listed
+    std::string filter;  // text filter for the listed parameters
 
   private:
     planning::PlanParams params_;

@@ -13,21 +13,21 @@
 
 namespace dollytrack::editor {
 
-/// A project as it is opened: from a .dolly file, or new from a scene file.
+/// An opened project: from a .dolly file, or new from a scene file.
 struct OpenedProject {
     std::filesystem::path project;  // empty: never saved
     std::filesystem::path scene_file;
     std::shared_ptr<const Scene> imported;
     ProjectState state;
     nlohmann::json import = nlohmann::json::object();
-    nlohmann::json loaded_edits = nlohmann::json::object();  // as read, for keys we do not know
-    nlohmann::json others = nlohmann::json::object();        // kept when it is saved
-    std::string file_sha256;                                 // of the project; empty: never saved
-    bool file_has_plan = false;                              // of this scene file
-    std::vector<std::string> warnings;                       // what the user should know
+    nlohmann::json loaded_edits = nlohmann::json::object();  // as read, to preserve unknown keys
+    nlohmann::json others = nlohmann::json::object();        // other sections of the file
+    std::string file_sha256;                                 // of the project file; empty: none
+    bool file_has_plan = false;                              // has a plan for this scene file
+    std::vector<std::string> warnings;                       // messages for the user
 };
 
-/// Opens what was read. Errors as importSceneOf().
+/// Imports the scene of a project. Errors: those of importSceneOf() and numberEdits().
 Result<OpenedProject> openProject(ProjectContent content, const JobContext& job);
 
 }  // namespace dollytrack::editor

@@ -143,7 +143,7 @@ void Workspace::install(OpenedProject opened, std::optional<CommandStack::Histor
         notices_.push_back({false, "Please note", text});
     }
     if (history) {
-        // What the sections of the project say counts where the two should differ.
+        // The project's sections take precedence over the history's current state.
         history->steps[history->position].state =
             std::make_shared<const ProjectState>(opened.state);
         stack_.restore(std::move(*history));
@@ -167,13 +167,13 @@ void Workspace::finishOpening(LoadOutcome outcome) {
     if (outcome.opened && outcome.import_before) return finishReadingAgain(std::move(outcome));
     if (outcome.opened) {
         if (outcome.restored) {
-            // The file may have been saved since by somebody else: known is what the work is of.
+            // The file may have changed since; the recorded hash is that of the restored work.
             outcome.opened->project = std::move(outcome.origin.project);
             outcome.opened->file_sha256 = std::move(outcome.origin.sha256);
         }
         install(std::move(*outcome.opened), std::move(outcome.history));
         if (outcome.restored) restored_from_ = outcome.path;
-        // Where its scene is now the project's file does not know yet.
+        // The project file does not contain the new scene path yet.
         if (outcome.restored || outcome.relocated) stack_.markUnsaved();
         return;
     }
@@ -197,7 +197,7 @@ void Workspace::finishReadingAgain(LoadOutcome outcome) {
     install(std::move(*outcome.opened), std::move(outcome.history));
     restored_from_ = restored_from;
     if (!back) import_before_ = std::move(outcome.import_before);
-    // The project's file does not know yet how its scene is read now.
+    // The project file does not contain the new import settings yet.
     stack_.markUnsaved();
 }
 
@@ -228,7 +228,7 @@ void Workspace::save(const std::filesystem::path& path, IfChanged if_changed) {
     order.asks = asks;
     order.nothing_new = nothing_new;
     save_orders_->put(std::move(order));
-    // The worker drops a piece of work that waits for a newer one: so each takes all orders.
+    // A newer task replaces a waiting one, so each task takes all orders.
     saver_.start([orders = save_orders_, known = known_files_, saved = saved_](const JobContext&) {
         for (SaveOrder& one : orders->takeAll()) {
             write(one, *known);
@@ -350,7 +350,7 @@ void Workspace::goTo(std::size_t step) {
 
 void Workspace::replan() {
     changed_at_ = Clock::now();
-    lighter_.cancel();  // the plan comes first
+    lighter_.cancel();  // planning takes precedence
     planner_.start({opened_->imported, stack_.state(), ++serial_});
 }
 
@@ -388,8 +388,8 @@ void Workspace::take(PlanOutcome outcome) {
     }
     const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
     if (refused && shown_.plan && shown_.state->edits.scene == outcome.state->edits.scene) {
-        // Parameters that do not go together are on their way to ones that do: the plan before
-        // stays in sight, with its own scene, parameters and edits.
+        // A refused combination of parameters is usually temporary: the previous plan stays, with
+        // its scene, parameters and edits.
         shown_.serial = outcome.serial;
         shown_.error = std::move(outcome.error);
         shown_.outdated = true;
@@ -399,8 +399,8 @@ void Workspace::take(PlanOutcome outcome) {
     shown_ = std::move(outcome);
 }
 
-/// Whether to show an outcome. A plan for an outdated value is shown, as it is newer than the plan
-/// on the screen; an error for an outdated value is not.
+/// Whether to show an outcome. A plan for an outdated request is shown, as it is newer than the one
+/// on the screen; an error for an outdated request is not.
 bool Workspace::isWanted(const PlanOutcome& outcome) const {
     if (outcome.serial == serial_) return true;
     return outcome.serial >= first_serial_ && outcome.plan != nullptr;
@@ -418,7 +418,7 @@ void Workspace::poll() {
         has_their_light_ = true;
     }
     for (SaveOutcome& outcome : saved_->takeAll()) finishSaving(std::move(outcome));
-    // Not while it is being written here: the content is there before it is known.
+    // Not during saving, when the file is new but its hash is not recorded yet.
     if (!saving()) file_watch_.look(path());
     updateLight();
 }

@@ -23,48 +23,50 @@
 
 namespace dollytrack::editor {
 
-/// The open project and everything computed from it: what a person decided (with undo), the scene,
-/// the newest plan, the light. Knows no window. All calls come from one thread and return at once;
-/// the work is done in the background and arrives with poll().
+/// The open project and everything computed from it: the user's edits (with undo), the scene, the
+/// newest plan, the light. Independent of the window. All functions are called from one thread and
+/// return at once; background results arrive with poll().
 class Workspace {
   public:
     explicit Workspace(std::function<void()> wake);
     ~Workspace();
 
     // Opening and saving
-    /// Reads a scene or a project; what is open stays until that has succeeded.
+    /// Opens a scene or project in the background; the open one stays until that has succeeded.
+    /// `scene_instead` replaces the project's scene file.
     void open(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
-    /// Opens a copy that Autosave kept, as unsaved work of the project it came from.
+    /// Opens an autosave copy as unsaved work of its project.
     void restore(const std::filesystem::path& copy,
                  const std::optional<std::filesystem::path>& scene_instead = std::nullopt);
-    /// Reads the scene of the open project again with these import settings (a project's section
-    /// `import`). Parameters, edits and steps of undo stay; what is open stays until it is read.
+    /// Imports the open project's scene again with these import settings (a project's section
+    /// `import`). Parameters, edits and undo history are kept; the open scene stays until then.
     void readAgain(const nlohmann::json& import);
-    /// The same as the scene's own proposal has it, and back.
+    /// Imports again with the import report's proposed settings; takeBackImport() reverts that.
     void applyProposal();
     void takeBackImport();
     void cancelOpening() { loader_.cancel(); }
     void close();
-    /// Where another program has written the file since it was read or written here.
+    /// What save() does if another program has changed the file since it was read or written here.
     enum class IfChanged { Ask, Overwrite };
-    /// Writes the project, with the plan if it is up to date. An error arrives as a notice, a
-    /// question with takeChangedFile(). With Ask, a file that has all of it is left as it is.
+    /// Saves the project in the background, with the plan if it is current. Errors arrive as
+    /// notices; with Ask, a file changed by another program arrives with takeChangedFile(), and an
+    /// up-to-date file is not written again.
     void save(const std::filesystem::path& path, IfChanged if_changed);
-    /// The file that was not saved because another program has changed it.
+    /// The file that save() did not overwrite because another program has changed it, once.
     [[nodiscard]] std::optional<std::filesystem::path> takeChangedFile() {
         return std::exchange(changed_file_, std::nullopt);
     }
-    /// The project as it is now, as one would save it, with the plan if it is up to date.
+    /// The project in its current state, with the plan if it is current.
     [[nodiscard]] io::ProjectFile snapshot(bool with_plan = true) const;
 
-    // Changing; each change is one step of undo and starts planning
-    /// Applies one operation (engine/document/operation.h). Operations with the same merge key in
-    /// a row are one step. Errors are the user's to read.
+    // Changing the project; each change is one undo step and starts planning
+    /// Applies one operation (engine/document/operation.h). Consecutive operations with the same
+    /// merge key form one undo step. The error message is for the user.
     Status apply(const nlohmann::json& operation, const std::string& merge_key = {});
-    /// Applies a list of them, all or none, as one step of that name.
+    /// Applies several operations, all or none, as one undo step with this name.
     Status applyAll(const nlohmann::json& operations, const std::string& name);
-    /// Parameters as sections of fields; `name` is what the step is called.
+    /// Sets the parameters, given as JSON sections of fields; `name` is the step's name.
     void setParameters(const nlohmann::json& parameters, const std::string& name,
                        const std::string& merge_key);
     void endMerge() { stack_.endMerge(); }
@@ -72,18 +74,18 @@ class Workspace {
     void redo();
     void goTo(std::size_t step);
 
-    /// Collects what the background has finished. Once a frame.
+    /// Takes finished background results. To be called every frame.
     void poll();
 
     // Reading
     [[nodiscard]] bool isOpen() const { return opened_.has_value(); }
     [[nodiscard]] const std::filesystem::path& path()
-        const;  // of the project; empty: not saved yet
+        const;  // path of the project; empty: not saved yet
     [[nodiscard]] std::string title() const;
     [[nodiscard]] const std::filesystem::path& sceneFile() const { return opened_->scene_file; }
-    /// How the scene should likely be read instead, as the command line says it.
+    /// The proposed import settings, if those in use seem wrong.
     [[nodiscard]] const ImportProposal& proposal() const { return importReport().proposal; }
-    /// The import settings before readAgain(); none where the scene was not read again.
+    /// The import settings before readAgain(); unset if the scene was not imported again.
     [[nodiscard]] const std::optional<nlohmann::json>& importBefore() const {
         return import_before_;
     }
@@ -92,7 +94,7 @@ class Workspace {
     [[nodiscard]] const CommandStack& history() const { return stack_; }
     [[nodiscard]] const ProjectState& state() const { return *stack_.state(); }
     [[nodiscard]] bool unsaved() const { return isOpen() && !stack_.isSaved(); }
-    /// The newest plan with the scene it belongs to; may be older than state().
+    /// The newest plan with its scene; may be older than state().
     [[nodiscard]] const PlanOutcome& shown() const { return shown_; }
     [[nodiscard]] bool planIsCurrent() const {
         return shown_.serial == serial_ && shown_.measured && !shown_.outdated &&
@@ -103,29 +105,29 @@ class Workspace {
     [[nodiscard]] BackgroundWorker::State planning() const { return planner_.state(); }
     [[nodiscard]] bool saving() const { return saves_answered_ != save_serial_; }
     [[nodiscard]] bool lighting() const { return lighter_.state().busy; }
-    /// From the last change to its trajectory being there, ms.
+    /// Time from the last change to its trajectory, ms.
     [[nodiscard]] double lastLatency_ms() const { return latency_ms_; }
 
-    /// A message for the user, to be shown in the window until it is read.
+    /// A message to be shown until the user has read it.
     struct Notice {
         bool is_error = false;
         std::string title;
         std::string text;
-        std::filesystem::path missing_scene_of = {};  // a project whose scene has to be found
-        bool restores = false;                        // it is a copy of lost work
+        std::filesystem::path missing_scene_of = {};  // project without its scene; or empty
+        bool restores = false;                        // that project is an autosave copy
     };
     [[nodiscard]] std::optional<Notice> takeNotice();
-    /// Why the newest request gave no plan; empty when it did.
+    /// Why the newest request gave no plan; empty if it did.
     [[nodiscard]] std::string planError() const;
-    /// The copy from which the open project was restored; empty: it was not.
+    /// The autosave copy that the open project was restored from; empty: none.
     [[nodiscard]] const std::filesystem::path& restoredFrom() const { return restored_from_; }
-    /// SHA-256 of the project's file as this editor knows it; empty: not saved yet.
+    /// SHA-256 of the project file as last read or written here; empty: not saved yet.
     [[nodiscard]] std::string fileContent() const { return known_files_->contentOf(path()); }
-    /// Whether another program has changed the project's file since it was read or written here,
-    /// and the user has not put that aside.
+    /// Whether another program has changed the project file since then, and the user has not
+    /// dismissed that.
     [[nodiscard]] bool fileChanged() const { return isOpen() && file_watch_.changed(); }
     void dismissFileChange() { file_watch_.dismiss(); }
-    /// Whether a new project was opened since the last call.
+    /// Whether a project was opened or closed since the last call.
     [[nodiscard]] bool takeOpened() { return std::exchange(newly_opened_, false); }
 
   private:
@@ -133,11 +135,11 @@ class Workspace {
         std::filesystem::path path;
         Result<OpenedProject> opened;
         bool restored = false;
-        bool relocated = false;                    // its scene was found elsewhere
-        std::filesystem::path missing_scene = {};  // where it should be; empty: it is there
-        Autosave::Origin origin = {};              // of what is restored
-        std::optional<CommandStack::History> history = {};  // the same; none: it was not kept
-        std::optional<nlohmann::json> import_before = {};   // of a scene that is read again
+        bool relocated = false;                    // the user chose another scene file
+        std::filesystem::path missing_scene = {};  // path of a missing scene; empty: it exists
+        Autosave::Origin origin = {};              // origin of restored work
+        std::optional<CommandStack::History> history = {};  // undo history, if it was stored
+        std::optional<nlohmann::json> import_before = {};   // settings before readAgain()
     };
     struct SaveOutcome {
         std::uint64_t serial = 0;
@@ -146,20 +148,20 @@ class Workspace {
         CommandStack::State state;
         bool has_plan = false;
         Status status = {};
-        bool changed_elsewhere = false;  // so it was not written
-        bool was_there = false;          // all of it, so it was not written
+        bool changed_elsewhere = false;  // so nothing was written
+        bool was_there = false;          // the file was up to date, so nothing was written
     };
 
     struct SaveOrder {
-        SaveOutcome outcome;  // what is known before
+        SaveOutcome outcome;  // the parts known in advance
         io::ProjectFile file;
         std::shared_ptr<const Scene> scene;
-        std::shared_ptr<const Plan> plan;  // null: none goes into the file
-        bool asks = false;                 // before it replaces what another program wrote
+        std::shared_ptr<const Plan> plan;  // null: the file gets no plan
+        bool asks = false;                 // do not overwrite changes by other programs
         bool nothing_new = false;
     };
 
-    /// On the saver's thread; its outcome gets the rest.
+    /// Runs on the saver's thread and completes the order's outcome.
     static void write(SaveOrder& order, KnownFiles& known);
     void load(const std::filesystem::path& path,
               const std::optional<std::filesystem::path>& scene_instead, bool restored);
@@ -178,7 +180,7 @@ class Workspace {
     std::function<void()> wake_;
     std::optional<OpenedProject> opened_;
     CommandStack stack_;
-    std::uint64_t document_ = 0;  // rises with every project that is opened
+    std::uint64_t document_ = 0;  // increases with every opened project
     std::uint64_t save_serial_ = 0;
     std::uint64_t saves_answered_ = 0;
     std::filesystem::path restored_from_;
@@ -187,10 +189,10 @@ class Workspace {
     std::optional<std::filesystem::path> changed_file_;
     std::shared_ptr<KnownFiles> known_files_ = std::make_shared<KnownFiles>();
     FileWatch file_watch_;
-    CommandStack::State state_when_asked_;  // to open another
+    CommandStack::State state_when_asked_;  // state when opening another project was requested
     PlanOutcome shown_;
     std::uint64_t serial_ = 0;
-    std::uint64_t first_serial_ = 0;  // of this document: earlier plans are of another
+    std::uint64_t first_serial_ = 0;  // first serial of this project
     std::chrono::steady_clock::time_point changed_at_;
     double latency_ms_ = 0.0;
     std::shared_ptr<const render::LightVolume> light_;
@@ -198,14 +200,14 @@ class Workspace {
     std::vector<Eigen::AlignedBox3d> lit_rooms_;
     LightParams lit_params_;
     int light_number_ = 0;
-    bool has_their_light_ = false;  // of these rooms, of that geometry, of these parameters
+    bool has_their_light_ = false;  // light_ is for lit_rooms_, lit_geometry_ and lit_params_
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
     std::shared_ptr<Outbox<LoadOutcome>> loaded_ = std::make_shared<Outbox<LoadOutcome>>();
     std::shared_ptr<Tray<SaveOrder>> save_orders_ = std::make_shared<Tray<SaveOrder>>();
     std::shared_ptr<Tray<SaveOutcome>> saved_ = std::make_shared<Tray<SaveOutcome>>();
     struct Lit {
-        int number = 0;  // of the order, see updateLight()
+        int number = 0;  // number of the request, see updateLight()
         render::LightVolume light;
     };
     std::shared_ptr<Outbox<Lit>> lit_ = std::make_shared<Outbox<Lit>>();

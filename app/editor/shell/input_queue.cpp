@@ -34,7 +34,7 @@ void InputQueue::attach(GLFWwindow* window) {
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow*, double x, double y) {
         std::deque<Event>& events = the_queue->events_;
-        // Only where it was when something happened matters, and where it is now.
+        // Only positions at other events and the latest position matter.
         if (!events.empty() && events.back().kind == Event::Kind::Move) events.pop_back();
         events.push_back({Event::Kind::Move, 0, 0, 0, 0, x, y});
     });
@@ -50,7 +50,7 @@ void InputQueue::listen() {
 }
 
 double InputQueue::earliest(double now_s) const {
-    // What is told at once was there already, and came at any time while the frame was drawn.
+    // Events reported immediately were queued while the last frame was drawn.
     constexpr double kAtOnce_s = 0.005;
     return now_s - listens_since_s_ < kAtOnce_s ? listened_until_s_ : now_s;
 }
@@ -58,9 +58,9 @@ double InputQueue::earliest(double now_s) const {
 bool InputQueue::deliver(bool hold_keys) {
     listened_until_s_ = glfwGetTime();
     follows_closely_ = false;
-    std::set<int> changed;  // keys, and buttons below zero
-    at_event_ = false;      // a button needs the mouse to stay where it is
-    bool dragged = false;   // the end of the way must be seen before the button is up
+    std::set<int> changed;  // key codes, and buttons as negative numbers
+    at_event_ = false;      // after a button event, the mouse must not move in this frame
+    bool dragged = false;   // the final position must be shown before the button is released
     while (!events_.empty()) {
         const Event event = events_.front();
         const bool typed = event.kind == Event::Kind::Text ||
@@ -73,14 +73,14 @@ bool InputQueue::deliver(bool hold_keys) {
         const bool switches = event.kind == Event::Kind::Key || event.kind == Event::Kind::Button;
         const bool repeats = event.action == GLFW_REPEAT;
         const int which = event.kind == Event::Kind::Button ? -1 - event.code : event.code;
-        // A second change of the same key, or a release while others went down, must be seen by
-        // itself: Ctrl may not be up before the key it belongs to was looked at.
+        // A second change of a key, or a release after other presses, needs a frame of its own:
+        // otherwise Ctrl could be released before its key is handled.
         const bool release = event.action == GLFW_RELEASE;
         if (switches && !repeats && (changed.contains(which) || (release && !changed.empty()))) {
             return true;
         }
         events_.pop_front();
-        // Of a button its release, too: the second press of a double click is a frame of its own.
+        // Button releases count, too: the second press of a double click needs a frame of its own.
         if (switches && !repeats && (!release || event.kind == Event::Kind::Button)) {
             changed.insert(which);
         }
@@ -119,12 +119,12 @@ bool InputQueue::deliver(bool hold_keys) {
 }
 
 void InputQueue::setMouse() const {
-    // The mouse itself is ahead of its events: a double click within a slow frame would be one
-    // click, a click would overtake the letters that were typed before it, and a drag would take
-    // hold of what the mouse has reached instead of what it was pressed on.
+    // The current mouse is ahead of the delivered events: a double click within a slow frame would
+    // be one click, clicks would overtake typed letters, and drags would start at the wrong
+    // position.
     ImGuiIO& io = ImGui::GetIO();
     for (std::size_t i = 0; i < down_.size(); ++i) io.MouseDown[i] = down_[i];
-    // By ImGui's clock, which counts frames, a double click in slow ones would be two clicks.
+    // ImGui's clock counts frames, so a double click during slow frames would be two clicks.
     io.MouseDoubleClickTime = follows_closely_ ? std::numeric_limits<float>::max() : 0.0F;
     const bool behind = at_event_ || !events_.empty();
     if (behind && knows_place_ && ImGui::IsMousePosValid(&io.MousePos)) {

@@ -7,49 +7,49 @@ struct GLFWwindow;
 
 namespace dollytrack::editor {
 
-/// Hands keys, buttons and the mouse's way to Dear ImGui in the order in which they came, at most
-/// one change of each key and button in a frame, and a button where the mouse was when it was
-/// pressed. Without it, what is pressed and released between two frames is lost, and a drag begins
-/// where the mouse has got to: that happens to every fast hand while a frame takes 50 ms.
+/// Passes keys, buttons and mouse moves to Dear ImGui in their original order, with at most one
+/// change of each key and button per frame, and each button event at the mouse position where it
+/// happened. Otherwise, presses and releases between two frames would be lost, and drags would
+/// start where the mouse has got to, which happens with frames of 50 ms.
 class InputQueue {
   public:
-    /// Takes the window's callbacks. One queue in a program; the window must go before it.
+    /// Installs the window's callbacks. Only one queue per program; it must outlive the window.
     void attach(GLFWwindow* window);
 
-    /// Before the window asks for events, or waits for them.
+    /// To be called before polling or waiting for window events.
     void listen();
-    /// Before ImGui's new frame. Returns whether something is left for the next one. With
-    /// `hold_keys` what is typed stays in the queue, and what came after it as well.
+    /// To be called before ImGui's new frame. Returns whether events remain for the next one. With
+    /// `hold_keys`, typed keys and everything after them stay in the queue.
     bool deliver(bool hold_keys);
-    /// After the backend's new frame, which looks at the mouse as it is now: sets its buttons and
-    /// its place to what was delivered, and says whether a press follows the one before it closely.
+    /// To be called after the backend's new frame, which reads the current mouse: sets buttons and
+    /// position to the delivered ones, and whether a press is the second of a double click.
     void setMouse() const;
     [[nodiscard]] bool empty() const { return events_.empty(); }
 
   private:
     struct Event {
         enum class Kind { Key, Button, Scroll, Text, Move } kind = Kind::Key;
-        int code = 0;  // key, button or character
+        int code = 0;  // key code, button or character
         int scancode = 0;
         int action = 0;
         int mods = 0;
         double x = 0.0, y = 0.0;
-        double earliest_s = 0.0, latest_s = 0.0;  // of a button: between these it was moved
+        double earliest_s = 0.0, latest_s = 0.0;  // Button: interval in which it happened
     };
 
     [[nodiscard]] double earliest(double now_s) const;
 
     GLFWwindow* window_ = nullptr;
     std::deque<Event> events_;
-    std::array<bool, 5> down_ = {};  // buttons, as far as delivered
-    double x_ = 0.0, y_ = 0.0;       // the mouse, as far as delivered
-    bool knows_place_ = false;       // it has moved since the window is there
-    bool at_event_ = false;          // a button was pressed or let go there in this frame
+    std::array<bool, 5> down_ = {};  // button states delivered so far
+    double x_ = 0.0, y_ = 0.0;       // mouse position delivered so far
+    bool knows_place_ = false;       // the mouse has moved since the window opened
+    bool at_event_ = false;          // a button event was delivered in this frame
     double listens_since_s_ = 0.0;
-    double listened_until_s_ = 0.0;  // before that
+    double listened_until_s_ = 0.0;  // end of the previous listening interval
     std::array<double, 5> pressed_s_ = {-1.0, -1.0, -1.0, -1.0,
-                                        -1.0};  // each button's last press, as far as delivered
-    bool follows_closely_ = false;              // the press of this frame makes a double click
+                                        -1.0};  // each button's last delivered press
+    bool follows_closely_ = false;              // the press in this frame completes a double click
 };
 
 }  // namespace dollytrack::editor

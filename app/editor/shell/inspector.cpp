@@ -85,7 +85,7 @@ void Inspector::Impl::loop() {
     while (waitReadable(listener)) {
         const int client = accept(listener, nullptr, nullptr);
         if (client < 0) continue;
-        // Who asks and then does not listen must not keep the editor from ending.
+        // A client that does not read must not keep the editor from ending.
         setsockopt(client, SOL_SOCKET, SO_SNDTIMEO, &kSendTimeout, sizeof(kSendTimeout));
         serve(client);
         close(client);
@@ -104,7 +104,7 @@ Inspector::Inspector(const std::filesystem::path& socket_path, std::function<voi
         return;
     }
     std::memcpy(address.sun_path, name.c_str(), name.size() + 1);
-    // One that an editor left behind; never a file that only happens to have this name.
+    // Replaces only a socket left by an earlier editor, never another file.
     struct stat there {};
     if (lstat(name.c_str(), &there) == 0 &&
         (!S_ISSOCK(there.st_mode) || unlink(name.c_str()) != 0)) {

@@ -8,12 +8,12 @@
 
 namespace dollytrack::editor {
 
-/// Tells a program outside what the editor shows: a Unix socket that answers each line "state"
-/// with one line of JSON. With it a test can find widgets on the screen, use real mouse and keys on
-/// them, and check what came of it. It can only look, never change anything.
+/// Reports the editor's state to other programs: a Unix socket that answers each line "state" with
+/// one line of JSON. Tests use it to find widgets on the screen and to check the effect of real
+/// mouse and key events. It is read-only.
 class Inspector {
   public:
-    /// `wake` makes the window draw, so that the answer is of now.
+    /// `wake` triggers drawing, so that the answer is current.
     Inspector(const std::filesystem::path& socket, std::function<void()> wake);
     ~Inspector();
     Inspector(const Inspector&) = delete;

@@ -8,7 +8,7 @@
 
 namespace dollytrack::editor {
 
-/// When a file was written, as the clock on the wall has it: "2024-05-31 17:04:09".
+/// A file's modification time in local time: "2024-05-31 17:04:09".
 [[nodiscard]] inline std::string localTime(std::filesystem::file_time_type written) {
     const auto age = std::filesystem::file_time_type::clock::now() - written;
     const std::time_t when =

@@ -16,7 +16,7 @@
 
 namespace dollytrack::editor {
 
-/// What the panels remember from one frame of the window to the next.
+/// The panels' state between window frames.
 struct PanelStates {
     ui::ViewportState viewport;
     ui::ObjectsPanelState objects;

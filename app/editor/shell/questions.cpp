@@ -22,7 +22,7 @@ std::string titleOf(const std::vector<ExportQueue::Found>& found) {
                : fmt::format("{} datasets are not finished", found.size());
 }
 
-/// A line for each export: how it ended, and how many frames were done.
+/// One line per export: how it ended, and the number of finished frames.
 std::string textOf(const std::vector<ExportQueue::Found>& found) {
     constexpr std::size_t kMostNamed = 6;
     std::string text;
@@ -47,7 +47,7 @@ Questions::Questions(Workspace& workspace, Doors doors)
     : workspace_(workspace), doors_(std::move(doors)) {}
 
 void Questions::tell(Workspace::Notice notice) {
-    // What goes wrong with every picture is told once.
+    // An error that occurs for every image is shown once.
     const auto same = [&](const Workspace::Notice& waiting) {
         return waiting.title == notice.title && waiting.text == notice.text;
     };
@@ -106,10 +106,10 @@ void Questions::draw(bool choosing_file) {
     if (auto file = workspace_.takeChangedFile()) changed_file_ = std::move(*file);
     answerUnsaved(choosing_file);
     if (choosing_file) return;
-    // One that is being read is not pushed aside by another.
+    // A message stays until it is answered.
     if (!pending(shown_)) {
         shown_ = Kind::None;
-        // What the user has just done comes before what was there when the editor started.
+        // Consequences of user actions come before messages from start-up.
         for (const Kind kind : {Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Doubt,
                                 Kind::Notice, Kind::LostWork, Kind::FoundExports}) {
             if (shown_ == Kind::None && pending(kind)) shown_ = kind;
@@ -136,7 +136,7 @@ void Questions::draw(bool choosing_file) {
 }
 
 void Questions::answerUnsaved(bool choosing_file) {
-    // The question is answered when the project is on the disk, or saving was given up.
+    // Waits until saving has finished or was cancelled.
     if (!saving_ || workspace_.saving() || choosing_file || !changed_file_.empty()) return;
     saving_ = false;
     const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
@@ -154,7 +154,7 @@ void Questions::drawLostWork() {
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
     if (pressed == 0) {
-        lost_.clear();  // one at a time; the others are offered again next time
+        lost_.clear();  // one per start; the others are offered again next time
         return doors_.restore(work);
     }
     if (pressed == 1) Autosave::forget(work);
@@ -168,7 +168,7 @@ void Questions::drawChangedFile() {
         changed_file_.string() +
         " does not hold what was opened or saved here last. Reloading it loses what was changed "
         "here since, overwriting it what the other program wrote.";
-    // Enter presses the first, which loses nothing.
+    // Enter presses the first button, which loses nothing.
     box.buttons = {"Save as…", "Reload", "Overwrite", "Cancel"};
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;

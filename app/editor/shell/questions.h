@@ -15,12 +15,12 @@
 
 namespace dollytrack::editor {
 
-/// Messages over the window that wait for an answer, one at a time, and what the answers lead to.
+/// Modal messages that wait for an answer, one at a time, and the actions that follow.
 class Questions {
   public:
-    /// Where answers lead that need more of the window than the workspace.
+    /// Actions of the window that answers may trigger.
     struct Doors {
-        std::function<void()> save;     // as the command does
+        std::function<void()> save;     // the save command
         std::function<void()> save_as;  // asks for a file
         std::function<void(const LostWork&)> restore;
         std::function<void(const std::filesystem::path& project, bool restores)> find_scene;
@@ -31,18 +31,18 @@ class Questions {
 
     Questions(Workspace& workspace, Doors doors);
 
-    /// A message that is read and put away.
+    /// Shows a message with an OK button.
     void tell(Workspace::Notice notice);
-    /// Asks what shall become of each copy.
+    /// Asks what to do with each autosave copy.
     void offer(std::vector<LostWork> lost);
-    /// Does `then` once there is no unsaved work, or it may be lost. `what_next`: "before you
-    /// leave".
+    /// Runs `then` when there is no unsaved work, or the user discards it. `what_next` names the
+    /// reason: "before you leave".
     void afterUnsaved(std::function<void()> then, const std::string& what_next);
-    /// The same for exports that would be stopped.
+    /// Runs `then` when no exports are running or waiting, or the user agrees to stop them.
     void afterExports(std::function<void()> then);
-    /// Asks whether to go on with exports that ended with an earlier editor.
+    /// Asks whether to resume exports that ended with an earlier editor.
     void offerExports(std::vector<ExportQueue::Found> found);
-    /// Asks before something that may not be what was meant, or leaves a choice.
+    /// A confirmation or choice.
     struct Doubt {
         struct Answer {
             std::string label;
@@ -50,18 +50,19 @@ class Questions {
         };
         std::string title;
         std::string text;
-        std::vector<Answer> answers;  // beside cancelling
-        bool enter_cancels = true;    // else it takes the first answer, which must harm nothing
+        std::vector<Answer> answers;  // in addition to Cancel
+        bool enter_cancels = true;    // false: Enter takes the first answer (harmless)
     };
     void ask(Doubt doubt) { doubt_ = std::move(doubt); }
-    /// Another project is open: what was asked about the one before no longer matters.
+    /// Drops the question about the previous project's file.
     void forgetProject() { changed_file_.clear(); }
 
-    /// Whether something waits for an answer: keys belong to the message then.
+    /// Whether a message is open, which then receives the keys.
     [[nodiscard]] bool waiting() const;
-    /// Once a frame. Messages wait while a file is being chosen.
+    /// Draws the current message; to be called every frame. Messages wait while a file is being
+    /// chosen.
     void draw(bool choosing_file);
-    /// What is asked now, for Inspector.
+    /// Adds the current question to the state for Inspector.
     void addTo(nlohmann::json& state) const;
 
   private:
@@ -81,14 +82,14 @@ class Questions {
     Kind shown_ = Kind::None;
     std::deque<Workspace::Notice> notices_;
     std::vector<LostWork> lost_;
-    std::filesystem::path changed_file_;  // by another program: overwrite it?
+    std::filesystem::path changed_file_;  // changed by another program: overwrite it?
     std::function<void()> after_unsaved_;
     std::string what_next_;
-    bool saving_ = false;  // as answer to the question after_unsaved_ waits for
+    bool saving_ = false;  // saving was chosen as answer; after_unsaved_ waits for it
     std::function<void()> after_exports_;
     std::vector<ExportQueue::Found> found_exports_;
     std::optional<Doubt> doubt_;
-    int stopped_exports_ = 0;  // of which after_exports_ is asked
+    int stopped_exports_ = 0;  // number of exports mentioned in the question
 };
 
 }  // namespace dollytrack::editor

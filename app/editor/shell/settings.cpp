@@ -14,7 +14,7 @@
 namespace dollytrack::editor {
 namespace {
 
-/// In the order of TimelineStrip.
+/// Names in the order of TimelineStrip.
 constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
     "clearance", "speed", "turn", "score", "in_view", "captured"};
 

@@ -14,8 +14,8 @@
 
 namespace dollytrack::editor {
 
-/// Which layers are drawn, by their names in the settings' file: what they show in detail belongs
-/// to the scene.
+/// The layer switches, by their names in the settings file. Other layer options belong to the scene
+/// and are not stored.
 template <class Layers, class Visitor>
 void visitLayerSwitches(Layers& switches, Visitor&& visit) {
     visit("free_space", switches.free_space);
@@ -29,7 +29,7 @@ void visitLayerSwitches(Layers& switches, Visitor&& visit) {
     visit("grid", switches.grid);
 }
 
-/// Sizes of the window's parts, px at 96 dots per inch.
+/// Sizes of the panels, px at 96 dots per inch.
 struct Layout {
     float left = 280;
     float right = 330;
@@ -37,23 +37,23 @@ struct Layout {
     bool show_left = true;
     bool show_right = true;
     bool show_bottom = true;
-    std::optional<bool> show_legend;  // none: where the viewport has room for it
-    bool show_preview = true;         // else only its bar
+    std::optional<bool> show_legend;  // unset: shown if the viewport has room for it
+    bool show_preview = true;         // false: only its title bar
     std::array<bool, ui::kTimelineStrips> strips = ui::TimelineState().strips;
-    // The tabs in front, by their names; empty: the first.
+    // Names of the selected tabs; empty: the first.
     std::string left_tab;
     std::string right_tab;
     std::string bottom_tab;
-    ui::LayerSettings layers;  // only its switches are kept
+    ui::LayerSettings layers;  // only the switches are stored
     bool operator==(const Layout&) const = default;
 };
 
-/// What the editor remembers from one start to the next: not about a project, about the person.
+/// User settings that persist between sessions, independent of the project.
 struct EditorSettings {
     WindowSettings window;
     Layout layout;
     ui::ThemeKind theme = ui::ThemeKind::Dark;
-    double zoom = 1.0;                // of all widgets, on top of the screen's own scale
+    double zoom = 1.0;                // scale of all widgets, multiplied by the screen's own scale
     std::vector<std::string> recent;  // newest first
     std::string last_folder;
     bool operator==(const EditorSettings&) const = default;
@@ -61,11 +61,13 @@ struct EditorSettings {
     void addRecent(const std::filesystem::path& path);
 };
 
-/// $XDG_CONFIG_HOME/dollytrack, $XDG_STATE_HOME/dollytrack, or their places under the home folder.
+/// $XDG_CONFIG_HOME/dollytrack and $XDG_STATE_HOME/dollytrack, or their defaults below the home
+/// folder.
 [[nodiscard]] std::filesystem::path configFolder();
 [[nodiscard]] std::filesystem::path stateFolder();
 
-/// Defaults where the file is missing or unreadable: settings never keep the editor from starting.
+/// Loads the settings; defaults if the file is missing or unreadable, which must not keep the
+/// editor from starting.
 [[nodiscard]] EditorSettings loadSettings();
 Status saveSettings(const EditorSettings& settings);
 

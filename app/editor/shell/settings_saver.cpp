@@ -11,14 +11,14 @@ void SettingsSaver::follow(const EditorSettings& settings) {
     if (handed_over_ == settings) return;
     const bool first = !handed_over_;
     handed_over_ = settings;
-    // They are as they were read: a second editor that starts must not undo the first one's.
+    // The first settings are as read: a second editor must not overwrite the first one's changes.
     if (first) return;
     writer_.start([settings](const JobContext& job) {
         constexpr int kStep_ms = 20;
         for (int waited = 0; waited < kRest_ms && !job.cancelled(); waited += kStep_ms) {
             std::this_thread::sleep_for(std::chrono::milliseconds(kStep_ms));
         }
-        if (job.cancelled()) return;  // newer ones wait
+        if (job.cancelled()) return;  // newer settings are waiting
         if (const Status saved = saveSettings(settings); !saved) {
             log::warn("editor", describe(saved.error()));
         }

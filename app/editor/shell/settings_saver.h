@@ -7,17 +7,17 @@
 
 namespace dollytrack::editor {
 
-/// Writes the settings a moment after they last changed, in the background: an editor that is
-/// killed has lost none. Main thread only.
+/// Writes the settings in the background shortly after each change, so that a killed editor loses
+/// none. Main thread only.
 class SettingsSaver {
   public:
-    /// Once a frame. What the file has already is not written again.
+    /// To be called every frame; unchanged settings are not written again.
     void follow(const EditorSettings& settings);
 
-    /// What was not written yet is not; nothing is being written any more.
+    /// Drops unwritten changes and waits for a write in progress.
     void stop();
 
-    /// A splitter being dragged changes them with every frame; it is written when it rests.
+    /// Delay after the last change, since dragging a splitter changes the settings in every frame.
     static constexpr int kRest_ms = 300;
 
   private:

@@ -17,7 +17,7 @@ bool TabRow::begin(const char* name, std::string& focus) {
     met_wanted_ |= restored;
     const bool shown =
         ImGui::BeginTabItem(name, nullptr, focused || restored ? ImGuiTabItemFlags_SetSelected : 0);
-    // The one that is asked for comes to the front in the next frame; until then another is there.
+    // A requested tab is selected in the next frame; until then another one is.
     if (focused || restored) {
         wanted_ = shown ? "" : name;
         open_ = name;

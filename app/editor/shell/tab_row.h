@@ -4,24 +4,24 @@
 
 namespace dollytrack::editor {
 
-/// A row of tabs, and which of them is in front: also the one that was when the editor ended.
+/// The selected tab of a tab bar, which can be restored from an earlier session.
 class TabRow {
   public:
-    /// Opens this one when the row is drawn next; empty: the first.
+    /// Selects this tab at the next draw; empty: the first.
     void restore(const std::string& tab) { open_ = wanted_ = tab; }
-    /// After the last tab: one that is wanted and not among them is wanted no more.
+    /// To be called after the last tab: drops a wanted tab that does not exist.
     void end();
-    /// The one in front, or that will be.
+    /// The selected tab, or the one that will be.
     [[nodiscard]] const std::string& open() const { return open_; }
 
-    /// Within ImGui's tab bar. A tab comes to the front when `focus` names it, which is then
-    /// cleared. Returns whether its content is to be drawn, before ImGui::EndTabItem().
+    /// To be called within ImGui's tab bar. Selects the tab if `focus` names it, and clears
+    /// `focus`. Returns whether the tab's content is to be drawn, followed by ImGui::EndTabItem().
     bool begin(const char* name, std::string& focus);
 
   private:
     std::string open_;
     std::string wanted_;
-    bool met_wanted_ = false;  // in this row
+    bool met_wanted_ = false;  // the wanted tab occurred in this row
 };
 
 }  // namespace dollytrack::editor

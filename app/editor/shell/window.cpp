@@ -24,7 +24,7 @@ namespace dollytrack::editor {
 namespace {
 
 std::string last_glfw_error;
-std::atomic<bool> woken = false;  // by wake(), since the last wait for events
+std::atomic<bool> woken = false;  // set by wake() since the last wait
 
 void onGlfwError(int, const char* description) {
     last_glfw_error = description;
@@ -45,7 +45,7 @@ class HiddenWindow : public gl::Context {
     GLFWwindow* window_;
 };
 
-/// How large to draw on a screen; 1 where there is none.
+/// Scale for a screen; 1 without a screen.
 double scaleOf(GLFWmonitor* monitor) {
     if (monitor == nullptr) return 1.0;
     float content_x = 1.0F;
@@ -60,7 +60,7 @@ double scaleOf(GLFWmonitor* monitor) {
     return ui::screenScale(content_x, screen);
 }
 
-/// The screen that shows most of the window.
+/// The screen that contains the largest part of the window.
 GLFWmonitor* monitorUnder(GLFWwindow* window) {
     int x = 0;
     int y = 0;
@@ -87,7 +87,7 @@ GLFWmonitor* monitorUnder(GLFWwindow* window) {
     return best;
 }
 
-/// A length in pixels on this screen, and no longer than the screen is.
+/// A length in pixels of this screen, at most the screen's size.
 int onScreen(int length, double scale, int most) {
     return std::min(static_cast<int>(std::lround(length * scale)), most);
 }
@@ -149,9 +149,9 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     });
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // the layout is ours and kept with the settings
+    ImGui::GetIO().IniFilename = nullptr;  // the layout is stored in our settings
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // as desktops have it; ImGui asks for haste
+    ImGui::GetIO().MouseDoubleClickTime = 0.4F;  // usual desktop value, above ImGui's default
     ImGui_ImplGlfw_InitForOpenGL(window->window_, false);
     window->input_.attach(window->window_);
     ImGui_ImplOpenGL3_Init("#version 450");
@@ -170,8 +170,8 @@ Window::~Window() {
 }
 
 Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
-    // Mesa's software driver keeps one list of contexts for all windows, and walks through another
-    // thread's work without asking: only a context that is none of a window's is safe from that.
+    // Mesa's software driver keeps one list of the contexts of all windows and accesses other
+    // threads' contexts without locks: only a context without a window is safe.
     if (gl::drawsByProcessor()) {
         auto apart = gl::createEglContext();
         if (apart) return apart;
@@ -201,9 +201,9 @@ void Window::wake() {
 }
 
 void Window::run(const std::function<bool()>& frame) {
-    constexpr double kSleep_s = 0.5;    // without events: what the clock changes
-    constexpr double kBlink_s = 0.2;    // the same while a text cursor blinks
-    constexpr double kFrame_ms = 15.0;  // where the driver does not wait for the screen
+    constexpr double kSleep_s = 0.5;    // without events: for display of elapsed time
+    constexpr double kBlink_s = 0.2;    // while a text cursor blinks
+    constexpr double kFrame_ms = 15.0;  // frame limit if the driver does not wait for the screen
     bool goes_on = true;
     while (goes_on) {
         input_.listen();
@@ -216,8 +216,8 @@ void Window::run(const std::function<bool()>& frame) {
             const auto begin = Clock::now();
             glfwWaitEventsTimeout(sleep_s);
             const bool by_work = woken.exchange(false) && input_.empty();
-            // ImGui needs a few frames until everything has reacted to an event. Each one that is
-            // not needed slows the work down whose news it shows.
+            // ImGui needs a few frames to react to an event. Unneeded frames would slow down the
+            // background work.
             if (!by_work && millisecondsSince(begin) < 1000.0 * sleep_s) frames_to_draw_ = 3;
         }
         if (ImGui::IsAnyMouseDown()) animate();
@@ -234,8 +234,8 @@ void Window::run(const std::function<bool()>& frame) {
 }
 
 bool Window::holdsKeys() {
-    // Longer than a field ever takes: one that cannot get the keyboard must not keep it from
-    // others. In frames, since one of them may last a second.
+    // More than any field needs: a field that never gets the keyboard must not block it. Counted in
+    // frames, since one may last a second.
     constexpr int kMost = 120;
     held_frames_ = ui::takeKeyboardAwaited() ? held_frames_ + 1 : 0;
     return held_frames_ > 0 && held_frames_ < kMost;
@@ -287,14 +287,14 @@ WindowSettings Window::settings() const {
     WindowSettings now;
     now.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
     glfwGetWindowSize(window_, &now.width, &now.height);
-    // As open() takes them: else the window would grow from start to start.
+    // In the units of open(); otherwise the window would grow with each start.
     now.width = static_cast<int>(std::lround(now.width / scale_));
     now.height = static_cast<int>(std::lround(now.height / scale_));
     return now;
 }
 
 void Window::setTitle(const std::string& title) {
-    // The window system answers a title with an event, which would wake the window for ever.
+    // Setting the title causes an event, which would wake the window forever.
     if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_, title.c_str());
 }
 

@@ -13,7 +13,7 @@ struct GLFWwindow;
 
 namespace dollytrack::editor {
 
-/// Sizes at 96 dots per inch; a larger screen scale makes the window larger by as much.
+/// Window sizes at 96 dots per inch; multiplied by the screen's scale.
 struct WindowSettings {
     int width = 1440;
     int height = 900;
@@ -21,38 +21,38 @@ struct WindowSettings {
     bool operator==(const WindowSettings&) const = default;
 };
 
-/// The window with its OpenGL context, its events and Dear ImGui. One in a program.
+/// The program's only window, with its OpenGL context, events and Dear ImGui.
 class Window {
   public:
-    /// NoOpenGl when there is no window system, or no OpenGL 4.5, with what to do about it.
+    /// Opens the window. Error: NoOpenGl if there is no window system or no OpenGL 4.5, with
+    /// advice.
     [[nodiscard]] static Result<std::unique_ptr<Window>> open(const WindowSettings& settings);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// A second context, for another thread, that shares nothing with the window's.
+    /// An OpenGL context for another thread that shares nothing with the window's.
     [[nodiscard]] Result<std::unique_ptr<gl::Context>> drawingContext();
 
-    /// Calls `frame` whenever there is something to show, until it returns false. Sleeps while
-    /// nothing happens.
+    /// Calls `frame` whenever something may have changed, until it returns false. Sleeps otherwise.
     void run(const std::function<bool()>& frame);
 
-    /// Makes run() draw soon. From any thread.
+    /// Makes run() draw soon. Thread-safe.
     static void wake();
 
-    /// What a key (of GLFW's numbers) writes on the user's keyboard; empty where that is not known.
+    /// The character that a GLFW key produces on the user's keyboard layout; empty if unknown.
     [[nodiscard]] static std::string signOfKey(int key);
 
-    /// Keeps drawing for a while without events: while something moves by itself.
+    /// Requests further frames without events, for animations.
     void animate() { frames_to_draw_ = std::max(frames_to_draw_, 2); }
 
-    /// Keys and clicks have arrived that no frame has seen yet.
+    /// Whether input events are queued that no frame has handled yet.
     [[nodiscard]] bool hasInput() const { return !input_.empty(); }
     [[nodiscard]] std::vector<std::string> takeDroppedPaths();
-    /// Whether the user asked to close the window; asking resets it.
+    /// Whether the user asked to close the window, once.
     [[nodiscard]] bool takeCloseRequest();
     [[nodiscard]] bool takeScaleChange();
-    /// Of all lengths; 1: 96 dots per inch.
+    /// Scale of all lengths; 1: 96 dots per inch.
     [[nodiscard]] double contentScale() const { return scale_; }
     [[nodiscard]] WindowSettings settings() const;
     [[nodiscard]] double longestFrame_ms() const { return longest_frame_ms_; }
@@ -60,7 +60,7 @@ class Window {
     [[nodiscard]] long frames() const { return frames_; }
     [[nodiscard]] int glErrors() const { return gl_errors_; }
     void resetLongestFrame() { longest_frame_ms_ = 0.0; }
-    /// Fonts of another size from the next frame on; not within one.
+    /// Changes the font size from the next frame on; not during a frame.
     void requestFonts(double scale) { wanted_font_scale_ = scale; }
     void setTitle(const std::string& title);
     void toggleFullscreen();
@@ -74,9 +74,9 @@ class Window {
     GLFWwindow* window_ = nullptr;
     GLFWwindow* hidden_ = nullptr;
     InputQueue input_;
-    int held_frames_ = 0;  // for which what is typed waits until a field has the keyboard
+    int held_frames_ = 0;  // frames for which typed keys have been held back for a field
     int frames_to_draw_ = 3;
-    int windowed_[4] = {0, 0, 0, 0};  // place and size before full screen
+    int windowed_[4] = {0, 0, 0, 0};  // position and size before full screen
     std::string title_;
     std::vector<std::string> dropped_;
     double scale_ = 1.0;

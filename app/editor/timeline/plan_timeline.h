@@ -10,26 +10,26 @@
 
 namespace dollytrack::editor {
 
-/// What the timeline shows of a plan, made once for each.
+/// Timeline data of a plan, computed once per plan.
 class PlanTimeline {
   public:
-    /// Whether the plan (null: there is none) is another than at the last call.
+    /// Updates the data; returns whether the plan (null: none) differs from the last call.
     bool follow(const Scene* scene, std::shared_ptr<const Plan> plan);
-    /// What was measured of the newest plan of which that is known; null: of none.
+    /// Metrics of the newest measured plan; null if no plan was measured.
     [[nodiscard]] const FrameSeries* measured() const {
         return measured_ ? &measured_->series : nullptr;
     }
     [[nodiscard]] const std::vector<ui::TimelineKey>& keys() const { return keys_; }
     [[nodiscard]] const std::vector<ui::TimelineBand>& bands() const { return bands_; }
     [[nodiscard]] const std::vector<double>& times() const { return times_s_; }
-    /// Rises with every plan.
+    /// Increases with every plan.
     [[nodiscard]] std::uint64_t serial() const { return serial_; }
 
   private:
-    std::shared_ptr<const Plan> seen_;  // held, so that no other plan gets its address
+    std::shared_ptr<const Plan> seen_;  // held, so that its address is not reused
     std::shared_ptr<const Plan> measured_;
     std::uint64_t serial_ = 0;
-    std::vector<double> times_s_;  // of the frames
+    std::vector<double> times_s_;  // times of the frames
     std::vector<ui::TimelineKey> keys_;
     std::vector<ui::TimelineBand> bands_;
 };

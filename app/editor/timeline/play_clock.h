@@ -2,7 +2,7 @@
 
 namespace dollytrack::editor {
 
-/// Counts the pictures that are due while something plays.
+/// Counts the frames that are due during playback.
 class PlayClock {
   public:
     [[nodiscard]] bool runs() const { return runs_; }
@@ -12,8 +12,8 @@ class PlayClock {
     }
     void stop() { runs_ = false; }
 
-    /// How many whole pictures are due after `pictures` more, a fraction mostly; what is left of
-    /// one counts next time.
+    /// Adds a possibly fractional number of frames and returns how many whole frames are due; the
+    /// rest carries over.
     int advance(double pictures) {
         if (!runs_) return 0;
         gathered_ += pictures;

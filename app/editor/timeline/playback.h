@@ -4,21 +4,22 @@
 
 namespace dollytrack::editor {
 
-/// The frame of the trajectory that is looked at, by hand or while it plays.
+/// The current frame of the trajectory, set by hand or by playback.
 class Playback {
   public:
     [[nodiscard]] int frame() const { return frame_; }
     [[nodiscard]] bool playing() const { return clock_.runs(); }
     [[nodiscard]] int frameCount() const { return count_; }
 
-    /// Another trajectory; the frame stays where it has as many.
+    /// Sets the length of a new trajectory; the frame stays if it exists.
     void setFrameCount(int count);
     void goTo(int frame);
-    /// From the beginning where it stands at the end.
+    /// Starts or stops playing; at the last frame, starts from the beginning.
     void toggle();
-    /// Back to the first frame, at rest.
+    /// Goes to the first frame and stops.
     void reset();
-    /// Moves on after `frames` more, a fraction mostly. Stops at the end, or begins again.
+    /// Advances by a possibly fractional number of frames. At the end it stops, or restarts if
+    /// `loop` is set.
     void advance(double frames, bool loop);
 
   private:

@@ -8,10 +8,10 @@
 
 namespace dollytrack::editor {
 
-/// How far the roadmap search is shown, step by step.
+/// Progress of the step-by-step display of the roadmap search.
 class StepPlayback {
   public:
-    /// The stop after so many steps; nothing at the end.
+    /// The next number of steps to stop at; nullopt at the end.
     using Next = std::function<std::optional<std::size_t>(std::size_t taken)>;
 
     [[nodiscard]] std::size_t taken() const { return taken_; }
@@ -21,7 +21,7 @@ class StepPlayback {
 
     void show(bool shown) { shown_ = shown; }
     void goTo(std::size_t taken) { taken_ = taken; }
-    /// From the beginning where there is no next stop.
+    /// Starts or stops playing; without a next stop, starts from the beginning.
     void toggle(const Next& next);
     void advance(double steps, const Next& next);
 

@@ -29,7 +29,7 @@ std::optional<double> TrackTime::advance(double seconds, double last_s, bool rea
     due_s_ = std::min(due_s_ + seconds, last_s);
     if (!ready) return std::nullopt;
     playing_ = due_s_ < last_s;
-    // Hundredths are what one reads, and may want a key at.
+    // Rounded to hundredths, as displayed and as useful for keys.
     now_s_ = playing_ ? std::round(100.0 * due_s_) / 100.0 : last_s;
     return now_s_;
 }

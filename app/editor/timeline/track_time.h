@@ -6,33 +6,33 @@
 
 namespace dollytrack::editor {
 
-/// The time of the objects' tracks that is looked at, by hand or while it plays.
+/// The current time of the object tracks, set by hand or by playback.
 class TrackTime {
   public:
     [[nodiscard]] double now() const { return now_s_; }
     [[nodiscard]] bool playing() const { return playing_; }
-    /// Whether the objects stand where their tracks have them now.
+    /// Whether all objects are at their tracks' poses for this time.
     [[nodiscard]] bool isThere() const { return is_there_; }
 
-    /// Another project is open.
+    /// Resets for another project.
     void reset() { *this = {}; }
-    /// Takes the time from where the objects stand, which undo may have changed.
+    /// Derives the time from the objects' poses, which undo may have changed.
     void follow(const SceneEdits& edits);
-    /// A time that was chosen; playing stops.
+    /// Sets a chosen time and stops playing.
     void goTo(double time_s);
-    /// From the beginning where it stands at the last key or later.
+    /// Starts or stops playing; at or after the last key, starts from the beginning.
     void toggle(double last_s);
     void stop() { playing_ = false; }
 
-    /// Counts on while it plays, and stops at the last key. Gives the time that is due when
-    /// `ready`: the plan of the one before is there.
+    /// Advances while playing, and stops at the last key. Returns the due time if `ready`, that is,
+    /// if the plan for the previous time is done.
     std::optional<double> advance(double seconds, double last_s, bool ready);
 
   private:
     double now_s_ = 0.0;
     bool is_there_ = true;
     bool playing_ = false;
-    double due_s_ = 0.0;  // while it plays
+    double due_s_ = 0.0;  // due time during playback
 };
 
 }  // namespace dollytrack::editor

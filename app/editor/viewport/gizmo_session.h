@@ -6,23 +6,23 @@
 
 namespace dollytrack::editor {
 
-/// The handles at what is selected, over several frames: whether they have the mouse, and where a
-/// point is while it is dragged, before that is an edit.
+/// The gizmo of the selection across frames: whether it has the mouse, and the pose of a point that
+/// is being dragged.
 class GizmoSession {
   public:
     [[nodiscard]] bool dragging() const { return state_.dragged != ui::GizmoPart::None; }
     [[nodiscard]] bool turning() const { return state_.dragged == ui::GizmoPart::Yaw; }
-    /// Where the dragged point is; nothing while none is dragged.
+    /// Pose of the dragged point; unset if none is dragged.
     [[nodiscard]] const std::optional<Pose>& draggedPose() const { return pose_; }
 
-    /// Whether the mouse is the handles' now, before they are drawn: they are dragged, or it has
-    /// come to be over one since the last frame.
+    /// Whether the gizmo takes the mouse in this frame, before it is drawn: it is being dragged, or
+    /// the mouse is over a handle.
     [[nodiscard]] bool takesMouse(ui::GizmoView view) const;
-    /// Draws the handles of a thing that is edited at each move.
+    /// Draws the gizmo of an element that is edited continuously during a drag.
     ui::GizmoActions draw(const ui::GizmoView& view);
-    /// Draws the handles of one that is edited when the drag ends; then returns its new pose.
+    /// Draws the gizmo of a point that is edited when the drag ends; then returns its new pose.
     std::optional<Pose> drawPoint(ui::GizmoView view);
-    /// Forgets a drag.
+    /// Cancels a drag.
     void drop();
 
   private:

@@ -34,7 +34,7 @@ void addBoxEdges(render::Overlay& overlay, const OrientedBox& box, const Eigen::
     }
 }
 
-/// A box one can look through, with edges of the same colour, or of the selection's.
+/// A translucent box with opaque edges, in the selection's colour if selected.
 void addFilledBox(render::Overlay& overlay, const OrientedBox& box, const Eigen::Vector4f& fill,
                   bool selected, double width_px) {
     overlay.boxes.push_back({box.center, box.half_size, fill, box.yaw});
@@ -43,7 +43,7 @@ void addFilledBox(render::Overlay& overlay, const OrientedBox& box, const Eigen:
     addBoxEdges(overlay, box, edges, width_px);
 }
 
-/// What is selected: boxes of objects with their fronts, or the voxel.
+/// The selection: boxes of objects with front arrows, or the cell.
 PlanLayer selectionLayer(const LayersRequest& request) {
     PlanLayer layer;
     for (const int id : request.selection.objects) {
@@ -85,7 +85,7 @@ PlanLayer noGoLayer(const std::vector<NoGoBox>& boxes, const Selection& selectio
     return layer;
 }
 
-/// Those that must be seen have thick edges.
+/// Must-see regions have thick edges.
 PlanLayer regionsLayer(const std::vector<Region>& regions, const Selection& selection) {
     PlanLayer layer;
     const Eigen::Vector4f green(0.30F, 0.75F, 0.45F, 0.15F);
@@ -102,7 +102,7 @@ PlanLayer regionsLayer(const std::vector<Region>& regions, const Selection& sele
     return layer;
 }
 
-/// The camera of the frame shown now.
+/// The camera of the current frame.
 PlanLayer cameraLayer(const LayersRequest& request) {
     PlanLayer layer;
     const auto& frames = request.plan->trajectory.frames;
@@ -114,7 +114,7 @@ PlanLayer cameraLayer(const LayersRequest& request) {
     return layer;
 }
 
-/// Which observation point stands for an object; -1: none.
+/// Index of the observation point that covers an object; -1: none.
 int observationPointOf(const Plan& plan, int object) {
     for (std::size_t i = 0; i < plan.observation_points.size(); ++i) {
         const std::vector<int>& objects = plan.observation_points[i].objects;
@@ -194,7 +194,7 @@ bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
            ui::isInCone(*request.plan, candidatesOptions(request), eye);
 }
 
-/// Belongs to the worker's thread: each layer with what it was made of.
+/// Used by the worker's thread only: each layer with its input.
 struct LayerBuilder::Desk {
     struct Made {
         std::any of;

@@ -15,10 +15,10 @@
 
 namespace dollytrack::editor {
 
-/// The free-space layer's options with its slice put in: for drawing and for picking.
+/// The options of the free-space layer including its slice, for drawing and picking.
 [[nodiscard]] ui::FreeSpaceOverlayOptions cellOptions(const ui::LayerSettings& settings);
 
-/// What the layers are made of.
+/// Input of the overlay layers.
 struct LayersRequest {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const Plan> plan;
@@ -28,40 +28,40 @@ struct LayersRequest {
     ui::Selection selection;
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;
-    bool stepping = false;  // the algorithm's steps, instead of the whole roadmap
+    bool stepping = false;  // show the algorithm's steps instead of the roadmap
     double cone_half_angle_deg = 40.0;
-    bool in_cone = false;  // the viewer is, of the candidates shown
-    std::size_t step = 0;  // of the algorithm
-    int frame = -1;        // where the camera is now
+    bool in_cone = false;  // the camera is inside the cone of the displayed candidates
+    std::size_t step = 0;  // number of steps shown
+    int frame = -1;        // current frame; -1: its camera is not drawn
 
     bool operator==(const LayersRequest&) const;
 };
 
-/// Whether somebody at this place looks from inside the cone of the candidates that are shown.
+/// Whether an eye at this position (m, world) is inside the cone of the displayed candidates.
 [[nodiscard]] bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye);
 
-/// Everything drawn over the scene, bottom first.
+/// All overlay layers, bottom first.
 struct Layers {
     std::vector<std::shared_ptr<const ui::PlanLayer>> layers;
-    std::shared_ptr<const Plan> plan;  // they show
-    int candidates_of = -1;            // the observation point whose candidates are shown
+    std::shared_ptr<const Plan> plan;  // the plan that the layers show
+    int candidates_of = -1;            // observation point of the displayed candidates; -1: none
 
-    /// The tagged element under a pixel, the best of all layers.
+    /// The best tagged element under a pixel over all layers; nullopt if there is none.
     [[nodiscard]] std::optional<ui::PickedElement> pick(const render::View& view,
                                                         const Eigen::Vector2d& pixel,
                                                         double scene_depth_m,
                                                         double pixel_scale) const;
 };
 
-/// Makes the layers in the background, each only when what it shows has changed.
+/// Builds the layers in the background; each is rebuilt only if its input has changed.
 class LayerBuilder {
   public:
     explicit LayerBuilder(std::function<void()> wake);
     ~LayerBuilder();
 
-    /// Cheap when nothing differs from the request before.
+    /// Requests layers; does nothing if the request equals the previous one.
     void request(const LayersRequest& request);
-    /// The newest layers; whether they are new since the last call.
+    /// Takes the newest layers; returns whether they are new.
     bool poll();
     [[nodiscard]] const Layers& layers() const { return layers_; }
     [[nodiscard]] int candidateSearch() const { return layers_.candidates_of; }

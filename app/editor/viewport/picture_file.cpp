@@ -43,7 +43,7 @@ void PictureFile::close() {
 }
 
 ui::ImageViewerView PictureFile::view() {
-    // Not in close(): the frame in which it is closed still shows it.
+    // Not in close(), because the current frame still shows it.
     if (!isOpen()) texture_.reset();
     if (std::optional<Pixels> pixels = read_->take(); pixels && isOpen()) {
         if (pixels->rgba.empty()) {

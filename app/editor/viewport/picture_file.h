@@ -13,8 +13,8 @@
 
 namespace dollytrack::editor {
 
-/// A picture file shown in the window: read in the background, then a texture of the window's
-/// context. Main thread only.
+/// An image file shown in the window: read in the background, then uploaded as a texture of the
+/// window's context. Main thread only.
 class PictureFile {
   public:
     explicit PictureFile(std::function<void()> wake);
@@ -29,7 +29,7 @@ class PictureFile {
     struct Pixels {
         int width = 0;
         int height = 0;
-        std::vector<std::uint8_t> rgba;  // empty: it cannot be read
+        std::vector<std::uint8_t> rgba;  // empty: the file cannot be read
     };
     std::filesystem::path file_;
     gl::PictureTexture texture_;

@@ -14,7 +14,7 @@
 namespace dollytrack::editor {
 namespace {
 
-/// Rows of pixels as the PNG format wants them.
+/// Pixels in PNG layout.
 struct Pixels {
     io::PngFormat format = io::PngFormat::Rgb8;
     std::vector<std::uint8_t> bytes;
@@ -40,7 +40,7 @@ Pixels pixelsOf(const ui::PreviewImage& image) {
         case ui::Modality::Normal:
             break;
     }
-    // With the camera it was drawn by: the project's may have been changed since.
+    // Uses the camera of the image; the project's may have changed since.
     const std::vector<std::uint8_t> rgba = ui::falseColor(record, image.view, image.modality);
     Pixels pixels;
     for (std::size_t i = 0; i < rgba.size(); ++i) {
@@ -67,7 +67,7 @@ PictureSaver::~PictureSaver() {
 
 void PictureSaver::save(const std::filesystem::path& file, ui::PreviewImage image) {
     orders_->put({file, std::move(image)});
-    // The worker drops a piece of work that waits for a newer one: so each takes all orders.
+    // A newer task replaces a waiting one, so each task takes all orders.
     writer_.start([orders = orders_, failed = failed_](const JobContext&) {
         for (const Order& order : orders->takeAll()) {
             Status written = write(order.file, order.image);

@@ -13,16 +13,16 @@
 
 namespace dollytrack::editor {
 
-/// Writes pictures of the camera as PNG files in the background: exact values where the format
-/// holds them, else the picture one sees. Main thread only.
+/// Writes preview images as PNG files in the background: exact values if the format can hold them,
+/// otherwise the displayed colours. Main thread only.
 class PictureSaver {
   public:
     explicit PictureSaver(std::function<void()> wake);
-    /// Waits until all is written.
+    /// Waits until all images are written.
     ~PictureSaver();
 
     void save(const std::filesystem::path& file, ui::PreviewImage image);
-    /// The next picture that could not be written.
+    /// The next unreported write error; nullopt if there is none.
     [[nodiscard]] std::optional<Error> takeError();
 
   private:

@@ -10,17 +10,17 @@
 
 namespace dollytrack::editor {
 
-/// Keeps the drawing thread's scene the one that is shown, sending only what is new.
+/// Keeps the render thread's scene up to date and sends only changes.
 class SentScene {
   public:
     explicit SentScene(ui::RenderThread& drawing) : drawing_(drawing) {}
 
-    /// Another project is open, or none: nothing of it is sent yet.
+    /// Resets for another project, or none.
     void forget();
-    /// Sends the scene and its light where they are others than before.
+    /// Sends scene and light if they have changed.
     void send(const PlanOutcome& shown, const std::shared_ptr<const render::LightVolume>& light);
     [[nodiscard]] bool isSent() const { return sent_; }
-    /// Whether the project was not looked at before; once.
+    /// Whether this is the first call for the project, so that the camera must be placed.
     [[nodiscard]] bool takeFirstLook() { return !std::exchange(looked_at_, true); }
 
   private:

@@ -9,15 +9,14 @@
 
 namespace dollytrack::python {
 
-/// A str of UTF-8 text; invalid bytes become U+FFFD.
+/// Decodes UTF-8 to a Python str; invalid bytes become U+FFFD.
 inline pybind11::object textOf(const std::string& bytes) {
     return pybind11::bytes(bytes).attr("decode")("utf-8", "replace");
 }
 
 using Shape = std::vector<pybind11::ssize_t>;
 
-/// An array that shows memory of the owner's without copying it. It cannot be written to, and keeps
-/// the owner for as long as it lives.
+/// A read-only array that refers to the owner's memory without copying and keeps the owner alive.
 template <class T>
 pybind11::array viewOf(const T* values, Shape shape, std::shared_ptr<const void> owner) {
     auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
@@ -29,7 +28,7 @@ pybind11::array viewOf(const T* values, Shape shape, std::shared_ptr<const void>
     return view;
 }
 
-/// An array that owns the values.
+/// An array that takes ownership of the values.
 template <class T>
 pybind11::array arrayOf(std::vector<T> values, Shape shape) {
     auto kept = std::make_unique<std::vector<T>>(std::move(values));

@@ -30,13 +30,13 @@ py::array_t<double> vectorOf(const Eigen::Vector3d& v) {
     return py::array_t<double>(3, v.data());
 }
 
-/// OpenGL's functions belong to one context at a time.
+/// Only one OpenGL context may be in use at a time.
 std::timed_mutex& drawing() {
     static std::timed_mutex mutex;
     return mutex;
 }
 
-/// Waits for its turn to draw. Error: Cancelled.
+/// Waits until no other thread renders. Error: Cancelled.
 Result<std::unique_lock<std::timed_mutex>> turnToDraw(const JobContext& job) {
     std::unique_lock lock(drawing(), std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(20))) {
@@ -73,7 +73,7 @@ Result<Trajectory> trajectoryOf(const py::array& given_poses, const py::array& g
     return trajectory;
 }
 
-/// A status in the place of a result, with the value put where it is wanted.
+/// Stores a result's value and returns its status.
 template <class T, class U>
 Status put(Result<T> result, U& value) {
     if (!result) return tl::unexpected<Error>(std::move(result.error()));
@@ -331,7 +331,7 @@ std::string ScenePlan::exportTo(const cli::ExportOrder& order,
 
 namespace {
 
-/// What of a drawn frame is an image of this name, as an array; none for an unknown name.
+/// An image of a rendered frame as array; None for an unknown name.
 py::object imageOf(render::FrameRecord& frame, const std::string& name) {
     const Shape plain = {frame.height, frame.width};
     const Shape colour = {frame.height, frame.width, 3};
@@ -362,7 +362,7 @@ Status checkDrawable(const std::vector<std::string>& names) {
                                    "albedo",   "rgb_right",    "depth_right"};
     for (const std::string& name : names) {
         if (std::ranges::find(kDrawn, name) != kDrawn.end()) continue;
-        // A misspelt one is told with what was meant.
+        // A misspelt name gets a suggestion.
         if (const auto known = render::chooseModalities({name}); !known) {
             return tl::unexpected<Error>(known.error());
         }
@@ -447,10 +447,10 @@ py::object PlanFrames::next() {
 }
 
 void PlanFrames::close() {
-    if (busy_) cancel_flag_->store(true);  // the thread that draws closes it
+    if (busy_) cancel_flag_->store(true);  // the rendering thread closes it
     if (busy_ || !thread_) return;
     std::unique_ptr<WorkThread> thread = std::move(thread_);
-    // The context's things go on its thread, which ends when that is done.
+    // The context's objects are destroyed on its own thread, which then ends.
     thread->post(
         [series = std::make_shared<std::optional<render::FrameSeries>>(std::move(series_))] {
             const std::lock_guard lock(drawing());

@@ -17,7 +17,7 @@
 
 namespace dollytrack::python {
 
-/// A scene or project that was opened. What Python sees of it never changes.
+/// An opened scene or project; immutable for Python.
 class OpenScene {
   public:
     explicit OpenScene(cli::OpenedScene opened) : opened_(std::move(opened)) {}
@@ -31,24 +31,25 @@ class OpenScene {
     [[nodiscard]] std::string reportJson() const;
     [[nodiscard]] pybind11::list objects() const;
 
-    /// Metrics of a trajectory of any origin, as JSON. `poses`: N x 4 x 4, world_from_camera.
+    /// Evaluates any trajectory in this scene; returns metrics as JSON. `poses`: N x 4 x 4,
+    /// world_from_camera.
     [[nodiscard]] std::string judge(const pybind11::array& poses, const pybind11::array& times_s,
                                     const pybind11::array& paths,
                                     const cli::SceneArguments& arguments,
                                     const pybind11::object& progress) const;
 
-    /// Work with the pipeline of this scene, which keeps what later plans can use again; with a new
-    /// one where the scene is another one, or where another thread has it.
+    /// Runs `work` with the cached pipeline of this scene, which reuses earlier results; or with a
+    /// new pipeline if the scene differs or another thread is using the cached one.
     Status withPipeline(const std::shared_ptr<const Scene>& scene,
                         const std::function<Status(planning::Pipeline&)>& work);
 
   private:
     const cli::OpenedScene opened_;
-    std::mutex mutex_;  // of the pipeline
+    std::mutex mutex_;  // guards pipeline_
     std::optional<planning::Pipeline> pipeline_;
 };
 
-/// A trajectory planned in a scene, or the one that a project keeps.
+/// A trajectory planned in a scene, or stored in a project.
 class ScenePlan {
   public:
     ScenePlan(std::shared_ptr<OpenScene> scene, cli::OpenedScene opened, cli::PlannedScene planned)
@@ -57,7 +58,7 @@ class ScenePlan {
     static std::shared_ptr<ScenePlan> make(std::shared_ptr<OpenScene> scene,
                                            const cli::SceneArguments& arguments,
                                            const pybind11::object& progress);
-    /// The plan that the project keeps; null where there is none.
+    /// The project's stored plan; null if there is none.
     static std::shared_ptr<ScenePlan> stored(std::shared_ptr<OpenScene> scene,
                                              const pybind11::object& progress);
 
@@ -68,10 +69,10 @@ class ScenePlan {
     [[nodiscard]] pybind11::dict frames() const;
     [[nodiscard]] pybind11::tuple intrinsics() const;
 
-    /// The ledger's rows of these objects, with what would help, as JSON.
+    /// The ledger rows of these objects with remedies, as JSON.
     [[nodiscard]] std::string explain(const std::vector<int>& ids,
                                       const pybind11::object& progress) const;
-    /// What budgets capture, as CSV; written to the files as well.
+    /// Coverage by budget as CSV; also written to the files.
     [[nodiscard]] std::string coverage(const std::vector<std::string>& files,
                                        const pybind11::object& progress) const;
     void save(const std::string& file) const;
@@ -80,7 +81,8 @@ class ScenePlan {
                                        const std::vector<std::string>& assignments,
                                        const pybind11::object& progress) const;
 
-    /// The same plan with parameters that no plan depends on. Error: Usage for others.
+    /// The same plan with changed parameters that do not affect planning. Error: Usage for other
+    /// parameters.
     [[nodiscard]] Result<std::pair<cli::OpenedScene, cli::PlannedScene>> with(
         const std::vector<std::string>& assignments, const render::DatasetSettings& settings) const;
 
@@ -92,7 +94,8 @@ class ScenePlan {
     cli::PlannedScene planned_;
 };
 
-/// The frames of a plan, drawn one after the other on a thread that has the OpenGL context.
+/// Iterator over the rendered frames of a plan. Rendering runs on a thread of its own, which owns
+/// the OpenGL context.
 class PlanFrames {
   public:
     PlanFrames(const std::shared_ptr<ScenePlan>& plan, cli::ExportOrder order,
@@ -103,8 +106,8 @@ class PlanFrames {
     /// Draws the next frame and returns (index, time, pose, {name: image}). Returns None after the
     /// last frame and after close().
     [[nodiscard]] pybind11::object next();
-    /// Destroys the OpenGL context; while another thread draws, cancels that frame, after which the
-    /// other thread closes.
+    /// Destroys the OpenGL context. If another thread is rendering, its frame is cancelled and that
+    /// thread destroys the context.
     void close();
 
   private:
@@ -114,7 +117,7 @@ class PlanFrames {
     std::unique_ptr<const RayCaster> rays_;
     std::optional<render::FrameSeries> series_;
     int count_ = 0;
-    bool busy_ = false;  // read and written with the GIL
+    bool busy_ = false;  // guarded by the GIL
     CancelFlag cancel_flag_ = std::make_shared<std::atomic<bool>>(false);
     std::unique_ptr<WorkThread> thread_;
 };

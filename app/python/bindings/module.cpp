@@ -1,5 +1,5 @@
-// The module dollytrack._core: what the Python files of the package are made from. It takes and
-// gives plain values, arrays and JSON; names, defaults and documentation are in Python.
+// The extension module dollytrack._core, on which the Python package builds. It exchanges plain
+// values, arrays and JSON; names, defaults and documentation are in Python.
 
 #include "app/python/bindings/arrays.h"
 #include "app/python/bindings/engine_objects.h"
@@ -30,7 +30,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Section, name, kind, default, unit, range, text and choices of every parameter, in their order.
+/// All parameters in order: section, name, kind, default, unit, range, text and choices.
 py::list parameters() {
     planning::PlanParams defaults;
     py::list rows;
@@ -236,7 +236,7 @@ void bindPlan(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
-    (void)ownFile();  // while relative names are still of this folder
+    (void)ownFile();  // called while relative paths still refer to the starting folder
     python::logToPython();
     python::stopCallsAtExit();
     module.attr("version") = DOLLYTRACK_VERSION;

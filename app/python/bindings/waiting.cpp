@@ -19,9 +19,9 @@ namespace py = pybind11;
 namespace dollytrack::python {
 namespace {
 
-constexpr std::chrono::milliseconds kLookAround{50};  // how often Ctrl-C and progress are looked at
+constexpr std::chrono::milliseconds kLookAround{50};  // interval for checking Ctrl-C and progress
 
-/// What the working thread leaves for the waiting one.
+/// Messages from the working thread to the waiting one.
 struct News {
     std::mutex mutex;
     std::condition_variable changed;
@@ -32,8 +32,8 @@ struct News {
     Status result;
 };
 
-/// Records wait here until a thread that holds the GIL hands them on: a thread of the engine must
-/// never wait for the GIL while others wait for its log.
+/// Log records wait here for a thread that holds the GIL: engine threads must never wait for the
+/// GIL while others wait for the log.
 struct LogQueue {
     static constexpr std::size_t kMost = 10'000;
     std::mutex mutex;
@@ -41,7 +41,7 @@ struct LogQueue {
 };
 
 LogQueue& logQueue() {
-    static auto* const queue = new LogQueue;  // outlives the interpreter's last words
+    static auto* const queue = new LogQueue;  // never destroyed: used until the interpreter's end
     return *queue;
 }
 
@@ -53,7 +53,7 @@ void handOnLog() {
         records.swap(logQueue().records);
     }
     for (const log::Record& record : records) {
-        constexpr int kPythonLevels[] = {10, 20, 30, 40};  // of the module logging
+        constexpr int kPythonLevels[] = {10, 20, 30, 40};  // levels of Python's logging module
         const py::object logger =
             py::module_::import("logging").attr("getLogger")("dollytrack." + record.subsystem);
         const std::string count =
@@ -63,7 +63,7 @@ void handOnLog() {
     }
 }
 
-/// The calls of Python that wait now.
+/// The Python calls that are waiting.
 struct RunningCalls {
     std::mutex mutex;
     std::condition_variable changed;
@@ -71,7 +71,7 @@ struct RunningCalls {
 };
 
 RunningCalls& runningCalls() {
-    static auto* const calls = new RunningCalls;  // outlives static objects
+    static auto* const calls = new RunningCalls;  // never destroyed
     return *calls;
 }
 
@@ -112,7 +112,8 @@ Status outcomeOf(const std::function<Status(const JobContext&)>& work, const Job
     }
 }
 
-/// What the waiting thread does with the GIL every now and then. Throws what Python raises.
+/// Periodic work of the waiting thread, with the GIL: signals, log, progress. Throws exceptions
+/// raised by Python.
 void lookAround(const py::object& progress, News& news) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     handOnLog();
@@ -127,7 +128,7 @@ void lookAround(const py::object& progress, News& news) {
     if (!progress.is_none()) progress(fraction, stage);
 }
 
-/// The engine's threads are not in a process that is forked from one where they work.
+/// Raises an error in a process forked after the engine was used, which lacks the engine's threads.
 void checkNotForked() {
     static std::atomic<int> used_by = 0;
     int nobody = 0;
@@ -146,7 +147,7 @@ WorkThread::WorkThread()
 
 WorkThread::~WorkThread() {
     if (process_ != ::getpid()) {
-        (void)thread_.release();  // even detaching would touch what is gone
+        (void)thread_.release();  // even detaching would access the missing thread
         return;
     }
     {
@@ -184,7 +185,7 @@ void waitFor(const py::object& progress, const std::function<Status(const JobCon
     const auto news = std::make_shared<News>();
     thread.post([news, &work, job = contextOf(news, cancel_flag)] {
         Status result = outcomeOf(work, job);
-        // Notified under the lock: the waiting thread may be gone at once after it.
+        // Notified under the lock, because the waiting thread may then destroy these objects.
         const std::lock_guard lock(news->mutex);
         news->result = std::move(result);
         news->ended = true;
@@ -226,7 +227,7 @@ void raise(const Error& error) {
 
 void stopCallsAtExit() {
     const auto stop = [process = ::getpid()] {
-        if (::getpid() != process) return;  // a forked process has no such threads
+        if (::getpid() != process) return;  // the threads do not exist in a forked process
         const py::gil_scoped_release release;
         std::unique_lock lock(runningCalls().mutex);
         for (const CancelFlag& flag : runningCalls().flags) flag->store(true);

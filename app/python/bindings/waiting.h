@@ -14,13 +14,13 @@
 
 namespace dollytrack::python {
 
-/// A thread that runs the tasks posted to it, one after the other. An OpenGL context, which belongs
-/// to one thread, is made, used and destroyed by tasks of the same WorkThread.
+/// A thread that runs posted tasks in order. An OpenGL context belongs to one thread, so it is
+/// created, used and destroyed by tasks of the same WorkThread.
 class WorkThread {
   public:
     WorkThread();
-    /// Runs the tasks that are left, then joins. Does nothing in a forked process: the thread was
-    /// not copied.
+    /// Runs the remaining tasks, then joins. Does nothing in a forked process, which has no copy of
+    /// the thread.
     ~WorkThread();
     WorkThread(const WorkThread&) = delete;
     WorkThread& operator=(const WorkThread&) = delete;
@@ -41,28 +41,28 @@ class WorkThread {
     std::unique_ptr<std::thread> thread_;
 };
 
-/// What can be stopped: shared by the calls that belong to one piece of work.
+/// Cancellation flag shared by the calls of one operation.
 using CancelFlag = std::shared_ptr<std::atomic<bool>>;
 
-/// Does work on the thread, with the GIL released, and waits for it: Ctrl-C stops the work,
-/// `progress` (None, or called with a fraction and a stage) is called on the waiting thread, and so
-/// are Python's loggers with what the engine logs. Whatever Python raises meanwhile stops the work
-/// and is raised when it has ended. The work never sees Python. Raises the error of the work.
+/// Runs `work` on the thread with the GIL released and waits for it. Ctrl-C cancels the work.
+/// `progress` (None, or a callable that takes fraction and stage) and Python's loggers are called
+/// on the waiting thread. A Python exception raised meanwhile cancels the work and is rethrown when
+/// it has ended. `work` must not use Python. Raises the error of `work`.
 void waitFor(const pybind11::object& progress, const std::function<Status(const JobContext&)>& work,
              WorkThread& thread, const CancelFlag& cancel_flag);
 
-/// The same on a thread of its own. The flag is set when the work is to stop.
+/// The same on a new thread. The flag is set when the work is to stop.
 void waitFor(const pybind11::object& progress, const std::function<Status(const JobContext&)>& work,
              const CancelFlag& cancel_flag = std::make_shared<std::atomic<bool>>(false));
 
-/// Raises the error as an exception of dollytrack.errors.
+/// Raises an error as the matching exception of dollytrack.errors.
 [[noreturn]] void raise(const Error& error);
 
-/// When Python ends, calls of daemon threads are stopped and waited for: such a thread must not
-/// come back to an interpreter that is gone.
+/// Registers an exit handler that cancels running calls and waits for them: daemon threads must not
+/// return to a finalized interpreter.
 void stopCallsAtExit();
 
-/// From now on the engine's log goes to Python's loggers "dollytrack.SUBSYSTEM".
+/// Redirects the engine's log to Python's loggers "dollytrack.SUBSYSTEM".
 void logToPython();
 
 }  // namespace dollytrack::python

@@ -8,7 +8,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// The frames the settings name, cut to what there is: first, one past the last, step.
+/// The selected frames, clamped to the trajectory; `end` is exclusive.
 struct Frames {
     int begin = 0;
     int end = 0;
@@ -45,7 +45,7 @@ std::string bytesText(double bytes) {
     return fmt::format("{:.0f} MB", std::max(bytes / 1e6, 1.0));
 }
 
-/// "1,5": whole numbers from 1 on.
+/// Whether the text is a list of positive whole numbers: "1,5".
 bool areDistances(const std::string& text) {
     std::istringstream parts(text);
     bool any = false;
@@ -122,7 +122,7 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
     if (!view.why_not_folder.empty()) return view.why_not_folder;
     if (isReversed(draft)) return rangeNote(view, draft);
     if (!draft.current_only && draft.first >= view.frame_count) return rangeNote(view, draft);
-    // To the program, no name means the standard ones.
+    // The command line reads an empty list as the default set.
     if (!view.modalities.empty() && chosen(view.modalities, draft.turned_modalities).empty()) {
         return "Choose at least one modality.";
     }
@@ -142,7 +142,7 @@ int frameCountOf(const ExportView& view, const ExportDraft& draft) {
 }
 
 std::string rangeForOthers(const ExportDraft& draft) {
-    // The frame shown here is none of theirs.
+    // The current frame has no counterpart in other projects.
     if (draft.current_only) return "::";
     const std::string first = draft.first > 0 ? std::to_string(draft.first) : "";
     const std::string end = draft.last >= 0 ? std::to_string(draft.last + 1) : "";
@@ -155,7 +155,7 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     ExportRequest request;
     request.name = view.project;
     request.folder = draft.folder;
-    // What is begun here can be continued there without naming the frames.
+    // Without a range, the command line can resume this export without repeating the range.
     if (frames.begin != 0 || frames.end != view.frame_count || frames.step != 1) {
         request.range = fmt::format("{}:{}:{}", frames.begin, frames.end, frames.step);
     }

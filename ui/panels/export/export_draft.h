@@ -5,24 +5,26 @@
 #include <string>
 #include <vector>
 
-/// What the settings of an export come to, for the panel to show; nothing here draws.
+/// Queries about the settings of an export: validity, size and wording for the panel. Nothing here
+/// draws.
 namespace dollytrack::ui {
 
-/// The last frame comes before the first, as it does while only one of them is set. Neither is
-/// changed to fit the other: one would get another range than one typed.
+/// Whether the last frame comes before the first, as it may while only one of them has been edited.
+/// Neither is adjusted to fit the other, so that a typed value is never changed.
 [[nodiscard]] bool isReversed(const ExportDraft& draft);
 
-/// `turned`: the names whose box is no longer as it was at first.
+/// Whether the choice is selected. `turned` lists the names whose check box differs from the
+/// default.
 [[nodiscard]] bool isWanted(const ExportChoice& choice, const std::vector<std::string>& turned);
 [[nodiscard]] bool wantsFlow(const ExportView& view, const ExportDraft& draft);
 [[nodiscard]] bool wantsSensors(const ExportView& view, const ExportDraft& draft);
 [[nodiscard]] bool wantsPictures(const ExportView& view, const ExportDraft& draft);
 
-/// What of the range is not there, or nothing.
+/// A note on the part of the range that lies outside the trajectory; empty if there is none.
 [[nodiscard]] std::string rangeNote(const ExportView& view, const ExportDraft& draft);
 /// "apartment: 120 frames of 640 × 480 px, at most about 350 MB"
 [[nodiscard]] std::string summaryOf(const ExportView& view, const ExportDraft& draft);
-/// Why the settings cannot be exported; empty when they can.
+/// Why the settings cannot be exported; empty if they can.
 [[nodiscard]] std::string whyNot(const ExportView& view, const ExportDraft& draft);
 
 }  // namespace dollytrack::ui

@@ -89,7 +89,8 @@ void drawOutcomeButtons(const ExportView& view, const ExportJob& job, ExportActi
         first = false;
         if (button(label, nameFor(job, widget), options)) asked = job.id;
     };
-    // Cancel keeps its place when it has worked: a second click must not press Continue.
+    // Cancel stays in its position (disabled) after use, so that a second click does not press
+    // Continue.
     if (job.state != ExportState::Done) {
         const bool can = job.active() || job.state == ExportState::Waiting;
         offer("Cancel", "cancel",

@@ -4,7 +4,7 @@
 
 namespace dollytrack::ui {
 
-/// The queue: each job with its state, progress and what can be done with it.
+/// Draws the export queue: each job with its state, progress and buttons.
 void drawExportJobs(const ExportView& view, ExportActions& actions);
 
 }  // namespace dollytrack::ui

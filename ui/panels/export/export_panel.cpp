@@ -22,7 +22,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// The next widget of a row: beside the last one where there is room, else on a line of its own.
+/// Places the next widget of a row on the same line, or on a new one.
 void besideOrBelow(bool beside) {
     if (beside) {
         ImGui::SameLine();
@@ -41,7 +41,7 @@ void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actio
     tooltip(draft.folder);
     ImGui::SameLine();
     if (button(label, "export.choose_folder")) actions.choose_folder = true;
-    // Always one line, whatever there is to say: nothing below may move under the mouse.
+    // Always one line, so that the widgets below keep their position.
     const std::string none =
         draft.folder.empty() ? "An empty folder, a new one, or a dataset's." : "It is empty.";
     const bool bad = !view.why_not_folder.empty();
@@ -58,7 +58,7 @@ struct SizeField {
     const Field::Integer* number = nullptr;
 };
 
-/// Width and height among the parameters; nothing where they are not there.
+/// The parameters `width_px` and `height_px`; nullopt if the project lacks one.
 std::optional<std::array<SizeField, 2>> sizeFields(const ExportView& view) {
     if (view.parameters == nullptr) return std::nullopt;
     std::array<SizeField, 2> sizes;
@@ -73,7 +73,7 @@ std::optional<std::array<SizeField, 2>> sizeFields(const ExportView& view) {
     return sizes;
 }
 
-/// The camera's, as among the parameters: the plan follows it.
+/// The image size is a parameter of the plan's camera; changing it starts a new plan.
 void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     const auto sizes = sizeFields(view);
     if (!sizes) return;
@@ -99,7 +99,7 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
         const FieldEdit edit =
             drawFieldValue(*size.field, *size.standard, "export." + size.field->name);
         active = active || ImGui::IsItemActive();
-        // Below what the field says of itself.
+        // The field's own note takes precedence over the tooltip.
         if (!edit.says) tooltip(camera);
         actions.finished = actions.finished || edit.finished;
         if (!edit.changed) continue;
@@ -109,7 +109,7 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
         const double fits = *size.number->value * (i == 0 ? 1.0 / draft.ratio : draft.ratio);
         *other.value = static_cast<int>(other.info.range().nearest(std::round(fits)));
     }
-    // As it was before the drag: what is rounded on the way must not add up.
+    // The ratio is not updated during an edit, so that rounding errors do not add up.
     if (!active) draft.ratio = double(*(*sizes)[0].number->value) / *(*sizes)[1].number->value;
     besideOrBelow(beside);
     ImGui::Checkbox(keep, &draft.keep_ratio);
@@ -123,7 +123,7 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
               fmt::format("First and last, both are exported, and every how manieth between them; "
                           "there are frames 0 to {}",
                           most));
-    // Beside the range where there is room, so that a short panel shows it.
+    // On the same line if there is room, so that a short panel shows it.
     const char* only = "current only";
     const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
                       ImGui::CalcTextSize(only).x + ImGui::GetStyle().ItemSpacing.x;
@@ -145,7 +145,7 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(third);
     if (ImGui::DragInt("##last", &last, 0.5F, 0, most, "to %d")) {
-        // To the end stays to the end when a new plan has more frames.
+        // The last frame is stored as "to the end", which still holds for a longer plan.
         draft.last = last == most ? -1 : std::max(last, 0);
     }
     nameItem("export.last");
@@ -161,7 +161,7 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     ImGui::Checkbox(only, &draft.current_only);
     nameItem("export.current_only");
     tooltip(fmt::format("Only the frame that is shown, number {}", view.current_frame));
-    // Always one line: what follows may not move under the mouse.
+    // Always one line, so that the widgets below keep their position.
     formLine("");
     const std::string note = rangeNote(view, draft);
     if (note.empty()) {
@@ -193,7 +193,7 @@ void drawChoices(const char* label, const char* kind, const std::vector<ExportCh
     }
 }
 
-/// How colour pictures are made, and what a sensor makes of them, where such files are written.
+/// Rendering and sensor parameters, shown if the selected contents use them.
 void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
                            ExportActions& actions) {
     if (view.parameters == nullptr) return;
@@ -244,7 +244,7 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
 }
 
 void drawContents(const ExportView& view, ExportDraft& draft) {
-    // Many boxes, short names.
+    // A narrow label column leaves room for the check boxes.
     if (!beginForm("contents", 0.2F)) return;
     drawChoices("Modalities", "modality", view.modalities, draft.turned_modalities);
     drawChoices("Formats", "format", view.formats, draft.turned_formats);
@@ -266,8 +266,7 @@ void drawContents(const ExportView& view, ExportDraft& draft) {
     endForm();
 }
 
-/// What begins the export, and how the one at work is coming on: always in sight, however short
-/// the panel is.
+/// The Export button and the progress of the running job; always visible, also in a short panel.
 void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions& actions) {
     ImGui::Separator();
     if (button("Export", "export.add",
@@ -311,14 +310,14 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
     ExportActions actions;
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    // Below the viewport there is width but no height, at a side the reverse.
+    // A panel below the viewport is wide and short, at a side narrow and tall.
     const bool wide = room.x >= scaled(900);
     const float footer =
         (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
     const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
     if (wide) {
         const float all = room.x - 2 * style.ItemSpacing.x;
-        // The boxes to tick need the width more than a short queue does.
+        // The check boxes need more width than a short queue.
         const auto column = [&](const char* id, float share, const auto& draw) {
             ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();

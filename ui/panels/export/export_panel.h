@@ -9,54 +9,55 @@
 
 namespace dollytrack::ui {
 
-/// Something a dataset can hold.
+/// A modality or a format that a dataset can contain.
 struct ExportChoice {
-    std::string name;      // as the command line takes it
-    std::string text;      // what it is, for people
-    bool standard = true;  // written unless it is turned off
-    bool colour = false;   // holds colour pictures
+    std::string name;      // name on the command line
+    std::string text;      // description for the user
+    bool standard = true;  // selected by default
+    bool colour = false;   // contains colour images
 };
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct ExportView {
-    std::string project;  // name of the open one
-    std::string why_not;  // why the open project cannot be exported; empty when it can
-    int frame_count = 0;  // of its trajectory
+    std::string project;  // name of the open project; empty: none is open
+    std::string why_not;  // why the project cannot be exported; empty: it can
+    int frame_count = 0;  // frames of its trajectory
     int current_frame = 0;
     CameraParams camera;
-    FieldList* parameters = nullptr;      // of the project, to set what is exported; null: none
-    const FieldList* standard = nullptr;  // the same, as they are by default
-    std::string folder_says;              // what the folder holds; empty: not known, or nothing
-    bool folder_warns = false;            // of something that one may not expect
-    std::string why_not_folder;           // why nothing can be written there
+    FieldList* parameters = nullptr;      // the project's export parameters; null: none
+    const FieldList* standard = nullptr;  // the same fields with their default values
+    std::string folder_says;              // contents of the folder; empty: none, or unchecked
+    bool folder_warns = false;            // `folder_says` is a warning
+    std::string why_not_folder;           // why the folder cannot be written; empty: it can
     double bytes_per_frame = 0.0;         // an estimate; 0: unknown
-    bool has_tracks = false;              // some things move with time
+    bool has_tracks = false;              // some objects have a track
     std::vector<ExportChoice> modalities;
     std::vector<ExportChoice> formats;
     std::vector<ExportJob> jobs;  // in the queue's order
-    bool held = false;            // nothing new begins
-    std::string why_no_folder;    // why folders cannot be opened; empty when they can
+    bool held = false;            // no waiting job is started
+    std::string why_no_folder;    // why folders cannot be opened in a file manager; empty: they can
 };
 
-/// The settings of the next export, as the user has made them so far. All frames are those from
-/// `first` to `last`, both included; `last` -1: to the end.
+/// The settings of the next export. The frames are every `step`-th from `first` to `last`, both
+/// included; `last` -1: up to the end.
 struct ExportDraft {
     std::string folder;
     bool current_only = false;
     int first = 0;
     int last = -1;
     int step = 1;
-    bool keep_ratio = false;  // of width to height
-    double ratio = 0.0;       // when the last edit of them began
-    // Those whose box is no longer as it was at first.
+    bool keep_ratio = false;  // keep the ratio of width to height
+    double ratio = 0.0;       // width / height before the current edit
+    // Names whose check box differs from the default.
     std::vector<std::string> turned_modalities;
     std::vector<std::string> turned_formats;
-    std::string flow_distances = "1";  // in frames, "1,5"
-    std::string rig;                   // a file of cameras that ride along; empty: none
+    std::string flow_distances = "1";  // frame distances, "1,5"
+    std::string rig;                   // a camera rig file for additional cameras; empty: none
     bool still = false;
     bool overwrite = false;
 
-    /// Where to and which frames belong to one project; what to write holds for the next as well.
+    /// Resets the folder, the frame range and `overwrite`, which belong to one project; the
+    /// contents to write stay selected.
     void forgetProject() {
         folder.clear();
         current_only = false;
@@ -67,14 +68,14 @@ struct ExportDraft {
     }
 };
 
-/// What the user asked for; jobs by their number, 0: none.
+/// User actions of this frame; jobs are given by their id, 0: none.
 struct ExportActions {
     bool choose_folder = false;
     bool choose_rig = false;
-    std::string edited;        // name of the parameter that was changed
-    bool finished = false;     // with the mouse let go: one step of undo
-    bool add_current = false;  // with requestOf(view, state)
-    bool add_files = false;    // other projects, with the same settings
+    std::string edited;        // name of the changed parameter; empty: none
+    bool finished = false;     // the edit is complete and becomes one undo step
+    bool add_current = false;  // add requestOf(view, state) to the queue
+    bool add_files = false;    // choose other projects to export with these settings
     bool toggle_hold = false;
     int cancel = 0;
     int resume = 0;
@@ -85,17 +86,17 @@ struct ExportActions {
     int show_sheet = 0;
 };
 
-/// What to export, and the queue of what is being exported.
+/// Draws the export settings and the queue.
 ExportActions drawExportPanel(const ExportView& view, ExportDraft& state);
 
-/// The request that the settings make. Their range fits the trajectory.
+/// The export request for the settings, with its range clamped to the trajectory.
 [[nodiscard]] ExportRequest requestOf(const ExportView& view, const ExportDraft& state);
-/// The range for other projects, which have as many frames as they have: what is said to be cut off
-/// here is cut off there, and the rest goes to their end.
+/// The frame range for other projects, whose frame counts differ: a set `last` stays, otherwise the
+/// range is open-ended; all frames if `current_only`.
 [[nodiscard]] std::string rangeForOthers(const ExportDraft& state);
 [[nodiscard]] int frameCountOf(const ExportView& view, const ExportDraft& state);
 
-/// "12 of 120 frames, 8.1 a second, 13 s left", as far as it is known.
+/// "12 of 120 frames, 8.1 a second, 13 s left"; unknown parts are omitted.
 [[nodiscard]] std::string progressText(const ExportJob& job);
 
 /// "4 min 10 s"

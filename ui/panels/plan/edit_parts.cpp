@@ -25,7 +25,7 @@ std::vector<int> idsOf(const Scene& scene, const std::vector<ObjectRef>& objects
     return ids;
 }
 
-/// Of a drag of one thing: its steps of undo become one.
+/// Requests an operation; the steps of one drag are merged into one undo step by `key`.
 void request(EditRequest& edit, const FieldEdit& field, const std::string& key, json operation) {
     if (field.changed) {
         edit.operation = std::move(operation);
@@ -129,7 +129,7 @@ std::string className(const Object& object) {
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit) {
     formLabel("Name");
     std::string called = box.name;
-    // A name is one step of undo, when it is whole.
+    // Only a completely typed name becomes an undo step.
     const bool entered = textField(called, name + ".name");
     if (entered && !called.empty() && called != box.name) {
         edit.operation = {{"op", "rename_no_go"}, {"name", box.name}, {"to", called}};

@@ -12,18 +12,18 @@
 
 namespace dollytrack::ui {
 
-// What the panels that edit share: operations as JSON, names, and rows of widgets.
+// Shared parts of the editing panels: operations as JSON, names, and rows of widgets.
 
 nlohmann::json pointJson(const Eigen::Vector3d& point);
 nlohmann::json turnJson(const Eigen::Quaterniond& rotation);
-/// The operation that adds a no-go box; flat ones get a thickness that can be grabbed.
+/// The operation that adds a no-go box; each side is at least 5 cm long.
 nlohmann::json addNoGoOperation(const OrientedBox& box);
 
-/// "sofa", or "object 12" where it has no name; empty for 0.
+/// "sofa", or "object 12" if it has no name; empty for an id that is not in the scene.
 std::string objectName(const Scene& scene, int id);
 /// "sofa", "sofa and lamp", "sofa and 3 more".
 std::string objectNames(const Scene& scene, const std::vector<int>& ids);
-/// "hidden by sofa", "touching sofa": why a candidate was not taken, or "legal".
+/// The verdict on a candidate for display: "hidden by sofa", "touching sofa", "legal".
 std::string verdictText(Verdict verdict, const std::string& occluder = {});
 
 /// "1.20 × 0.80 × 0.75 m".
@@ -31,20 +31,21 @@ std::string sizeText(const Eigen::Vector3d& size);
 /// "1.20, 0.80, 0.75".
 std::string placeText(const Eigen::Vector3d& place);
 
-/// Names of objects that can be clicked, in lines as wide as there is room; at most so many.
-/// Returns what was clicked.
+/// Draws object names as links, wrapped to the available width: at most `most`, then "and 4 more".
+/// Returns the clicked object.
 std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>& ids,
                                      const std::string& name, std::size_t most = 8);
 
-/// "chair", or "unknown" for no class.
+/// Name of the object's dataset class, or else of its NYU40 class; "unknown" without one.
 std::string className(const Object& object);
 
-/// The rows of a no-go box inside a form; asks for its new name or its move.
+/// Draws the rows of a no-go box inside a form; `edit` receives the operation that renames or moves
+/// it.
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit);
 
-/// The object's change in the newest edits; null when nothing was said of it.
+/// The entry for the object in the newest edits; null if there is none.
 const ObjectChange* findChange(const Edits& edits, const Scene& scene, int id);
-/// The pinned point that stands for exactly these objects (ids, in any order).
+/// The pinned point for exactly these objects (ids, in any order); null if there is none.
 const PinnedPoint* findPin(const Edits& edits, const Scene& scene, std::vector<int> ids);
 bool isRemoved(const Edits& edits, const Scene& scene, std::vector<int> ids);
 

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kNoLimit_m = 100.0;  // of the height band: as good as none
+constexpr double kNoLimit_m = 100.0;  // upper end of the height band that counts as no limit
 
 bool section(const char* title, std::size_t count, const std::string& name) {
     const std::string label = fmt::format("{}  {}###{}", title, count, name);
@@ -110,7 +110,7 @@ void drawDefinitions(const EditsView& view) {
     }
 }
 
-/// "lamp*, chair" as a list.
+/// Splits a comma-separated list and trims spaces.
 std::vector<std::string> listed(const std::string& text) {
     std::vector<std::string> list;
     std::size_t begin = 0;
@@ -143,7 +143,7 @@ void drawTargetLists(const EditsView& view, EditsActions& actions) {
     endForm();
 }
 
-/// Buttons that let the trajectory begin or end at a pinned point, or anywhere again.
+/// Buttons that set or clear a pinned point as the start or end of the trajectory.
 void drawEnds(const EditsView& view, const PinnedPoint& point, const std::string& name,
               EditsActions& actions) {
     const auto end = [&](const char* label, const char* op, const std::string& at,
@@ -159,7 +159,7 @@ void drawEnds(const EditsView& view, const PinnedPoint& point, const std::string
     end("End", "set_end", view.edits->plan.end, "The trajectory ends here, or anywhere");
 }
 
-/// Whether planning kept the pin, as far as is known.
+/// Shows whether the plan visits the pinned point; "being checked" while the plan is outdated.
 void drawPinState(const EditsView& view, const PinnedPoint& point) {
     if (view.plan == nullptr || !view.plan_is_current) {
         flowTo("being checked \u2026");
@@ -172,7 +172,7 @@ void drawPinState(const EditsView& view, const PinnedPoint& point) {
         ImGui::TextColored(palette().good, "\u25cf visited");
         tooltip("Planning keeps this pose and visits it.");
     } else {
-        // On lines of its own: reasons are long.
+        // On separate lines, because reasons are long.
         paragraph("\u25cb not possible: " + refused->reason, palette().bad);
     }
 }
@@ -218,7 +218,7 @@ void drawRemoved(const EditsView& view, EditsActions& actions) {
     }
 }
 
-/// A picture or a rug may be flat, a box may not.
+/// Draws the no-go boxes and the buttons that add one.
 void drawBoxes(const EditsView& view, EditsActions& actions) {
     const auto& boxes = view.edits->plan.no_go;
     if (!section("No-go boxes", boxes.size(), "edits.boxes")) return;
@@ -295,7 +295,7 @@ void drawHeights(const EditsView& view, EditsActions& actions) {
                    "edits.height.min");
     formLabel("At most", "Above the floor below the camera");
     const bool limited = high < kNoLimit_m;
-    // From "no limit" a drag would take minutes to arrive at a room's height.
+    // From "no limit", a slow drag would take minutes to reach a room's height.
     const FieldEdit upper = dragNumber(high,
                                        {low + kNarrowest_m, kNoLimit_m, limited ? 0.01F : 1.0F,
                                         limited ? "%.2f" : "no limit", " m"},

@@ -9,27 +9,27 @@
 
 namespace dollytrack::ui {
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct EditsView {
     const Edits* edits = nullptr;  // null: no project is open
-    const Scene* scene = nullptr;  // edited
+    const Scene* scene = nullptr;  // with the edits applied
     const Plan* plan = nullptr;    // null before planning
-    bool plan_is_current = false;  // it was made with these edits
+    bool plan_is_current = false;  // the plan was made with these edits
     double min_height_m = 0.0;
     double max_height_m = 100.0;
-    OrientedBox new_box;                          // on what is in the middle of the view
-    std::optional<OrientedBox> around_selection;  // a new box around what is selected
+    OrientedBox new_box;                          // "Add box": at the centre of the view
+    std::optional<OrientedBox> around_selection;  // around the selection; unset: none
 };
 
-/// What the user asked for.
+/// User actions of this frame.
 struct EditsActions {
     EditRequest edit;
     std::optional<Selection> select;
     std::optional<Pose> look_through;
-    std::optional<OrientedBox> frame;  // bring it into the viewport
+    std::optional<OrientedBox> frame;  // move the viewport's camera to this box
 };
 
-/// Everything that was changed by hand, and the means to take it back.
+/// Draws all manual edits, with controls to change and revert them.
 EditsActions drawEditsPanel(const EditsView& view);
 
 }  // namespace dollytrack::ui

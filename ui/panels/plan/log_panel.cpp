@@ -40,7 +40,7 @@ std::string asText(const log::Record& record) {
 void LogBook::add(const log::Record& record) {
     const std::lock_guard lock(mutex_);
     ++version_;
-    // Not only the last line: two messages that take turns fold as well.
+    // Compares several recent lines, so that alternating messages fold as well.
     const std::size_t looked_at = std::min<std::size_t>(records_.size(), 8);
     for (std::size_t i = 0; i < looked_at; ++i) {
         log::Record& earlier = records_[records_.size() - 1 - i];
@@ -119,7 +119,7 @@ void drawLogPanel(LogBook& book, LogPanelState& state) {
     }
     if (state.seen_version != book.version()) {
         state.seen_version = book.version();
-        // Not while someone reads further up.
+        // Keeps the position if the user has scrolled up.
         if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - scaled(4)) ImGui::SetScrollHereY(1.0F);
     }
     ImGui::EndChild();

@@ -8,13 +8,14 @@
 
 namespace dollytrack::ui {
 
-/// Keeps what was logged, from any thread; repeats are folded into one line with a count.
+/// The last 5000 log records, added from any thread; repeated messages are folded into one line
+/// with a count.
 class LogBook {
   public:
     void add(const log::Record& record);
     [[nodiscard]] std::deque<log::Record> records() const;
     void clear();
-    /// Rises with every record, for badges and for scrolling down.
+    /// Increases with every record, for badges and automatic scrolling.
     [[nodiscard]] unsigned version() const;
 
   private:
@@ -30,7 +31,7 @@ struct LogPanelState {
     unsigned seen_version = 0;
 };
 
-/// Messages with filter, level, copy and clear.
+/// Draws the log with text filter, level filter, copy and clear.
 void drawLogPanel(LogBook& book, LogPanelState& state);
 
 }  // namespace dollytrack::ui

@@ -55,7 +55,7 @@ void drawCaptures(const Plan& plan) {
     ImGui::EndTable();
 }
 
-/// From the first frame to the end of the last.
+/// Duration from the first frame to the end of the last.
 double durationOf(const Trajectory& trajectory) {
     if (trajectory.frames.empty()) return 0.0;
     return trajectory.frames.back().time_s - trajectory.frames.front().time_s +

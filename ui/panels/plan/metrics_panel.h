@@ -8,20 +8,20 @@ namespace dollytrack::ui {
 
 struct MetricsView {
     const Plan* plan = nullptr;
-    bool measured = false;  // the capture metrics belong to this trajectory
+    bool measured = false;  // `plan` has capture metrics for its current trajectory
     bool busy = false;
     double fraction = 0.0;
     std::string stage;
     const Scene* scene = nullptr;
-    double last_run_ms = 0.0;  // from the change to the trajectory on the screen
+    double last_run_ms = 0.0;  // time from the change to the new trajectory
 };
 
 struct MetricsActions {
-    int select_object = 0;  // id of an uncaptured object
+    int select_object = 0;  // id of a clicked uncaptured object; 0: none
 };
 
-/// The columns of the paper's Table 2, the rates around them, the time each stage took, and what
-/// is not captured with the reason.
+/// Draws the columns of the paper's Table 2, related rates, the duration of each stage, and the
+/// uncaptured objects with their reasons.
 MetricsActions drawMetricsPanel(const MetricsView& view);
 
 }  // namespace dollytrack::ui

@@ -8,17 +8,17 @@
 
 namespace dollytrack::ui {
 
-/// What was done to one of a row's parameters.
+/// An edit of one of a row's parameters.
 struct ParameterRowEdit {
-    std::string name;       // of the parameter; empty: none was changed
-    bool finished = false;  // with the mouse let go: one step of undo
+    std::string name;       // name of the parameter; empty: none was changed
+    bool finished = false;  // the edit is complete and becomes one undo step
 };
 
-/// The field of that name, or null.
+/// The field with this name; null if there is none.
 [[nodiscard]] const Field* fieldNamed(const FieldList& fields, std::string_view name);
 
-/// Widgets of some of a project's parameters beside each other, in what is left of the line. They
-/// are named `path` and the parameter's name: "export.antialias".
+/// Draws widgets for the named parameters side by side, sharing the rest of the line; unknown names
+/// are skipped. In the item map each is called `path`.name: "export.antialias".
 ParameterRowEdit drawParameterRow(const FieldList& fields, const FieldList& standard,
                                   std::initializer_list<std::string_view> names,
                                   const std::string& path);

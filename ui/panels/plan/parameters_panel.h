@@ -7,21 +7,21 @@
 
 namespace dollytrack::ui {
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct ParametersView {
     const FieldList* standard = nullptr;  // the same fields with their defaults
     bool has_scene = false;
-    std::string* filter = nullptr;  // what the user typed into the search line
+    std::string* filter = nullptr;  // text of the search field
 };
 
-/// What the user did.
+/// User actions of this frame.
 struct ParametersActions {
     std::string edited;     // name of the field that changed this frame
-    bool finished = false;  // the drag ended: one step of undo
+    bool finished = false;  // the edit is complete and becomes one undo step
     bool reset_all = false;
 };
 
-/// All parameters of planning by section; edits `draft` in place.
+/// Draws all planning parameters by section; edits `draft` in place.
 ParametersActions drawParametersPanel(const ParametersView& view, const FieldList& draft);
 
 }  // namespace dollytrack::ui

@@ -19,10 +19,10 @@ double fitZoom(const ImageViewerView& view, ImVec2 pane) {
     return std::min(double(pane.x) / view.width, double(pane.y) / view.height);
 }
 
-/// Where the picture lies in its pane.
+/// Placement of the image in its pane.
 struct Placement {
     double zoom;
-    double left, top;  // of the picture, px on the screen
+    double left, top;  // edges of the image, px on the screen
 };
 
 Placement place(const ImageViewerView& view, const ImageViewerState& state, ImVec2 low,
@@ -42,7 +42,7 @@ void moveWithMouse(const ImageViewerView& view, ImageViewerState& state, ImVec2 
         const double fit = fitZoom(view, pane);
         const double zoom = std::clamp(before.zoom * std::pow(1.25, double(io.MouseWheel)),
                                        std::min(fit, 1.0), kClosest);
-        // What is under the mouse stays there.
+        // Keeps the image position under the mouse in place.
         const double x = (io.MousePos.x - before.left) / before.zoom;
         const double y = (io.MousePos.y - before.top) / before.zoom;
         state.center_x = (x + (low.x + pane.x / 2 - io.MousePos.x) / zoom) / view.width;

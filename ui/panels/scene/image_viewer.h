@@ -4,27 +4,27 @@
 
 namespace dollytrack::ui {
 
-/// A picture to look at: a texture with row 0 at the top.
+/// The image to display: a texture with row 0 at the top.
 struct ImageViewerView {
     unsigned texture = 0;
     int width = 0;  // px
     int height = 0;
     std::string title;
-    std::string message;  // instead of a picture: "reading …", or why there is none
+    std::string message;  // shown instead of an image: "reading …", or why there is none
 };
 
-/// What the viewer remembers.
+/// State kept between window frames.
 struct ImageViewerState {
-    double zoom = 0.0;  // pixels of the screen a pixel of the picture; 0: all of it fits
+    double zoom = 0.0;  // screen pixels per image pixel; 0: fit the whole image
     double center_x = 0.5;
-    double center_y = 0.5;  // of the pane, as a share of the picture
+    double center_y = 0.5;  // image position at the centre of the pane, as a fraction of the image
 };
 
 struct ImageViewerActions {
     bool close = false;
 };
 
-/// A picture in the rest of the window: the wheel zooms to the mouse, dragging moves it.
+/// Draws an image into the rest of the window; the wheel zooms about the mouse, dragging pans.
 ImageViewerActions drawImageViewer(const ImageViewerView& view, ImageViewerState& state);
 
 }  // namespace dollytrack::ui

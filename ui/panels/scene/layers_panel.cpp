@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kNoPlan = "There is no plan yet.";
 
-/// Widgets that note what the user changes.
+/// Widgets that record changes by the user.
 class Switches {
   public:
     explicit Switches(LayersActions& actions) : actions_(actions) {}
@@ -33,7 +33,7 @@ class Switches {
         return on && why_not.empty();
     }
 
-    /// A combo over the values of an enumeration, in their order.
+    /// A combo box for an enumeration; `names` are in the order of its values.
     template <class Enum, std::size_t N>
     void choose(const char* label, const char* name, Enum& value,
                 const std::array<const char*, N>& names) {
@@ -43,7 +43,7 @@ class Switches {
         }
     }
 
-    /// A combo over names; true when another one was chosen.
+    /// A combo box for names; returns true if an entry was chosen.
     bool choose(const char* label, const char* name, int& value,
                 const std::vector<std::string>& names) {
         formLabel(label);
@@ -87,7 +87,7 @@ class Switches {
     LayersActions& actions_;
 };
 
-/// Rows that belong to the switch above them.
+/// Indented rows that belong to the switch above.
 template <class Rows>
 void details(const char* id, const Rows& rows) {
     ImGui::Indent();
@@ -98,7 +98,7 @@ void details(const char* id, const Rows& rows) {
     ImGui::Unindent();
 }
 
-/// Several switches on a line, as many as fit.
+/// Several switches per line, as many as fit.
 void flowToSwitch(const char* label) {
     flowTo((std::string("[x] ") + label).c_str());
 }
@@ -127,7 +127,7 @@ void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switc
     if (ImGui::DragIntRange2("##levels", &range[0], &range[1], 0.05F, 0, top, low.c_str(),
                              high.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
         settings.cells.min_level = range[0];
-        // All the large ones, however large they get.
+        // The largest level includes all larger cells.
         settings.cells.max_level = range[1] == top ? 16 : range[1];
         switches.note(true);
     }
@@ -221,7 +221,7 @@ void drawTrajectory(LayerSettings& settings, Switches& switches, const std::stri
     });
 }
 
-/// A switch for each reason that there is: with nothing selected none.
+/// A switch for each verdict that occurs; none if no target is selected.
 void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& switches) {
     ImGui::Indent();
     switches.check("cone", "cone", settings.cone, "That was searched");
@@ -234,11 +234,11 @@ void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& s
     ImGui::Unindent();
 }
 
-/// Which storey of several one looks into.
+/// Chooses the storey that the ceiling cut shows.
 void drawStoreys(const LayersView& view, LayerSettings& settings, Switches& switches) {
     std::vector<std::string> names = {"topmost"};
     for (int storey = 1; storey <= view.storeys; ++storey) names.push_back(std::to_string(storey));
-    // What was chosen for another scene may not be there.
+    // The stored storey may not exist in this scene.
     int shown = settings.storey <= view.storeys ? settings.storey : 0;
     details("storeys", [&] {
         if (switches.choose("Storey", "storey", shown, names)) settings.storey = shown;

@@ -9,25 +9,25 @@
 
 namespace dollytrack::ui {
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct LayersView {
-    Eigen::AlignedBox3d room;  // the slice stays within it; empty: no scene
+    Eigen::AlignedBox3d room;  // bounds of the slice; empty: no scene is open
     double cell_m = 0.05;      // edge of the smallest cells
-    int levels = 8;            // of the octree, the smallest cells are level 0
-    int storeys = 1;           // of the building
-    bool has_map = false;      // there is free space to show
+    int levels = 8;            // octree levels; level 0 is the smallest cells
+    int storeys = 1;           // storeys of the building
+    bool has_map = false;      // a free-space map exists
     bool has_plan = false;
-    bool stepping = false;             // the steps of the algorithm stand in for the roadmap
-    std::vector<Legend> legends;       // of the layers that are drawn
-    ShownVerdicts candidates_there{};  // among those of what is selected
+    bool stepping = false;             // the step view replaces the roadmap
+    std::vector<Legend> legends;       // legends of the drawn layers
+    ShownVerdicts candidates_there{};  // verdicts that occur among the selected point's candidates
 };
 
 struct LayersActions {
     bool changed = false;
-    bool finished = false;  // a drag is over
+    bool finished = false;  // a drag has ended
 };
 
-/// Which layers are drawn over the scene, how, and what their colours mean.
+/// Draws the layer switches, their options, and the legends.
 LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings);
 
 }  // namespace dollytrack::ui

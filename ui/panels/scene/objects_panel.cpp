@@ -35,7 +35,7 @@ bool isShown(const ObjectsView& view, const ObjectsPanelState& state, const Obje
     const bool target = object.role == Role::Target;
     switch (state.shown) {
         case 1:
-            // Excluded ones stay, so that what was switched off can be switched on again.
+            // Excluded objects stay in the list, so that they can be made targets again.
             if (object.role == Role::Structure) return false;
             break;
         case 2:
@@ -84,10 +84,10 @@ void drawState(const Object& object, const ObjectCapture* capture) {
     tooltipBeside(why);
 }
 
-/// Scrolls only where the row is not in sight, and as little as it takes where a part of it is: the
-/// list must not jump away under the mouse that clicked the row.
+/// Scrolls the row into view by the smallest amount, or centres it if it is entirely outside: the
+/// list must not jump under the mouse that clicked the row.
 void bringRowIntoView() {
-    const float top = ImGui::GetWindowPos().y + ImGui::GetFrameHeight();  // below the header
+    const float top = ImGui::GetWindowPos().y + ImGui::GetFrameHeight();  // below the header row
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     const float low = ImGui::GetItemRectMin().y;
     const float high = ImGui::GetItemRectMax().y;
@@ -109,7 +109,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
         object.name.empty() ? "object " + std::to_string(object.id) : object.name;
     const float name_room = ImGui::GetContentRegionAvail().x;
     const std::string shown_name = cutToWidth(name, name_room, Cut::Middle);
-    // Two names may be cut to the same text; the number pushed above tells them apart.
+    // The pushed id distinguishes names that are cut to the same text.
     if (ImGui::Selectable(shown_name.c_str(), selected,
                           ImGuiSelectableFlags_SpanAllColumns |
                               ImGuiSelectableFlags_AllowItemOverlap |
@@ -145,7 +145,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     if (object.role != Role::Structure) {
         const ObjectChange* change =
             view.edits != nullptr ? findChange(*view.edits, *view.scene, object.id) : nullptr;
-        // As it was said last: a second click before the next plan takes the first one back.
+        // Shows the newest edit: a second click before the next plan reverts the first.
         bool target =
             (change != nullptr ? change->role.value_or(object.role) : object.role) == Role::Target;
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2), 0});
@@ -179,7 +179,7 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
         if (isShown(view, state, object)) rows.push_back(&object);
     }
     ImGui::TextDisabled("%zu of %zu objects", rows.size(), view.scene->objects.size());
-    // Names are what one looks for: where there is no room for both, the class is in the tooltip.
+    // Names take precedence: without room for both, the class moves to the tooltip.
     const bool with_class = ImGui::GetContentRegionAvail().x > scaled(330);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(3), ImGui::GetStyle().CellPadding.y});
     const bool begun = ImGui::BeginTable(

@@ -9,34 +9,35 @@
 
 namespace dollytrack::ui {
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct ObjectsView {
     const Scene* scene = nullptr;
-    const std::vector<ObjectCapture>* captures = nullptr;  // by rising id; null before planning
-    const std::vector<int>* selected = nullptr;            // ids
-    const std::vector<bool>* hidden = nullptr;             // by id
-    const Edits* edits = nullptr;  // the newest, which the scene may not have yet
+    const std::vector<ObjectCapture>* captures = nullptr;  // sorted by id; null before planning
+    const std::vector<int>* selected = nullptr;            // ids of the selected objects
+    const std::vector<bool>* hidden = nullptr;             // indexed by id
+    const Edits* edits = nullptr;  // the newest; the scene may not contain them yet
 };
 
-/// What the panel remembers between frames.
+/// State kept between window frames.
 struct ObjectsPanelState {
     std::string filter;
-    int shown = 1;                   // index of the choice "all, targets, not captured, …"
-    int scroll_to = 0;               // id to be brought into view
-    bool pressed_with_ctrl = false;  // Ctrl may be up again when the button is
+    int shown = 1;                   // index of the shown group: all, targets, not captured, …
+    int scroll_to = 0;               // id of the row to scroll to; 0: none
+    bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
 };
 
-/// What the user asked for; ids of objects, 0: nothing.
+/// User actions of this frame; ids of objects, 0: none.
 struct ObjectsActions {
     int clicked = 0;
     bool add_to_selection = false;  // with Ctrl
-    int frame = 0;                  // double click: bring it into the viewport
+    int frame = 0;                  // double click: frame the object in the viewport
     int toggle_hidden = 0;
     int toggle_target = 0;
-    bool make_target = false;  // what `toggle_target` is to become
+    bool make_target = false;  // whether `toggle_target` becomes a target
 };
 
-/// The scene's objects: searchable, with class, size class, captured state, eye and target switch.
+/// Draws the scene's objects as a searchable table with capture state, name, class, size class, and
+/// switches for visibility and target.
 ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& state);
 
 }  // namespace dollytrack::ui

@@ -43,11 +43,11 @@ double aspectOf(const PreviewView& view) {
 }
 
 struct Frame {
-    ImVec2 low, size;  // with the title
-    ImVec2 picture;    // size
+    ImVec2 low, size;  // including the title bar
+    ImVec2 picture;    // size of the image
 };
 
-/// Where the panel is and how large its picture can be.
+/// Position of the panel and size of its image.
 Frame layOut(const PreviewView& view, const PreviewState& state, float title) {
     const ImVec2 pane(view.high.x - view.low.x, view.high.y - view.low.y);
     const auto aspect = static_cast<float>(aspectOf(view));
@@ -60,18 +60,18 @@ Frame layOut(const PreviewView& view, const PreviewState& state, float title) {
         return frame;
     }
     const float margin = scaled(kMargin);
-    // The longer side has the length that was chosen: a portrait as wide as a landscape would be
-    // would cover half of the viewport.
+    // The chosen width applies to the longer side; otherwise a portrait image would cover half of
+    // the viewport.
     const float side = std::min(scaled(std::max(state.width, kNarrowest)), pane.x - 2 * margin);
     const float room = std::max(pane.y - 2 * margin - title, 1.0F);
     const float width = std::max(std::min(side * std::min(aspect, 1.0F), room * aspect), 1.0F);
     frame.picture = {std::floor(width), std::floor(width / aspect)};
-    // The title needs its width, however narrow the picture is.
+    // The title bar keeps a minimum width, even above a narrow image.
     frame.size = {std::max(frame.picture.x, std::min(scaled(kNarrowest), pane.x - 2 * margin)),
                   title + (state.open ? frame.picture.y : 0.0F)};
     frame.low.x = isLeft(state.corner) ? view.low.x + margin : view.high.x - margin - frame.size.x;
     frame.low.y = isTop(state.corner) ? view.low.y + margin : view.high.y - margin - frame.size.y;
-    // Its bar is what it is folded and carried by.
+    // The title bar must stay reachable for folding and dragging.
     frame.low.y = std::max(frame.low.y, view.low.y);
     return frame;
 }
@@ -91,7 +91,7 @@ void drawModality(PreviewState& state, PreviewActions& actions) {
     ImGui::EndCombo();
 }
 
-/// The title is also the handle by which it is carried to another corner.
+/// The title bar; dragging it moves the panel to another corner.
 void drawHandle(const PreviewView& view, PreviewState& state, float width) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
@@ -155,8 +155,8 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
     }
 }
 
-/// Exact numbers of a pixel, whatever the picture shows: where it is, how deep and which colour,
-/// then what is there.
+/// Texts for a pixel, independent of the shown modality: position, depth and colour; then object
+/// and class.
 std::array<std::string, 2> valuesOf(const PreviewView& view, ImagePixel pixel) {
     const render::FrameRecord& record = view.image->record;
     const auto i = static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(record.width) +
@@ -184,8 +184,7 @@ std::array<std::string, 2> valuesOf(const PreviewView& view, ImagePixel pixel) {
     return {numbers, names};
 }
 
-/// In two lines at the edge of the picture that the mouse is farther from: what one looks at stays
-/// in sight.
+/// Draws the values along the top or bottom edge of the image, away from the mouse.
 void drawValues(const PreviewView& view, ImagePixel pixel, ImVec2 low, ImVec2 size) {
     const std::array<std::string, 2> lines = valuesOf(view, pixel);
     const float pad = scaled(4);
@@ -226,7 +225,7 @@ void drawPicture(const PreviewView& view, ImVec2 size) {
     if (pixel && ImGui::IsItemHovered()) drawValues(view, *pixel, low, size);
 }
 
-/// At the corner that points into the viewport.
+/// The resize handle, at the corner that points into the viewport.
 void drawGrip(PreviewState& state, const Frame& frame) {
     const float side = scaled(14);
     const float x = isLeft(state.corner) ? frame.low.x + frame.size.x - side : frame.low.x;
@@ -289,7 +288,7 @@ PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state) {
     back.w = state.full ? 1.0F : 0.94F;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, back);
     ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, state.full ? 0.0F : scaled(5));
-    // The viewport's window may have no padding; lists and tooltips need theirs.
+    // The viewport's window has no padding; combo lists and tooltips need some.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(10), scaled(8)});
     ImGui::BeginChild("preview", frame.size, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);

@@ -10,40 +10,40 @@
 
 namespace dollytrack::ui {
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct PreviewView {
-    const PreviewImage* image = nullptr;  // null or without a texture: nothing drawn yet
-    const Scene* scene = nullptr;         // the image's, for names
-    ImVec2 low, high;                     // of the pane that it lies in, px on the screen
-    bool busy = false;                    // a newer picture is on its way
-    std::string what;                     // "frame 12", "window_seat": whose camera it is
-    std::string why_not;                  // why there is no picture; empty when there is one
-    bool point_selected = false;          // a position point is, so that it can be shown
+    const PreviewImage* image = nullptr;  // null or without a texture: not drawn yet
+    const Scene* scene = nullptr;         // scene of the image, for object names
+    ImVec2 low, high;                     // corners of the viewport, px on the screen
+    bool busy = false;                    // a newer image is being rendered
+    std::string what;                     // name of the camera pose: "frame 12", "window_seat"
+    std::string why_not;                  // why there is no image; empty: there is one
+    bool point_selected = false;          // a position point is selected and can be previewed
 };
 
 enum class PaneCorner { TopLeft, TopRight, BottomLeft, BottomRight };
 
-/// What the panel remembers.
+/// State kept between window frames.
 struct PreviewState {
     Modality modality = Modality::Rgb;
-    bool open = true;  // else only its title
+    bool open = true;  // false: only the title bar
     bool full = false;
-    bool shows_selection = false;  // the selected position point rather than the timeline's frame
-    float width = 250.0F;          // at 96 dots per inch
+    bool shows_selection = false;  // the selected position point, not the timeline's frame
+    float width = 250.0F;          // length of the longer side, px at 96 dots per inch
     PaneCorner corner = PaneCorner::BottomRight;
 };
 
 struct PreviewActions {
-    bool changed = false;  // another modality or camera is wanted
+    bool changed = false;  // another modality or camera pose was chosen
     bool save_png = false;
-    bool hovered = false;  // the mouse is over it, not over the viewport
+    bool hovered = false;  // the mouse is over the panel and not for the viewport
 };
 
-/// The picture of the plan's camera within the viewport, or over all of it. Call it inside the
-/// viewport's window, after the viewport.
+/// Draws the image of the plan's camera in a corner of the viewport, or over all of it. To be
+/// called inside the viewport's ImGui window, after drawViewport().
 PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state);
 
-/// The pixel of an image shown at `low` with a size on the screen; nothing outside of it.
+/// A pixel of an image.
 struct ImagePixel {
     int x = 0;
     int y = 0;

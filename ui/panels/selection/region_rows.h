@@ -9,13 +9,15 @@
 
 namespace dollytrack::ui {
 
-/// The operation that adds a region; flat boxes get a thickness.
+/// The operation that adds a region; each side is at least 5 cm long.
 nlohmann::json addRegionOperation(const OrientedBox& box);
 
-/// The rows of a region inside a form: name, weight, must-see and box; asks for its change.
+/// Draws the rows of a region inside a form (name, weight, must-see, box); `edit` receives the
+/// operation that changes it.
 void regionRows(const Region& region, const std::string& name, EditRequest& edit);
 
-/// "94.2 % seen" of the region in the plan, where it was a must-see region then.
+/// "94.2 % seen of what can be": the region's seen share of visible surface; nullopt if it was no
+/// must-see region when the plan was made.
 std::optional<std::string> seenText(const Plan& plan, const Region& region);
 
 }  // namespace dollytrack::ui

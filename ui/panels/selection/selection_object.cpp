@@ -38,7 +38,7 @@ const char* sourceText(FrontSource source) {
     return "";
 }
 
-/// An object as it is in the newest edits, which the scene on the screen may not have yet.
+/// An object's properties with the newest edits, which the scene on the screen may lack.
 struct Said {
     int nyu40;
     Role role;
@@ -117,7 +117,7 @@ void drawMove(const Said& said, const json& key, EditRequest& edit) {
         }
         edit.ends_merge = edit.ends_merge || field.finished;
     };
-    // A cross puts back what is not as in the file, and leaves room for itself where nothing is.
+    // The cross button restores the value from the scene file; disabled if it is unchanged.
     const auto reset = [&](const char* name, const char* tip, bool changed, const char* what,
                            json value) {
         ImGui::SameLine();
@@ -190,7 +190,7 @@ void drawProperties(const SelectionView& view, const Object& object, SelectionSt
     endForm();
 }
 
-/// A frame's number to click, and how the object shows in it.
+/// A link to a frame, and how well the object is visible in it.
 void drawView(const char* label, const ObjectView& seen, const std::string& name,
               SelectionActions& actions) {
     formLine(label);
@@ -201,7 +201,7 @@ void drawView(const char* label, const ObjectView& seen, const std::string& name
                              100.0 * seen.visible_fraction, 100.0 * seen.box_share));
 }
 
-/// What the ledger adds to the views themselves.
+/// Additional values from the ledger.
 void drawRow(const LedgerRow& row) {
     if (row.loss) {
         std::string words(name(*row.loss));
@@ -233,7 +233,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
         ImGui::TextColored(palette().bad, "\u25cb not captured");
     }
     const auto row = std::ranges::find(view.plan->ledger, object.id, &LedgerRow::object_id);
-    // The search for remedies looks at more places: what it says replaces what the plan knew.
+    // The remedy search tests more candidates, so its ledger row replaces the plan's.
     const bool searched = view.remedy.state == RemedySearch::State::Found ||
                           view.remedy.state == RemedySearch::State::Nothing;
     const LedgerRow* known = row == view.plan->ledger.end() ? nullptr

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = Selection::Kind;
 
-/// Whether what is selected is there; another plan may have less of everything.
+/// Whether the selected element exists; a new plan may have fewer elements.
 bool isThere(const SelectionView& view) {
     const Selection& selection = *view.selection;
     const auto within = [](int index, std::size_t size) {

@@ -16,50 +16,49 @@ class FreeSpace;
 
 namespace dollytrack::ui {
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct SelectionView {
     const Selection* selection = nullptr;
-    const Scene* scene = nullptr;                     // on the screen; null: no project is open
-    const Plan* plan = nullptr;                       // of that scene; null before planning
-    bool measured = false;                            // the captures belong to this plan
+    const Scene* scene = nullptr;                     // on the screen; null: no project
+    const Plan* plan = nullptr;                       // plan for that scene; null before planning
+    bool measured = false;                            // the plan's capture metrics are current
     const Edits* edits = nullptr;                     // the newest; may be ahead of scene and plan
     const planning::FreeSpace* free_space = nullptr;  // null before planning
-    RemedySearch remedy;                              // of the selected object
-    double track_time_s = 0.0;                        // at which objects' tracks are looked at
-    const std::vector<double>* piece_sizes_m = nullptr;  // of the object; null: being measured
+    RemedySearch remedy;                              // for the selected object
+    double track_time_s = 0.0;                        // time at which the tracks are evaluated
+    const std::vector<double>* piece_sizes_m = nullptr;  // sizes of its pieces; null: computing
 };
 
-/// What the panel remembers between frames.
+/// State kept between window frames.
 struct SelectionState {
-    bool show_candidates = true;  // of the selected target, in the viewport
+    bool show_candidates = true;  // draw the selected target's candidates in the viewport
     std::string class_filter;
     std::string merge_name;
     SplitLimits split;
 };
 
-/// What the user asked for.
+/// User actions of this frame.
 struct SelectionActions {
     EditRequest edit;
     std::optional<Selection> select;
-    bool frame = false;  // bring what is selected into the viewport
+    bool frame = false;  // frame the selection in the viewport
     int go_to_frame = -1;
     std::optional<Pose> look_through;
     RemedyActions remedy;
-    std::optional<double> went_to_s;  // the time of the tracks that `edit` goes to
+    std::optional<double> went_to_s;  // track time that `edit` sets
 };
 
-/// What is known of the thing that was clicked, why the plan treats it as it does, and what can be
-/// changed of it.
+/// Draws the properties of the selection, how the plan treats it and why, and the edits it allows.
 SelectionActions drawSelectionPanel(const SelectionView& view, SelectionState& state);
 
-/// The operation that splits an object; limits that are off are not in it.
+/// The operation that splits an object; limits of 0 (off) are omitted.
 nlohmann::json splitOperation(const nlohmann::json& object, const SplitLimits& limits);
-/// Why a split would make nothing of the selected object; empty where it would, or where the pieces
-/// are not known yet.
+/// Why a split of the selected object would do nothing; empty if it would work, or if the pieces
+/// are not computed yet.
 std::string whyNoSplit(const SelectionView& view, const SplitLimits& limits);
-/// The operation that gives an object's track a key at this time, where the object now is.
+/// The operation that sets a key of an object's track at this time to the object's current pose.
 nlohmann::json addKeyOperation(const Edits& edits, const Scene& scene, int id, double time_s);
-/// And the one that takes it away; null where there is none.
+/// The operation that removes the key at exactly this time; null if there is none.
 nlohmann::json removeKeyOperation(const Edits& edits, const Scene& scene, int id, double time_s);
 
 }  // namespace dollytrack::ui

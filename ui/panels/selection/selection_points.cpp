@@ -33,12 +33,12 @@ const char* kindText(TargetKind kind) {
     return "";
 }
 
-/// A position point as it is in the newest edits, which the plan may not have yet: else a drag
-/// would begin anew from the plan's pose in every frame.
+/// A position point with the newest edits, which the plan may lack: otherwise each frame of a drag
+/// would restart at the plan's pose.
 struct Handle {
-    const PinnedPoint* pin = nullptr;  // null: found by the search
+    const PinnedPoint* pin = nullptr;  // null: the planner chose the pose
     Pose pose;
-    std::vector<int> objects;  // of its observation point
+    std::vector<int> objects;  // objects of its observation point
     [[nodiscard]] bool placedFromView() const { return pin != nullptr && pin->objects.empty(); }
 };
 
@@ -50,7 +50,7 @@ Handle findHandle(const SelectionView& view, const PositionPoint& point) {
         handle.objects = view.plan->observation_points[index].objects;
     }
     if (view.edits == nullptr) return handle;
-    // What a region or an anchor asks for is no pin's, whatever it captures.
+    // Points for a region or an anchor never correspond to a pin, whatever they capture.
     if (point.fixed && point.pin < 0) return handle;
     const auto& pinned = view.edits->plan.pinned;
     const bool by_number = point.pin >= 0 && point.pin < static_cast<int>(pinned.size()) &&
@@ -61,7 +61,7 @@ Handle findHandle(const SelectionView& view, const PositionPoint& point) {
     return handle;
 }
 
-/// The operation that gives the point another pose; the fields of the pose are still to be added.
+/// The operation that changes the point's pose; the caller adds the pose fields.
 json placing(const SelectionView& view, const Handle& handle) {
     if (handle.placedFromView()) return {{"op", "move_point"}, {"point", handle.pin->name}};
     return {{"op", "pin"},

@@ -4,13 +4,13 @@
 
 namespace dollytrack::ui {
 
-/// How far the search is for what would get one object captured.
+/// State of the search for a remedy: a change after which an object is captured.
 struct RemedySearch {
     enum class State { NotAsked, Searching, Found, Nothing, Failed };
     State state = State::NotAsked;
     double fraction = 0.0;        // Searching
-    LedgerRow row;                // Found and Nothing: what the search knows better than the plan
-    bool can_be_applied = false;  // Found: by operations
+    LedgerRow row;                // Found and Nothing: the search's more detailed ledger row
+    bool can_be_applied = false;  // Found: the remedy can be expressed as edit operations
     std::string error;            // Failed
 };
 
@@ -20,8 +20,8 @@ struct RemedyActions {
     bool apply = false;
 };
 
-/// Under the reason why an object is not captured, or not well: a button that looks for a way, then
-/// the way, and a button that goes it.
+/// Draws, below the reason why an object is not (well) captured, a button that starts the search,
+/// its progress, the remedy found, and a button that applies it.
 RemedyActions drawRemedy(const RemedySearch& search);
 
 }  // namespace dollytrack::ui

@@ -14,12 +14,12 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Candidates that ended alike.
+/// Candidates with the same verdict and occluder.
 struct Outcome {
     Verdict verdict = Verdict::Legal;
     int occluder = 0;
     int count = 0;
-    int best = -1;  // the candidate of them that shows most
+    int best = -1;  // index of the candidate with the largest visible fraction
 };
 
 std::vector<Outcome> outcomesOf(const ViewpointSearch& search) {
@@ -42,7 +42,7 @@ std::vector<Outcome> outcomesOf(const ViewpointSearch& search) {
     return outcomes;
 }
 
-/// The one that shows most of its target, whatever the reason against it.
+/// Index of the candidate with the largest visible fraction, whatever its verdict; -1: none.
 int bestCandidate(const ViewpointSearch& search) {
     const auto best = std::ranges::max_element(search.candidates, {}, &Candidate::visible_fraction);
     return best == search.candidates.end() ? -1

@@ -12,7 +12,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Both ends of an edge as rows of a form.
+/// Rows of a form for both ends of an edge.
 void endRows(const SelectionView& view, int a, int b, SelectionActions& actions) {
     for (const auto& [label, index, name] :
          {std::tuple{"From", a, "selection.from"}, std::tuple{"To", b, "selection.to"}}) {

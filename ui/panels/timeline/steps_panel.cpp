@@ -45,7 +45,7 @@ void updateRows(const StepsView& view, StepsState& state) {
     }
 }
 
-/// How many steps are taken after the next refusal.
+/// Number of steps taken after the next refused move; nullopt if none follows.
 std::optional<std::size_t> nextRefusal(const StepsView& view) {
     const auto& steps = view.steps->steps;
     const auto at =
@@ -113,8 +113,8 @@ ImVec4 colorOf(StepKind kind) {
     return ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
-/// The step taken last, in full: the list below may be too narrow. Always two lines high, so that
-/// nothing moves while one goes on.
+/// The full text of the latest step, which the list may cut. At least two lines high, so that the
+/// widgets below rarely move.
 void drawCurrent(const StepsView& view) {
     const float top = ImGui::GetCursorPosY();
     if (view.taken == 0) {
@@ -139,7 +139,7 @@ void drawList(const StepsView& view, StepsState& state, StepsActions& actions) {
     ImGui::BeginChild("steps");
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const auto current = static_cast<std::uint32_t>(view.taken);
-    // The row of the step taken last, or of the one before it where that is not shown.
+    // The first row that is not taken yet; the row before it is the latest listed step.
     const auto at = std::ranges::lower_bound(state.rows, current);
     const auto place = static_cast<float>(at - state.rows.begin());
     if (state.scrolled_to != view.taken) {
@@ -154,8 +154,7 @@ void drawList(const StepsView& view, StepsState& state, StepsActions& actions) {
             const bool taken = index < view.taken;
             const std::string text = view.describe ? view.describe(index) : std::string();
             ImGui::PushID(i);
-            // What is still to come is dim, in a colour that each theme has for that: a see-through
-            // one is too pale on white.
+            // Future steps are dim; a transparent colour would be too pale on white.
             ImGui::PushStyleColor(
                 ImGuiCol_Text, taken ? colorOf(view.steps->steps[index].kind) : palette().text_dim);
             const std::string line = fmt::format("{}   {}", index + 1, text);
@@ -218,7 +217,7 @@ StepsActions drawStepsPanel(const StepsView& view, StepsState& state) {
         return actions;
     }
     updateRows(view, state);
-    // Below the viewport there is width but no height: the list goes beside the controls.
+    // A panel below the viewport is wide and short: the list goes beside the controls.
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool wide = room.x >= scaled(900);
     if (wide) ImGui::BeginChild("controls", {std::floor(0.44F * room.x), 0.0F});

@@ -12,27 +12,28 @@
 
 namespace dollytrack::ui {
 
-/// The kinds of steps as the paper names them; each stands for one or more of AlgorithmStep::Kind.
+/// The groups of steps that the paper names; each covers one or more AlgorithmStep::Kind.
 enum class StepGroup { Sample, Near, Edge, CollisionFree, Link, Prune, Branch };
 constexpr std::size_t kStepGroups = 7;
 using StepFilter = std::array<bool, kStepGroups>;
 
 [[nodiscard]] StepGroup groupOf(AlgorithmStep::Kind kind);
 
-/// What the panel may read this frame.
+/// Input of the panel for one window frame.
 struct StepsView {
     const AlgorithmSteps* steps = nullptr;  // null before planning
-    std::uint64_t serial = 0;               // another number with every plan
-    std::size_t taken = 0;  // steps taken so far, in the picture: 0 .. steps->steps.size()
+    std::uint64_t serial = 0;               // changes with every plan
+    std::size_t taken = 0;                  // number of displayed steps: 0 .. steps->steps.size()
     bool playing = false;
-    std::function<std::string(std::size_t)> describe = {};  // a step in one sentence
+    std::function<std::string(std::size_t)> describe = {};  // one step as a sentence
 };
 
-/// What the panel remembers; the shell plays at `per_second`, with nextStop().
+/// State kept between window frames. The editor advances playback with nextStop() at `per_second`.
 struct StepsState {
     StepFilter shown = {true, true, true, true, true, true, true};
     double per_second = 10.0;
-    // Indices of the steps that are shown, of which plan, and by which filter.
+    // Cache: indices of the steps that pass the filter, with the plan's serial and the filter they
+    // are for.
     std::vector<std::uint32_t> rows;
     std::uint64_t rows_of = 0;
     StepFilter rows_by = {};
@@ -40,15 +41,16 @@ struct StepsState {
 };
 
 struct StepsActions {
-    std::optional<std::size_t> go_to;  // number of steps taken
+    std::optional<std::size_t> go_to;  // new value of `taken`
     bool toggle_play = false;
 };
 
-/// Going through the algorithm step by step, forward and back.
+/// Draws the step list and the controls to step forward and back through the algorithm.
 StepsActions drawStepsPanel(const StepsView& view, StepsState& state);
 
-/// How many steps are taken after the next one (`direction` 1) of the kinds shown, or after the one
-/// before (-1); nothing at the end. Going back from the first leads to no step at all.
+/// The number of steps taken after moving to the next listed step (`direction` 1) or the previous
+/// one (-1). `rows`: indices of the listed steps, ascending. Forward from the last, and back from 0
+/// steps, returns nullopt; back from the first listed step returns 0.
 [[nodiscard]] std::optional<std::size_t> nextStop(const std::vector<std::uint32_t>& rows,
                                                   std::size_t taken, int direction);
 

@@ -36,7 +36,7 @@ std::vector<TimelineKey> timelineKeys(const Scene& scene, const Plan& plan) {
 
 std::vector<TimelineBand> timelineBands(const Plan& plan) {
     const auto& frames = plan.trajectory.frames;
-    std::map<int, std::set<int>> paths;  // of each room
+    std::map<int, std::set<int>> paths;  // paths by room
     for (const TrajectoryFrame& frame : frames) paths[frame.component].insert(frame.path);
     std::vector<TimelineBand> bands;
     for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -8,11 +8,12 @@
 
 namespace dollytrack::ui {
 
-/// The frames of a plan that stand on a position point, with what they capture; where it stays on
-/// one for several frames, the first of them.
+/// The key frames of a plan, with the objects each captures. If the camera stays at a position
+/// point for several frames, only the first is listed.
 [[nodiscard]] std::vector<TimelineKey> timelineKeys(const Scene& scene, const Plan& plan);
 
-/// Its rooms, and where a room has several, its paths.
+/// The trajectory divided into rooms (connected components of free space), and by path if a room
+/// has several.
 [[nodiscard]] std::vector<TimelineBand> timelineBands(const Plan& plan);
 
 }  // namespace dollytrack::ui

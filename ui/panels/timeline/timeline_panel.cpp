@@ -99,7 +99,7 @@ void drawPlace(const TimelineView& view, TimelineActions& actions) {
     ImGui::EndDisabled();
 }
 
-/// At the right end of the row: the counter, zoom, and which strips are drawn.
+/// Right end of the button row: captured counter, zoom reset, and the choice of strips.
 void drawRightEnd(const TimelineView& view, TimelineState& state) {
     std::string counter;
     if (hasSeries(view)) {

@@ -10,33 +10,33 @@
 
 namespace dollytrack::ui {
 
-/// A frame that stands on a position point.
+/// A key frame: a frame at a position point.
 struct TimelineKey {
     int frame = 0;
-    std::string text;  // what it captures, for people
+    std::string text;  // the captured objects, for display
 };
 
-/// A stretch of frames: a room, or a path within one.
+/// A range of frames in one room, or on one path within a room.
 struct TimelineBand {
     int begin = 0;
     int end = 0;  // one past its last frame
     std::string name;
 };
 
-/// What the panel may read this frame. Pointers may be null where there is nothing yet.
+/// Input of the panel for one window frame. Null pointers stand for data that does not exist yet.
 struct TimelineView {
     int frame_count = 0;
     double frame_interval_s = 0.1;
-    const std::vector<double>* times_s = nullptr;  // of the frames; null: at even intervals
-    int frame = 0;                                 // shown now
+    const std::vector<double>* times_s = nullptr;  // time of each frame; null: equal intervals
+    int frame = 0;                                 // current frame
     bool playing = false;
-    const std::vector<TimelineKey>* keys = nullptr;  // by rising frame
+    const std::vector<TimelineKey>* keys = nullptr;  // sorted by frame
     const std::vector<TimelineBand>* bands = nullptr;
-    const FrameSeries* series = nullptr;   // null, or of another length: being measured
-    const FrameSeries* earlier = nullptr;  // of the plan before, shown until then; null: none
+    const FrameSeries* series = nullptr;   // null or of a different length: being measured
+    const FrameSeries* earlier = nullptr;  // the previous plan's, drawn until then; or null
     int target_count = 0;
-    std::function<std::string(int)> object_name = {};  // of an id
-    // Lines across the strips; 0: none.
+    std::function<std::string(int)> object_name = {};  // name of an object id
+    // Limits drawn as dashed lines across the strips; 0: none.
     double camera_radius_m = 0.0;
     double max_speed_mps = 0.0;
     double max_turn_dps = 0.0;
@@ -45,27 +45,29 @@ struct TimelineView {
 enum class TimelineStrip { Clearance, Speed, Turn, Score, InView, Captured };
 constexpr std::size_t kTimelineStrips = 6;
 
-/// What the panel remembers; the shell plays at `speed` and begins again where `loop` is set.
+/// State kept between window frames. The editor plays at `speed` and restarts at the end if `loop`
+/// is set.
 struct TimelineState {
-    double speed = 1.0;  // times the frame rate
+    double speed = 1.0;  // multiple of real time
     bool loop = false;
     std::array<bool, kTimelineStrips> strips = {true, true, false, false, true, true};
-    // What is shown of the frames: all of them when `shown` is 0.
+    // Visible range of the axis, in frames; `shown` 0: all frames.
     double first = 0.0;
     double shown = 0.0;
-    int count = 0;       // of frames, when that was chosen
-    int last_frame = 0;  // shown in the last frame of the window
+    int count = 0;       // frame count for which the range was chosen
+    int last_frame = 0;  // current frame in the previous window frame
 };
 
 struct TimelineActions {
-    std::optional<int> go_to;  // frame; within the trajectory
+    std::optional<int> go_to;  // frame index within the trajectory
     bool toggle_play = false;
 };
 
-/// Transport, scrubber with key frames and rooms, and a strip for each thing measured a frame.
+/// Draws the playback controls, the scrubber with key frames and rooms, and a strip for each
+/// measured value.
 TimelineActions drawTimelinePanel(const TimelineView& view, TimelineState& state);
 
-/// The key frame after (`direction` 1) or before (-1) `frame`, if there is one.
+/// The next (`direction` 1) or previous (-1) key frame; nullopt if there is none.
 [[nodiscard]] std::optional<int> neighbourKey(const std::vector<TimelineKey>& keys, int frame,
                                               int direction);
 

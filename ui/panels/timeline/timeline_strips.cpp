@@ -18,7 +18,7 @@ constexpr std::array<StripStyle, kTimelineStrips> kStyles = {{
     {"captured", "Captured so far", "", 0, 0.33F},
 }};
 
-/// Calls `use` with the strip's values, whatever their type: a loop over them then is a plain one.
+/// Calls `use` with the strip's values as a typed vector (double or int).
 template <class Use>
 auto withValues(const FrameSeries& series, TimelineStrip strip, const Use& use) {
     switch (strip) {
@@ -57,7 +57,7 @@ double limitOf(const TimelineView& view, TimelineStrip strip) {
     return 0.0;
 }
 
-/// The top of the scale: of all frames, so that zooming does not change heights.
+/// Upper end of the value axis, over all frames, so that zooming does not change heights.
 double topOf(const TimelineView& view, TimelineStrip strip) {
     double top = limitOf(view, strip);
     if (strip == TimelineStrip::Captured) top = view.target_count;
@@ -120,7 +120,7 @@ void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& a
     for (std::size_t x = 0; x < columns.size(); ++x) {
         const PlotColumn& column = columns[x];
         const float left = static_cast<float>(axis.left()) + static_cast<float>(x);
-        // Joined to the column before, so that a steep change is a line and not two dots.
+        // Connected to the previous column, so that a steep change is a line instead of two dots.
         const float high = yOf(std::max(column.high, before));
         const float low = std::max(yOf(std::min(column.low, before)), high + stroke);
         list->AddRectFilled({left, high}, {left + 1, std::min(low, bottom)}, line);

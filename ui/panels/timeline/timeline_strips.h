@@ -7,25 +7,25 @@
 
 namespace dollytrack::ui {
 
-/// How one thing measured a frame is named and drawn.
+/// Name and style of a strip, the plot of one measured value.
 struct StripStyle {
-    const char* name;   // "clearance": in the item map
-    const char* title;  // for people
+    const char* name;   // name in the item map: "clearance"
+    const char* title;  // display name
     const char* unit;
     int digits;
-    float hue;  // of its colour, 0..1
+    float hue;  // hue of its colour, 0..1
 };
 [[nodiscard]] const StripStyle& stripStyle(TimelineStrip strip);
 
-/// Whether the series belongs to the trajectory on the screen.
+/// Whether `view.series` matches the trajectory's frame count.
 [[nodiscard]] bool hasSeries(const TimelineView& view);
-/// "0.42 m"
+/// The value at a frame as text: "0.42 m".
 [[nodiscard]] std::string stripText(const FrameSeries& series, TimelineStrip strip, int frame);
-/// Smallest and largest of what the axis shows: "0.10 – 1.92 m".
+/// Minimum and maximum over the visible frames: "0.10 – 1.92 m".
 [[nodiscard]] std::string stripRange(const FrameSeries& series, TimelineStrip strip,
                                      const FrameAxis& axis);
 
-/// Draws the values into the rectangle between top and bottom (px), under the axis.
+/// Plots the values over the visible part of `axis`, between screen rows `top` and `bottom` (px).
 void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis, float top,
                float bottom);
 

@@ -4,11 +4,11 @@
 
 namespace dollytrack::ui {
 
-/// When a frame was taken, s; in between, of a share of the way to the next.
+/// Time of a frame, s. Fractional frames are interpolated linearly; outside the trajectory times
+/// continue at equal intervals.
 [[nodiscard]] double timeOf(const TimelineView& view, double frame);
 
-/// The inverse, not a whole number; before the first and behind the last frame the times go on at
-/// even intervals.
+/// Inverse of timeOf(): the fractional frame at a time.
 [[nodiscard]] double frameAt(const TimelineView& view, double time_s);
 
 }  // namespace dollytrack::ui

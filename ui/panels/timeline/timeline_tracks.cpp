@@ -15,11 +15,11 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Where the rows are, px on the screen.
+/// Positions of the rows, px on the screen.
 struct Rows {
-    float labels = 0;  // left edge of the names; the axis has the rest
+    float labels = 0;  // left edge of the row names
     float ruler = 0;
-    float bands = 0;  // as high as the next row says: nothing where all is one room
+    float bands = 0;  // top of the room row, which has no height if there is only one room
     float keys = 0;
     float strips = 0;
     float strip_height = 0;
@@ -30,7 +30,7 @@ float rowHeight() {
     return std::ceil(ImGui::GetTextLineHeight() + scaled(3));
 }
 
-/// 1, 2 or 5 times a power of ten seconds, so far apart that the numbers stay readable.
+/// Tick interval: 1, 2 or 5 times a power of ten seconds, wide enough for the numbers.
 double tickSeconds(double seconds_per_pixel) {
     const double least = seconds_per_pixel * scaled(70);
     const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-3))));
@@ -45,7 +45,7 @@ void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows
     const ImU32 line = ImGui::GetColorU32(palette().panel_line);
     const double interval = view.frame_interval_s > 0.0 ? view.frame_interval_s : 1.0;
     const double step = tickSeconds(interval / axis.pixelsPerFrame());
-    // A frame's time is in the frame's middle, as the playhead and the key frames are.
+    // A frame's time is at the centre of its interval, like the playhead and the key frames.
     const double begin = timeOf(view, std::max(axis.first() - 0.5, 0.0));
     const auto first = static_cast<long>(std::ceil(begin / step));
     for (long i = first;; ++i) {
@@ -96,7 +96,7 @@ void drawKeys(const TimelineView& view, const FrameAxis& axis, const Rows& rows)
         }
     }
     if (view.keys == nullptr) return;
-    // Smaller where they would hide each other.
+    // Smaller symbols if they would overlap.
     const auto shown = std::ranges::count_if(*view.keys, [&](const TimelineKey& key) {
         return key.frame >= axis.first() && key.frame < axis.endFrame();
     });
@@ -169,8 +169,8 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
     ImGui::EndTooltip();
 }
 
-/// While a slider is dragged each plan is replaced before it is measured. The strips of the last
-/// one that was stay, paler and stretched over the new frames, so that nothing blinks.
+/// While a parameter is dragged, plans are replaced before they are measured. The strips of the
+/// last measured plan stay, paler and scaled to the new frame count, to avoid flicker.
 void drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis,
                       float top, float bottom) {
     TimelineView before = view;
@@ -243,7 +243,7 @@ Rows layOut(const TimelineView& view, const TimelineState& state, ImVec2 origin,
     return rows;
 }
 
-/// Wheel and middle button. Over the names the wheel scrolls, as elsewhere.
+/// Zooming and panning. Over the row names the wheel scrolls.
 void navigate(FrameAxis& axis, bool hovered, bool active) {
     const ImGuiIO& io = ImGui::GetIO();
     if (hovered && io.MouseWheel != 0.0F) {

@@ -6,8 +6,9 @@
 
 namespace dollytrack::ui {
 
-/// The part of the timeline below its buttons: ruler, rooms, key frames and strips over one axis.
-/// Left button: go there (returned); wheel: zoom; middle button: pan.
+/// Draws the timeline below its buttons: ruler, rooms, key frames and strips over one axis. The
+/// left button selects a frame (returned if it is a new one), the wheel zooms, the middle button
+/// pans.
 std::optional<int> drawTimelineTracks(const TimelineView& view, TimelineState& state);
 
 }  // namespace dollytrack::ui

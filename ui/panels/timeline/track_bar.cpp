@@ -16,9 +16,9 @@ namespace {
 
 constexpr DragRange kTimeRange = {0.0, 1e6, 0.02F, "%.2f", " s"};
 
-/// The slider's own keys: what is selected is keyed there.
+/// Draws the selected object's keys on the slider.
 void drawKeys(const TrackBarView& view, double end_s, ImVec2 low, ImVec2 high) {
-    const float inset = 0.5F * ImGui::GetStyle().GrabMinSize + 2.0F;  // as the slider's grip has it
+    const float inset = 0.5F * ImGui::GetStyle().GrabMinSize + 2.0F;  // ImGui's slider margin
     const float half = scaled(4);
     const float y = 0.5F * (low.y + high.y);
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -53,7 +53,7 @@ TrackBarActions drawTrackBar(const TrackBarView& view) {
         actions.toggle_play = true;
     }
     ImGui::SameLine();
-    // What is beyond the slider's end shows at it.
+    // A time beyond the usual end extends the slider.
     const double end_s = std::max(trackBarEnd(view.last_s), view.time_s);
     const float number = scaled(96);
     const char* const elsewhere = "moved by hand since";
@@ -65,7 +65,7 @@ TrackBarActions drawTrackBar(const TrackBarView& view) {
     auto time = static_cast<float>(view.time_s);
     if (ImGui::SliderFloat("##track time", &time, 0.0F, static_cast<float>(end_s), "",
                            ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
-        // Hundredths are what one reads beside it.
+        // Rounded to hundredths, as displayed beside it.
         actions.go_to_s = std::round(100.0 * static_cast<double>(time)) / 100.0;
     }
     actions.finished = ImGui::IsItemDeactivated();

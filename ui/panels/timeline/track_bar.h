@@ -5,27 +5,27 @@
 
 namespace dollytrack::ui {
 
-/// What the row may read this frame.
+/// Input of the row for one window frame.
 struct TrackBarView {
-    double time_s = 0.0;   // of the tracks
-    double last_s = 0.0;   // when their last key is
-    bool is_there = true;  // objects stand where their tracks have them at that time
+    double time_s = 0.0;   // current track time
+    double last_s = 0.0;   // time of the last key of any track
+    bool is_there = true;  // all objects are at their tracks' poses for that time
     bool playing = false;
-    std::vector<double> keys_s;  // of what is selected, by rising time
+    std::vector<double> keys_s;  // key times of the selected object, ascending
 };
 
-/// What the user asked for.
+/// User actions of this frame.
 struct TrackBarActions {
     std::optional<double> go_to_s;
-    bool finished = false;  // a drag is over
+    bool finished = false;  // a drag has ended
     bool toggle_play = false;
 };
 
-/// A row for the time of the objects' tracks: play, a slider with the selected object's keys on it,
-/// and the time as a number, which may be later than the slider goes.
+/// Draws the row for the time of the object tracks: play button, a slider with the selected
+/// object's keys, and a number field that may exceed the slider's range.
 TrackBarActions drawTrackBar(const TrackBarView& view);
 
-/// Where the slider ends: somewhat after the last key, so that there is room for another.
+/// Upper end of the slider, s: 25 % after the last key, rounded up, at least 5 s.
 [[nodiscard]] double trackBarEnd(double last_s);
 
 }  // namespace dollytrack::ui

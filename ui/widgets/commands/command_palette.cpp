@@ -69,7 +69,7 @@ std::string itemName(const CommandPaletteView& view, const Hit& hit) {
     return {};
 }
 
-/// The text with the letters that matched in the accent's colour.
+/// Draws a text with the matched characters in the accent colour.
 void drawMatched(const std::string& text, const FuzzyMatch& match, ImVec2 at, bool enabled) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const ImU32 plain = ImGui::GetColorU32(enabled ? ImGuiCol_Text : ImGuiCol_TextDisabled);
@@ -128,7 +128,7 @@ void choose(const CommandPaletteView& view, const Hit& hit, CommandPaletteAction
     }
 }
 
-/// Arrow keys; returns whether the selection moved.
+/// Handles the arrow and page keys; returns whether the selection moved.
 bool moveSelection(CommandPaletteState& state) {
     const int count = static_cast<int>(state.hits.size());
     int step = 0;

@@ -9,46 +9,48 @@
 
 namespace dollytrack::ui {
 
-/// Something else than a command that can be found by its name.
+/// A searchable entry besides commands: a parameter.
 struct PaletteItem {
     std::string name;  // "fill"
-    std::string text;  // "Share of the image's length that the target takes"
+    std::string text;  // description: "Share of the image's length that the target takes"
 };
 
 struct CommandPaletteView {
     const CommandTable* commands = nullptr;
     const std::vector<PaletteItem>* parameters = nullptr;
-    const Scene* scene = nullptr;  // null: none is open
+    const Scene* scene = nullptr;  // null: no scene is open
 };
 
-/// What the palette remembers between frames. Set `open` to show it.
+/// State kept between window frames. Set `open` to show the palette.
 struct CommandPaletteState {
     struct Hit {
         enum class Kind { Command, Parameter, Object };
         Kind kind = Kind::Command;
-        std::size_t index = 0;  // in the view's list
+        std::size_t index = 0;  // index in the view's list
         FuzzyMatch match;
     };
     bool open = false;
     std::string text;
     int selected = 0;
-    std::vector<Hit> hits;  // for `found_for`
+    std::vector<Hit> hits;  // results for the text `found_for`
     std::string found_for;
     bool found = false;
 };
 
-/// What was chosen; empty and 0: nothing.
+/// The chosen entry; empty and 0: none.
 struct CommandPaletteActions {
-    std::string run;              // id of a command that can run
+    std::string run;              // id of a runnable command
     std::string focus_parameter;  // name
     int select_object = 0;        // id
 };
 
-/// One line to type into that finds commands, parameters and objects by parts of their names.
+/// Draws a search line that finds commands, parameters and objects by fuzzy matching of their
+/// names.
 CommandPaletteActions drawCommandPalette(const CommandPaletteView& view,
                                          CommandPaletteState& state);
 
-/// What the palette lists for a text, best first; commands in their order when it is empty.
+/// The entries for a text, best match first, at most 200. For an empty text, all commands in their
+/// order.
 std::vector<CommandPaletteState::Hit> findInPalette(const CommandPaletteView& view,
                                                     const std::string& text);
 

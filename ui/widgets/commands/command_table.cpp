@@ -50,7 +50,8 @@ std::string keyName(int key) {
     }
 }
 
-/// Larger and smaller are on keys of many places: + and - of the number pad, + beside Enter.
+/// Zoom shortcuts also accept + and - on the number pad, and whichever key produces that character
+/// on the user's layout.
 bool pressedElsewhere(int key, const CommandTable::KeySigns& signs) {
     if (key != GLFW_KEY_EQUAL && key != GLFW_KEY_MINUS) return false;
     const bool larger = key == GLFW_KEY_EQUAL;
@@ -84,16 +85,16 @@ std::string CommandTable::runShortcuts(const KeySigns& signs) const {
     const ImGuiIO& io = ImGui::GetIO();
     for (const Command& command : commands_) {
         const Shortcut& keys = command.shortcut;
-        // Holding a key down repeats what goes step by step, not what makes things.
+        // Only stepping and undo shortcuts repeat while a key is held.
         const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
                              keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
         if (keys.key == 0) continue;
         if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) continue;
         const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
         if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key, signs))) continue;
-        // On many keyboards + is Shift and =.
+        // On many keyboards + needs Shift.
         if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) continue;
-        // While typing only what no text holds is a command.
+        // While a text field has the keyboard, keys it uses itself are not shortcuts.
         const bool edits_text =
             keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
                           keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);

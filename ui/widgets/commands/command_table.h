@@ -7,25 +7,25 @@
 
 namespace dollytrack::ui {
 
-/// Keys that run a command: a GLFW key code (0: none) with modifiers.
+/// Key combination of a command: a GLFW key code (0: none) with modifiers.
 struct Shortcut {
     int key = 0;
     bool ctrl = false;
     bool shift = false;
     bool alt = false;
-    [[nodiscard]] std::string text() const;  // "Ctrl+Shift+S"; empty when there is none
+    [[nodiscard]] std::string text() const;  // "Ctrl+Shift+S"; empty if there is none
 };
 
-/// Something the user can have done: menus, shortcuts, the palette and the help are all made from
-/// the one list of these.
+/// A user command. Menus, shortcuts, the palette and the help are generated from the table of
+/// commands.
 struct Command {
     std::string id;     // "file.open"
-    std::string group;  // "File": the menu it is in
+    std::string group;  // menu name: "File"
     std::string title;  // "Open…"
     Shortcut shortcut;
     std::function<void()> run;
-    std::function<std::string()> why_not = {};  // empty text: it can run; else the reason it cannot
-    std::function<bool()> checked = {};         // for switches
+    std::function<std::string()> why_not = {};  // returns why the command cannot run; empty: it can
+    std::function<bool()> checked = {};         // for on/off commands: whether it is on
 
     [[nodiscard]] bool canRun() const { return !why_not || why_not().empty(); }
 };
@@ -36,14 +36,16 @@ class CommandTable {
     [[nodiscard]] const std::vector<Command>& all() const { return commands_; }
     [[nodiscard]] const Command* find(std::string_view id) const;
 
-    /// What a key writes on the user's keyboard, "+" say; empty: not one sign, or not known.
+    /// Returns the character that a GLFW key produces on the user's keyboard layout, such as "+";
+    /// empty: unknown or not a single character.
     using KeySigns = std::function<std::string(int key)>;
 
-    /// Runs the command whose keys were pressed this frame, unless a text field has the keyboard.
-    /// Returns its id; empty when there was none.
+    /// Runs the command whose shortcut was pressed this frame. While a text field has the keyboard,
+    /// only shortcuts that text editing does not use are active. Returns the command's id; empty if
+    /// none ran.
     std::string runShortcuts(const KeySigns& signs = {}) const;
 
-    /// A menu's entry; separators are the caller's.
+    /// Draws the menu item of a command; does nothing for an unknown id.
     void drawMenuItem(std::string_view id) const;
 
   private:

@@ -10,9 +10,9 @@ namespace {
 constexpr int kLetter = 1;
 constexpr int kInARow = 10;
 constexpr int kWordStart = 8;
-constexpr int kTextStart = 4;  // on top of the above
+constexpr int kTextStart = 4;  // added to kWordStart
 constexpr int kNever = std::numeric_limits<int>::min() / 2;
-constexpr std::size_t kLongestText = 256;  // names from files can be of any length
+constexpr std::size_t kLongestText = 256;  // bounds the work: names from files can have any length
 
 char lower(char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -34,16 +34,16 @@ int letterScore(std::string_view text, std::size_t at) {
     return score;
 }
 
-/// The best way to place one word, by dynamic programming over (letter of the word, place).
+/// Best match of one word, by dynamic programming over (letter, position).
 std::optional<FuzzyMatch> matchWord(std::string_view word, std::string_view text) {
     const std::size_t n = text.size();
     const std::size_t m = word.size();
     if (m > n) return std::nullopt;
-    // ending[i][j]: the best score with letter i at place j; from[i][j]: place of the one before.
+    // ending[i][j]: best score with letter i at position j; from[i][j]: position of letter i - 1.
     std::vector<int> ending(m * n, kNever);
     std::vector<std::size_t> from(m * n, 0);
     for (std::size_t i = 0; i < m; ++i) {
-        int best_before = kNever;  // of letter i - 1 at any place before j - 1
+        int best_before = kNever;  // best score of letter i - 1 at a position before j - 1
         std::size_t best_place = 0;
         for (std::size_t j = i; j < n; ++j) {
             if (i > 0 && j >= 2 && ending[(i - 1) * n + j - 2] > best_before) {
@@ -91,7 +91,7 @@ std::optional<FuzzyMatch> fuzzyMatch(std::string_view pattern, std::string_view 
     std::ranges::sort(all.places);
     const auto repeated = std::ranges::unique(all.places);
     all.places.erase(repeated.begin(), repeated.end());
-    // Of two texts that match alike, the shorter one is the one meant.
+    // Among equal matches the shorter text wins.
     all.score = all.score * 16 - static_cast<int>(text.size()) / 4;
     return all;
 }

@@ -9,12 +9,13 @@ namespace dollytrack::ui {
 
 struct FuzzyMatch {
     int score = 0;                    // higher is better
-    std::vector<std::size_t> places;  // bytes of the text that matched, rising
+    std::vector<std::size_t> places;  // ascending byte indices of the matched characters
 };
 
-/// Finds the letters of `pattern` in `text`, in order but with gaps, without regard to case; the
-/// pattern's words may come in any order. Among all ways it takes the best: beginnings of words
-/// and letters in a row count most. Nothing when a letter is missing.
+/// Fuzzy match of `pattern` in the first 256 bytes of `text`, ignoring ASCII case. The letters of
+/// each word must occur in order, with gaps allowed; words may match in any order. Returns the
+/// best-scoring match: word starts and consecutive letters score highest, and shorter texts are
+/// preferred. Returns nullopt if a word does not match.
 std::optional<FuzzyMatch> fuzzyMatch(std::string_view pattern, std::string_view text);
 
 }  // namespace dollytrack::ui

@@ -28,7 +28,7 @@ struct Line {
 struct Block {
     std::string title;
     std::vector<Line> lines;
-    /// In lines of text; the title and the gap after the block take two.
+    /// Height in lines of text, including two for the title and the gap below.
     [[nodiscard]] int height() const { return static_cast<int>(lines.size()) + 2; }
 };
 
@@ -73,8 +73,7 @@ std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& f
     return blocks;
 }
 
-/// How many columns the blocks take when none is higher than `height` (blocks stay whole and in
-/// their order).
+/// Number of columns needed if none may be higher than `height`; blocks are not split or reordered.
 int columnsFor(const std::vector<Block>& blocks, int height) {
     int columns = 1;
     int used = 0;
@@ -88,7 +87,7 @@ int columnsFor(const std::vector<Block>& blocks, int height) {
     return columns;
 }
 
-/// The least height at which they fit into so many columns.
+/// The smallest column height at which the blocks fit into `columns`.
 int leastHeight(const std::vector<Block>& blocks, int columns) {
     int height = 0;
     for (const Block& block : blocks) height = std::max(height, block.height());
@@ -109,7 +108,7 @@ void drawBlock(const Block& block) {
                 room - keys - gap);
         if (line.keys.empty()) continue;
         ImGui::SameLine();
-        // Not SameLine(x): inside a table it counts from the column.
+        // SameLine(x) would count from the table column.
         ImGui::SetCursorPosX(right - keys);
         ImGui::TextColored(palette().accent, "%s", line.keys.c_str());
     }

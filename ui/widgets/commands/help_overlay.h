@@ -6,14 +6,14 @@
 
 namespace dollytrack::ui {
 
-/// What the help remembers between frames. Set `open` to show it.
+/// State kept between window frames. Set `open` to show the help.
 struct HelpState {
     bool open = false;
     bool shown = false;
     std::string filter;
 };
 
-/// All commands by group with their keys, and what the mouse does in the viewport.
+/// Draws all commands by group with their shortcuts, and the mouse controls.
 void drawHelpOverlay(const CommandTable& commands, HelpState& state);
 
 }  // namespace dollytrack::ui

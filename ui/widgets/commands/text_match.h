@@ -4,7 +4,7 @@
 
 namespace dollytrack::ui {
 
-// Comparisons of what people type: a to z are the same as A to Z, other characters count as bytes.
+// Text comparisons that ignore the case of ASCII letters; other characters are compared as bytes.
 
 [[nodiscard]] bool containsIgnoringCase(std::string_view text, std::string_view part);
 [[nodiscard]] bool beginsWithIgnoringCase(std::string_view text, std::string_view part);

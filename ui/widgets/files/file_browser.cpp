@@ -24,7 +24,7 @@ using Purpose = FileRequest::Purpose;
 
 constexpr const char* kBrowserId = "##file_browser";
 
-/// What an answer from the disk is waited for.
+/// The purpose of a pending disk request.
 enum class Intent { None, Enter, Accept };
 
 }  // namespace
@@ -47,7 +47,7 @@ struct FileBrowser::Impl {
     void drawPlaces();
     void drawPlace(const std::string& label, const fs::path& folder, const std::string& name);
     void drawList(float height);
-    [[nodiscard]] bool drawName();  // whether it was entered
+    [[nodiscard]] bool drawName();  // returns whether Enter was pressed
     [[nodiscard]] std::string missingEnding(const fs::path& path) const;
     [[nodiscard]] std::string noteText() const;
     void drawChoices();
@@ -66,10 +66,10 @@ struct FileBrowser::Impl {
     Intent intent = Intent::None;
     fs::path folder;
     std::shared_ptr<const FolderListing> listing;
-    std::shared_ptr<const FolderListing> arranged;  // of which the rows are
+    std::shared_ptr<const FolderListing> arranged;  // the listing that `rows` refers to
     std::vector<std::uint32_t> rows;
     std::string problem;
-    std::string select_name;  // to be selected once its folder is there
+    std::string select_name;  // entry to select when its folder has been read
 
     PathLine path_line;
     FolderOrder order;
@@ -79,8 +79,8 @@ struct FileBrowser::Impl {
     std::string name;
     bool focus_name = false;
     bool name_has_keys = false;
-    bool awaits_keys = false;  // the dialog's first widget for them is not ready
-    fs::path overwrite;        // not empty: ask
+    bool awaits_keys = false;  // keyboard input is queued until the dialog's first field is ready
+    fs::path overwrite;        // the existing file to confirm; empty: none
     std::string new_folder;
     bool making_folder = false;
 };
@@ -110,7 +110,7 @@ void FileBrowser::Impl::begin(FileRequest new_request) {
 void FileBrowser::Impl::look(const fs::path& path, Intent why) {
     intent = why;
     problem.clear();
-    // Entering goes as near as it can; accepting means exactly what was asked for.
+    // Navigation falls back to the nearest existing folder; accepting needs the exact path.
     reader.look(path, why == Intent::Enter);
 }
 
@@ -154,7 +154,7 @@ void FileBrowser::Impl::receive(const PathAnswer& found) {
         list = {};
         path_line.show(folder / "");
         rearrange();
-    } else if (file_found && why == Intent::Enter) {  // begin at a file
+    } else if (file_found && why == Intent::Enter) {  // the initial path is a file
         select_name = found.path.filename().string();
         if (request.purpose == Purpose::Save) name = select_name;
         look(found.path.parent_path(), Intent::Enter);
@@ -185,7 +185,7 @@ void FileBrowser::Impl::collect() {
     }
 }
 
-/// What a name to save under needs at its end to be found and opened again.
+/// The extension to append to a name; empty if it has it.
 std::string FileBrowser::Impl::missingEnding(const fs::path& path) const {
     return path.extension() == request.extension ? std::string() : request.extension;
 }
@@ -223,7 +223,7 @@ void FileBrowser::Impl::drawTop() {
         ImGui::CalcTextSize("New folder").x + 2 * ImGui::GetStyle().FramePadding.x;
     if (path_line.draw(order, -(buttons + ImGui::GetStyle().ItemSpacing.x))) {
         const fs::path typed = typedPath(path_line.text(), folder);
-        // A path that ends with a slash is a folder to go into, not an answer.
+        // A path with a trailing slash is a folder to enter, not an answer.
         if (!typed.has_filename()) {
             look(typed, Intent::Enter);
         } else {
@@ -318,7 +318,7 @@ bool FileBrowser::Impl::drawName() {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
-    // Not before the folder is there: what is written into a field in use is lost.
+    // Focus only after the folder is read: changes to the text of a focused field are lost.
     const bool there = listing || !problem.empty();
     if (there && std::exchange(focus_name, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
@@ -419,7 +419,7 @@ void FileBrowser::Impl::drawContent() {
     const bool entered = has_name && drawName();
     if (arranged && !has_name) awaits_keys = false;
     if (!problem.empty() || path_line.isTyping()) awaits_keys = false;
-    // Who knows the dialog types on at once.
+    // Users may type before the dialog is ready; these keys are kept.
     if (awaits_keys) awaitKeyboard();
     paragraph(note, wrong ? palette().bad : palette().text_dim);
     drawChoices();

@@ -11,20 +11,20 @@ namespace dollytrack::ui {
 
 struct FileFilter {
     std::string name;                     // "Scenes and projects"
-    std::vector<std::string> extensions;  // ".glb", in lower case; empty: all files
+    std::vector<std::string> extensions;  // such as ".glb", in lower case; empty: all files
 };
 
-/// What the user shall choose.
+/// A request to choose a file or folder.
 struct FileRequest {
     enum class Purpose { Open, Save, ChooseFolder };
     Purpose purpose = Purpose::Open;
-    std::string id;                   // comes back with the answer
-    std::string title;                // "Open a scene or a project"
-    std::string accept = "Open";      // text of the button
-    std::vector<FileFilter> filters;  // the first is chosen; "All files" is added
-    std::filesystem::path start;      // a folder to begin in, or a file to begin at
-    std::string name;                 // to save: a proposal
-    std::string extension;            // to save: every name gets it that has it not, ".dolly"
+    std::string id;                   // returned with the answer
+    std::string title;                // window title, "Open a scene or a project"
+    std::string accept = "Open";      // label of the confirming button
+    std::vector<FileFilter> filters;  // the first is active initially; "All files" is appended
+    std::filesystem::path start;      // initial folder or file; empty: current folder
+    std::string name;                 // Save: proposed name
+    std::string extension;            // Save: appended to names without it, such as ".dolly"
     std::vector<std::filesystem::path> recent_folders;  // newest first
 };
 
@@ -33,10 +33,10 @@ struct FileAnswer {
     std::filesystem::path path;  // absolute
 };
 
-/// A dialog over the window for choosing a file or a folder. Never waits for the disk.
+/// A modal dialog for choosing a file or a folder. All disk access runs on background threads.
 class FileBrowser {
   public:
-    /// `wake` is called from another thread when there is something new to show.
+    /// `wake` is called from a background thread when there is something new to show.
     explicit FileBrowser(std::function<void()> wake = {});
     ~FileBrowser();
     FileBrowser(const FileBrowser&) = delete;
@@ -44,7 +44,8 @@ class FileBrowser {
 
     void ask(FileRequest request);
     [[nodiscard]] bool isOpen() const;
-    /// Once a frame. The answer comes once; cancelling gives none.
+    /// Draws the dialog if it is open; to be called every frame. Returns the answer once;
+    /// cancelling gives none.
     [[nodiscard]] std::optional<FileAnswer> draw();
 
   private:

@@ -20,7 +20,7 @@
 namespace dollytrack::ui {
 namespace {
 
-constexpr double kTypingPause_s = 1.0;  // after it, letters begin a new name
+constexpr double kTypingPause_s = 1.0;  // after this pause, letters start a new name
 
 std::string dateText(std::int64_t seconds) {
     if (seconds == 0) return {};
@@ -32,8 +32,8 @@ std::string dateText(std::int64_t seconds) {
     return text.data();
 }
 
-/// Letters typed in quick succession go to the first name that begins with them. Returns them where
-/// they are the beginning of a path, or of no name in the folder.
+/// Selects the first entry that begins with the typed letters. Returns the typed text if it starts
+/// a path or matches no entry.
 std::string jumpToTyped(const FileListView& view, FileListState& state) {
     ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl || io.InputQueueCharacters.empty()) return {};

@@ -10,29 +10,30 @@
 namespace dollytrack::ui {
 
 struct FileListView {
-    const FolderListing* listing = nullptr;            // null: still being read
-    const std::vector<std::uint32_t>* rows = nullptr;  // of its entries, as arrange() gives them
-    bool takes_keys = true;                            // no text field has the keyboard
+    const FolderListing* listing = nullptr;            // null: the folder is still being read
+    const std::vector<std::uint32_t>* rows = nullptr;  // entry indices, from arrange()
+    bool takes_keys = true;                            // keyboard input goes to the list
 };
 
 struct FileListState {
-    int selected = -1;  // row
+    int selected = -1;  // index in `rows`; -1: none
     bool scroll = false;
-    std::string typed;       // a name being typed, to jump to
+    std::string typed;       // beginning of a name typed to jump to it
     double typed_at = -1e9;  // s
 };
 
 struct FileListActions {
-    bool selected = false;  // another row than before
-    bool opened = false;    // the selected row: double click or Enter
-    bool go_up = false;     // Backspace
-    std::string path;       // what was typed is no name but a path: its beginning
+    bool selected = false;  // the selection changed
+    bool opened = false;    // the selected row was opened by double click or Enter
+    bool go_up = false;     // Backspace was pressed
+    std::string path;       // typed text that is a path, or matches no name; empty: none
 };
 
-/// The files of a folder as a table that sorts by its headings; keeps up with 100,000 of them.
+/// Draws a folder as a table with sortable columns; only visible rows are drawn, so 100,000 files
+/// stay fast.
 FileListActions drawFileList(const FileListView& view, FolderOrder& order, FileListState& state);
 
-/// "1.2 MB".
+/// A size as text, in decimal units: "1.2 MB".
 std::string sizeText(std::uint64_t bytes);
 
 }  // namespace dollytrack::ui

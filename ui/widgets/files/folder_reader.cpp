@@ -22,7 +22,7 @@ std::string errorText(int code) {
     return std::error_code(code, std::generic_category()).message();
 }
 
-/// Empty when the job was cancelled on the way.
+/// Returns null if the job was cancelled.
 std::shared_ptr<const FolderListing> readFolder(const fs::path& folder, const JobContext& job) {
     auto listing = std::make_shared<FolderListing>();
     listing->folder = folder;
@@ -31,7 +31,7 @@ std::shared_ptr<const FolderListing> readFolder(const fs::path& folder, const Jo
         listing->problem = "This folder cannot be read (" + errorText(errno) + "). Choose another.";
         return listing;
     }
-    // The C functions, because they tell folders from files without asking for each.
+    // readdir() also reports the entry type; std::filesystem would need an extra call per entry.
     for (std::size_t count = 0;; ++count) {
         if (count % 64 == 0 && job.cancelled()) return nullptr;
         errno = 0;
@@ -49,7 +49,7 @@ std::shared_ptr<const FolderListing> readFolder(const fs::path& folder, const Jo
         found.name = name;
         found.is_folder = entry->d_type == DT_DIR;
         struct stat info = {};
-        // A link whose target is gone is shown as a file; opening it says what is wrong.
+        // A dangling link is listed as a file; opening it reports the error.
         if (::fstatat(::dirfd(stream.get()), entry->d_name, &info, 0) == 0) {
             found.is_folder = S_ISDIR(info.st_mode);
             found.bytes = found.is_folder ? 0 : static_cast<std::uint64_t>(info.st_size);
@@ -89,7 +89,7 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// "room_9" before "Room_10"; texts that differ only in case keep a fixed order.
+/// Natural order: "room_9" before "Room_10"; names that differ only in case have a fixed order.
 int compareNames(std::string_view a, std::string_view b) {
     std::size_t i = 0;
     std::size_t j = 0;

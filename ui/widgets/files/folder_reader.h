@@ -15,50 +15,51 @@ namespace dollytrack::ui {
 struct FolderEntry {
     std::string name;
     bool is_folder = false;
-    std::uint64_t bytes = 0;      // of a file
-    std::int64_t modified_s = 0;  // since 1970; 0: not known
+    std::uint64_t bytes = 0;      // of a file; 0 for folders
+    std::int64_t modified_s = 0;  // seconds since 1970; 0: unknown
 };
 
 struct FolderListing {
     std::filesystem::path folder;
-    std::vector<FolderEntry> entries;  // in no order
-    std::string problem;               // why it could not be read, for the user; empty: it was
+    std::vector<FolderEntry> entries;  // unsorted
+    std::string problem;               // message for the user if reading failed; empty otherwise
 };
 
-/// What shall be shown of a folder, and in which order. Folders always come first.
+/// Filter and order of a folder's entries. Folders always come first.
 struct FolderOrder {
     enum class Key { Name, Date, Size };
     Key key = Key::Name;
     bool descending = false;
-    bool hidden = false;  // also names that begin with a dot
+    bool hidden = false;  // include names that begin with a dot
     bool folders_only = false;
-    std::vector<std::string> extensions;  // of files, such as ".glb", in lower case; empty: all
+    std::vector<std::string> extensions;  // such as ".glb", in lower case; empty: all files
     bool operator==(const FolderOrder&) const = default;
 };
 
-/// Indices of the entries to be shown, in order. Digits in names count as numbers.
+/// Indices of the displayed entries, in order. Digits in names compare as numbers.
 std::vector<std::uint32_t> arrange(const FolderListing& listing, const FolderOrder& order);
 
-/// What there is at a path.
+/// Result of looking up a path.
 struct PathAnswer {
     enum class Found { Nothing, File, Folder };
-    std::filesystem::path path;  // absolute, without "..": what was asked for
+    std::filesystem::path path;  // absolute and normalized
     Found found = Found::Nothing;
     bool parent_is_folder = false;
-    std::shared_ptr<const FolderListing> listing;  // with Folder
-    std::string problem;                           // a new folder could not be made
+    std::shared_ptr<const FolderListing> listing;  // for Folder; null otherwise
+    std::string problem;                           // why creating a folder failed; or empty
 };
 
-/// Looks into folders on a thread of its own, so that a slow disk never holds up the window. The
-/// newest question replaces the ones before.
+/// Reads folders on a background thread, so that a slow disk never blocks the window. A new request
+/// replaces pending ones.
 class FolderReader {
   public:
-    /// `wake` is called from the thread when there is an answer.
+    /// `wake` is called from that thread when there is an answer.
     explicit FolderReader(std::function<void()> wake = {}) : worker_(std::move(wake)) {}
 
-    /// With `nearest`, a path that does not exist stands for its nearest parent that does.
+    /// Requests the content at a path. With `nearest`, the nearest existing parent replaces a path
+    /// that does not exist.
     void look(const std::filesystem::path& path, bool nearest = false);
-    /// Makes a folder and looks into it.
+    /// Creates a folder and reads it.
     void makeFolder(const std::filesystem::path& path);
     [[nodiscard]] std::optional<PathAnswer> take() { return answer_->take(); }
     [[nodiscard]] bool busy() const { return worker_.state().busy; }
@@ -68,7 +69,7 @@ class FolderReader {
     BackgroundWorker worker_;
 };
 
-/// The same for putting a listing in order, which takes a while for 100,000 entries.
+/// Sorts listings on a background thread, since that takes a while for 100,000 entries.
 class FolderArranger {
   public:
     struct Answer {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOffers = 8;
 
-/// "/home/a/ro" as "/home/a/" and "ro".
+/// Splits "/home/a/ro" into "/home/a/" and "ro".
 std::pair<std::string, std::string> splitTyped(const std::string& text) {
     const std::size_t slash = text.rfind('/');
     if (slash == std::string::npos) return {"", text};
@@ -118,7 +118,7 @@ bool PathLine::drawOffers(float left, float top, float width) {
             splitTyped(offer.substr(0, offer.size() - 1)).second + offer.back();
         ImGui::Selectable(name.c_str());
         nameItem("files.offer." + name);
-        // Not IsItemHovered(): the text field holds the mouse while it is in use.
+        // IsItemHovered() would be false here, because the active text field captures the mouse.
         if (ImGui::IsMouseHoveringRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()) &&
             ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
             text_ = offer;
@@ -138,14 +138,13 @@ bool PathLine::draw(const FolderOrder& order, float width) {
     }
     if (takes_over_) {
         awaitKeyboard();
-        // The keyboard changes hands from one frame to the next, and people type on meanwhile.
+        // Keyboard focus moves one frame later; letters typed meanwhile are kept.
         ImGuiIO& io = ImGui::GetIO();
         for (const ImWchar c : io.InputQueueCharacters) {
             if (c >= 32 && c < 127) text_ += static_cast<char>(c);
         }
         io.InputQueueCharacters.resize(0);
-        to_end_ =
-            true;  // a line that gets the keyboard selects all, which the next letter replaces
+        to_end_ = true;  // focusing selects all text; the next letter would replace it
     }
     const std::string before = text_;
     const bool was_typing = typing_;
@@ -172,14 +171,14 @@ bool PathLine::draw(const FolderOrder& order, float width) {
     typing_ = ImGui::IsItemActive();
     if (text_ != before) escaped_ = false;
     if (ImGui::IsItemActivated()) {
-        escaped_ = !takes_over_;  // offers come with the first letter
+        escaped_ = !takes_over_;  // suggestions appear with the first letter
         takes_over_ = false;
     }
     if (entered) {
         typing_ = false;
         return true;
     }
-    // A press on an offer takes the keyboard from the line, but is still to be seen below.
+    // Clicking a suggestion takes the keyboard from the field, but must still be handled below.
     if (!(typing_ || was_typing) || escaped_) return false;
     updateOffers(order);
     if (offers_.empty()) return false;

@@ -9,20 +9,20 @@
 
 namespace dollytrack::ui {
 
-/// A line for typing a path, which offers what there is: Tab completes, a click takes.
+/// A text field for a path with suggestions: Tab completes, a click chooses.
 class PathLine {
   public:
     explicit PathLine(std::function<void()> wake = {}) : reader_(std::move(wake)) {}
 
-    /// Shows another path, unless the user is typing one.
+    /// Sets the displayed path, unless the user is typing.
     void show(const std::filesystem::path& path);
     void focus() { wants_focus_ = true; }
-    /// Goes on with a path whose beginning was typed elsewhere.
+    /// Continues a path whose beginning was typed outside the field.
     void typeOn(const std::string& begun);
     [[nodiscard]] bool isTyping() const { return typing_; }
     [[nodiscard]] const std::string& text() const { return text_; }
 
-    /// Returns whether a path was entered: it is then text().
+    /// Returns whether a path was entered; text() then returns it.
     bool draw(const FolderOrder& order, float width);
 
   private:
@@ -33,18 +33,17 @@ class PathLine {
     std::string text_;
     bool typing_ = false;
     bool wants_focus_ = false;
-    bool takes_over_ = false;  // letters are for this line, which has not the keyboard yet
-    bool to_end_ = false;      // the cursor is to stand behind what is there
-    bool escaped_ = false;     // the offers were sent away
+    bool takes_over_ = false;  // typed letters are kept for this field until it has the keyboard
+    bool to_end_ = false;      // move the cursor to the end
+    bool escaped_ = false;     // suggestions are hidden until the text changes
     FolderReader reader_;
-    std::string asked_folder_;  // of which the reader was asked
+    std::string asked_folder_;  // folder of the pending request
     std::shared_ptr<const FolderListing> listing_;
-    std::vector<std::string> offers_;  // whole paths; those of folders end with a slash
+    std::vector<std::string> offers_;  // complete paths; folders end with a slash
     std::string offered_for_;
 };
 
-/// A path as typed, made absolute: "~" is the home folder, and what does not begin with a slash
-/// lies in `folder`.
+/// Makes a typed path absolute: "~" is the home folder, and relative paths start at `folder`.
 std::filesystem::path typedPath(const std::string& text, const std::filesystem::path& folder);
 
 std::filesystem::path homeFolder();

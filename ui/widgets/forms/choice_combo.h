@@ -4,8 +4,8 @@
 
 namespace dollytrack::ui {
 
-/// A combo box without a label; its entries are named "<name>.0", "<name>.1", ... for scripts.
-/// Returns whether another one was chosen.
+/// A combo box without a label. Its entries are called "<name>.0", "<name>.1", ... in the item map.
+/// Returns whether another entry was chosen.
 bool choiceCombo(const char* name, int& chosen, std::span<const char* const> entries);
 
 }  // namespace dollytrack::ui

@@ -16,7 +16,7 @@ namespace dollytrack::ui {
 namespace {
 
 std::vector<int> classesFor(const std::string& filter) {
-    std::vector<std::pair<int, int>> found;  // score, class
+    std::vector<std::pair<int, int>> found;  // score, class id
     for (int nyu40 = 1; nyu40 <= kNyu40Count; ++nyu40) {
         if (const auto match = fuzzyMatch(filter, nyu40Name(nyu40))) {
             found.emplace_back(filter.empty() ? 0 : match->score, nyu40);

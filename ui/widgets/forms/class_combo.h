@@ -5,8 +5,8 @@
 
 namespace dollytrack::ui {
 
-/// The 40 NYU classes to choose from, with a line to search them. `filter` is what was typed.
-/// Returns the class when another one was chosen.
+/// A combo box with the 40 NYU classes and a search field; `filter` holds the search text. Returns
+/// the class if another one was chosen.
 std::optional<int> classCombo(int nyu40, std::string& filter, const std::string& name);
 
 }  // namespace dollytrack::ui

@@ -12,7 +12,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Ranges this wide cannot be hit with a slider; there a drag changes the value in proportion.
+/// Wider ranges are too coarse for a slider; a drag changes the value in proportion to it.
 constexpr double kWidestSlider = 400.0;
 
 std::string unitSuffix(const Field& field) {
@@ -59,7 +59,7 @@ FieldEdit edit(const Field::Integer& integer, const Field& field, const std::str
     return result;
 }
 
-/// A choice is made at once: it needs no end.
+/// A discrete choice is changed and finished at once.
 FieldEdit chosen(bool changed) {
     return {changed, changed};
 }
@@ -79,7 +79,7 @@ FieldEdit edit(const Field::Choice& choice, const Field&, const std::string& pat
             const std::string name(choice.info.names[i]);
             if (ImGui::Selectable(name.c_str(), i == now)) {
                 choice.set(i);
-                changed = true;  // also to the same one: a preset sets others anew
+                changed = true;  // also for the same entry: a preset resets values
             }
             nameItem("choice." + name);
         }

@@ -7,15 +7,16 @@
 
 namespace dollytrack::ui {
 
-/// One row: name with the paper's symbol, widget, unit, and a button that resets it where it
-/// differs from `standard` (the same field of a default-constructed struct). The tooltip has the
-/// text and the range. `path` names the widgets: "parameters.fill". Inside a table of two columns.
+/// Draws a row of a two-column table: name with the paper's symbol, widget with unit, and a reset
+/// button if the value differs from `standard` (the same field of a default-constructed struct).
+/// The tooltip shows description, range and default. `path` is the widget's name in the item map:
+/// "parameters.fill".
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path);
 
-/// Its widget alone, with the width set by SetNextItemWidth().
+/// Draws only the widget, with the width set by SetNextItemWidth().
 FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path);
 
-/// "corner_distance_m" as people read it: "corner distance".
+/// The display name: "corner distance" for "corner_distance_m".
 [[nodiscard]] std::string readableName(const Field& field);
 
 }  // namespace dollytrack::ui

@@ -98,7 +98,7 @@ void tooltipBeside(const std::string& text) {
 
 bool button(const char* label, std::string_view name, const ButtonOptions& options) {
     const bool enabled = options.why_not.empty();
-    // The window's own colour reads well on the accent in both themes.
+    // The window's colour is readable on the accent colour in both themes.
     const bool stands_out = options.primary && enabled;
     if (stands_out) {
         ImVec4 hovered = palette().accent;
@@ -125,7 +125,7 @@ bool button(const char* label, std::string_view name, const ButtonOptions& optio
 bool link(const std::string& text, std::string_view name, const std::string& tip) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().accent);
     ImGui::PushID(name.data(), name.data() + name.size());
-    // In a line of others there may be little room left, but never that little.
+    // A minimum width, in case the line is nearly full.
     const float room = std::max(ImGui::GetContentRegionAvail().x, scaled(60));
     const std::string shown = cutToWidth(text, room, Cut::Middle);
     const bool pressed =
@@ -142,7 +142,7 @@ void pushDialogStyle() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(18), scaled(14)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    // Fields stand out from the colour of windows, not from that of menus.
+    // Input fields contrast with the window's colour, not with that of menus.
     ImGui::PushStyleColor(ImGuiCol_PopupBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
 }
 

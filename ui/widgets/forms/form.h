@@ -7,51 +7,50 @@
 
 namespace dollytrack::ui {
 
-/// Rows of "name: value" in two columns that line up; between the calls, rows only.
-/// `names` is the share of the width that the left column takes.
+/// Begins a two-column table of "name: value" rows; until endForm() only rows may follow. `names`
+/// is the width of the left column as a fraction. If it returns false, nothing must be drawn.
 bool beginForm(const char* id, float names = 0.36F);
 void endForm();
 
-/// Begins a row and leaves the cursor where its widget goes, with the column's full width.
+/// Begins a row with a label; the cursor is then in the right column, at its full width.
 void formLabel(const char* label, const std::string& tip = {});
-/// The same for a row of text and links, which is less high than one of widgets.
+/// Like formLabel(), for a lower row of text and links.
 void formLine(const char* label, const std::string& tip = {});
-/// A row of text; `tip` appears over both columns.
+/// A row of text; `tip` is the tooltip of both columns.
 void formText(const char* label, const std::string& value, const std::string& tip = {});
 
-/// A bold line above a group of rows.
+/// A bold heading above a group of rows.
 void heading(const char* text);
-/// Text of several lines, in a colour; as wide as there is room.
+/// Wrapped text in a colour.
 void paragraph(const std::string& text, const ImVec4& color);
 void paragraph(const std::string& text);
 
-/// The tooltip of the item drawn last, also where that item is disabled. Low in the window it is
-/// above the item: below it are the slider and the line that the item changes.
+/// The tooltip of the previous item, also if it is disabled. In the lower part of the window it is
+/// drawn above the item, to keep the widgets below visible.
 void tooltip(const std::string& text);
 
-/// The same beside the window or list at hand: what is below the item can still be read and
-/// clicked.
+/// A tooltip beside the current window or list, which keeps the items below visible and clickable.
 void tooltipBeside(const std::string& text);
 
-/// How a button is drawn, and why it cannot be pressed.
+/// Appearance and state of a button.
 struct ButtonOptions {
-    std::string why_not = {};  // not empty: disabled, and this says why
+    std::string why_not = {};  // not empty: the button is disabled, and its tooltip says why
     std::string tip = {};
-    float width = 0.0F;    // 0: as wide as its text; negative: up to that far from the right
+    float width = 0.0F;    // px; 0: as wide as its text; negative: distance from the right edge
     bool small = false;    // as high as a line of text
-    bool primary = false;  // what Enter would do
+    bool primary = false;  // highlighted: the button that Enter presses
 };
-/// A button with its name for the item map.
+/// A button called `name` in the item map; returns whether it was pressed.
 bool button(const char* label, std::string_view name, const ButtonOptions& options = {});
-/// The same as a word in running text: for "go to frame 12".
+/// A clickable text, such as "go to frame 12".
 bool link(const std::string& text, std::string_view name, const std::string& tip = {});
 
-/// What windows over the window look like. Between the two: Begin...().
+/// Style of dialog windows. Push before Begin...(), pop after it.
 void pushDialogStyle();
 void popDialogStyle();
 
-/// Whether a button of this text still fits on the line at hand; if so, goes on in that line.
-/// Begin a row of buttons without it.
+/// Continues the current line if a button of this text fits into it. Not for the first button of a
+/// row.
 void flowTo(const char* next_label);
 
 }  // namespace dollytrack::ui

@@ -22,21 +22,21 @@ namespace {
 constexpr double kNote_s = 6.0;
 constexpr float kLeastMove_px = 3.0F;
 
-/// The number that is being typed. There is one keyboard.
+/// The number being typed; only one field can have the keyboard.
 struct Typing {
-    std::string name;  // empty: none
+    std::string name;  // name of the field; empty: none
     std::string text;
     bool asked_for_keys = false;
     bool had_keys = false;
-    int frame = 0;  // drawn last
+    int frame = 0;  // window frame in which the field was last drawn
 };
-/// What a field says of what was typed last.
+/// The note on the last typed value.
 struct Note {
     std::string name;
     std::string text;
     double until_s = 0.0;
 };
-/// Whether the drag at hand has changed anything.
+/// Whether the current drag has changed the value.
 struct Drag {
     std::string name;
     bool changed = false;
@@ -61,7 +61,7 @@ void beginTyping(double value, const NumberLimits& limits, const std::string& na
     note = {};
 }
 
-/// Below the item drawn last, and never beyond the window's edge.
+/// Draws a note below the previous item, inside the window.
 void drawNote(const std::string& text, const ImVec4& color, const std::string& name) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -112,7 +112,7 @@ FieldEdit typeNumber(double& value, const NumberLimits& limits, const std::strin
     return edit;
 }
 
-/// How far along the bar a value is, 0..1.
+/// Position of a value along the bar, 0..1.
 double shareOf(double value, const NumberLimits& limits) {
     const auto& [min, max, least] = limits.range;
     const double inside = std::clamp(value, min, max);
@@ -120,7 +120,7 @@ double shareOf(double value, const NumberLimits& limits) {
     return (inside - min) / (max - min);
 }
 
-/// A bar behind the number: a knob would hide it.
+/// A bar behind the number, which a slider knob would hide.
 void drawBar(double value, const NumberLimits& limits) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -158,7 +158,7 @@ bool slide(double& value, const NumberLimits& limits) {
 FieldEdit moveNumber(double& value, const NumberLimits& limits, const std::string& name) {
     FieldEdit edit;
     double moved = value;
-    // Percent signs of a unit would be taken for a format.
+    // A percent sign in a unit would be read as a format.
     const std::string format =
         limits.format.find('%') == std::string::npos ? limits.format : limits.format + limits.unit;
     const bool asked =
@@ -167,7 +167,7 @@ FieldEdit moveNumber(double& value, const NumberLimits& limits, const std::strin
                                           &limits.range.min, &limits.range.max, format.c_str(),
                                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
     if (ImGui::IsItemActivated()) drag = {name, false};
-    // The first press of a double click must not move anything.
+    // The first press of a double click must not change the value.
     const bool only_pressed =
         ImGui::IsMouseDown(ImGuiMouseButton_Left) &&
         !ImGui::IsMouseDragPastThreshold(ImGuiMouseButton_Left, kLeastMove_px);
@@ -225,7 +225,7 @@ TypedNumber readNumber(const std::string& text, const NumberLimits& limits) {
 }
 
 FieldEdit numberInput(double& value, const NumberLimits& limits, const std::string& name) {
-    // A field that went away while it was typed into is not typed into when it comes back.
+    // A field that disappears while being typed into does not resume typing when it returns.
     if (typing.name == name && ImGui::GetFrameCount() > typing.frame + 1) typing = {};
     ImGui::PushID(name.c_str());
     FieldEdit edit =

@@ -7,37 +7,38 @@
 
 namespace dollytrack::ui {
 
-/// What the user did to a field this frame. While dragging, `changed` comes often, and `finished`
-/// once at the end; both together make one step of undo.
+/// An edit of a field in this frame. During a drag `changed` is set repeatedly and `finished` once
+/// at the end; together they make one undo step.
 struct FieldEdit {
     bool changed = false;
     bool finished = false;
-    bool reset = false;  // back to the default
-    bool says = false;   // shows a note of its own, where a tooltip would be
+    bool reset = false;  // reset to the default
+    bool says = false;   // the field shows its own note, so no tooltip should be drawn
 };
 
-/// Limits and looks of a number.
+/// Limits and format of a number.
 struct NumberLimits {
     NumberRange range;
-    std::string format = "%.3f";  // printf's, without the unit
-    std::string unit = {};        // with the space before it, where it has one
+    std::string format = "%.3f";  // printf format without the unit
+    std::string unit = {};        // unit, including a leading space if needed
     bool whole = false;
-    bool slides = true;        // over the whole range, else `speed` a pixel
-    bool logarithmic = false;  // where it slides; min above 0
+    bool slides = true;        // slider over the range; else a drag by `speed` per pixel
+    bool logarithmic = false;  // logarithmic slider; needs min > 0
     float speed = 0.01F;
 };
 
-/// A number with the width set by SetNextItemWidth(): dragged, or typed after a double click or
-/// Ctrl+click. A press that moves nothing changes nothing. What is typed out of range becomes the
-/// nearest limit, and what is no number nothing; a note below (item `name`.note) says so.
+/// A number field of the width set by SetNextItemWidth(): dragged, or typed after a double click or
+/// Ctrl+click. A press without movement changes nothing. Typed values outside the range are set to
+/// the nearest limit, and text that is no number is ignored; a note below the field (item
+/// `name`.note) says so.
 FieldEdit numberInput(double& value, const NumberLimits& limits, const std::string& name);
 
-/// What a typed text means: the value for it, if any, and what to tell the user.
+/// The value of a typed text, if valid, and a note for the user, if needed.
 struct TypedNumber {
     std::optional<double> value;
     std::string note;
 };
-/// A comma counts as a point, and the unit may be there.
+/// Parses a number. One decimal comma is accepted, and the unit may follow.
 [[nodiscard]] TypedNumber readNumber(const std::string& text, const NumberLimits& limits);
 
 }  // namespace dollytrack::ui

@@ -11,7 +11,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// The text that is being typed. There is one keyboard.
+/// The text being typed; only one field can have the keyboard.
 struct Typing {
     std::string name;
     std::string text;

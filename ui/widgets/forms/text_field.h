@@ -4,9 +4,8 @@
 
 namespace dollytrack::ui {
 
-/// A line of text that counts when it is whole: with Enter, or when another widget is clicked;
-/// Escape takes it back. Returns whether it was entered and is another than before. As wide as
-/// SetNextItemWidth() says.
+/// A text field that commits with Enter or on losing focus; Escape reverts. Returns whether the
+/// text was committed and changed. Its width is set by SetNextItemWidth().
 bool textField(std::string& text, const std::string& name);
 
 }  // namespace dollytrack::ui
