@@ -1,7 +1,7 @@
 #include "app/batch/report.h"
 
 #include "app/batch/markup.h"
-#include "app/cli/compare/rival_plan.h"
+#include "app/cli/compare/baseline_plan.h"
 #include "app/cli/export/export_metrics.h"
 #include "app/cli/requirement.h"
 #include "engine/io/files/guarded_folder.h"

@@ -2,9 +2,9 @@
 
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
-#include "render/draw/look_inside.h"
+#include "render/draw/storey_cutaway.h"
 #include "ui/theme.h"
-#include "ui/viewport/clear_look.h"
+#include "ui/viewport/unobstructed_view.h"
 #include "ui/widgets/splitter.h"
 
 #include <imgui.h>
@@ -354,10 +354,10 @@ void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
     panels_.viewport.camera = camera;
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.rays || camera.orthographic) return;
-    panels_.viewport.camera = ui::clearLook(camera, [&](const ui::ViewerCamera& tried) {
+    panels_.viewport.camera = ui::unobstructedView(camera, [&](const ui::ViewerCamera& tried) {
         const render::View view = viewportView(tried);
         const auto left_away = [&](int object, const Eigen::Vector3d& at) {
-            return render::isLeftAway(view, *shown.scene, object, at);
+            return render::isCutAway(view, *shown.scene, object, at);
         };
         return ui::shareSeen(*shown.rays, tried.pose().position, box, left_away);
     });

@@ -23,7 +23,7 @@
 #include "app/editor/viewport/picture_file.h"
 #include "app/editor/viewport/picture_saver.h"
 #include "app/editor/viewport/sent_scene.h"
-#include "render/draw/look_inside.h"
+#include "render/draw/storey_cutaway.h"
 #include "ui/edit_request.h"
 #include "ui/layers.h"
 #include "ui/panels/export/export_panel.h"

@@ -1,5 +1,5 @@
 #include "app/editor/editor.h"
-#include "app/editor/export/export_places.h"
+#include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_program.h"
 #include "app/editor/shell/local_time.h"
 #include "engine/core/log.h"

@@ -3,7 +3,7 @@
 #include "engine/document/object_key.h"
 #include "engine/geometry/ray_caster.h"
 #include "planning/free_space/free_space.h"
-#include "render/draw/look_inside.h"
+#include "render/draw/storey_cutaway.h"
 #include "ui/panels/plan/edit_parts.h"
 #include "ui/panels/scene/layers_panel.h"
 #include "ui/theme.h"

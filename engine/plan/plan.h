@@ -33,7 +33,7 @@ struct StageTime {
 };
 
 /// Where the camera's centre comes nearest to a surface.
-struct TightestPlace {
+struct MinimumClearance {
     double clearance_m = 0.0;                            // from centre to surface
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of the camera's centre, world, m
     int object_id = 0;                                   // the surface's; 0: no trajectory
@@ -51,7 +51,7 @@ struct TrajectoryMetrics {
     /// Moves from one frame to the next that the camera makes around something, while the straight
     /// line between the two frames is not free.
     int straight_lines_that_hit = 0;
-    TightestPlace tightest;
+    MinimumClearance tightest;
     MotionMetrics motion;
 };
 

@@ -27,13 +27,13 @@ struct BestView {
 };
 
 /// Height of the floor below the room's position of largest clearance, m.
-double floorOf(const RivalScene& scene, const Room& room) {
+double floorOf(const BaselineScene& scene, const Room& room) {
     const RayHit hit = scene.rays->cast(room.sample, -Eigen::Vector3d::UnitZ());
     const double by_box = room.box.min().z();
     return hit.object_id != 0 ? std::min(by_box, room.sample.z() - hit.distance) : by_box;
 }
 
-std::vector<Eigen::Vector3d> candidatePlaces(const RivalScene& scene, const Room& room) {
+std::vector<Eigen::Vector3d> candidatePlaces(const BaselineScene& scene, const Room& room) {
     std::vector<Eigen::Vector2d> corners;
     for (const double x : {room.box.min().x(), room.box.max().x()}) {
         for (const double y : {room.box.min().y(), room.box.max().y()}) corners.emplace_back(x, y);
@@ -74,7 +74,7 @@ double reachInside(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place,
 }
 
 /// The heading with the largest visible area of the plan, at the camera's height.
-BestView bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vector3d& place,
+BestView bestHeading(const BaselineScene& scene, const Room& room, const Eigen::Vector3d& place,
                      double hfov) {
     std::array<double, kRaysPerTurn> slices{};  // m2 each
     constexpr double kSlice = 2.0 * std::numbers::pi / kRaysPerTurn;
@@ -100,7 +100,8 @@ BestView bestHeading(const RivalScene& scene, const Room& room, const Eigen::Vec
     return best;
 }
 
-std::vector<BestView> bestViews(const RivalScene& scene, const Room& room, int count, double hfov) {
+std::vector<BestView> bestViews(const BaselineScene& scene, const Room& room, int count,
+                                double hfov) {
     std::vector<Eigen::Vector3d> places = candidatePlaces(scene, room);
     if (places.empty()) places.push_back(room.sample);
     std::vector<BestView> views(places.size());
@@ -120,11 +121,11 @@ std::vector<BestView> bestViews(const RivalScene& scene, const Room& room, int c
 
 }  // namespace
 
-Result<Flight> planBestView(const RivalScene& scene, const PlanParams& params, int /*seed*/,
-                            const JobContext& job) {
-    Flight flight;
-    flight.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
-    auto& frames = flight.trajectory.frames;
+Result<PlannedMotion> planBestView(const BaselineScene& scene, const PlanParams& params,
+                                   int /*seed*/, const JobContext& job) {
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
+    auto& frames = motion.trajectory.frames;
     const auto& rooms = scene.free_space->rooms();
     const int extra = std::max(0, kViews - static_cast<int>(rooms.size()));
     const std::vector<int> shares = shareByRoom(scene, extra, 0);
@@ -134,7 +135,7 @@ Result<Flight> planBestView(const RivalScene& scene, const PlanParams& params, i
         for (const BestView& view : bestViews(scene, rooms[room], 1 + shares[room], hfov)) {
             if (static_cast<int>(frames.size()) == frameBudget(params)) break;
             TrajectoryFrame frame;
-            frame.time_s = static_cast<double>(frames.size()) * flight.trajectory.frame_interval_s;
+            frame.time_s = static_cast<double>(frames.size()) * motion.trajectory.frame_interval_s;
             frame.path = static_cast<int>(frames.size());  // no motion between frames
             frame.component = static_cast<int>(room);
             frame.target_in_world =
@@ -143,7 +144,7 @@ Result<Flight> planBestView(const RivalScene& scene, const PlanParams& params, i
             frames.push_back(frame);
         }
     }
-    return flight;
+    return motion;
 }
 
 }  // namespace dollytrack::planning

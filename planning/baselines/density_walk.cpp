@@ -26,7 +26,7 @@ struct WalkView {
 
 class Walk {
   public:
-    Walk(const RivalScene& scene, int room, Random random)
+    Walk(const BaselineScene& scene, int room, Random random)
         : scene_(scene), room_(room), random_(random) {}
 
     WalkView first() {
@@ -109,18 +109,18 @@ class Walk {
         return valid * valid * static_cast<double>(triangles.size());
     }
 
-    const RivalScene& scene_;
+    const BaselineScene& scene_;
     int room_;
     Random random_;
 };
 
 }  // namespace
 
-Result<Flight> planDensityWalk(const RivalScene& scene, const PlanParams& params, int seed,
-                               const JobContext& job) {
-    Flight flight;
-    flight.trajectory.frame_interval_s = 1.0;  // metadata_camera.csv: one second per view
-    auto& frames = flight.trajectory.frames;
+Result<PlannedMotion> planDensityWalk(const BaselineScene& scene, const PlanParams& params,
+                                      int seed, const JobContext& job) {
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = 1.0;  // metadata_camera.csv: one second per view
+    auto& frames = motion.trajectory.frames;
     const int budget = frameBudget(params);
     const std::vector<int> shares = shareByRoom(scene, budget, 10);
     int path = 0;
@@ -143,7 +143,7 @@ Result<Flight> planDensityWalk(const RivalScene& scene, const PlanParams& params
             }
         }
     }
-    return flight;
+    return motion;
 }
 
 }  // namespace dollytrack::planning

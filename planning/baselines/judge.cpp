@@ -61,8 +61,9 @@ void setMedianAndMax(std::vector<double> values, std::optional<double>& middle,
     middle = median(std::move(values));
 }
 
-void measureMotion(const Flight& flight, const std::vector<double>& lengths, Judgement& result) {
-    const auto& frames = flight.trajectory.frames;
+void measureMotion(const PlannedMotion& motion, const std::vector<double>& lengths,
+                   Judgement& result) {
+    const auto& frames = motion.trajectory.frames;
     std::vector<double> speeds;
     std::vector<double> turns;
     std::vector<double> jerks;
@@ -88,9 +89,9 @@ void measureMotion(const Flight& flight, const std::vector<double>& lengths, Jud
     setMedianAndMax(std::move(jerks), result.jerk_median_mps3, result.jerk_max_mps3);
 }
 
-void measureCollisions(const RivalScene& scene, const Flight& flight, const JobContext& job,
-                       std::vector<double>& lengths, Judgement& result) {
-    const auto& frames = flight.trajectory.frames;
+void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
+                       const JobContext& job, std::vector<double>& lengths, Judgement& result) {
+    const auto& frames = motion.trajectory.frames;
     const double radius = scene.sphere->radius();
     std::vector<double> at_frame(frames.size());
     std::vector<double> on_way(frames.size(), std::numeric_limits<double>::infinity());
@@ -99,7 +100,7 @@ void measureCollisions(const RivalScene& scene, const Flight& flight, const JobC
     parallelFor(frames.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
         at_frame[i] = clearanceAt(*scene.rays, frames[i].pose.position);
-        const auto way = wayToNext(flight, i);
+        const auto way = wayToNext(motion, i);
         if (way.empty()) return;
         moves[i] = 1;
         lengths[i] = lengthOf(way);
@@ -127,21 +128,22 @@ void measureCollisions(const RivalScene& scene, const Flight& flight, const JobC
 
 }  // namespace
 
-Result<Judgement> judge(const RivalScene& scene, const Flight& flight, const JobContext& job) {
+Result<Judgement> judge(const BaselineScene& scene, const PlannedMotion& motion,
+                        const JobContext& job) {
     Judgement result;
-    result.frames = static_cast<int>(flight.trajectory.frames.size());
-    result.corner_collision_rate = flight.corner_collision_rate;
-    result.plan_ms = flight.plan_ms;
-    auto estimate = estimateCaptures(*scene.views, flight.trajectory, job);
+    result.frames = static_cast<int>(motion.trajectory.frames.size());
+    result.corner_collision_rate = motion.corner_collision_rate;
+    result.plan_ms = motion.plan_ms;
+    auto estimate = estimateCaptures(*scene.views, motion.trajectory, job);
     if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
     result.captures = summarize(*scene.scene, estimate->captures);
     result.objects = std::move(estimate->captures);
-    if (flight.trajectory.frames.empty()) return result;
+    if (motion.trajectory.frames.empty()) return result;
     std::vector<double> lengths;
-    measureCollisions(scene, flight, job, lengths, result);
+    measureCollisions(scene, motion, job, lengths, result);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Judging was cancelled.");
-    measureMotion(flight, lengths, result);
-    return measureShownSurface(*scene.views, flight.trajectory, job)
+    measureMotion(motion, lengths, result);
+    return measureShownSurface(*scene.views, motion.trajectory, job)
         .map([&](const ShownSurface& shown) {
             result.repeat_rate = shown.repeat_rate;
             result.object_pixels = shown.object_pixels;

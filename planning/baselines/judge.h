@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/plan/capture.h"
-#include "planning/baselines/flight.h"
-#include "planning/baselines/rival_scene.h"
+#include "planning/baselines/baseline_scene.h"
+#include "planning/baselines/planned_motion.h"
 
 #include <optional>
 #include <string_view>
@@ -25,7 +25,7 @@ struct Judgement {
     double min_clearance_m = 0.0;       // camera centre to surface, along all motion, to 1 cm
     std::optional<double> move_collision_rate;    // share of the moves between frames with a
                                                   // surface inside the camera sphere
-    std::optional<double> corner_collision_rate;  // see Flight
+    std::optional<double> corner_collision_rate;  // see PlannedMotion
     std::optional<double> path_length_m;
     std::optional<double> speed_median_mps, speed_max_mps;  // between frames
     std::optional<double> turn_median_dps, turn_max_dps;    // between frames
@@ -34,7 +34,8 @@ struct Judgement {
 };
 
 /// Measures a planner's result. Error: Cancelled.
-Result<Judgement> judge(const RivalScene& scene, const Flight& flight, const JobContext& job);
+Result<Judgement> judge(const BaselineScene& scene, const PlannedMotion& motion,
+                        const JobContext& job);
 
 enum class Better { Higher, Lower, Neither };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planning/baselines/flight.h"
-#include "planning/baselines/rival_scene.h"
+#include "planning/baselines/baseline_scene.h"
+#include "planning/baselines/planned_motion.h"
 
 #include <span>
 #include <string>
@@ -21,8 +21,8 @@ struct Planner {
 
     /// Plans a trajectory. The result depends only on scene, parameters and seed, not on the number
     /// of threads. Errors: Cancelled, and those of Pipeline::run().
-    Result<Flight> (*plan)(const RivalScene& scene, const PlanParams& params, int seed,
-                           const JobContext& job);
+    Result<PlannedMotion> (*plan)(const BaselineScene& scene, const PlanParams& params, int seed,
+                                  const JobContext& job);
 };
 
 /// All planners, Dollytrack first.

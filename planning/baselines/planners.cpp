@@ -1,6 +1,6 @@
 #include "planning/baselines/best_view.h"
 #include "planning/baselines/density_walk.h"
-#include "planning/baselines/ours.h"
+#include "planning/baselines/dollytrack_planner.h"
 #include "planning/baselines/planner.h"
 #include "planning/baselines/random_keys.h"
 #include "planning/baselines/test_views.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr std::array kPlanners = {
     Planner{"dollytrack", "a view for every object, joined by proven moves",
             "this program, after Information 2025, 16(4), 315",
-            "proven for the whole way, corners included", planOurs},
+            "proven for the whole way, corners included", planWithDollytrack},
     Planner{"paper-smoothing", "the same path with the paper's smoothing",
             "Camera Pose Generation Based on Unity3D, Information 2025, 16(4), 315",
             "none: up to 15 % of the corners are accepted", planPaperSmoothing},

@@ -76,7 +76,7 @@ Eigen::Vector3d along(const Leg& leg, double arc, double before,
 }
 
 /// A path to another random key of the room; without points if none was found.
-Leg nextLeg(const RivalScene& scene, const PlanParams& params, int room,
+Leg nextLeg(const BaselineScene& scene, const PlanParams& params, int room,
             const Eigen::Vector3d& start, const Eigen::Quaterniond& heading, Random& random,
             const JobContext& job) {
     const auto& cells = scene.sphere->cells(room);
@@ -111,9 +111,9 @@ Leg nextLeg(const RivalScene& scene, const PlanParams& params, int room,
     return {};
 }
 
-void shake(const RivalScene& scene, int seed, Flight& flight) {
+void shake(const BaselineScene& scene, int seed, PlannedMotion& motion) {
     const Shake bumps(Random(static_cast<std::uint64_t>(seed), 999));
-    for (TrajectoryFrame& frame : flight.trajectory.frames) {
+    for (TrajectoryFrame& frame : motion.trajectory.frames) {
         const Pose shaken = bumps.at(frame.pose, frame.time_s);
         if (!scene.sphere->fits(shaken.position)) continue;
         frame.pose = shaken;
@@ -121,12 +121,12 @@ void shake(const RivalScene& scene, int seed, Flight& flight) {
     }
 }
 
-Result<Flight> planKeys(const RivalScene& scene, const PlanParams& params, int seed,
-                        const JobContext& job) {
-    Flight flight;
+Result<PlannedMotion> planKeys(const BaselineScene& scene, const PlanParams& params, int seed,
+                               const JobContext& job) {
+    PlannedMotion motion;
     const double interval = 1.0 / params.timing.frame_rate;
-    flight.trajectory.frame_interval_s = interval;
-    auto& frames = flight.trajectory.frames;
+    motion.trajectory.frame_interval_s = interval;
+    auto& frames = motion.trajectory.frames;
     const double step = kSpeedFactor * motionLimits(params.timing).speed_mps * interval;
     const std::vector<int> shares = shareByRoom(scene, frameBudget(params), 20);
     for (std::size_t room = 0; room < shares.size(); ++room) {
@@ -155,33 +155,33 @@ Result<Flight> planKeys(const RivalScene& scene, const PlanParams& params, int s
             for (int i = 1; i <= steps && frames.size() < end; ++i) {
                 const double before = leg.length_m * (i - 1) / steps;
                 const double share = static_cast<double>(i) / steps;
-                flight.between.resize(frames.size());
+                motion.between.resize(frames.size());
                 const Eigen::Vector3d place =
-                    along(leg, leg.length_m * share, before, flight.between.back());
+                    along(leg, leg.length_m * share, before, motion.between.back());
                 add(place, turn.at(share * turn.angle()));
             }
             job.report(static_cast<double>(frames.size()) / frameBudget(params));
         }
-        flight.between.resize(frames.size());
+        motion.between.resize(frames.size());
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-    return flight;
+    return motion;
 }
 
 }  // namespace
 
-Result<Flight> planRandomKeysEasy(const RivalScene& scene, const PlanParams& params, int seed,
-                                  const JobContext& job) {
+Result<PlannedMotion> planRandomKeysEasy(const BaselineScene& scene, const PlanParams& params,
+                                         int seed, const JobContext& job) {
     return planKeys(scene, params, seed, job);
 }
 
-Result<Flight> planRandomKeysHard(const RivalScene& scene, const PlanParams& params, int seed,
-                                  const JobContext& job) {
-    return planKeys(scene, params, seed, job).map([&](Flight&& flight) {
+Result<PlannedMotion> planRandomKeysHard(const BaselineScene& scene, const PlanParams& params,
+                                         int seed, const JobContext& job) {
+    return planKeys(scene, params, seed, job).map([&](PlannedMotion&& motion) {
         // The unshaken corners are no longer on the path.
-        flight.between.clear();
-        shake(scene, seed, flight);
-        return std::move(flight);
+        motion.between.clear();
+        shake(scene, seed, motion);
+        return std::move(motion);
     });
 }
 

@@ -24,7 +24,7 @@ constexpr int kRaysAround = 20'000;  // per position: 7 cm apart at 3 m
 constexpr double kGridShift = 0.31;
 
 /// Positions where the camera fits, spread over the cells of all rooms.
-std::vector<Eigen::Vector3d> evenPlaces(const RivalScene& scene) {
+std::vector<Eigen::Vector3d> evenPlaces(const BaselineScene& scene) {
     std::vector<Eigen::Vector3d> all;
     for (std::size_t room = 0; room < scene.free_space->rooms().size(); ++room) {
         for (const Eigen::Vector3f& cell : scene.sphere->cells(static_cast<int>(room))) {
@@ -39,7 +39,7 @@ std::vector<Eigen::Vector3d> evenPlaces(const RivalScene& scene) {
     return places;
 }
 
-std::vector<SurfacePatch> seenFrom(const RivalScene& scene, const Eigen::Vector3d& place,
+std::vector<SurfacePatch> seenFrom(const BaselineScene& scene, const Eigen::Vector3d& place,
                                    const std::vector<Eigen::Vector3d>& directions) {
     std::vector<SurfacePatch> seen;
     for (const Eigen::Vector3d& direction : directions) {
@@ -54,7 +54,7 @@ std::vector<SurfacePatch> seenFrom(const RivalScene& scene, const Eigen::Vector3
 
 }  // namespace
 
-Result<std::vector<SurfacePatch>> reachableSurface(const RivalScene& scene, double spacing_m,
+Result<std::vector<SurfacePatch>> reachableSurface(const BaselineScene& scene, double spacing_m,
                                                    const JobContext& job) {
     const std::vector<Eigen::Vector3d> places = evenPlaces(scene);
     const std::vector<Eigen::Vector3d> directions = directionsOnSphere(kRaysAround);

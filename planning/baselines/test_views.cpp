@@ -22,7 +22,7 @@ std::vector<const Object*> targetsOf(const Scene& scene) {
 }
 
 /// Whether a ray from the position to the object's centre hits that object, within the distances.
-bool faces(const RivalScene& scene, const Eigen::Vector3d& place, const Object& object,
+bool faces(const BaselineScene& scene, const Eigen::Vector3d& place, const Object& object,
            const DistanceBand& band) {
     const Eigen::Vector3d way = object.box.center - place;
     const double distance = way.norm();
@@ -30,10 +30,10 @@ bool faces(const RivalScene& scene, const Eigen::Vector3d& place, const Object& 
     return scene.rays->cast(place, way / distance).object_id == object.id;
 }
 
-Result<Flight> viewsWithin(const RivalScene& scene, const PlanParams& params, int seed,
-                           const DistanceBand& band, const JobContext& job) {
-    Flight flight;
-    flight.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
+Result<PlannedMotion> viewsWithin(const BaselineScene& scene, const PlanParams& params, int seed,
+                                  const DistanceBand& band, const JobContext& job) {
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
     const std::vector<const Object*> targets = targetsOf(*scene.scene);
     if (targets.empty()) return fail(ErrorCode::Failed, "The scene has no object to look at.");
     const auto rooms = static_cast<std::uint32_t>(scene.free_space->rooms().size());
@@ -47,30 +47,30 @@ Result<Flight> viewsWithin(const RivalScene& scene, const PlanParams& params, in
             const Eigen::Vector3d place = randomPlace(scene, room, random);
             if (!faces(scene, place, object, band)) continue;
             TrajectoryFrame frame;
-            frame.path = static_cast<int>(flight.trajectory.frames.size());
-            frame.time_s = frame.path * flight.trajectory.frame_interval_s;
+            frame.path = static_cast<int>(motion.trajectory.frames.size());
+            frame.time_s = frame.path * motion.trajectory.frame_interval_s;
             frame.component = room;
             frame.target_in_world = object.box.center;
             frame.pose = lookAt(place, frame.target_in_world);
-            flight.trajectory.frames.push_back(frame);
+            motion.trajectory.frames.push_back(frame);
             break;
         }
     }
-    if (flight.trajectory.frames.empty()) {
+    if (motion.trajectory.frames.empty()) {
         return fail(ErrorCode::Failed, "No object is in sight from within these distances.");
     }
-    return flight;
+    return motion;
 }
 
 }  // namespace
 
-Result<Flight> planObjectFacing(const RivalScene& scene, const PlanParams& params, int seed,
-                                const JobContext& job) {
+Result<PlannedMotion> planObjectFacing(const BaselineScene& scene, const PlanParams& params,
+                                       int seed, const JobContext& job) {
     return viewsWithin(scene, params, seed, {1.0, 3.0}, job);
 }
 
-Result<Flight> planCloseViews(const RivalScene& scene, const PlanParams& params, int seed,
-                              const JobContext& job) {
+Result<PlannedMotion> planCloseViews(const BaselineScene& scene, const PlanParams& params, int seed,
+                                     const JobContext& job) {
     return viewsWithin(scene, params, seed, {0.3, 1.0}, job);
 }
 

@@ -25,7 +25,7 @@ constexpr int kRows = 12;
 
 class Body {
   public:
-    Body(const RivalScene& scene, int room, Random& random)
+    Body(const BaselineScene& scene, int room, Random& random)
         : scene_(scene), room_(room), position_(randomPlace(scene, room, random)) {}
 
     void move(Random& random) {
@@ -54,7 +54,7 @@ class Body {
     [[nodiscard]] const Eigen::Vector3d& position() const { return position_; }
 
   private:
-    const RivalScene& scene_;
+    const BaselineScene& scene_;
     int room_;
     Eigen::Vector3d position_;
     Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();
@@ -66,7 +66,8 @@ struct Run {
 };
 
 /// Ends early when cancelled.
-Run simulate(const RivalScene& scene, int room, int images, Random random, const JobContext& job) {
+Run simulate(const BaselineScene& scene, int room, int images, Random random,
+             const JobContext& job) {
     Body camera(scene, room, random);
     Body target(scene, room, random);
     const auto step = [&] {
@@ -97,7 +98,7 @@ Run simulate(const RivalScene& scene, int room, int images, Random random, const
     return run;
 }
 
-bool counts(const RivalScene& scene, const Run& run, const JobContext& job) {
+bool counts(const BaselineScene& scene, const Run& run, const JobContext& job) {
     double furthest = 0.0;
     std::set<int> seen;
     const Intrinsics& k = scene.views->intrinsics();
@@ -121,10 +122,10 @@ bool counts(const RivalScene& scene, const Run& run, const JobContext& job) {
 
 }  // namespace
 
-Result<Flight> planTwoBody(const RivalScene& scene, const PlanParams& params, int seed,
-                           const JobContext& job) {
-    Flight flight;
-    flight.trajectory.frame_interval_s = kStepsPerImage * kStep;
+Result<PlannedMotion> planTwoBody(const BaselineScene& scene, const PlanParams& params, int seed,
+                                  const JobContext& job) {
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = kStepsPerImage * kStep;
     const std::vector<int> shares = shareByRoom(scene, frameBudget(params), 10);
     for (std::size_t room = 0; room < shares.size(); ++room) {
         if (shares[room] == 0) continue;
@@ -136,16 +137,16 @@ Result<Flight> planTwoBody(const RivalScene& scene, const PlanParams& params, in
             if (counts(scene, run, job)) break;
         }
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-        auto& frames = flight.trajectory.frames;
+        auto& frames = motion.trajectory.frames;
         frames.insert(frames.end(), run.frames.begin(), run.frames.end());
-        flight.between.insert(flight.between.end(), run.between.begin(), run.between.end());
+        motion.between.insert(motion.between.end(), run.between.begin(), run.between.end());
         job.report(static_cast<double>(room + 1) / static_cast<double>(shares.size()));
     }
-    auto& frames = flight.trajectory.frames;
+    auto& frames = motion.trajectory.frames;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        frames[i].time_s = static_cast<double>(i) * flight.trajectory.frame_interval_s;
+        frames[i].time_s = static_cast<double>(i) * motion.trajectory.frame_interval_s;
     }
-    return flight;
+    return motion;
 }
 
 }  // namespace dollytrack::planning

@@ -8,18 +8,18 @@ namespace {
 constexpr double kSteepestUniform = 30.0 * std::numbers::pi / 180.0;
 }
 
-Result<Flight> planUniform(const RivalScene& scene, const PlanParams& params, int seed,
-                           const JobContext& job) {
-    Flight flight;
-    flight.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
+Result<PlannedMotion> planUniform(const BaselineScene& scene, const PlanParams& params, int seed,
+                                  const JobContext& job) {
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
     const std::vector<int> shares = shareByRoom(scene, frameBudget(params), 1);
     for (std::size_t room = 0; room < shares.size(); ++room) {
         Random random(static_cast<std::uint64_t>(seed), room);
         for (int i = 0; i < shares[room]; ++i) {
             if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
             TrajectoryFrame frame;
-            const auto count = flight.trajectory.frames.size();
-            frame.time_s = static_cast<double>(count) * flight.trajectory.frame_interval_s;
+            const auto count = motion.trajectory.frames.size();
+            frame.time_s = static_cast<double>(count) * motion.trajectory.frame_interval_s;
             frame.path = static_cast<int>(count);  // no motion between frames
             frame.component = static_cast<int>(room);
             const Eigen::Vector3d place = randomPlace(scene, frame.component, random);
@@ -29,10 +29,10 @@ Result<Flight> planUniform(const RivalScene& scene, const PlanParams& params, in
                 place + Eigen::Vector3d(std::cos(yaw) * std::cos(pitch),
                                         std::sin(yaw) * std::cos(pitch), std::sin(pitch));
             frame.pose = lookAt(place, frame.target_in_world);
-            flight.trajectory.frames.push_back(frame);
+            motion.trajectory.frames.push_back(frame);
         }
     }
-    return flight;
+    return motion;
 }
 
 }  // namespace dollytrack::planning

@@ -30,7 +30,7 @@ struct BareView {
     }
 };
 
-BareView lookAtWall(const RivalScene& scene, const Eigen::Vector3d& place, double yaw) {
+BareView lookAtWall(const BaselineScene& scene, const Eigen::Vector3d& place, double yaw) {
     BareView view;
     view.place = place;
     view.towards = {std::cos(yaw), std::sin(yaw), 0.0};
@@ -51,8 +51,8 @@ BareView lookAtWall(const RivalScene& scene, const Eigen::Vector3d& place, doubl
 
 }  // namespace
 
-Result<Flight> planWallStare(const RivalScene& scene, const PlanParams& params, int seed,
-                             const JobContext& job) {
+Result<PlannedMotion> planWallStare(const BaselineScene& scene, const PlanParams& params, int seed,
+                                    const JobContext& job) {
     Random random(static_cast<std::uint64_t>(seed));
     BareView best;
     for (int i = 0; i < kViewsTried; ++i) {
@@ -61,12 +61,12 @@ Result<Flight> planWallStare(const RivalScene& scene, const PlanParams& params, 
         const BareView view = lookAtWall(scene, place, random.uniform(0.0, 2.0 * std::numbers::pi));
         if (view.isBarerThan(best)) best = view;
     }
-    Flight flight;
-    flight.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
     const Eigen::Vector3d aside = best.towards.cross(Eigen::Vector3d::UnitZ());
     for (int i = 0; i < frameBudget(params); ++i) {
         TrajectoryFrame frame;
-        frame.time_s = i * flight.trajectory.frame_interval_s;
+        frame.time_s = i * motion.trajectory.frame_interval_s;
         const double sway =
             kSway_m * std::sin(2.0 * std::numbers::pi * static_cast<double>(i) / kFramesOfSway);
         const Eigen::Vector3d place = best.place + sway * aside;
@@ -74,9 +74,9 @@ Result<Flight> planWallStare(const RivalScene& scene, const PlanParams& params, 
         const Eigen::Vector3d from = scene.sphere->fits(place) ? place : best.place;
         frame.target_in_world = from + best.towards;
         frame.pose = lookAt(from, frame.target_in_world);
-        flight.trajectory.frames.push_back(frame);
+        motion.trajectory.frames.push_back(frame);
     }
-    return flight;
+    return motion;
 }
 
 }  // namespace dollytrack::planning

@@ -1,7 +1,7 @@
 #include "planning/free_space/enclosure.h"
 
 #include "engine/jobs/parallel.h"
-#include "planning/free_space/sight.h"
+#include "planning/free_space/enclosure_rays.h"
 
 #include <array>
 
@@ -18,13 +18,13 @@ constexpr std::uint8_t kOpen = 4;
 /// its column belongs to an outside part, for example in a bay window.
 bool isSurrounded(std::uint8_t sight) {
     constexpr unsigned kBoth = kFloorBelow | kCeilingAbove;
-    return (sight & kSightHitsMask) >= 12 && (sight & kBoth) == kBoth;
+    return (sight & kEnclosureHitsMask) >= 12 && (sight & kBoth) == kBoth;
 }
 
 /// Labels of cells before open cells are assigned.
 class Sides {
   public:
-    Sides(const SeenCells& seen, const FloorPlan& plan, const Election& election)
+    Sides(const EnclosureInput& seen, const FloorPlan& plan, const EnclosureClassifier& election)
         : seen_(seen), plan_(plan), election_(election), columns_(seen.grid.rowOf(0, 1)) {}
 
     /// Label of a cell without surface within the room bounds.
@@ -46,9 +46,9 @@ class Sides {
     }
 
   private:
-    const SeenCells& seen_;
+    const EnclosureInput& seen_;
     const FloorPlan& plan_;
-    const Election& election_;
+    const EnclosureClassifier& election_;
     std::size_t columns_;
 };
 
@@ -138,16 +138,17 @@ void shareOutAgain(const std::vector<std::size_t>& among, const Sides& side, con
 
 }  // namespace
 
-Enclosure::Enclosure(const SeenCells& seen, const FloorPlan& plan, EnclosureRule rule)
+Enclosure::Enclosure(const EnclosureInput& seen, const FloorPlan& plan, EnclosureRule rule)
     : rule_(rule), election_(seen, plan, rule) {
     fill(seen, plan);
 }
 
-Enclosure::Enclosure(const Enclosure& other, const SeenCells& before, const SeenCells& now,
-                     const FloorPlan& plan, const std::vector<CellBox>& changed)
+Enclosure::Enclosure(const Enclosure& other, const EnclosureInput& before,
+                     const EnclosureInput& now, const FloorPlan& plan,
+                     const std::vector<CellBox>& changed)
     : rule_(other.rule_), election_(other.election_) {
     if (!election_.recount(before, now, plan, changed)) {
-        election_ = Election(now, plan, rule_);
+        election_ = EnclosureClassifier(now, plan, rule_);
         fill(now, plan);
         return;
     }
@@ -179,7 +180,7 @@ Enclosure::Enclosure(const Enclosure& other, const SeenCells& before, const Seen
     shareOutAgain(open, is, now.grid, cells_);
 }
 
-void Enclosure::fill(const SeenCells& seen, const FloorPlan& plan) {
+void Enclosure::fill(const EnclosureInput& seen, const FloorPlan& plan) {
     const VoxelGrid& grid = seen.grid;
     const std::size_t columns = grid.rowOf(0, 1);
     cells_.assign(grid.size(), 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planning/free_space/election.h"
+#include "planning/free_space/enclosure_classifier.h"
 
 #include <cstdint>
 #include <vector>
@@ -9,28 +9,29 @@ namespace dollytrack::planning {
 
 /// Classifies the cells without surface as inside or outside the building.
 ///
-/// From its walls, floor and ceiling (see lookAround) a cell is inside for certain or possibly:
-/// possibly before a missing wall or at a window without glass, but also in the notch of an
-/// L-shaped house. The cells of each part of the floor plan vote at each height (see Election), so
-/// that a room is inside as a whole. A part with much furniture is inside even with few walls.
+/// From its walls, floor and ceiling (see castEnclosureRays) a cell is inside for certain or
+/// possibly: possibly before a missing wall or at a window without glass, but also in the notch of
+/// an L-shaped house. The cells of each part of the floor plan vote at each height (see
+/// EnclosureClassifier), so that a room is inside as a whole. A part with much furniture is inside
+/// even with few walls.
 class Enclosure {
   public:
-    Enclosure(const SeenCells& seen, const FloorPlan& plan, EnclosureRule rule);
+    Enclosure(const EnclosureInput& seen, const FloorPlan& plan, EnclosureRule rule);
 
     /// Incremental update of `other`, made for `before` with the same floor plan. `changed` are
     /// disjoint boxes that hold all cells whose surface or surroundings differ. Gives the same
     /// result as the other constructor.
-    Enclosure(const Enclosure& other, const SeenCells& before, const SeenCells& now,
+    Enclosure(const Enclosure& other, const EnclosureInput& before, const EnclosureInput& now,
               const FloorPlan& plan, const std::vector<CellBox>& changed);
 
     /// By cell: 1 inside, 0 not.
     [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
 
   private:
-    void fill(const SeenCells& seen, const FloorPlan& plan);
+    void fill(const EnclosureInput& seen, const FloorPlan& plan);
 
     EnclosureRule rule_;
-    Election election_;
+    EnclosureClassifier election_;
     std::vector<std::uint8_t> cells_;
 };
 

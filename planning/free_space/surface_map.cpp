@@ -2,10 +2,10 @@
 
 #include "engine/core/log.h"
 #include "planning/free_space/distance_field.h"
+#include "planning/free_space/enclosure_rays.h"
 #include "planning/free_space/floor_plan.h"
 #include "planning/free_space/mapping_words.h"
 #include "planning/free_space/octree.h"
-#include "planning/free_space/sight.h"
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ struct SurfaceMap::Impl {
     std::array<std::unique_ptr<const Enclosure>, kEnclosureRules>
         enclosures;  // by rule; null until asked for
 
-    [[nodiscard]] SeenCells seen() const { return {grid, surfaces.cells, sight}; }
+    [[nodiscard]] EnclosureInput seen() const { return {grid, surfaces.cells, sight}; }
 };
 
 SurfaceMap::SurfaceMap(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -84,7 +84,7 @@ Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& 
     impl->gaps = squaredGaps(grid, impl->surfaces.cells, job);
     if (job.cancelled()) return mappingCancelled();
     job.report(0.7);
-    impl->sight = lookAround(grid, impl->surfaces.cells, job);
+    impl->sight = castEnclosureRays(grid, impl->surfaces.cells, job);
     if (job.cancelled()) return mappingCancelled();
     impl->plan = drawFloorPlan(grid, impl->surfaces.cells);
     impl->air = std::ranges::count(impl->surfaces.cells, std::uint8_t{0});
@@ -108,7 +108,7 @@ Result<SurfaceMap> SurfaceMap::afterMoves(const SurfaceMap& before, const Scene&
     impl->gaps = squaredGapsAfter(old.gaps, changed, grid, cells, job);
     if (job.cancelled()) return mappingCancelled();
     job.report(0.5);
-    impl->sight = lookAroundAfter(old.sight, old.surfaces.cells, grid, cells, changed, job);
+    impl->sight = updateEnclosureRays(old.sight, old.surfaces.cells, grid, cells, changed, job);
     if (job.cancelled()) return mappingCancelled();
     impl->plan = drawFloorPlan(grid, cells);
     impl->air = std::ranges::count(cells, std::uint8_t{0});

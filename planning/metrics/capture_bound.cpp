@@ -5,7 +5,7 @@
 #include "planning/metrics/remedy_proposals.h"
 #include "planning/viewpoints/candidate_source.h"
 #include "planning/viewpoints/viewpoint_search.h"
-#include "planning/visibility/coarse_look.h"
+#include "planning/visibility/coarse_grid.h"
 #include "planning/visibility/framing.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ class DenseSearch {
     void askWhatIf() {
         const PlanParams params;
         const PlanEdits edits;
-        const auto places = whatIfPlaces(around_, subject_, object_id_, seed_, job_);
+        const auto places = hypotheticalPositions(around_, subject_, object_id_, seed_, job_);
         for (const bool well : {true, false}) {
             if (well ? reach_.well : reach_.captured) continue;
             if (proposePins({around_, params, edits, subject_, places, object_id_, well}).empty()) {

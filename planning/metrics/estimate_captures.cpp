@@ -1,7 +1,7 @@
 #include "planning/metrics/estimate_captures.h"
 
 #include "engine/jobs/parallel.h"
-#include "planning/metrics/view_memo.h"
+#include "planning/metrics/view_cache.h"
 #include "planning/visibility/image_boxes.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -72,23 +72,23 @@ std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& t
     return frames;
 }
 
-using Glances = std::vector<ViewMemo::Look>;
+using Glances = std::vector<ViewCache::Look>;
 using ObjectViews = std::vector<ObjectView>;  // of one object, by ascending frame
 
 /// Coarse estimates of all targets, by frame; cached poses are reused.
-std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
-                                            const Trajectory& trajectory, ViewMemo& memo,
-                                            const JobContext& job) {
+std::vector<ViewCache::Entry*> glanceFromAll(const ViewEstimator& views,
+                                             const Trajectory& trajectory, ViewCache& memo,
+                                             const JobContext& job) {
     const Scene& scene = views.scene();
     const auto& frames = trajectory.frames;
-    std::vector<ViewMemo::Entry*> entries(frames.size());
+    std::vector<ViewCache::Entry*> entries(frames.size());
     std::vector<std::size_t> fresh;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         entries[f] = memo.find(frames[f].pose);
         if (entries[f] == nullptr) fresh.push_back(f);
     }
     // Object by object, for cache locality: neighbouring frames see much the same of one object.
-    std::vector<std::vector<std::pair<std::size_t, ViewMemo::Look>>> seen(scene.objects.size());
+    std::vector<std::vector<std::pair<std::size_t, ViewCache::Look>>> seen(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = scene.objects[i].id;
         if (scene.objects[i].role != Role::Target) return;
@@ -96,7 +96,7 @@ std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
             const Pose& pose = frames[fresh[f]].pose;
             if (!mayCapture(views, pose, id)) continue;
             const auto glance = views.estimate(pose, id, kGlanceGrid);
-            seen[i].emplace_back(f, ViewMemo::Look{makeView(glance, id, 0), glance.visible_box});
+            seen[i].emplace_back(f, ViewCache::Look{makeView(glance, id, 0), glance.visible_box});
         }
     });
     if (job.cancelled()) return {};
@@ -113,11 +113,11 @@ std::vector<ViewMemo::Entry*> glanceFromAll(const ViewEstimator& views,
 }  // namespace
 
 Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
-                                         const JobContext& job, ViewMemo* memo) {
-    ViewMemo own;
-    ViewMemo& known = memo != nullptr ? *memo : own;
+                                         const JobContext& job, ViewCache* memo) {
+    ViewCache own;
+    ViewCache& known = memo != nullptr ? *memo : own;
     known.begin();
-    const std::vector<ViewMemo::Entry*> entries = glanceFromAll(views, trajectory, known, job);
+    const std::vector<ViewCache::Entry*> entries = glanceFromAll(views, trajectory, known, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
 
     const Scene& scene = views.scene();
@@ -129,7 +129,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
                 [&](std::size_t f) { scanned[f] = views.scannedShare(trajectory.frames[f].pose); });
     std::vector<ObjectViews> coarse(scene.objects.size());
     for (std::size_t f = 0; f < entries.size(); ++f) {
-        for (const ViewMemo::Look& glance : entries[f]->looks) {
+        for (const ViewCache::Look& glance : entries[f]->looks) {
             ObjectView view = glance.view;
             view.frame = static_cast<int>(f);
             view.scanned_share = scanned[f];

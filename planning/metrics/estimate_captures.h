@@ -8,7 +8,7 @@ namespace dollytrack::planning {
 
 class SweptSphere;
 class ViewEstimator;
-class ViewMemo;
+class ViewCache;
 
 struct CaptureEstimate {
     std::vector<ObjectCapture> captures;
@@ -20,7 +20,7 @@ struct CaptureEstimate {
 /// may show it, then exact estimates of the best few. `memo`, unless null, caches estimates by
 /// pose. Error: Cancelled.
 Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Trajectory& trajectory,
-                                         const JobContext& job, ViewMemo* memo = nullptr);
+                                         const JobContext& job, ViewCache* memo = nullptr);
 
 /// Measures the motion: length, clearance, collisions, repeats. Error: Cancelled.
 Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,

@@ -1,7 +1,7 @@
 #include "planning/metrics/proposal_parts.h"
 
 #include "engine/jobs/parallel.h"
-#include "planning/visibility/coarse_look.h"
+#include "planning/visibility/coarse_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ double scaled(double hfov_deg, double scale) {
 /// Longer lenses for an object that is too small: the mildest that enlarges it enough.
 std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
     const double before = what.params.camera.hfov_deg;
-    const auto lensFor = [&](const WhatIfPlace& p) {
+    const auto lensFor = [&](const HypotheticalPosition& p) {
         if (p.seen.occluder != 0 || !(p.fill > 0.0) || p.fill > kWhole) return before;
         const CaptureRules rules;
         double grow = rules.min_visible_px / std::max(p.seen.visible_px, 1.0);
@@ -80,15 +80,15 @@ std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
     };
     const auto places = bestFirst(
         what.places,
-        [&](const WhatIfPlace& p) {
+        [&](const HypotheticalPosition& p) {
             const double hfov = lensFor(p);
             return p.legal() && hfov < before && hfov >= kNarrowest &&
                    p.seen.visible_fraction >= kAlmost * CaptureRules{}.min_visible_fraction;
         },
-        [&](const WhatIfPlace& p) { return lensFor(p); });
+        [&](const HypotheticalPosition& p) { return lensFor(p); });
     std::vector<Proposal> proposals;
     std::map<double, std::size_t> looked;
-    for (const WhatIfPlace* place : places) {
+    for (const HypotheticalPosition* place : places) {
         if (proposals.size() >= kMostOfAKind || lenses.count() > 3 * kMostOfAKind) break;
         const double hfov = lensFor(*place);
         const bool known =
@@ -103,13 +103,15 @@ std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
 /// Wider lenses for an object that does not fit: the mildest that shows enough of it.
 std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
     const double before = what.params.camera.hfov_deg;
-    const auto fits = [&](const WhatIfPlace& p) {
+    const auto fits = [&](const HypotheticalPosition& p) {
         return std::min(std::ceil(scaled(before, kWhole / p.fill)), kWidest);
     };
     const auto cropped = bestFirst(
         what.places,
-        [](const WhatIfPlace& p) { return p.legal() && std::isfinite(p.fill) && p.fill > kWhole; },
-        [](const WhatIfPlace& p) { return -p.fill; });
+        [](const HypotheticalPosition& p) {
+            return p.legal() && std::isfinite(p.fill) && p.fill > kWhole;
+        },
+        [](const HypotheticalPosition& p) { return -p.fill; });
     if (cropped.empty() || before >= kWidest) return {};
     // The widest lens shows whether the object is hidden; a cropped view says little about that.
     const ViewEstimator* widest = lenses.at(kWidest);

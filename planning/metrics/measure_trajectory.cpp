@@ -1,8 +1,8 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/metrics/estimate_captures.h"
+#include "planning/metrics/minimum_clearance.h"
 #include "planning/metrics/shown_surface.h"
-#include "planning/metrics/tightest_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                        .free;
     });
     metrics.straight_lines_that_hit = static_cast<int>(std::count(cuts.begin(), cuts.end(), 1));
-    metrics.tightest = findTightestPlace(paths, trajectory, rays);
+    metrics.tightest = findMinimumClearance(paths, trajectory, rays);
     metrics.motion = measureMotion(trajectory);
     metrics.frame_collision_rate =
         static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /

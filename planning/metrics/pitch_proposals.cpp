@@ -1,7 +1,7 @@
 #include "planning/metrics/proposal_parts.h"
 
 #include "engine/jobs/parallel.h"
-#include "planning/visibility/coarse_look.h"
+#include "planning/visibility/coarse_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +26,13 @@ ConstraintParams loosened(const ConstraintParams& from, bool down, int steps) {
 
 /// A position from which the object is above or below the pitch band.
 struct SteepPlace {
-    const WhatIfPlace* place = nullptr;
+    const HypotheticalPosition* place = nullptr;
     bool down = false;
     int steps = 0;  // fewest steps after which a coarse estimate meets the requirement; 0: none
     double goodness = 0.0;  // without any limit of pitch
 };
 
-SteepPlace steepPlace(const WhatIf& what, const WhatIfPlace& place, double asked) {
+SteepPlace steepPlace(const WhatIf& what, const HypotheticalPosition& place, double asked) {
     SteepPlace steep{&place};
     const double elevation = elevationOf(what.subject.center - place.position);
     const PitchBand band = pitchBand(what.params.constraints);
@@ -80,7 +80,7 @@ Proposal propose(const WhatIf& what, const SteepPlace& steep, int steps) {
 std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
     std::vector<SteepPlace> steep(what.places.size());
     parallelFor(what.places.size(), [&](std::size_t i) {
-        const WhatIfPlace& place = what.places[i];
+        const HypotheticalPosition& place = what.places[i];
         if (place.legal() && std::isfinite(place.fill)) steep[i] = steepPlace(what, place, asked);
     });
     std::erase_if(steep, [](const SteepPlace& one) { return one.steps == 0; });

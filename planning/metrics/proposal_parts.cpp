@@ -14,11 +14,12 @@ double promise(const ViewEstimator::Estimate& seen, bool well) {
     return well ? std::min(share, seen.box_share / rules.min_box_share) : share;
 }
 
-std::vector<const WhatIfPlace*> bestFirst(const std::vector<WhatIfPlace>& places,
-                                          const std::function<bool(const WhatIfPlace&)>& fits,
-                                          const std::function<double(const WhatIfPlace&)>& order) {
-    std::vector<const WhatIfPlace*> chosen;
-    for (const WhatIfPlace& place : places) {
+std::vector<const HypotheticalPosition*> bestFirst(
+    const std::vector<HypotheticalPosition>& places,
+    const std::function<bool(const HypotheticalPosition&)>& fits,
+    const std::function<double(const HypotheticalPosition&)>& order) {
+    std::vector<const HypotheticalPosition*> chosen;
+    for (const HypotheticalPosition& place : places) {
         if (fits(place)) chosen.push_back(&place);
     }
     std::stable_sort(chosen.begin(), chosen.end(),
@@ -31,7 +32,7 @@ double goodness(const ViewEstimator::Estimate& seen) {
            0.2 * seen.box_share;
 }
 
-Pose poseAt(const WhatIf& what, const WhatIfPlace& place) {
+Pose poseAt(const WhatIf& what, const HypotheticalPosition& place) {
     return aim(place.position, what.subject.center, pitchBand(what.params.constraints));
 }
 

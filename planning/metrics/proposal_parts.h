@@ -22,12 +22,13 @@ double promise(const ViewEstimator::Estimate& seen, bool well);
 double goodness(const ViewEstimator::Estimate& seen);
 
 /// The positions that satisfy `fits`, sorted by descending `order`.
-std::vector<const WhatIfPlace*> bestFirst(const std::vector<WhatIfPlace>& places,
-                                          const std::function<bool(const WhatIfPlace&)>& fits,
-                                          const std::function<double(const WhatIfPlace&)>& order);
+std::vector<const HypotheticalPosition*> bestFirst(
+    const std::vector<HypotheticalPosition>& places,
+    const std::function<bool(const HypotheticalPosition&)>& fits,
+    const std::function<double(const HypotheticalPosition&)>& order);
 
 /// The view of the object from a position, within the pitch band.
-Pose poseAt(const WhatIf& what, const WhatIfPlace& place);
+Pose poseAt(const WhatIf& what, const HypotheticalPosition& place);
 
 /// A proposal without any change yet.
 Proposal unchanged(const WhatIf& what, const std::optional<Pose>& view);

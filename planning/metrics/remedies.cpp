@@ -59,9 +59,9 @@ bool lostInSearch(const LedgerRow& row) {
 }
 
 /// Tally of all positions around an object, with the verdicts of candidates.
-CandidateTally tallyOf(const std::vector<WhatIfPlace>& places) {
+CandidateTally tallyOf(const std::vector<HypotheticalPosition>& places) {
     CandidateTally tally;
-    for (const WhatIfPlace& place : places) {
+    for (const HypotheticalPosition& place : places) {
         Candidate candidate;
         candidate.position = place.position;
         candidate.fill = place.fill;
@@ -214,7 +214,8 @@ class Finder {
     /// No view was found: searches for a missed view, then for changes that would give one.
     void findElsewhere(LedgerRow& row) {
         const Subject subject = makeSubject(around_.views, {row.object_id});
-        const auto places = whatIfPlaces(around_, subject, row.object_id, params_.seed, job_);
+        const auto places =
+            hypotheticalPositions(around_, subject, row.object_id, params_.seed, job_);
         const WhatIf what{around_, params_, edits_, subject, places, row.object_id, row.captured};
         if (takeFirst(proposePins(what), row) || row.remedy) {
             row.loss = Loss::SearchMissed;
@@ -235,7 +236,7 @@ class Finder {
     }
 
     /// Corrects the reason by the dense sampling.
-    void lookDenser(const std::vector<WhatIfPlace>& places, LedgerRow& row) const {
+    void lookDenser(const std::vector<HypotheticalPosition>& places, LedgerRow& row) const {
         if (row.captured || job_.cancelled() || places.empty()) return;
         const CandidateTally tally = tallyOf(places);
         if (tally.legal() > 0) return;

@@ -27,8 +27,10 @@ bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bo
 std::vector<Proposal> proposePins(const WhatIf& what) {
     const auto places = bestFirst(
         what.places,
-        [&](const WhatIfPlace& p) { return p.legal() && promise(p.seen, what.well) >= kAlmost; },
-        [](const WhatIfPlace& p) { return goodness(p.seen); });
+        [&](const HypotheticalPosition& p) {
+            return p.legal() && promise(p.seen, what.well) >= kAlmost;
+        },
+        [](const HypotheticalPosition& p) { return goodness(p.seen); });
     for (std::size_t i = 0; i < std::min(kLookedAt, places.size()); ++i) {
         const Pose view = poseAt(what, *places[i]);
         if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
@@ -46,17 +48,17 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
     if (region == nullptr || region->hasLevels()) return proposals;
     const double reach = what.around.sphere.radius() + SweptSphere::kMargin;
     const FreeSpaceParams& band = what.params.free_space;
-    const auto beyond = [&](const WhatIfPlace& p) {
+    const auto beyond = [&](const HypotheticalPosition& p) {
         if (p.allowed != Verdict::HeightBand) return 0.0;
         const double height = region->heightOf(p.position);
         return std::max(height - band.max_height_m, band.min_height_m - height);
     };
     const auto places = bestFirst(
         what.places,
-        [&](const WhatIfPlace& p) {
+        [&](const HypotheticalPosition& p) {
             return p.roomy && p.allowed != Verdict::Legal && promise(p.seen, what.well) >= kAlmost;
         },
-        [&](const WhatIfPlace& p) { return -beyond(p); });
+        [&](const HypotheticalPosition& p) { return -beyond(p); });
     std::set<std::string> proposed;
     for (std::size_t i = 0; i < std::min(4 * kLookedAt, places.size()); ++i) {
         if (proposals.size() >= kMostOfAKind) break;
@@ -89,21 +91,21 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
 }
 
 std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
-    const auto radiusAt = [](const WhatIfPlace& p) {
+    const auto radiusAt = [](const HypotheticalPosition& p) {
         // Subtract the margin, and round to centimetres.
         return std::floor((p.clearance_m - SweptSphere::kMargin) * 100.0 + 1e-6) / 100.0;
     };
     const CameraParams& camera = what.params.camera;
     const auto places = bestFirst(
         what.places,
-        [&](const WhatIfPlace& p) {
+        [&](const HypotheticalPosition& p) {
             return !p.roomy && p.allowed == Verdict::Legal && radiusAt(p) >= kLeastRadius_m &&
                    radiusAt(p) < camera.camera_radius_m && promise(p.seen, what.well) >= kAlmost;
         },
-        [&](const WhatIfPlace& p) { return 100.0 * radiusAt(p) + goodness(p.seen); });
+        [&](const HypotheticalPosition& p) { return 100.0 * radiusAt(p) + goodness(p.seen); });
     std::vector<Proposal> proposals;
     std::map<double, std::size_t> looked;
-    for (const WhatIfPlace* place : places) {
+    for (const HypotheticalPosition* place : places) {
         if (proposals.size() >= kMostOfAKind) break;
         const double radius = radiusAt(*place);
         const bool known =
@@ -122,23 +124,25 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
 
 std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
     const Scene& scene = what.around.views.scene();
-    const auto shareWithout = [](const WhatIfPlace& p) {
+    const auto shareWithout = [](const HypotheticalPosition& p) {
         return p.seen.visible_fraction + p.seen.occluder_share;
     };
     const auto places = bestFirst(
         what.places,
-        [&](const WhatIfPlace& p) {
+        [&](const HypotheticalPosition& p) {
             return p.legal() && p.seen.occluder != 0 && p.seen.occluder != what.object_id &&
                    !scene.object(p.seen.occluder).structure &&
                    shareWithout(p) >= CaptureRules{}.min_visible_fraction;
         },
-        [&](const WhatIfPlace& p) { return shareWithout(p) + 0.5 * p.seen.visible_fraction; });
+        [&](const HypotheticalPosition& p) {
+            return shareWithout(p) + 0.5 * p.seen.visible_fraction;
+        });
     std::vector<Proposal> proposals;
     std::map<int, std::size_t> looked;
     std::map<int, RayCaster> rays;
     std::map<int, ViewEstimator> views;
     std::set<int> done;
-    for (const WhatIfPlace* place : places) {
+    for (const HypotheticalPosition* place : places) {
         const int gone = place->seen.occluder;
         if (proposals.size() >= kMostOfAKind || done.contains(gone)) continue;
         if (!looked.contains(gone) && looked.size() == 2 * kMostOfAKind) continue;

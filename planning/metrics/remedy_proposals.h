@@ -1,7 +1,7 @@
 #pragma once
 
+#include "planning/metrics/hypothetical_positions.h"
 #include "planning/metrics/plan_trials.h"
-#include "planning/metrics/what_if_places.h"
 
 #include <optional>
 #include <vector>
@@ -25,7 +25,7 @@ struct WhatIf {
     const PlanParams& params;
     const PlanEdits& edits;
     const Subject& subject;
-    const std::vector<WhatIfPlace>& places;
+    const std::vector<HypotheticalPosition>& places;
     int object_id = 0;
     bool well = false;  // whether it must be captured well, not only captured
 };

@@ -114,13 +114,13 @@ Seen lookFrom(const ViewEstimator& views, const Pose& pose, const RayGrid& grid)
 
 }  // namespace
 
-class SurfaceLooks::Numbers : public KeyNumbers {};
+class SurfaceSampler::Numbers : public KeyNumbers {};
 
-SurfaceLooks::SurfaceLooks(const ViewEstimator& views, Detail detail)
+SurfaceSampler::SurfaceSampler(const ViewEstimator& views, Detail detail)
     : views_(views), detail_(detail), numbers_(std::make_unique<Numbers>()) {}
-SurfaceLooks::~SurfaceLooks() = default;
+SurfaceSampler::~SurfaceSampler() = default;
 
-Result<FrameSurfaces> SurfaceLooks::look(const Trajectory& trajectory, const JobContext& job) {
+Result<FrameSurfaces> SurfaceSampler::look(const Trajectory& trajectory, const JobContext& job) {
     const RayGrid& grid = detail_ == Detail::Full ? kFull : kGlance;
     // Frames at new poses, and the patches they show.
     std::vector<std::size_t> fresh;
@@ -183,7 +183,7 @@ double FrameSurfaces::objectPixels() const {
 
 Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job) {
-    return SurfaceLooks(views).look(trajectory, job).map([](const FrameSurfaces& surfaces) {
+    return SurfaceSampler(views).look(trajectory, job).map([](const FrameSurfaces& surfaces) {
         const auto frames = static_cast<double>(std::max<std::size_t>(1, surfaces.frames()));
         return ShownSurface{surfaces.repeats() / frames, surfaces.objectPixels()};
     });

@@ -40,7 +40,7 @@ class FrameSurfaces {
     };
 
   private:
-    friend class SurfaceLooks;
+    friend class SurfaceSampler;
     std::vector<std::shared_ptr<const Shown>> shown_;  // by frame
     int patches_ = 0;
     int rays_ = 1;  // per frame
@@ -48,15 +48,15 @@ class FrameSurfaces {
 
 /// Samples the surfaces visible in frames by a grid of rays each, and caches the result by pose:
 /// key frames keep their poses at any frame rate. For one unchanging scene. Not thread-safe.
-class SurfaceLooks {
+class SurfaceSampler {
   public:
-    /// Full: 32 x 24 rays and patches of 0.1 m. Glance: 16 x 12 rays and patches of 0.2 m, with
+    /// Full: 32 x 24 rays and patches of 0.1 m. LookAside: 16 x 12 rays and patches of 0.2 m, with
     /// about the same results.
-    enum class Detail { Full, Glance };
-    explicit SurfaceLooks(const ViewEstimator& views, Detail detail = Detail::Full);
-    ~SurfaceLooks();
-    SurfaceLooks(const SurfaceLooks&) = delete;
-    SurfaceLooks& operator=(const SurfaceLooks&) = delete;
+    enum class Detail { Full, LookAside };
+    explicit SurfaceSampler(const ViewEstimator& views, Detail detail = Detail::Full);
+    ~SurfaceSampler();
+    SurfaceSampler(const SurfaceSampler&) = delete;
+    SurfaceSampler& operator=(const SurfaceSampler&) = delete;
 
     /// Samples all frames of a trajectory at new poses. Error: Cancelled, which also clears the
     /// cache.

@@ -273,9 +273,10 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                            params.constraints.rooms, room_views ? params.gaze : GazeParams{},
                            room_views ? params.timing.max_frames : 0, room_views ? params.seed : 0),
                 part, [&] {
-                    return addAskedPoints(*placed, must_see, params,
-                                          asksForRooms(params.constraints) ? &*rooms : nullptr,
-                                          around, &memory.shown, part);
+                    return addConstraintViewpoints(
+                        *placed, must_see, params,
+                        asksForRooms(params.constraints) ? &*rooms : nullptr, around, &memory.shown,
+                        part);
                 });
         })
         .and_then([&] {

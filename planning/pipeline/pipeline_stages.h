@@ -7,11 +7,11 @@
 #include "planning/metrics/estimate_captures.h"
 #include "planning/path/time_budget.h"
 #include "planning/pipeline/pipeline.h"
-#include "planning/pipeline/run_memory.h"
+#include "planning/pipeline/plan_cache.h"
 #include "planning/pipeline/stage.h"
 #include "planning/repair/repair.h"
 #include "planning/rooms/room_plan.h"
-#include "planning/viewpoints/asked_points.h"
+#include "planning/viewpoints/constraint_viewpoints.h"
 #include "planning/viewpoints/hand_placed.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
@@ -56,7 +56,7 @@ struct Pipeline::Stages {
         placed;
     Stage<std::tuple<V, std::vector<int>>, RoomPlan> rooms;
     Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours, GazeParams, int, int>,
-          AskedPoints>
+          ConstraintViewpoints>
         asked;
     Stage<std::tuple<V, std::vector<Region>, int, int, int, bool>, std::vector<int>> key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
@@ -79,7 +79,7 @@ struct Pipeline::Stages {
         return asks ? 2 * asked.version() + 1 : 2 * placed.version();
     }
 
-    RunMemory memory;
+    PlanCache memory;
     std::vector<StageTime> times;
     std::string left_out_for;  // reason for the last run's parameters; see captureLedger()
 

@@ -3,9 +3,9 @@
 #include "engine/jobs/parallel.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/plan_params.h"
-#include "planning/repair/glance.h"
+#include "planning/repair/detour.h"
+#include "planning/repair/look_aside.h"
 #include "planning/repair/low_runs.h"
-#include "planning/repair/other_way.h"
 #include "planning/viewpoints/viewpoint_search.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ constexpr int kAttempts = 3;          // per round, each with fewer changes
 struct Design {
     std::vector<CameraPath> paths;
     std::vector<SmoothPath> smooth;  // without look-aside views
-    std::vector<Glance> glances;
+    std::vector<LookAside> glances;
 };
 
 /// A design with its trajectory and scores.
@@ -37,7 +37,7 @@ struct Trial {
 
 struct Change {
     StretchName stretch;
-    std::optional<Glance> glance;
+    std::optional<LookAside> glance;
     std::optional<CameraPath> other_way;
 };
 
@@ -89,12 +89,12 @@ std::set<StretchName> lostOn(const Trial& before, const Trial& after) {
 
 class Repair {
   public:
-    Repair(const RepairContext& context, ViewMemo* memo, const JobContext& job)
+    Repair(const RepairContext& context, ViewCache* memo, const JobContext& job)
         : context_(context), memo_(memo), job_(job) {}
 
     [[nodiscard]] Result<Trial> carryOut(const Design& design) const {
         Trial trial;
-        trial.smooth = withGlances(design.smooth, design.glances);
+        trial.smooth = withLookAsides(design.smooth, design.glances);
         Result<Trajectory> trajectory = context_.maker.time(trial.smooth);
         if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
         trial.trajectory = std::move(*trajectory);
@@ -150,7 +150,7 @@ class Repair {
                                     path.vertices.begin() + static_cast<std::ptrdiff_t>(to));
             path.vertices.insert(at, inner.begin() + 1, inner.end() - 1);
             std::erase_if(design.glances,
-                          [&](const Glance& g) { return g.stretch == change.stretch; });
+                          [&](const LookAside& g) { return g.stretch == change.stretch; });
             rerouted.insert(change.stretch.path);
         }
         for (const std::size_t path : rerouted) {
@@ -198,9 +198,9 @@ class Repair {
         const int times = refused == refused_.end() ? 0 : refused->second;
         if (times == 0) {
             const auto looks_at =
-                findGlance(context_, trial.trajectory, trial.estimate.frame_boxes, run);
+                findLookAside(context_, trial.trajectory, trial.estimate.frame_boxes, run);
             if (looks_at)
-                change.glance = Glance{run.stretch, shareOf(design, trial, run), *looks_at};
+                change.glance = LookAside{run.stretch, shareOf(design, trial, run), *looks_at};
         }
         if (change.glance || times > 1 || run.size() <= kShortRun) return change;
         const CameraPath& path = design.paths[run.stretch.path];
@@ -210,7 +210,7 @@ class Repair {
         const double low_share = static_cast<double>(scored.low) / scored.frames;
         const auto stream = static_cast<std::uint64_t>(round) * 1'000'000 +
                             run.stretch.path * 100'000 + run.stretch.number * 10;
-        change.other_way = findOtherWay(context_, path, from, to, low_share, stream);
+        change.other_way = findDetour(context_, path, from, to, low_share, stream);
         return change;
     }
 
@@ -226,7 +226,7 @@ class Repair {
     }
 
     const RepairContext& context_;
-    ViewMemo* memo_;
+    ViewCache* memo_;
     const JobContext& job_;
     std::set<StretchName> given_up_;
     std::map<StretchName, int> refused_;  // number of refused changes, by stretch
@@ -251,9 +251,9 @@ int dropLow(Trial& trial, double threshold) {
     return dropped;
 }
 
-int countStretches(const std::vector<Glance>& glances) {
+int countStretches(const std::vector<LookAside>& glances) {
     std::set<StretchName> names;
-    for (const Glance& glance : glances) names.insert(glance.stretch);
+    for (const LookAside& glance : glances) names.insert(glance.stretch);
     return static_cast<int>(names.size());
 }
 
@@ -265,7 +265,7 @@ bool asksForRepair(const RepairParams& params) {
 
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
                                   const Surroundings& around, const RepairParams& params, int seed,
-                                  const JobContext& job, ViewMemo* memo) {
+                                  const JobContext& job, ViewCache* memo) {
     RepairContext context{maker, around, params.score, 0.0, seed};
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};

@@ -9,7 +9,7 @@
 
 namespace dollytrack::planning {
 
-class ViewMemo;
+class ViewCache;
 struct RepairParams;
 struct Surroundings;
 
@@ -39,6 +39,6 @@ struct TrajectoryMaker {
 /// unless a detour rounds their corner differently. `memo` may be null. Error: Cancelled.
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
                                   const Surroundings& around, const RepairParams& params, int seed,
-                                  const JobContext& job, ViewMemo* memo = nullptr);
+                                  const JobContext& job, ViewCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

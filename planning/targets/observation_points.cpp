@@ -1,7 +1,7 @@
 #include "planning/targets/observation_points.h"
 
 #include "planning/plan_params.h"
-#include "planning/targets/carriers.h"
+#include "planning/targets/supports.h"
 #include "planning/visibility/framing.h"
 
 #include <algorithm>
@@ -33,9 +33,9 @@ Eigen::Vector3d turned(const Eigen::Vector3d& direction, const ViewpointParams& 
 
 /// Direction R before the offsets: mean direction from the carrier to its objects, the carrier's
 /// normal, or the object's front.
-Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<Carriage>& carriages,
+Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<SupportRelation>& carriages,
                                  const std::vector<int>& objects) {
-    const Carriage& first = carriages[static_cast<std::size_t>(objects.front()) - 1];
+    const SupportRelation& first = carriages[static_cast<std::size_t>(objects.front()) - 1];
     if (first.kind == TargetKind::Suspension || first.kind == TargetKind::Shelf) {
         return first.outward;
     }
@@ -51,7 +51,7 @@ Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<Carriage>
 
 class Grouping {
   public:
-    Grouping(const ViewEstimator& views, const std::vector<Carriage>& carriages,
+    Grouping(const ViewEstimator& views, const std::vector<SupportRelation>& carriages,
              const ViewpointParams& params)
         : views_(views), carriages_(carriages), params_(params) {}
 
@@ -79,7 +79,7 @@ class Grouping {
 
   private:
     [[nodiscard]] ObservationPoint make(const std::vector<int>& objects) const {
-        const Carriage& carriage = carriages_[static_cast<std::size_t>(objects.front()) - 1];
+        const SupportRelation& carriage = carriages_[static_cast<std::size_t>(objects.front()) - 1];
         ObservationPoint point;
         point.kind = carriage.kind;
         point.carrier = carriage.carrier;
@@ -109,7 +109,7 @@ class Grouping {
     }
 
     const ViewEstimator& views_;
-    const std::vector<Carriage>& carriages_;
+    const std::vector<SupportRelation>& carriages_;
     const ViewpointParams& params_;
 };
 
@@ -119,13 +119,13 @@ std::vector<ObservationPoint> setObservationPoints(const ViewEstimator& views,
                                                    const TargetParams& targets,
                                                    const ViewpointParams& viewpoints) {
     const Scene& scene = views.scene();
-    const std::vector<Carriage> carriages = findCarriers(scene, views.rays(), targets);
+    const std::vector<SupportRelation> carriages = findSupports(scene, views.rays(), targets);
 
     // Members of a group share carrier and kind; in a shelf also the open side and the board.
     std::map<std::tuple<int, TargetKind, int, int, int>, std::vector<int>> groups;
     for (const Object& object : scene.objects) {
         if (object.role != Role::Target) continue;
-        const Carriage& carriage = carriages[static_cast<std::size_t>(object.id) - 1];
+        const SupportRelation& carriage = carriages[static_cast<std::size_t>(object.id) - 1];
         int side = 0;
         int board = 0;
         if (carriage.kind == TargetKind::Shelf) {

@@ -16,7 +16,7 @@ constexpr double kSurely = 0.75;  // relative to the limit: a coarse rate below 
 constexpr double kAim = 0.9;      // target, relative to the limit
 // At another rate frames lie beside those sampled coarsely, so fine measurements have the last
 // word.
-constexpr int kLooks = 12;
+constexpr int kSamplesPerPixel = 12;
 constexpr int kLooksUp = 3;
 constexpr double kAlike = 0.05;     // relative to the number of frames: smaller gains are not worth
                                     // a measurement
@@ -107,7 +107,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     // The fewest frames known to exceed the limit, or all.
     int high = static_cast<int>(trajectory.frames.size());
     Result<Trajectory> thinned = time_within(low);
-    for (int look = 0; look < kLooks && thinned && low > least; ++look) {
+    for (int look = 0; look < kSamplesPerPixel && thinned && low > least; ++look) {
         const Result<double> found = rateOf(*thinned);
         if (!found) return tl::unexpected<Error>(found.error());
         if (*found <= limit) break;

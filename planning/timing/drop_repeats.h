@@ -13,9 +13,9 @@ namespace dollytrack::planning {
 /// share poses. Not thread-safe.
 struct FrameLooks {
     explicit FrameLooks(const ViewEstimator& views)
-        : glances(views, SurfaceLooks::Detail::Glance), closer(views) {}
-    SurfaceLooks glances;
-    SurfaceLooks closer;
+        : glances(views, SurfaceSampler::Detail::LookAside), closer(views) {}
+    SurfaceSampler glances;
+    SurfaceSampler closer;
 };
 
 /// Times the trajectory again with at most `max_frames` frames; all key frames stay.

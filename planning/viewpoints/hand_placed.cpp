@@ -115,7 +115,7 @@ class HandPlacing {
     HandPlacing(const Viewpoints& found, const PlanEdits& edits, const Surroundings& around)
         : found_(found), edits_(edits), around_(around), scene_(around.views.scene()) {}
 
-    PlacedPoints run(ShownMemo* memo) {
+    PlacedPoints run(VisibilityCache* memo) {
         pins_.resize(edits_.pinned.size());
         for (std::size_t i = 0; i < pins_.size(); ++i) {
             const auto index = static_cast<int>(i);
@@ -244,7 +244,7 @@ class HandPlacing {
 }  // namespace
 
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
-                         const Surroundings& around, ShownMemo* memo) {
+                         const Surroundings& around, VisibilityCache* memo) {
     return HandPlacing(found, edits, around).run(memo);
 }
 

@@ -8,7 +8,7 @@
 
 namespace dollytrack::planning {
 
-class ShownMemo;
+class VisibilityCache;
 
 /// Viewpoints after manual edits, and the pins that were refused.
 struct PlacedPoints {
@@ -21,6 +21,6 @@ struct PlacedPoints {
 /// Then completes what each point captures, by findCaptured(). A pin made from a view gets an
 /// observation point for the objects it captures.
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
-                         const Surroundings& around, ShownMemo* memo = nullptr);
+                         const Surroundings& around, VisibilityCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

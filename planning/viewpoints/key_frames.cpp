@@ -32,8 +32,8 @@ bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
            inside >= CaptureRules{}.min_box_share * image.sizes().prod();
 }
 
-ShownMemo::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point) {
-    ShownMemo::Entry entry{point.own, point.own, {}};
+VisibilityCache::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point) {
+    VisibilityCache::Entry entry{point.own, point.own, {}};
     const Pose& pose = point.pose;
     for (const Object& object : views.scene().objects) {
         if (object.role != Role::Target || !mayShowWell(views, pose, object.id)) continue;
@@ -52,12 +52,12 @@ ShownMemo::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point
 
 }  // namespace
 
-const ShownMemo::Entry* ShownMemo::find(const PositionPoint& point) const {
+const VisibilityCache::Entry* VisibilityCache::find(const PositionPoint& point) const {
     const auto found = entries_.find(keyOf(point.pose));
     return found != entries_.end() && found->second.known == point.own ? &found->second : nullptr;
 }
 
-void ShownMemo::forget(const MovedThings& moved, const ViewEstimator& now) {
+void VisibilityCache::forget(const MovedObjects& moved, const ViewEstimator& now) {
     std::erase_if(entries_, [&](const auto& entry) {
         const Pose pose = poseOf(entry.first);
         return std::ranges::any_of(entry.second.looked_at,
@@ -71,7 +71,7 @@ void ShownMemo::forget(const MovedThings& moved, const ViewEstimator& now) {
     });
 }
 
-void ShownMemo::keep(const Pose& pose, Entry entry) {
+void VisibilityCache::keep(const Pose& pose, Entry entry) {
     // Bounds the cache while a point is being dragged.
     constexpr std::size_t kMost = 20'000;
     if (entries_.size() >= kMost) entries_.clear();
@@ -79,8 +79,8 @@ void ShownMemo::keep(const Pose& pose, Entry entry) {
 }
 
 void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
-                  ShownMemo* memo) {
-    std::vector<ShownMemo::Entry> looks(position_points.size());
+                  VisibilityCache* memo) {
+    std::vector<VisibilityCache::Entry> looks(position_points.size());
     parallelFor(position_points.size(), [&](std::size_t i) {
         const auto* known = memo ? memo->find(position_points[i]) : nullptr;
         looks[i] = known ? *known : lookFrom(views, position_points[i]);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/plan/viewpoint.h"
-#include "planning/viewpoints/moved_things.h"
+#include "planning/viewpoints/moved_objects.h"
 
 #include <array>
 #include <map>
@@ -13,7 +13,7 @@ class ViewEstimator;
 
 /// Cache of the objects that poses show, so that moving one point does not resample all others. The
 /// owner clears it when the scene, its targets or the camera change.
-class ShownMemo {
+class VisibilityCache {
   public:
     struct Entry {
         std::vector<ShownObject> known;  // given in advance, not sampled
@@ -25,7 +25,7 @@ class ShownMemo {
     void clear() { entries_.clear(); }
     /// Drops the entries that moved objects may have changed. `now` estimates views in the scene
     /// after the move.
-    void forget(const MovedThings& moved, const ViewEstimator& now);
+    void forget(const MovedObjects& moved, const ViewEstimator& now);
 
   private:
     std::map<std::array<double, 7>, Entry> entries_;  // by position and rotation
@@ -36,7 +36,7 @@ class ShownMemo {
 /// least 60 % as large as in that point's view, so that key frames shared by objects do not show
 /// them much smaller. `memo` may be null.
 void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
-                  ShownMemo* memo = nullptr);
+                  VisibilityCache* memo = nullptr);
 
 /// A small set of position points that captures everything any of them captures, by greedy set
 /// cover; objects captured well count most. Order: all fixed points, then the chosen ones by what

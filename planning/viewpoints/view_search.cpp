@@ -6,7 +6,7 @@
 #include "planning/plan_params.h"
 #include "planning/viewpoints/candidate_judge.h"
 #include "planning/viewpoints/candidate_source.h"
-#include "planning/viewpoints/exact_climb.h"
+#include "planning/viewpoints/exact_viewpoint_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -284,10 +284,10 @@ class Search {
         chooseParents(kFirstSpread);
         std::vector<Eigen::Vector3d> places;
         for (const Judged& one : promising_) {
-            if (one.nearness >= kMayBeThere) places.push_back(one.candidate.position);
+            if (one.nearness >= kPromisingNearness) places.push_back(one.candidate.position);
         }
-        const Climbed climbed =
-            climbToCapture(around_, judge_, point_.objects.front(), places, random_);
+        const ExactSearchResult climbed =
+            searchExactViewpoint(around_, judge_, point_.objects.front(), places, random_);
         for (const Judged& tried : climbed.tried) note(tried);
         if (climbed.place) best_ = judge_.judge(*climbed.place, Look::Fine);
         return climbed.place.has_value();
@@ -300,7 +300,7 @@ class Search {
     FoundView finish() {
         FoundView found;
         found.search.candidates = std::move(candidates_);
-        found.looked = std::make_shared<const LookedAt>(std::move(looked_));
+        found.looked = std::make_shared<const SearchFootprint>(std::move(looked_));
         if (!best_) {
             found.not_well = point_.objects;
             return found;
@@ -340,7 +340,7 @@ class Search {
     std::vector<Judged> promising_;  // legal candidates of a single object, for breed()
     std::optional<Judged> best_;
     int early_looks_ = 0;
-    LookedAt looked_;
+    SearchFootprint looked_;
 };
 
 }  // namespace

@@ -20,17 +20,17 @@ std::uint64_t streamOf(const ObservationPoint& point) {
 
 }  // namespace
 
-const FoundView* SearchMemo::find(const ObservationPoint& point) const {
+const FoundView* SearchCache::find(const ObservationPoint& point) const {
     const auto entry = entries_.find(point.objects);
     return entry != entries_.end() && entry->second.point == point ? &entry->second.found : nullptr;
 }
 
-void SearchMemo::keep(const ObservationPoint& point, FoundView found) {
+void SearchCache::keep(const ObservationPoint& point, FoundView found) {
     entries_.insert_or_assign(point.objects, Entry{point, std::move(found)});
 }
 
-std::size_t SearchMemo::forget(const MovedThings& moved, const MapChange& map,
-                               double camera_radius_m) {
+std::size_t SearchCache::forget(const MovedObjects& moved, const MapChange& map,
+                                double camera_radius_m) {
     std::vector<const Entry*> entries;
     for (const auto& [objects, entry] : entries_) entries.push_back(&entry);
     std::vector<std::uint8_t> touched(entries.size(), 0);
@@ -48,7 +48,7 @@ std::size_t SearchMemo::forget(const MovedThings& moved, const MapChange& map,
 Result<Viewpoints> searchViewpoints(const Surroundings& around,
                                     std::vector<ObservationPoint> observation_points,
                                     const ViewpointParams& params, int seed, const JobContext& job,
-                                    SearchMemo* memo) {
+                                    SearchCache* memo) {
     Viewpoints result;
     result.observation_points = std::move(observation_points);
     std::size_t begin = 0;

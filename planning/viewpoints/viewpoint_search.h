@@ -4,7 +4,7 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/targets.h"
 #include "engine/plan/viewpoint.h"
-#include "planning/viewpoints/moved_things.h"
+#include "planning/viewpoints/moved_objects.h"
 #include "planning/visibility/heading_limit.h"
 #include "planning/visibility/pitch_band.h"
 
@@ -40,22 +40,22 @@ struct Viewpoints {
 struct FoundView {
     ViewpointSearch search;
     std::optional<PositionPoint> best;
-    std::vector<int> not_well;               // members of the group that the best view does not
-                                             // capture well
-    std::shared_ptr<const LookedAt> looked;  // what the result depends on
+    std::vector<int> not_well;  // members of the group that the best view does not
+                                // capture well
+    std::shared_ptr<const SearchFootprint> looked;  // what the result depends on
 };
 
 /// Cache of search results. A search depends on its observation point alone, given the same map,
 /// parameters and seed. The owner clears it when any of these change; if objects only moved,
 /// forget() is enough.
-class SearchMemo {
+class SearchCache {
   public:
     [[nodiscard]] const FoundView* find(const ObservationPoint& point) const;
     void keep(const ObservationPoint& point, FoundView found);
     void clear() { entries_.clear(); }
     [[nodiscard]] bool empty() const { return entries_.empty(); }
     /// Drops results that moved objects may have changed. Returns the number of entries left.
-    std::size_t forget(const MovedThings& moved, const MapChange& map, double camera_radius_m);
+    std::size_t forget(const MovedObjects& moved, const MapChange& map, double camera_radius_m);
 
   private:
     struct Entry {
@@ -73,6 +73,6 @@ class SearchMemo {
 Result<Viewpoints> searchViewpoints(const Surroundings& around,
                                     std::vector<ObservationPoint> observation_points,
                                     const ViewpointParams& params, int seed, const JobContext& job,
-                                    SearchMemo* memo = nullptr);
+                                    SearchCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

@@ -12,8 +12,8 @@
 namespace dollytrack::render {
 namespace {
 
-// Macros of light.frag. Without kLooks and kSensor the shader makes a finished picture.
-constexpr unsigned kLooks = 1;
+// Macros of light.frag. Without kSamplesPerPixel and kSensor the shader makes a finished picture.
+constexpr unsigned kSamplesPerPixel = 1;
 constexpr unsigned kSensor = 2;
 constexpr unsigned kSun = 4;
 constexpr unsigned kAlike = 8;
@@ -138,7 +138,7 @@ unsigned LightPass::lightProgram(unsigned kind) const {
 }
 
 Status LightPass::prepare(const GpuScene& scene) {
-    for (const unsigned kind : {0U, kLooks, kLooks | kAlike, kSensor}) {
+    for (const unsigned kind : {0U, kSamplesPerPixel, kSamplesPerPixel | kAlike, kSensor}) {
         if (Status status = lighting_.link(kind | everyKind()); !status) return status;
     }
     const unsigned maps = scene.has_maps ? kMaps : 0U;
@@ -167,8 +167,8 @@ void LightPass::drawOcclusion(const GpuScene& scene, const View& view, RenderTar
     drawOcclusion(view, occlusion_.get(scene.has_maps ? kMaps : 0U), target);
 }
 
-void LightPass::drawOcclusion(const GpuScene& scene, const View& view, const LookImages& looks,
-                              RenderTarget& target) {
+void LightPass::drawOcclusion(const GpuScene& scene, const View& view,
+                              const MultisampleBuffer& looks, RenderTarget& target) {
     const unsigned program = occlusion_.get((scene.has_maps ? kMaps : 0U) | kFirstLook);
     glBindTextureUnit(1, looks.normal_.get());
     glBindTextureUnit(2, looks.depth_.get());
@@ -241,10 +241,10 @@ void LightPass::drawSum(RenderTarget& target, unsigned program) {
     glBindTextureUnit(0, 0);
 }
 
-void LightPass::addLooks(const View& view, float shine, float share, const LookImages& looks,
+void LightPass::addLooks(const View& view, float shine, float share, const MultisampleBuffer& looks,
                          RenderTarget& target) {
-    std::array<float, 2 * LookImages::kLooks> aside{};
-    for (std::size_t i = 0; i < LookImages::kLooks; ++i) {
+    std::array<float, 2 * MultisampleBuffer::kSamplesPerPixel> aside{};
+    for (std::size_t i = 0; i < MultisampleBuffer::kSamplesPerPixel; ++i) {
         aside[2 * i] = static_cast<float>(looks.offsets()[i].x());
         aside[2 * i + 1] = static_cast<float>(looks.offsets()[i].y());
     }
@@ -254,11 +254,11 @@ void LightPass::addLooks(const View& view, float shine, float share, const LookI
     glClearNamedFramebufferfv(target.sum_frame_.get(), GL_DEPTH, 0, &no_mark);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
-    for (const unsigned kind : {kLooks | kAlike, kLooks}) {
+    for (const unsigned kind : {kSamplesPerPixel | kAlike, kSamplesPerPixel}) {
         const unsigned program = lightProgram(kind);
         setLightOf(view, shine, program, target);
         glProgramUniform1f(program, 11, share);
-        glProgramUniform2fv(program, 25, LookImages::kLooks, aside.data());
+        glProgramUniform2fv(program, 25, MultisampleBuffer::kSamplesPerPixel, aside.data());
         setDepthSpan(program, 12, view);
         glBindTextureUnit(0, looks.color_.get());
         glBindTextureUnit(1, looks.normal_.get());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/draw/look_images.h"
+#include "render/draw/multisample_buffer.h"
 #include "render/draw/render_target.h"
 #include "render/draw/view.h"
 #include "render/gl/handle.h"
@@ -44,14 +44,14 @@ class LightPass {
     /// Screen-space ambient occlusion (SSAO) of the surfaces in the target, at half resolution.
     void drawOcclusion(const GpuScene& scene, const View& view, RenderTarget& target);
     /// The same for the first sample of a multisampled surface buffer.
-    void drawOcclusion(const GpuScene& scene, const View& view, const LookImages& looks,
+    void drawOcclusion(const GpuScene& scene, const View& view, const MultisampleBuffer& looks,
                        RenderTarget& target);
 
     /// Shades the target's surface buffer. `shine` is SurfacePass::shine().
     void drawPicture(const View& view, float shine, RenderTarget& target);
     /// Adds a multisampled surface buffer to the target's sum, each sample with weight `share`.
     /// Pixels whose samples agree are shaded once.
-    void addLooks(const View& view, float shine, float share, const LookImages& looks,
+    void addLooks(const View& view, float shine, float share, const MultisampleBuffer& looks,
                   RenderTarget& target);
     /// Adds the target's surface buffer as linear light before the tone curve; see LightSum.
     void addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target);

@@ -1,7 +1,7 @@
 #include "render/draw/overview.h"
 
-#include "render/draw/look_inside.h"
 #include "render/draw/offscreen_renderer.h"
+#include "render/draw/storey_cutaway.h"
 #include "render/light/light_cache.h"
 #include "render/overlays/overlay_painter.h"
 

@@ -3,7 +3,7 @@
 #include "render/amodal/silhouette_counter.h"
 #include "render/draw/gpu_scene.h"
 #include "render/draw/light_pass.h"
-#include "render/draw/look_images.h"
+#include "render/draw/multisample_buffer.h"
 #include "render/draw/occlusion_culling.h"
 #include "render/draw/surface_pass.h"
 #include "render/draw/view_uniforms.h"
@@ -45,9 +45,9 @@ struct SceneRenderer::Impl {
     SurfacePass surfaces;
     OcclusionCulling culling;
     LightPass light;
-    std::map<std::pair<int, int>, LookImages> looks;  // by width and height
+    std::map<std::pair<int, int>, MultisampleBuffer> looks;  // by width and height
     SilhouetteCounter silhouettes;
-    WholeMaskDrawer whole_masks;
+    AmodalMaskRenderer whole_masks;
     std::map<int, RestingObject> resting;  // uploaded state of the objects that were moved
     const TracedReflections* reflections = nullptr;
     std::vector<Eigen::Vector4f> reflected;  // reused between pictures
@@ -81,10 +81,10 @@ struct SceneRenderer::Impl {
         light.smoothEdges(target);
     }
 
-    Result<LookImages*> looksOf(int width, int height) {
+    Result<MultisampleBuffer*> looksOf(int width, int height) {
         const auto known = looks.find({width, height});
         if (known != looks.end()) return &known->second;
-        Result<LookImages> made = LookImages::create(width, height);
+        Result<MultisampleBuffer> made = MultisampleBuffer::create(width, height);
         if (!made) return tl::unexpected(made.error());
         return &looks.emplace(std::pair(width, height), std::move(*made)).first->second;
     }
@@ -92,12 +92,13 @@ struct SceneRenderer::Impl {
     /// Draws the mean of several samples per pixel.
     Status drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
                      RenderTarget& target) {
-        const Result<LookImages*> images = looksOf(target.width(), target.height());
+        const Result<MultisampleBuffer*> images = looksOf(target.width(), target.height());
         if (!images) return tl::unexpected(images.error());
         const std::array<float, 4> zero{};
         target.makeSum();
         glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
-        const float share = 1.0F / static_cast<float>(LookImages::kLooks * shifts.size());
+        const float share =
+            1.0F / static_cast<float>(MultisampleBuffer::kSamplesPerPixel * shifts.size());
         for (std::size_t i = 0; i < shifts.size(); ++i) {
             const View shifted = shiftedBy(shifts[i], view);
             surfaces.drawLooks(scene, shifted, culling, **images);
@@ -150,7 +151,7 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     if (!culling) return tl::unexpected(culling.error());
     Result<SilhouetteCounter> silhouettes = SilhouetteCounter::create();
     if (!silhouettes) return tl::unexpected(silhouettes.error());
-    Result<WholeMaskDrawer> whole_masks = WholeMaskDrawer::create();
+    Result<AmodalMaskRenderer> whole_masks = AmodalMaskRenderer::create();
     if (!whole_masks) return tl::unexpected(whole_masks.error());
     auto impl = std::make_unique<Impl>(Impl{std::move(*uploaded),
                                             std::move(*surfaces),
@@ -220,8 +221,8 @@ Status SceneRenderer::addLight(const View& view, const LightSum& sum, RenderTarg
     return gl::checkErrors("adding light");
 }
 
-Result<std::vector<WholeMask>> SceneRenderer::drawWhole(const View& view,
-                                                        std::span<const int> object_ids) {
+Result<std::vector<RenderedAmodalMask>> SceneRenderer::drawWhole(const View& view,
+                                                                 std::span<const int> object_ids) {
     return impl_->whole_masks.draw(impl_->scene, view, object_ids);
 }
 
@@ -236,7 +237,7 @@ void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
 
 Status SceneRenderer::reserve(int width, int height, Antialias antialias) {
     if (shiftsOf(antialias).empty()) return {};
-    const Result<LookImages*> images = impl_->looksOf(width, height);
+    const Result<MultisampleBuffer*> images = impl_->looksOf(width, height);
     return images ? Status() : tl::unexpected(images.error());
 }
 

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/scene/scene.h"
-#include "render/amodal/whole_masks.h"
+#include "render/amodal/amodal_masks.h"
 #include "render/draw/gpu_scene.h"
 #include "render/draw/render_target.h"
 #include "render/draw/surface_target.h"
@@ -61,8 +61,8 @@ class SceneRenderer {
 
     /// Amodal masks: the pixels that each object would cover if nothing stood in front of it.
     /// Objects outside the image are left out. Waits for the drawing.
-    [[nodiscard]] Result<std::vector<WholeMask>> drawWhole(const View& view,
-                                                           std::span<const int> object_ids);
+    [[nodiscard]] Result<std::vector<RenderedAmodalMask>> drawWhole(
+        const View& view, std::span<const int> object_ids);
 
     /// Moves an object for all later draws: p = motion * p, where p is its position in the scene
     /// given to create(), world frame.

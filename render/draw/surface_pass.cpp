@@ -135,7 +135,7 @@ void SurfacePass::drawLook(const GpuScene& scene, const View& view, RenderTarget
 }
 
 void SurfacePass::drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
-                            const LookImages& images) {
+                            const MultisampleBuffer& images) {
     begin(scene, images.frame_, view.intrinsics.width, view.intrinsics.height, {0, 1});
     glMinSampleShading(1.0F);
     std::vector<bool> visible = objectsInView(scene, view);

@@ -3,7 +3,7 @@
 #include "engine/core/result.h"
 #include "render/draw/glass_order.h"
 #include "render/draw/gpu_scene.h"
-#include "render/draw/look_images.h"
+#include "render/draw/multisample_buffer.h"
 #include "render/draw/occlusion_culling.h"
 #include "render/draw/render_target.h"
 #include "render/draw/surface_target.h"
@@ -39,7 +39,7 @@ class SurfacePass {
     void drawLook(const GpuScene& scene, const View& view, RenderTarget& target);
     /// Draws the multisampled surface buffer, without the objects that `culling` found hidden.
     void drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
-                   const LookImages& images);
+                   const MultisampleBuffer& images);
     /// Draws label depth and ids only. Starts the occlusion queries if `culling` is given.
     void drawLabels(const GpuScene& scene, const View& view, OcclusionCulling* culling,
                     RenderTarget& target);

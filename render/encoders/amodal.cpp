@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 FrameFiles encodeAmodal(const FrameContext& /*context*/, const FrameRecord& frame) {
     Json objects = Json::array();
     std::vector<std::uint16_t> image(frame.instance.size());
-    for (const WholeMask& whole : frame.whole) {
+    for (const RenderedAmodalMask& whole : frame.whole) {
         const auto id = static_cast<std::uint16_t>(whole.object_id);
         for (std::size_t i = 0; i < image.size(); ++i) image[i] = frame.instance[i] == id ? id : 0;
         for (int y = 0; y < whole.height; ++y) {

@@ -151,10 +151,10 @@ Result<std::vector<std::uint64_t>> FramePipeline::drawInstances(const View& view
     const auto countOf = [&](int id) {
         return counts[static_cast<std::size_t>(std::ranges::find(all, id) - all.begin())];
     };
-    Result<std::vector<WholeMask>> masks = renderer_->drawWhole(view, things);
+    Result<std::vector<RenderedAmodalMask>> masks = renderer_->drawWhole(view, things);
     if (!masks) return tl::unexpected(masks.error());
     record.whole = std::move(*masks);
-    for (const WholeMask& mask : record.whole) {
+    for (const RenderedAmodalMask& mask : record.whole) {
         record.whole_px.push_back(countOf(mask.object_id));
     }
     std::vector<std::uint64_t> for_counter;

@@ -3,7 +3,7 @@
 #include "engine/io/files/png_writer.h"
 #include "engine/math/pose.h"
 #include "engine/scene/scene.h"
-#include "render/amodal/whole_masks.h"
+#include "render/amodal/amodal_masks.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,11 +33,11 @@ struct FrameRecord {
     std::vector<std::uint8_t> albedo;               // sRGB, 3 bytes per pixel
     std::vector<std::uint8_t> rgb_right;            // right camera of the stereo pair
     std::vector<float> depth_right_m;
-    std::vector<float> sensor_light;      // linear, 3 values per pixel, image of
-                                          // SensorLens::drawn()
-    std::vector<WholeMask> whole;         // amodal masks of visible objects, by increasing id
-    std::vector<std::uint64_t> whole_px;  // silhouette areas in the same order, including parts
-                                          // outside the image
+    std::vector<float> sensor_light;        // linear, 3 values per pixel, image of
+                                            // SensorLens::drawn()
+    std::vector<RenderedAmodalMask> whole;  // amodal masks of visible objects, by increasing id
+    std::vector<std::uint64_t> whole_px;    // silhouette areas in the same order, including parts
+                                            // outside the image
 
     std::vector<std::vector<std::uint8_t>> rig_rgb;  // by camera of the rig, as `rgb`
 

@@ -31,7 +31,7 @@ std::vector<InstanceInFrame> measureInstances(const FrameRecord& frame) {
         return frame.instance[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
                               static_cast<std::size_t>(x)];
     };
-    for (const WholeMask& mask : frame.whole) {
+    for (const RenderedAmodalMask& mask : frame.whole) {
         for (int y = mask.y0; y < mask.y0 + mask.height; ++y) {
             for (int x = mask.x0; x < mask.x0 + mask.width; ++x) {
                 const int id = idAt(x, y);

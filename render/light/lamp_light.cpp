@@ -19,15 +19,15 @@ constexpr double kOffSurface = 2e-3;  // m; offset of lit points from their surf
 
 class OwnLampGatherer {
   public:
-    OwnLampGatherer(const LightRig& rig, const RayCaster& rays, const LightCells& cells,
+    OwnLampGatherer(const LightRig& rig, const RayCaster& rays, const IrradianceGrid& cells,
                     const LightBounces& bounces)
         : rig_(rig), rays_(rays), cells_(cells), bounces_(bounces) {}
 
     [[nodiscard]] Eigen::Vector3f at(std::size_t cell) const {
         Random random(18, cell);
         const Eigen::Vector3d from = cells_.center(cell);
-        std::vector<std::pair<double, const OwnLamp*>> near;  // sorted by unshadowed strength
-        for (const OwnLamp& lamp : rig_.own_lamps) {
+        std::vector<std::pair<double, const SceneLamp*>> near;  // sorted by unshadowed strength
+        for (const SceneLamp& lamp : rig_.own_lamps) {
             const double squared = (lamp.position - from).squaredNorm();
             if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
         }
@@ -60,7 +60,7 @@ class OwnLampGatherer {
 
     /// The grid is sampled at an offset from surfaces, so light is computed at the nearest surface
     /// point that faces the lamp and is not part of it; else at the cell's centre.
-    [[nodiscard]] Eigen::Vector3d litPlace(std::size_t cell, const OwnLamp& lamp) const {
+    [[nodiscard]] Eigen::Vector3d litPlace(std::size_t cell, const SceneLamp& lamp) const {
         const Eigen::Vector3d from = cells_.center(cell);
         Eigen::Vector3d nearest = from;
         double least = 2.1 * cells_.size_m();  // twice the sampling offset, because cells are
@@ -83,7 +83,7 @@ class OwnLampGatherer {
     /// Visible share of the lamp's ball from random points in the cell. Unless the cell is free,
     /// only points visible from its centre count.
     [[nodiscard]] double visibleShare(const Eigen::Vector3d& middle, bool free,
-                                      const Eigen::Vector3d& at, const OwnLamp& lamp,
+                                      const Eigen::Vector3d& at, const SceneLamp& lamp,
                                       Random& random) const {
         int asked = 0;
         int visible = 0;
@@ -110,7 +110,7 @@ class OwnLampGatherer {
 
     const LightRig& rig_;
     const RayCaster& rays_;
-    const LightCells& cells_;
+    const IrradianceGrid& cells_;
     const LightBounces& bounces_;
 };
 
@@ -150,8 +150,8 @@ Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
 }
 
 std::vector<Eigen::Vector3f> ownLampsByCell(const LightRig& rig, const RayCaster& rays,
-                                            const LightCells& cells, const LightBounces& bounces,
-                                            const JobContext& job) {
+                                            const IrradianceGrid& cells,
+                                            const LightBounces& bounces, const JobContext& job) {
     std::vector<Eigen::Vector3f> result(cells.count());
     const OwnLampGatherer gatherer(rig, rays, cells, bounces);
     parallelRanges(result.size(), 64, [&](std::size_t begin, std::size_t end) {

@@ -3,8 +3,8 @@
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/job.h"
+#include "render/light/irradiance_grid.h"
 #include "render/light/light_bounces.h"
-#include "render/light/light_cells.h"
 #include "render/light/light_rig.h"
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ namespace dollytrack::render {
 /// at their centre. Incomplete if the job is cancelled.
 [[nodiscard]] std::vector<Eigen::Vector3f> ownLampsByCell(const LightRig& rig,
                                                           const RayCaster& rays,
-                                                          const LightCells& cells,
+                                                          const IrradianceGrid& cells,
                                                           const LightBounces& bounces,
                                                           const JobContext& job);
 

@@ -26,7 +26,7 @@ std::vector<Eigen::Vector3f> evenly(int count) {
 
 }  // namespace
 
-LightBounces::LightBounces(const Scene& scene, const RayCaster& rays, const LightCells& cells,
+LightBounces::LightBounces(const Scene& scene, const RayCaster& rays, const IrradianceGrid& cells,
                            int per_cell)
     : scene_(scene),
       rays_(rays),

@@ -3,7 +3,7 @@
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
-#include "render/light/light_cells.h"
+#include "render/light/irradiance_grid.h"
 
 #include <Eigen/Core>
 
@@ -36,7 +36,8 @@ struct LightBounce {
 /// detail.
 class LightBounces {
   public:
-    LightBounces(const Scene& scene, const RayCaster& rays, const LightCells& cells, int per_cell);
+    LightBounces(const Scene& scene, const RayCaster& rays, const IrradianceGrid& cells,
+                 int per_cell);
 
     /// Casts a cell's rays. Different cells may be processed on different threads.
     void follow(std::size_t cell, Random& random);
@@ -58,7 +59,7 @@ class LightBounces {
 
     const Scene& scene_;
     const RayCaster& rays_;
-    const LightCells& cells_;
+    const IrradianceGrid& cells_;
     std::vector<bool> outside_;            // by object's id - 1
     std::vector<Eigen::Vector3f> spiral_;  // by ray
     std::vector<Eigen::Matrix3f> turns_;   // by cell

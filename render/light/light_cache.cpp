@@ -119,7 +119,7 @@ void writeRig(Writer& write, const LightRig& rig) {
         write(lamp.intensity);
     }
     write(std::uint64_t{rig.own_lamps.size()});
-    for (const OwnLamp& lamp : rig.own_lamps) {
+    for (const SceneLamp& lamp : rig.own_lamps) {
         write(lamp.position);
         write(lamp.radius_m);
         write(lamp.intensity);

@@ -2,7 +2,7 @@
 
 #include "engine/scene/labels.h"
 #include "render/light/ray_distance.h"
-#include "render/light/unlit_places.h"
+#include "render/light/unlit_areas.h"
 
 #include <algorithm>
 #include <cctype>
@@ -194,10 +194,10 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
             }
         }
     }
-    const std::vector<Lamp> more = lampsForUnlitPlaces(scene, rays, boxes, rig.lamps);
+    const std::vector<Lamp> more = lampsForUnlitAreas(scene, rays, boxes, rig.lamps);
     rig.lamps.insert(rig.lamps.end(), more.begin(), more.end());
-    if (light.own_lamps > 0.0F) rig.own_lamps = findOwnLamps(scene, rays, taken);
-    for (OwnLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
+    if (light.own_lamps > 0.0F) rig.own_lamps = findSceneLamps(scene, rays, taken);
+    for (SceneLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
     rig.sun.shades = scene.room_bounds;
     rig.sun.shades.min().array() -= kShadesBeyond;
     rig.sun.shades.max().array() += kShadesBeyond;

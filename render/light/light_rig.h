@@ -3,7 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/resolved_light.h"
 #include "engine/scene/scene.h"
-#include "render/light/own_lamps.h"
+#include "render/light/scene_lamps.h"
 
 #include <Eigen/Geometry>
 
@@ -51,7 +51,7 @@ constexpr double kSunRadius = 0.00465;
 /// lights, so rooms are given lamps. Radiance is in units of lamp intensity.
 struct LightRig {
     std::vector<Lamp> lamps;
-    std::vector<OwnLamp> own_lamps;
+    std::vector<SceneLamp> own_lamps;
     Eigen::Vector3f lamp_color = {1.0F, 0.93F, 0.83F};  // linear; warm
     Eigen::Vector3f sky_color = {0.80F, 0.93F, 1.15F};  // through windows and open sides; cool
     double sky_strength = 0.8;
@@ -100,7 +100,7 @@ void setLight(LightRig& rig, const ResolvedLight& light);
 
 /// Places one lamp below the centre of each room's ceiling, several in large rooms; a scene lamp
 /// that hangs nearby determines the position. All other lamps of the scene become own_lamps. Dark
-/// parts get more lamps, see lampsForUnlitPlaces(). `rooms` are room boxes; if there are none,
+/// parts get more lamps, see lampsForUnlitAreas(). `rooms` are room boxes; if there are none,
 /// scene.room_bounds is used. Then `light` is applied.
 [[nodiscard]] LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                                     std::span<const Eigen::AlignedBox3d> rooms = {},

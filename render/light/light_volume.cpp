@@ -2,9 +2,9 @@
 
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
+#include "render/light/irradiance_grid.h"
 #include "render/light/lamp_light.h"
 #include "render/light/light_bounces.h"
-#include "render/light/light_cells.h"
 #include "render/pathtrace/layer_albedo.h"
 #include "render/pathtrace/sun_rays.h"
 
@@ -318,7 +318,7 @@ class Baker {
     const LightRig& rig_;
     LightRig neutral_;
     const LightVolumeParams& params_;
-    LightCells cells_;
+    IrradianceGrid cells_;
     LightBounces bounces_;
     std::optional<TracedSurface> surface_;
     std::optional<SunRays> sun_rays_;  // only with a sun

@@ -17,7 +17,7 @@ struct LightVolumeParams {
     double cell_m = 0.08;      // wanted cell size; larger if there would be more than max_cells
                                // cells
     int max_cells = 400'000;   // bounds time and memory
-    int rays_per_cell = 24;    // few, because cells share their results, see LightCells::blur()
+    int rays_per_cell = 24;    // few, because cells share their results, see IrradianceGrid::blur()
     int bounces = 20;          // maximum; dark rooms converge earlier
     bool limit_slopes = true;  // see limited(); false for a part that is summed with others
 };

@@ -52,18 +52,18 @@ double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const 
     return lamp.intensity * down / (squared + lamp.radius_m * lamp.radius_m);
 }
 
-double SceneLights::choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const {
+double SceneLights::choice(const SceneLamp& lamp, const Eigen::Vector3d& from) const {
     const double squared = (lamp.position - from).squaredNorm();
     return squared > kTooNear * kTooNear ? lamp.intensity / squared : 0.0;
 }
 
-double SceneLights::cone(const OwnLamp& lamp, const Eigen::Vector3d& from) {
+double SceneLights::cone(const SceneLamp& lamp, const Eigen::Vector3d& from) {
     const double radius = lamp.radiusFrom(from);
     const double sine2 = radius * radius / (lamp.position - from).squaredNorm();
     return 2.0 * kPi * sine2 / (1.0 + std::sqrt(1.0 - sine2));
 }
 
-std::optional<double> SceneLights::toBall(const OwnLamp& lamp, const Eigen::Vector3d& from,
+std::optional<double> SceneLights::toBall(const SceneLamp& lamp, const Eigen::Vector3d& from,
                                           const Eigen::Vector3d& way) {
     const Eigen::Vector3d middle = lamp.position - from;
     const double along = middle.dot(way);
@@ -74,7 +74,7 @@ std::optional<double> SceneLights::toBall(const OwnLamp& lamp, const Eigen::Vect
     return along - std::sqrt(root2);
 }
 
-LightSample SceneLights::sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& from,
+LightSample SceneLights::sampleBall(const SceneLamp& lamp, const Eigen::Vector3d& from,
                                     const std::array<double, 2>& where) const {
     const Eigen::Vector3d middle = lamp.position - from;
     const double squared = middle.squaredNorm();
@@ -99,7 +99,7 @@ LightSample SceneLights::sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& 
 
 double SceneLights::totalChoice(const Eigen::Vector3d& from) const {
     double sum = 0.0;
-    for (const OwnLamp& lamp : rig_.own_lamps) sum += choice(lamp, from);
+    for (const SceneLamp& lamp : rig_.own_lamps) sum += choice(lamp, from);
     for (const Lamp& lamp : rig_.lamps) sum += choice(lamp, from);
     return sum;
 }
@@ -117,8 +117,8 @@ std::optional<LightSample> SceneLights::sampleLamp(const Eigen::Vector3d& from, 
         left -= share;
         if (left < 0.0) break;
     }
-    const OwnLamp* ball = nullptr;
-    for (const OwnLamp& lamp : rig_.own_lamps) {
+    const SceneLamp* ball = nullptr;
+    for (const SceneLamp& lamp : rig_.own_lamps) {
         if (left < 0.0) break;
         const double share = choice(lamp, from);
         if (share <= 0.0) continue;

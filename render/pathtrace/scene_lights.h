@@ -38,7 +38,7 @@ class SceneLights {
     template <class Visit>
     void visitLamps(const Eigen::Vector3d& from, const Eigen::Vector3d& way, double begin,
                     double end, Visit&& visit) const {
-        for (const OwnLamp& lamp : rig_.own_lamps) {
+        for (const SceneLamp& lamp : rig_.own_lamps) {
             const std::optional<double> distance = toBall(lamp, from, way);
             if (!distance) continue;
             const double free = lamp.shadowedFor(from, way, *distance);
@@ -66,20 +66,20 @@ class SceneLights {
 
   private:
     [[nodiscard]] double choice(const Lamp& lamp, const Eigen::Vector3d& from) const;
-    [[nodiscard]] double choice(const OwnLamp& lamp, const Eigen::Vector3d& from) const;
-    /// Solid angle of the lamp's ball, sr; see OwnLamp::radiusFrom().
-    [[nodiscard]] static double cone(const OwnLamp& lamp, const Eigen::Vector3d& from);
+    [[nodiscard]] double choice(const SceneLamp& lamp, const Eigen::Vector3d& from) const;
+    /// Solid angle of the lamp's ball, sr; see SceneLamp::radiusFrom().
+    [[nodiscard]] static double cone(const SceneLamp& lamp, const Eigen::Vector3d& from);
     /// Distance at which a ray hits that ball, if it does.
-    [[nodiscard]] static std::optional<double> toBall(const OwnLamp& lamp,
+    [[nodiscard]] static std::optional<double> toBall(const SceneLamp& lamp,
                                                       const Eigen::Vector3d& from,
                                                       const Eigen::Vector3d& way);
-    [[nodiscard]] LightSample sampleBall(const OwnLamp& lamp, const Eigen::Vector3d& from,
+    [[nodiscard]] LightSample sampleBall(const SceneLamp& lamp, const Eigen::Vector3d& from,
                                          const std::array<double, 2>& where) const;
     [[nodiscard]] double totalChoice(const Eigen::Vector3d& from) const;
     [[nodiscard]] Eigen::Vector3f lampRadiance(const Lamp& lamp) const {
         return rig_.lampLight() * static_cast<float>(lamp.radiance());
     }
-    [[nodiscard]] Eigen::Vector3f lampRadiance(const OwnLamp& lamp,
+    [[nodiscard]] Eigen::Vector3f lampRadiance(const SceneLamp& lamp,
                                                const Eigen::Vector3d& from) const {
         return rig_.ownLampLight() * static_cast<float>(lamp.radianceFrom(from));
     }

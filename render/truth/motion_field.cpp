@@ -34,7 +34,8 @@ MotionField fieldTo(const FrameContext& context, const FrameRecord& frame, const
             field.motion[i] = (lens.project(there) - at).cast<float>();
         }
     }
-    field.sight = sightFrom(rays, other, lens, context.contents.camera.near_m, places, nothing);
+    field.sight =
+        visibilityFrom(rays, other, lens, context.contents.camera.near_m, places, nothing);
     return field;
 }
 

@@ -2,7 +2,7 @@
 
 #include "render/frames/frame_context.h"
 #include "render/frames/frame_record.h"
-#include "render/truth/sight_mask.h"
+#include "render/truth/visibility_mask.h"
 
 #include <Eigen/Core>
 
@@ -17,7 +17,7 @@ inline constexpr float kNoMotion = 1e10F;
 /// Optical flow by pixel, row 0 at the top.
 struct MotionField {
     std::vector<Eigen::Vector2f> motion;  // px, right and down; kNoMotion in both if unknown
-    std::vector<Sight> sight;             // visibility in the other image
+    std::vector<PixelVisibility> sight;   // visibility in the other image
 };
 
 /// Optical flow to another frame of the dataset. `other_frame` is an index in the exported frames.

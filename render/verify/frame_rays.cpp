@@ -10,10 +10,10 @@ namespace {
 constexpr double kRay_px = 1e-3;  // rounding of ray directions in single precision
 
 /// Whether rays around a pixel's centre reach the surface that the pixel shows.
-class Sight {
+class PixelVisibility {
   public:
     /// @param id  object that the pixel shows; 0 if unknown
-    Sight(int id, double metres) : id_(id), metres_(metres) {}
+    PixelVisibility(int id, double metres) : id_(id), metres_(metres) {}
 
     void add(const RayHit& hit) {
         if (hit.object_id == 0 || hit.object_id == id_ || hit.distance >= metres_) {
@@ -134,7 +134,7 @@ bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) cons
 bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) const {
     if (id > static_cast<int>(scene_.objects.size())) return false;
     const double slack = rounding_m + kDrawing * (1.0 + metres);
-    Sight sight(id, metres - slack);
+    PixelVisibility sight(id, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             const Eigen::Vector3d along =
@@ -159,7 +159,7 @@ bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) 
 bool FrameRays::mayShowDepth(int x, int y, double metres, double rounding_m) const {
     if (metres <= 0.0) return mayShow(x, y, 0, metres, rounding_m);
     const double slack = rounding_m + kDrawing * (1.0 + metres);
-    Sight sight(0, metres - slack);
+    PixelVisibility sight(0, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             const Eigen::Vector3d along =

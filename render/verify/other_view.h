@@ -11,7 +11,7 @@ namespace dollytrack::verify {
 
 /// Visibility of a pixel's surface point in another image: the values of the masks beside flow and
 /// disparity.
-enum Sight : int {
+enum PixelVisibility : int {
     kSeen = 0,
     kOccluded = 1,
     kOutside = 2,

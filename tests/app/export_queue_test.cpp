@@ -1,7 +1,7 @@
 #include "app/editor/export/export_queue.h"
 
+#include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_note.h"
-#include "app/editor/export/export_places.h"
 #include "app/editor/export/owner_mark.h"
 #include "engine/io/settings/project_file.h"
 #include "tests/app/fake_program.h"

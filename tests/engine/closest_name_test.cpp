@@ -34,7 +34,7 @@ TEST(NameHint, SaysWhatThereIsWhereNothingIsClose) {
     EXPECT_EQ(nameHint("lampe_3", {"sofa", "work_lamp_1"}), "; there are 'work_lamp_1', 'sofa'.");
     EXPECT_EQ(nameHint("lampe_3", {}), "; there are none.");
     std::vector<std::string> many;
-    for (int i = 0; i < 20; ++i) many.push_back("thing_" + std::to_string(i));
+    for (int i = 0; i < 20; ++i) many.push_back("furniture_" + std::to_string(i));
     EXPECT_NE(nameHint("zebra", many).find("' and 12 more."), std::string::npos);
 }
 

@@ -1,5 +1,5 @@
+#include "engine/io/sandbox/cached_inputs.h"
 #include "engine/io/sandbox/input_list.h"
-#include "engine/io/sandbox/kept_inputs.h"
 #include "engine/io/sandbox/scene_frame.h"
 
 #include <cstdlib>
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace dollytrack;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     (void)io::parseInputList(text);
-    (void)io::parseKeptInputs(text);
+    (void)io::parseCachedInputs(text);
     bool damaged = false;
     const auto scene = io::readFrame(withHeader(data, size), damaged);
     if (!scene) return 0;

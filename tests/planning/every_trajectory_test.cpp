@@ -91,7 +91,7 @@ TEST(EveryTrajectory, KeepsTheSphereOutOfAllTriangles) {
                     places += found.places;
                     if (found.places == 0) continue;
                     // The place that is reported is one, and none is tighter.
-                    const TightestPlace& tightest = (*plan)->trajectory_metrics.tightest;
+                    const MinimumClearance& tightest = (*plan)->trajectory_metrics.tightest;
                     EXPECT_NEAR(tightest.clearance_m, found.clearance_m, 1.2e-3);
                     EXPECT_LE(tightest.clearance_m, found.clearance_m + 1.2e-4);
                     EXPECT_NEAR(checker.distance(tightest.position), tightest.clearance_m, 2e-5);

@@ -1,7 +1,7 @@
 #include "planning/baselines/judge.h"
 
 #include "engine/geometry/ray_caster.h"
-#include "planning/baselines/ours.h"
+#include "planning/baselines/dollytrack_planner.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/pipeline/pipeline.h"
@@ -21,8 +21,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-RivalScene mapped(Scene scene) {
-    auto made = mapRivalScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
+BaselineScene mapped(Scene scene) {
+    auto made = mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
     EXPECT_TRUE(made.has_value());
     return std::move(*made);
 }
@@ -34,21 +34,21 @@ test::SceneBuilder roomWithCord() {
     return builder;
 }
 
-/// A flight through places, a second apart, looking along x.
-Flight through(const std::vector<Vector3d>& places) {
-    Flight flight;
-    flight.trajectory.frame_interval_s = 1.0;
+/// A motion through places, a second apart, looking along x.
+PlannedMotion through(const std::vector<Vector3d>& places) {
+    PlannedMotion motion;
+    motion.trajectory.frame_interval_s = 1.0;
     for (const Vector3d& place : places) {
         TrajectoryFrame frame;
-        frame.time_s = static_cast<double>(flight.trajectory.frames.size());
+        frame.time_s = static_cast<double>(motion.trajectory.frames.size());
         frame.pose = lookAt(place, place + Vector3d::UnitX());
-        flight.trajectory.frames.push_back(frame);
+        motion.trajectory.frames.push_back(frame);
     }
-    return flight;
+    return motion;
 }
 
-Judgement judged(const RivalScene& scene, const Flight& flight) {
-    const auto result = judge(scene, flight, {});
+Judgement judged(const BaselineScene& scene, const PlannedMotion& motion) {
+    const auto result = judge(scene, motion, {});
     EXPECT_TRUE(result.has_value());
     return result.value_or(Judgement{});
 }
@@ -57,7 +57,7 @@ Judgement judged(const RivalScene& scene, const Flight& flight) {
 
 // A cord 2 mm thick is on the way between two frames; neither frame touches it.
 TEST(Judge, MeetsAThinCordBetweenFrames) {
-    const RivalScene scene = mapped(roomWithCord().build());
+    const BaselineScene scene = mapped(roomWithCord().build());
     const Judgement result = judged(
         scene, through({{0.5, 1.5, 2.0}, {1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}, {3.4, 1.5, 2.0}}));
     EXPECT_EQ(result.frame_collision_rate, 0.0);
@@ -68,10 +68,10 @@ TEST(Judge, MeetsAThinCordBetweenFrames) {
 
 // The way that a planner tells counts, not the straight line.
 TEST(Judge, FollowsTheWayBetweenFrames) {
-    const RivalScene scene = mapped(roomWithCord().build());
-    Flight flight = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
-    flight.between = {{{1.5, 0.5, 2.0}, {2.5, 0.5, 2.0}}};
-    const Judgement result = judged(scene, flight);
+    const BaselineScene scene = mapped(roomWithCord().build());
+    PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
+    motion.between = {{{1.5, 0.5, 2.0}, {2.5, 0.5, 2.0}}};
+    const Judgement result = judged(scene, motion);
     EXPECT_EQ(*result.move_collision_rate, 0.0);
     EXPECT_NEAR(*result.path_length_m, 3.0, 1e-12);
     EXPECT_NEAR(*result.speed_max_mps, 3.0, 1e-12);
@@ -81,7 +81,7 @@ TEST(Judge, FollowsTheWayBetweenFrames) {
 
 // From one end of what a file may hold to the other, through the room: 10^8 steps of 2 cm.
 TEST(Judge, AWayFromVeryFarMeetsTheRoomAndEnds) {
-    const RivalScene scene = mapped(roomWithCord().build());
+    const BaselineScene scene = mapped(roomWithCord().build());
     const Judgement result =
         judged(scene, through({{-1e6, 1.5, 2.0}, {1e6, 1.5, 2.0}, {1e6, 9e5, 2.0}}));
     ASSERT_TRUE(result.move_collision_rate);
@@ -91,7 +91,7 @@ TEST(Judge, AWayFromVeryFarMeetsTheRoomAndEnds) {
 }
 
 TEST(Judge, AFrameInAWallCollidesAndIsOutside) {
-    const RivalScene scene = mapped(roomWithCord().build());
+    const BaselineScene scene = mapped(roomWithCord().build());
     const Judgement result = judged(
         scene, through({{0.5, 1.5, 1.3}, {0.05, 1.5, 1.3}, {-1.0, 1.5, 1.3}, {0.5, 1.0, 1.3}}));
     EXPECT_EQ(result.frame_collision_rate, 0.25);  // 5 cm from the wall
@@ -101,7 +101,7 @@ TEST(Judge, AFrameInAWallCollidesAndIsOutside) {
 
 // x = t^3 / 10: the third derivative is 0.6 everywhere, and finite differences of it are exact.
 TEST(Judge, JerkIsTheThirdDerivative) {
-    const RivalScene scene = mapped(roomWithCord().build());
+    const BaselineScene scene = mapped(roomWithCord().build());
     std::vector<Vector3d> places;
     for (int t = 0; t < 4; ++t) places.emplace_back(0.3 + 0.1 * t * t * t, 0.5, 1.0);
     const Judgement result = judged(scene, through(places));
@@ -113,30 +113,30 @@ TEST(Judge, JerkIsTheThirdDerivative) {
 }
 
 TEST(Judge, TurnsAreInDegreesASecond) {
-    const RivalScene scene = mapped(roomWithCord().build());
-    Flight flight = through({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
-    auto& frames = flight.trajectory.frames;
+    const BaselineScene scene = mapped(roomWithCord().build());
+    PlannedMotion motion = through({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+    auto& frames = motion.trajectory.frames;
     frames[1].pose = lookAt({1, 1, 1}, {2, 2, 1});
     frames[1].time_s = 0.5;
     frames[2].pose = lookAt({1, 1, 1}, {1, 2, 1});
     frames[2].time_s = 1.5;
-    const Judgement result = judged(scene, flight);
+    const Judgement result = judged(scene, motion);
     EXPECT_NEAR(*result.turn_max_dps, 90.0, 1e-9);
     EXPECT_NEAR(*result.turn_median_dps, 67.5, 1e-9);
 }
 
 // Pictures that no motion joins have no speed, no length and no collisions on the way.
 TEST(Judge, ViewsWithoutMotionHaveNoMotionMetrics) {
-    const RivalScene scene = mapped(roomWithCord().build());
-    Flight flight = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
-    flight.trajectory.frames[1].path = 1;
-    const Judgement result = judged(scene, flight);
+    const BaselineScene scene = mapped(roomWithCord().build());
+    PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
+    motion.trajectory.frames[1].path = 1;
+    const Judgement result = judged(scene, motion);
     EXPECT_FALSE(result.path_length_m || result.speed_max_mps || result.move_collision_rate ||
                  result.turn_max_dps || result.jerk_max_mps3);
 }
 
 TEST(Judge, AnEmptyFlightCapturesNothing) {
-    const RivalScene scene = mapped(test::furnishedRoom());
+    const BaselineScene scene = mapped(test::furnishedRoom());
     const Judgement result = judged(scene, {});
     EXPECT_EQ(result.frames, 0);
     EXPECT_EQ(result.captures.capture_rate, 0.0);
@@ -151,8 +151,8 @@ TEST(Judge, AgreesWithThePipeline) {
     Pipeline pipeline(scene);
     const auto plan = pipeline.run(params, JobContext{});
     ASSERT_TRUE(plan);
-    const RivalScene map = mapped(*scene);
-    const Judgement result = judged(map, flightOf(**plan));
+    const BaselineScene map = mapped(*scene);
+    const Judgement result = judged(map, plannedMotionOf(**plan));
     const CaptureMetrics& captures = (*plan)->capture_metrics;
     const TrajectoryMetrics& motion = (*plan)->trajectory_metrics;
     EXPECT_EQ(result.captures.captured, captures.captured);
@@ -176,7 +176,7 @@ TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 4, 2.6});
     builder.object("pillar").box({2.2, 1.8, 1.3}, {0.1, 0.1, 2.6});
-    const RivalScene scene = mapped(builder.build());
+    const BaselineScene scene = mapped(builder.build());
     const Surroundings around{*scene.views, *scene.free_space, *scene.sphere};
     CameraPath path;
     for (const Vector3d& place :

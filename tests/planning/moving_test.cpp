@@ -155,7 +155,7 @@ TEST(Moving, NeverDeniesARayThatMeetsSomething) {
         const Eigen::AlignedBox3d target(middle - half, middle + half);
         const Eigen::Vector3d at(any(), any(), any());
         const Eigen::AlignedBox3d thing(at, at + Eigen::Vector3d(0.4, 0.3, 0.2));
-        MovedThings moved;
+        MovedObjects moved;
         moved.add({1}, {thing});
         bool meets = false;
         for (int ray = 0; ray < 60 && !meets; ++ray) {
@@ -190,11 +190,11 @@ TEST(Moving, WhatStandsFarAwayIsNotSearchedAgain) {
     const ViewEstimator views(before, rays, params.camera);
     const SweptSphere sphere(rays, *map, params.camera.camera_radius_m);
     const auto points = setObservationPoints(views, params.targets, params.viewpoints);
-    SearchMemo memo;
+    SearchCache memo;
     const auto found = searchViewpoints({views, *map, sphere, {}}, points, params.viewpoints,
                                         params.seed, JobContext{}, &memo);
     ASSERT_TRUE(found);
-    MovedThings moved;
+    MovedObjects moved;
     moved.add({change.object.id},
               {cornerBox(before, change.object.id), cornerBox(after, change.object.id)});
     const std::size_t kept = memo.forget(moved, MapChange(*map, nullptr, *map_after, nullptr),

@@ -32,11 +32,11 @@ struct Fixture {
 
 }  // namespace
 
-TEST(SurfaceLooks, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
+TEST(SurfaceSampler, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
     const Fixture f;
     const Trajectory twice = twiceAround(6);
-    for (const auto detail : {SurfaceLooks::Detail::Full, SurfaceLooks::Detail::Glance}) {
-        SurfaceLooks looks(f.views, detail);
+    for (const auto detail : {SurfaceSampler::Detail::Full, SurfaceSampler::Detail::LookAside}) {
+        SurfaceSampler looks(f.views, detail);
         const auto shown = looks.look(twice, JobContext{});
         ASSERT_TRUE(shown);
         EXPECT_EQ(shown->repeats(), 6);
@@ -44,9 +44,9 @@ TEST(SurfaceLooks, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
     }
 }
 
-TEST(SurfaceLooks, WhatIsRememberedChangesNoAnswer) {
+TEST(SurfaceSampler, WhatIsRememberedChangesNoAnswer) {
     const Fixture f;
-    SurfaceLooks looks(f.views);
+    SurfaceSampler looks(f.views);
     ASSERT_TRUE(looks.look(twiceAround(5), JobContext{}));
     const auto later = looks.look(twiceAround(40), JobContext{});
     const auto fresh = measureShownSurface(f.views, twiceAround(40), JobContext{});

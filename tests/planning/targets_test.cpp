@@ -1,7 +1,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "planning/plan_params.h"
-#include "planning/targets/carriers.h"
 #include "planning/targets/observation_points.h"
+#include "planning/targets/supports.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/support/scene_builder.h"
 
@@ -12,9 +12,9 @@
 namespace dollytrack::planning {
 namespace {
 
-Carriage carriageOf(const Scene& scene, const std::string& name) {
+SupportRelation carriageOf(const Scene& scene, const std::string& name) {
     const RayCaster rays(scene);
-    const auto carriages = findCarriers(scene, rays, {});
+    const auto carriages = findSupports(scene, rays, {});
     for (const Object& object : scene.objects) {
         if (object.name == name) return carriages[static_cast<std::size_t>(object.id) - 1];
     }
@@ -26,7 +26,7 @@ Carriage carriageOf(const Scene& scene, const std::string& name) {
 
 TEST(Carriers, AMugOnATableIsSupportedByIt) {
     const Scene scene = test::furnishedRoom();
-    const Carriage mug = carriageOf(scene, "mug");
+    const SupportRelation mug = carriageOf(scene, "mug");
     EXPECT_EQ(mug.kind, TargetKind::Support);
     EXPECT_EQ(scene.object(mug.carrier).name, "table");
     EXPECT_EQ(carriageOf(scene, "sofa").kind, TargetKind::Single);
@@ -34,7 +34,7 @@ TEST(Carriers, AMugOnATableIsSupportedByIt) {
 
 TEST(Carriers, APictureHangsAtItsWallAndFacesTheRoom) {
     const Scene scene = test::furnishedRoom();
-    const Carriage picture = carriageOf(scene, "picture");
+    const SupportRelation picture = carriageOf(scene, "picture");
     EXPECT_EQ(picture.kind, TargetKind::Suspension);
     EXPECT_EQ(scene.object(picture.carrier).name, "wall_north");
     EXPECT_LT(picture.outward.y(), -0.99);
@@ -47,11 +47,11 @@ TEST(Carriers, WhatIsCarriedByTheBuildingIsHeldByItAllTheSame) {
     builder.object("lamp").box({2, 2, 2.3}, {0.2, 0.2, 0.58});  // below the ceiling
     builder.object("balloon").box({3, 1, 1.2}, {0.3, 0.3, 0.3});
     const Scene scene = builder.build();
-    const Carriage sofa = carriageOf(scene, "sofa");
+    const SupportRelation sofa = carriageOf(scene, "sofa");
     EXPECT_EQ(scene.object(sofa.holder).name, "floor");
     EXPECT_FALSE(sofa.hangs);
     EXPECT_EQ(sofa.carrier, 0) << "the floor makes no point of its own";
-    const Carriage lamp = carriageOf(scene, "lamp");
+    const SupportRelation lamp = carriageOf(scene, "lamp");
     EXPECT_EQ(scene.object(lamp.holder).name, "ceiling");
     EXPECT_TRUE(lamp.hangs);
     EXPECT_EQ(carriageOf(scene, "balloon").holder, 0);
@@ -68,7 +68,7 @@ TEST(Carriers, AThingBetweenBoardsIsSeenThroughTheOpenSide) {
         .box({2.5, 2.80, 1.0}, {0.02, 0.36, 2.0});
     builder.object("vase").box({2.0, 2.80, 0.61}, {0.1, 0.1, 0.2});
     const Scene scene = builder.build();
-    const Carriage vase = carriageOf(scene, "vase");
+    const SupportRelation vase = carriageOf(scene, "vase");
     EXPECT_EQ(vase.kind, TargetKind::Shelf);
     EXPECT_EQ(scene.object(vase.carrier).name, "shelf");
     EXPECT_LT(vase.outward.y(), -0.99);
@@ -81,7 +81,7 @@ TEST(Carriers, WhatLiesInsideHoldsNothingUp) {
     builder.object("cupboard").box({2.0, 2.88, 1.6}, {0.4, 0.22, 0.4});
     builder.object("cup").box({2.0, 2.88, 1.6}, {0.08, 0.08, 0.1});
     const Scene scene = builder.build();
-    const Carriage cupboard = carriageOf(scene, "cupboard");
+    const SupportRelation cupboard = carriageOf(scene, "cupboard");
     EXPECT_EQ(cupboard.kind, TargetKind::Suspension);
     EXPECT_EQ(scene.object(cupboard.carrier).name, "wall_north");
 }
@@ -92,7 +92,7 @@ TEST(ObservationPoints, EveryTargetOfACrowdedTableIsInExactlyOne) {
     builder.object("table").box({2, 1.5, 0.36}, {1.6, 0.9, 0.72});
     for (int i = 0; i < 24; ++i) {
         // A grid that is nearly as deep as it is wide, so that halves are split along both axes.
-        builder.object("thing_" + std::to_string(i))
+        builder.object("furniture_" + std::to_string(i))
             .box({1.4 + 0.24 * (i % 6), 1.2 + 0.2 * (i / 6), 0.76}, {0.08, 0.08, 0.08});
     }
     const Scene scene = builder.build();

@@ -4,7 +4,7 @@
 #include "planning/free_space/free_space.h"
 #include "planning/plan_params.h"
 #include "planning/viewpoints/candidate_source.h"
-#include "planning/viewpoints/exact_climb.h"
+#include "planning/viewpoints/exact_viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/support/scene_builder.h"
 
@@ -179,7 +179,7 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
         const bool close = shown > 0.76 && shown < 0.795;
         if (!close && shown > 0.7) continue;  // too near the rule to tell beforehand
         Random random(7, 1);
-        const Climbed climbed = climbToCapture(around, judge, id, {start}, random);
+        const ExactSearchResult climbed = searchExactViewpoint(around, judge, id, {start}, random);
         const auto& place = climbed.place;
         EXPECT_EQ(place.has_value(), close) << off << ", shown " << shown;
         if (!place) continue;

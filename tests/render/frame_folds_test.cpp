@@ -13,8 +13,8 @@
 namespace dollytrack::render {
 namespace {
 
-/// A flight along a line at 10 frames a second; so many frames in each room.
-std::vector<DatasetFrame> flight(const std::vector<int>& rooms) {
+/// A trajectory along a line at 10 frames a second; so many frames in each room.
+std::vector<DatasetFrame> trajectoryOf(const std::vector<int>& rooms) {
     std::vector<DatasetFrame> frames;
     for (std::size_t room = 0; room < rooms.size(); ++room) {
         for (int i = 0; i < rooms[room]; ++i) {
@@ -46,7 +46,7 @@ void expectSplit(const FrameFolds& split, std::size_t frames, int count) {
 }
 
 TEST(FrameFolds, HoldsBackWholeRoomsWhereThereAreEnough) {
-    const auto frames = flight({30, 20, 25, 22, 28, 10, 12});
+    const auto frames = trajectoryOf({30, 20, 25, 22, 28, 10, 12});
     const auto split = splitFrames(frames, {5, 7});
     ASSERT_TRUE(split);
     EXPECT_TRUE(split->by_room);
@@ -61,7 +61,7 @@ TEST(FrameFolds, HoldsBackWholeRoomsWhereThereAreEnough) {
 }
 
 TEST(FrameFolds, KeepsBlocksApartInTimeAndPlace) {
-    auto frames = flight({200});
+    auto frames = trajectoryOf({200});
     // It comes by again: frame 150 stands where frame 20 stood.
     frames[150].camera.pose = frames[20].camera.pose;
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -85,18 +85,18 @@ TEST(FrameFolds, KeepsBlocksApartInTimeAndPlace) {
 
 // Four rooms of five are too unequal to be held back whole.
 TEST(FrameFolds, OneLargeRoomIsCutIntoBlocks) {
-    EXPECT_FALSE(splitFrames(flight({300, 5, 5, 5, 5}), {5, 1})->by_room);
+    EXPECT_FALSE(splitFrames(trajectoryOf({300, 5, 5, 5, 5}), {5, 1})->by_room);
 }
 
 TEST(FrameFolds, FewerFramesThanFoldsAreAUsageError) {
-    const auto split = splitFrames(flight({3}), {5, 1});
+    const auto split = splitFrames(trajectoryOf({3}), {5, 1});
     ASSERT_FALSE(split);
     EXPECT_EQ(split.error().code, ErrorCode::Usage);
 }
 
 TEST(FoldFiles, ListPicturesAndAnnotateThem) {
     const Scene scene = test::furnishedRoom();
-    DatasetContents contents{scene, {}, {}, flight({60})};
+    DatasetContents contents{scene, {}, {}, trajectoryOf({60})};
     contents.modalities = chooseModalities({"rgb"}).value();
     contents.folds = {3, 1};
     const auto files = foldFiles(contents, chooseFormats({"coco"}).value());

@@ -1,7 +1,7 @@
 #include "render/dataset/modalities.h"
 #include "render/formats/labels/mask_rle.h"
 #include "render/frames/frame_file.h"
-#include "render/truth/sight_mask.h"
+#include "render/truth/visibility_mask.h"
 #include "tests/render/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -124,11 +124,11 @@ TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
                 const Eigen::Vector2d at(x + 0.5, y + 0.5);
                 const Eigen::Vector3d ahead = camera.rotation * lens.unproject(at.x(), at.y());
                 const RayHit hit = now.cast(camera.position, ahead, 1e9, smallCamera().near_m);
-                const auto mask = static_cast<Sight>(flow.mask.at<std::uint8_t>(y, x));
+                const auto mask = static_cast<PixelVisibility>(flow.mask.at<std::uint8_t>(y, x));
                 const Eigen::Vector2f motion =
                     flow.motion[static_cast<std::size_t>(y) * lens.width + x];
                 if (hit.object_id == 0) {
-                    EXPECT_EQ(mask, Sight::Nothing);
+                    EXPECT_EQ(mask, PixelVisibility::Nothing);
                     continue;
                 }
                 Eigen::Vector3d place = camera.position + hit.distance * ahead;
@@ -142,10 +142,10 @@ TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
                 // A ray and the rasterizer may disagree about whose a border pixel is.
                 if ((expected.cast<float>() - motion).norm() > 0.02F) continue;
                 ++seen;
-                if (mask == Sight::Outside) continue;
+                if (mask == PixelVisibility::Outside) continue;
                 // Looked at from a little before the surface, so that it does not hide itself.
                 const Eigen::Vector3d before = place + 0.01 * (other.position - place).normalized();
-                if (mask == Sight::Occluded) {
+                if (mask == PixelVisibility::Occluded) {
                     ++occluded;
                     EXPECT_FALSE(then.sees(other.position, place)) << x << ", " << y;
                 } else {

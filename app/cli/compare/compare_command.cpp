@@ -99,9 +99,9 @@ std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
 }
 
 /// Reads the --trajectory files, in world coordinates of the scene.
-Result<std::vector<GivenFlight>> loadGiven(const CompareArguments& arguments,
+Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments,
                                            const OpenedScene& opened) {
-    std::vector<GivenFlight> given;
+    std::vector<GivenTrajectory> given;
     const std::vector<std::string> names = givenNames(arguments.trajectories);
     for (const std::string& path : arguments.trajectories) {
         io::TrajectoryReading reading;

@@ -16,10 +16,10 @@
 namespace dollytrack::cli {
 namespace {
 
-using planning::Flight;
+using planning::BaselineScene;
 using planning::JudgedRow;
 using planning::Judgement;
-using planning::RivalScene;
+using planning::PlannedMotion;
 
 double millisecondsSince(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
@@ -28,7 +28,7 @@ double millisecondsSince(std::chrono::steady_clock::time_point begin) {
 
 class SceneComparison {
   public:
-    SceneComparison(const RivalScene& scene, const planning::PlanParams& params)
+    SceneComparison(const BaselineScene& scene, const planning::PlanParams& params)
         : scene_(scene), params_(params), best_(bestCaptures(*scene.scene, {})) {}
 
     /// Evaluates one planner. A failed seed is skipped; cancellation ends the comparison.
@@ -39,20 +39,20 @@ class SceneComparison {
                                               static_cast<double>(i + 1) / seeds, planner.name);
             part.report(0.0);
             const auto begin = std::chrono::steady_clock::now();
-            Result<Flight> flight =
+            Result<PlannedMotion> motion =
                 planner.plan(scene_, params_, params_.seed + i, part.stage(0.0, 0.6, planner.name));
-            if (!flight && flight.error().code == ErrorCode::Cancelled) {
-                return tl::unexpected<Error>(std::move(flight.error()));
+            if (!motion && motion.error().code == ErrorCode::Cancelled) {
+                return tl::unexpected<Error>(std::move(motion.error()));
             }
-            if (!flight) {
+            if (!motion) {
                 log::warn("compare",
                           fmt::format("{} has no trajectory for seed {}: {}", planner.name,
-                                      params_.seed + i, describe(flight.error())));
+                                      params_.seed + i, describe(motion.error())));
                 ++result_.failures;
                 continue;
             }
-            if (!flight->plan_ms) flight->plan_ms = millisecondsSince(begin);
-            Result<JudgedRow> row = judgeOne(*flight, part.stage(0.6, 1.0, planner.name));
+            if (!motion->plan_ms) motion->plan_ms = millisecondsSince(begin);
+            Result<JudgedRow> row = judgeOne(*motion, part.stage(0.6, 1.0, planner.name));
             if (!row) return tl::unexpected<Error>(std::move(row.error()));
             rows.push_back(std::move(*row));
         }
@@ -62,8 +62,8 @@ class SceneComparison {
         return {};
     }
 
-    Status add(const GivenFlight& given, const JobContext& job) {
-        Result<JudgedRow> row = judgeOne(given.flight, job);
+    Status add(const GivenTrajectory& given, const JobContext& job) {
+        Result<JudgedRow> row = judgeOne(given.motion, job);
         if (!row) return tl::unexpected<Error>(std::move(row.error()));
         const auto& metrics = planning::judgedMetrics();
         for (std::size_t i = 0; i < metrics.size(); ++i) {
@@ -99,8 +99,8 @@ class SceneComparison {
     ComparedScene take() { return std::move(result_); }
 
   private:
-    Result<JudgedRow> judgeOne(const Flight& flight, const JobContext& job) {
-        return planning::judge(scene_, flight, job).map([&](const Judgement& judgement) {
+    Result<JudgedRow> judgeOne(const PlannedMotion& motion, const JobContext& job) {
+        return planning::judge(scene_, motion, job).map([&](const Judgement& judgement) {
             for (std::size_t i = 0; i < best_.size(); ++i) {
                 best_[i].captured |= judgement.objects[i].captured;
                 best_[i].well_captured |= judgement.objects[i].well_captured;
@@ -109,7 +109,7 @@ class SceneComparison {
         });
     }
 
-    const RivalScene& scene_;
+    const BaselineScene& scene_;
     const planning::PlanParams& params_;
     std::vector<ObjectCapture> best_;  // best captures over all trajectories
     ComparedScene result_;
@@ -119,7 +119,7 @@ class SceneComparison {
 
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
-                                const std::vector<GivenFlight>& given, const JobContext& job) {
+                                const std::vector<GivenTrajectory>& given, const JobContext& job) {
     if (order.seeds > 1 && params.seed > std::numeric_limits<int>::max() - (order.seeds - 1)) {
         return fail(ErrorCode::Usage,
                     fmt::format("There are no {} seeds from {} on; begin with a smaller --seed.",
@@ -127,8 +127,8 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
                     "--seeds");
     }
     const auto begin = std::chrono::steady_clock::now();
-    const auto map =
-        planning::mapRivalScene(std::move(scene), edits, params, job.stage(0.0, 0.1, "free space"));
+    const auto map = planning::mapBaselineScene(std::move(scene), edits, params,
+                                                job.stage(0.0, 0.1, "free space"));
     if (!map) return tl::unexpected<Error>(map.error());
     const double map_ms = millisecondsSince(begin);
     SceneComparison comparison(*map, params);
@@ -146,8 +146,8 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
-    for (const GivenFlight& flight : given) {
-        if (Status status = comparison.add(flight, next(flight.name)); !status) {
+    for (const GivenTrajectory& one : given) {
+        if (Status status = comparison.add(one, next(one.name)); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }

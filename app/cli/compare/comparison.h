@@ -11,9 +11,9 @@
 namespace dollytrack::cli {
 
 /// An existing trajectory, evaluated beside the planners.
-struct GivenFlight {
+struct GivenTrajectory {
     std::string name;
-    planning::Flight flight;
+    planning::PlannedMotion motion;
 };
 
 /// Metrics of one planner in one scene: medians over the seeds.
@@ -41,7 +41,7 @@ struct ComparisonOrder {
 /// if the seeds exceed the largest int; errors of the map; Cancelled.
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
-                                const std::vector<GivenFlight>& given, const JobContext& job);
+                                const std::vector<GivenTrajectory>& given, const JobContext& job);
 
 /// Means by planner, over the scenes in which the planner has a row.
 ComparedScene meanOver(const std::vector<ComparedScene>& scenes);

@@ -1,6 +1,6 @@
 #include "app/cli/compare/sweep.h"
 
-#include "planning/baselines/ours.h"
+#include "planning/baselines/dollytrack_planner.h"
 
 #include <fmt/format.h>
 
@@ -114,7 +114,7 @@ Status Sweeper::open(const std::vector<std::string>& assignments, const JobConte
 
 Status Sweeper::map(const planning::PlanParams& params, const JobContext& job) {
     if (mapped_ && mapped_camera_ == params.camera && mapped_space_ == params.free_space) return {};
-    auto mapped = planning::mapRivalScene(opened_->scene, opened_->plan_edits, params, job);
+    auto mapped = planning::mapBaselineScene(opened_->scene, opened_->plan_edits, params, job);
     if (!mapped) return tl::unexpected<Error>(std::move(mapped.error()));
     mapped_ = std::move(*mapped);
     mapped_camera_ = params.camera;
@@ -122,21 +122,23 @@ Status Sweeper::map(const planning::PlanParams& params, const JobContext& job) {
     return {};
 }
 
-Result<planning::Flight> Sweeper::fly(const planning::Planner& planner,
-                                      const planning::PlanParams& params,
-                                      std::vector<StageTime>& stages, const JobContext& job) {
-    const bool ours = planner.plan == planning::planOurs;
+Result<planning::PlannedMotion> Sweeper::planMotion(const planning::Planner& planner,
+                                                    const planning::PlanParams& params,
+                                                    std::vector<StageTime>& stages,
+                                                    const JobContext& job) {
+    const bool ours = planner.plan == planning::planWithDollytrack;
     // Without room views, the paper's smoothing uses the same path as our planner.
     const bool same_path =
         planner.plan == planning::planPaperSmoothing && params.gaze.view_mix <= 0.0;
     if (!ours && !same_path) {
         const auto begin = std::chrono::steady_clock::now();
-        return planner.plan(*mapped_, params, params.seed, job).map([&](planning::Flight&& flight) {
-            const std::chrono::duration<double, std::milli> spent =
-                std::chrono::steady_clock::now() - begin;
-            if (!flight.plan_ms) flight.plan_ms = spent.count();
-            return std::move(flight);
-        });
+        return planner.plan(*mapped_, params, params.seed, job)
+            .map([&](planning::PlannedMotion&& motion) {
+                const std::chrono::duration<double, std::milli> spent =
+                    std::chrono::steady_clock::now() - begin;
+                if (!motion.plan_ms) motion.plan_ms = spent.count();
+                return std::move(motion);
+            });
     }
     if (!plan_) {
         auto plan = pipeline_->run(params, opened_->plan_edits, job);
@@ -145,7 +147,7 @@ Result<planning::Flight> Sweeper::fly(const planning::Planner& planner,
     }
     if (!ours) return planning::smoothAsThePaper(*mapped_, *plan_, params);
     stages = plan_->stages;
-    return planning::flightOf(*plan_);
+    return planning::plannedMotionOf(*plan_);
 }
 
 Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assignments,
@@ -178,15 +180,15 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
         };
         SweepPoint point;
         point.planner = planners[i]->name;
-        const auto flight = fly(*planners[i], params, point.stages,
-                                job.stage(share(0.0), share(0.5), point.planner));
-        if (!flight && flight.error().code != ErrorCode::Cancelled) {
-            points.push_back(gapOf(*planners[i], flight.error()));
+        const auto motion = planMotion(*planners[i], params, point.stages,
+                                       job.stage(share(0.0), share(0.5), point.planner));
+        if (!motion && motion.error().code != ErrorCode::Cancelled) {
+            points.push_back(gapOf(*planners[i], motion.error()));
             continue;
         }
-        if (!flight) return tl::unexpected<Error>(flight.error());
+        if (!motion) return tl::unexpected<Error>(motion.error());
         const auto judged =
-            planning::judge(*mapped_, *flight, job.stage(share(0.5), share(1.0), "judging"));
+            planning::judge(*mapped_, *motion, job.stage(share(0.5), share(1.0), "judging"));
         if (!judged) return tl::unexpected<Error>(judged.error());
         point.metrics = planning::toRow(*judged);
         points.push_back(std::move(point));

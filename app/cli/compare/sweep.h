@@ -53,16 +53,17 @@ class Sweeper {
   private:
     Status open(const std::vector<std::string>& assignments, const JobContext& job);
     Status map(const planning::PlanParams& params, const JobContext& job);
-    Result<planning::Flight> fly(const planning::Planner& planner,
-                                 const planning::PlanParams& params, std::vector<StageTime>& stages,
-                                 const JobContext& job);
+    Result<planning::PlannedMotion> planMotion(const planning::Planner& planner,
+                                               const planning::PlanParams& params,
+                                               std::vector<StageTime>& stages,
+                                               const JobContext& job);
 
     SceneArguments arguments_;
     std::optional<OpenedScene> opened_;
     std::vector<std::string> opened_with_;  // assignments that affect the import
     std::unique_ptr<planning::Pipeline> pipeline_;
     std::shared_ptr<const Plan> plan_;  // plan for the current values; null until needed
-    std::optional<planning::RivalScene> mapped_;
+    std::optional<planning::BaselineScene> mapped_;
     CameraParams mapped_camera_;
     planning::FreeSpaceParams mapped_space_;
 };

@@ -1,5 +1,5 @@
 #include "app/cli/command_line.h"
-#include "app/cli/compare/rival_plan.h"
+#include "app/cli/compare/baseline_plan.h"
 #include "app/cli/export/backend_option.h"
 #include "app/cli/export/dataset_export.h"
 #include "app/cli/export/export_metrics.h"
@@ -156,8 +156,8 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     order.still = arguments.still;
     order.scene = arguments.scene.path;
     order.backend = arguments.backend;
-    const Result<bool> rival = namesRival(arguments.planner);
-    if (!rival) return tl::unexpected<Error>(rival.error());
+    const Result<bool> baseline = namesBaseline(arguments.planner);
+    if (!baseline) return tl::unexpected<Error>(baseline.error());
     const auto requirements = parseRequirements(arguments.requirements);
     if (!requirements) return tl::unexpected<Error>(requirements.error());
     if (Status status = checkNames(*requirements, exportMetricsOf(arguments.planner)); !status) {
@@ -187,15 +187,15 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     if (!context) return tl::unexpected<Error>(std::move(context.error()));
     const JobContext planning = job.stage(0.03, 0.06, "planning");
     const Result<PlannedScene> planned =
-        *rival ? planAsRival(arguments.planner, *opened, planning) : planOrReuse(*opened, planning);
+        *baseline ? planWithBaseline(arguments.planner, *opened, planning)
+                  : planOrReuse(*opened, planning);
     if (!planned) return tl::unexpected<Error>(planned.error());
     const auto printIfRoom = [&](const ExportedDataset& one) {
         if (one.room.empty() || arguments.as_json) return;
         printRoom(one.room, one.summary, one.folder);
     };
-    const auto datasets =
-        exportPlanned(*opened, *planned, order, std::move(*context), printIfRoom, session.cancelled,
-                      job.stage(0.06, 1.0, ""));
+    const auto datasets = exportPlanned(*opened, *planned, order, std::move(*context), printIfRoom,
+                                        session.cancelled, job.stage(0.06, 1.0, ""));
     if (!datasets) return tl::unexpected<Error>(datasets.error());
     const nlohmann::json printed = exportJson(order, *datasets, planned->metrics);
     if (arguments.as_json) {

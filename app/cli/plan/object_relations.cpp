@@ -2,14 +2,14 @@
 
 #include "engine/core/log.h"
 #include "engine/document/apply_scene_edits.h"
-#include "planning/targets/carriers.h"
+#include "planning/targets/supports.h"
 
 #include <algorithm>
 
 namespace dollytrack::cli {
 namespace {
 
-const char* wordFor(const planning::Carriage& carriage) {
+const char* wordFor(const planning::SupportRelation& carriage) {
     if (carriage.hangs) return "hangs_on";
     return carriage.kind == TargetKind::Shelf ? "in" : "on";
 }
@@ -23,7 +23,8 @@ const char* wordFor(const std::string& relation) {
 
 std::vector<render::ObjectRelation> relationsOf(const Scene& scene, const RayCaster& rays,
                                                 const planning::TargetParams& params) {
-    const std::vector<planning::Carriage> carriages = planning::findCarriers(scene, rays, params);
+    const std::vector<planning::SupportRelation> carriages =
+        planning::findSupports(scene, rays, params);
     std::vector<render::ObjectRelation> relations;
     for (std::size_t i = 0; i < carriages.size(); ++i) {
         if (carriages[i].holder == 0) continue;

@@ -1,5 +1,5 @@
 #include "app/cli/command_line.h"
-#include "app/cli/compare/rival_plan.h"
+#include "app/cli/compare/baseline_plan.h"
 #include "app/cli/export/backend_option.h"
 #include "app/cli/plan/coverage_output.h"
 #include "app/cli/plan/ledger_table.h"
@@ -23,8 +23,8 @@
 #include "planning/metrics/remedies.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
-#include "render/draw/look_inside.h"
 #include "render/draw/overview.h"
+#include "render/draw/storey_cutaway.h"
 #include "render/overlays/plan_overlay.h"
 
 #include <fmt/format.h>
@@ -126,7 +126,7 @@ Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_boun
 }
 
 /// Refuses options that only plans of our own planner support.
-Status checkRivalUsage(const PlanArguments& arguments) {
+Status checkBaselineUsage(const PlanArguments& arguments) {
     const std::vector<std::pair<bool, const char*>> ours = {
         {!arguments.out.empty(), "--out"},
         {!arguments.picture.empty(), "--picture"},
@@ -145,9 +145,9 @@ Status checkRivalUsage(const PlanArguments& arguments) {
 }
 
 /// Prints the metrics of a baseline planner's trajectory.
-Result<ExitCode> runRival(const PlanArguments& arguments,
-                          const std::vector<Requirement>& requirements, const Session& session) {
-    if (Status status = checkRivalUsage(arguments); !status) {
+Result<ExitCode> runBaseline(const PlanArguments& arguments,
+                             const std::vector<Requirement>& requirements, const Session& session) {
+    if (Status status = checkBaselineUsage(arguments); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
     if (Status status = checkNames(requirements, metricsOf(arguments.planner)); !status) {
@@ -156,7 +156,8 @@ Result<ExitCode> runRival(const PlanArguments& arguments,
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
     if (!opened) return tl::unexpected<Error>(opened.error());
-    const auto planned = planAsRival(arguments.planner, *opened, job.stage(0.3, 1.0, "planning"));
+    const auto planned =
+        planWithBaseline(arguments.planner, *opened, job.stage(0.3, 1.0, "planning"));
     if (!planned) return tl::unexpected<Error>(planned.error());
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(planned->metrics));
@@ -169,9 +170,9 @@ Result<ExitCode> runRival(const PlanArguments& arguments,
 Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
     const auto requirements = parseRequirements(arguments.requirements);
     if (!requirements) return tl::unexpected<Error>(requirements.error());
-    const Result<bool> rival = namesRival(arguments.planner);
-    if (!rival) return tl::unexpected<Error>(rival.error());
-    if (*rival) return runRival(arguments, *requirements, session);
+    const Result<bool> baseline = namesBaseline(arguments.planner);
+    if (!baseline) return tl::unexpected<Error>(baseline.error());
+    if (*baseline) return runBaseline(arguments, *requirements, session);
     // Checked before the work: files with another extension cannot be opened again.
     if (!arguments.out.empty() && std::filesystem::path(arguments.out).extension() != ".dolly") {
         return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);

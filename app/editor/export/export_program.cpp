@@ -1,6 +1,6 @@
 #include "app/editor/export/export_program.h"
 
-#include "app/editor/export/export_places.h"
+#include "app/editor/export/export_folders.h"
 #include "engine/core/program_file.h"
 
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "app/editor/export/export_queue.h"
 
-#include "app/editor/export/export_places.h"
+#include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_program.h"
 #include "app/editor/export/export_progress.h"
 #include "app/process/child_process.h"

@@ -1,6 +1,6 @@
 #include "app/editor/viewport/layer_builder.h"
 
-#include "render/draw/look_inside.h"
+#include "render/draw/storey_cutaway.h"
 #include "render/overlays/trajectory_overlay.h"
 #include "ui/overlays/edge_shape.h"
 #include "ui/overlays/grid_overlay.h"

@@ -1,6 +1,6 @@
 #include "app/python/bindings/engine_objects.h"
 
-#include "app/cli/compare/rival_plan.h"
+#include "app/cli/compare/baseline_plan.h"
 #include "app/cli/export/export_warnings.h"
 #include "app/cli/plan/coverage_output.h"
 #include "app/cli/plan/metrics_table.h"

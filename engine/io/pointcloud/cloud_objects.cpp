@@ -189,7 +189,7 @@ class Labeller {
 
     void add(const std::vector<std::uint32_t>& piece) {
         const int thing = static_cast<int>(labels_.things.size());
-        labels_.things.push_back({fmt::format("thing_{}", ++things_), 0, false});
+        labels_.things.push_back({fmt::format("furniture_{}", ++things_), 0, false});
         for (const std::uint32_t i : piece) labels_.thing_of[i] = thing;
     }
 

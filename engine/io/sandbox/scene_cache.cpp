@@ -82,7 +82,7 @@ class MappedEntry {
 };
 
 struct Entry {
-    std::vector<KeptInput> inputs;
+    std::vector<CachedInput> inputs;
     std::span<const std::uint8_t> frame;
 };
 
@@ -97,7 +97,7 @@ std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
     }
     const auto list = rest.first(head.list_bytes);
     if (head.list_sum != frameSum(list)) return std::nullopt;
-    auto inputs = parseKeptInputs({reinterpret_cast<const char*>(list.data()), list.size()});
+    auto inputs = parseCachedInputs({reinterpret_cast<const char*>(list.data()), list.size()});
     if (!inputs) return std::nullopt;
     return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
 }
@@ -182,7 +182,7 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
 std::optional<ReadScene> SceneCache::find(const std::string& key, const InputRoots& roots) const {
     const MappedEntry file(folder_, key + kExtension);
     const std::optional<Entry> entry = entryIn(file.bytes());
-    if (!entry || !stillHold(roots, entry->inputs)) return std::nullopt;
+    if (!entry || !areUnchanged(roots, entry->inputs)) return std::nullopt;
     bool damaged = false;
     Result<ReadScene> read = readFrame(entry->frame, damaged);
     if (!read) return std::nullopt;
@@ -193,9 +193,9 @@ std::optional<ReadScene> SceneCache::find(const std::string& key, const InputRoo
 bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::string& sha256,
                       const InputRoots& roots, const std::vector<InputUse>& inputs,
                       std::span<const std::uint8_t> frame) const {
-    const auto kept = keptInputs(scene, sha256, roots, inputs);
+    const auto kept = cachedInputs(scene, sha256, roots, inputs);
     if (!kept) return false;
-    const std::string list = keptInputsText(*kept);
+    const std::string list = cachedInputsText(*kept);
     const EntryHead head{kMagic, list.size(), frameSum(bytesOf(list)), frame.size()};
     const std::size_t size = sizeof(head) + list.size() + frame.size();
     if (size > most_bytes_) return false;

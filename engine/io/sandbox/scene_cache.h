@@ -3,8 +3,8 @@
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/import/scene_import.h"
+#include "engine/io/sandbox/cached_inputs.h"
 #include "engine/io/sandbox/input_record.h"
-#include "engine/io/sandbox/kept_inputs.h"
 #include "engine/io/sandbox/scene_frame.h"
 
 #include <chrono>

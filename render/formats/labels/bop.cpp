@@ -78,9 +78,9 @@ Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const Fra
     std::vector<FrameFile> files;
     int number = 0;
     for (const InstanceInFrame& seen : measureInstances(frame)) {
-        const auto whole =
-            std::find_if(frame.whole.begin(), frame.whole.end(),
-                         [&](const WholeMask& mask) { return mask.object_id == seen.object_id; });
+        const auto whole = std::find_if(
+            frame.whole.begin(), frame.whole.end(),
+            [&](const RenderedAmodalMask& mask) { return mask.object_id == seen.object_id; });
         std::vector<std::uint8_t> visible(frame.instance.size()), all(frame.instance.size());
         for (std::size_t i = 0; i < visible.size(); ++i) {
             const int x = static_cast<int>(i) % frame.width;

@@ -46,11 +46,11 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 }
 
 /// TartanAir's mask values, 10: occluded, 100: outside the picture.
-std::uint8_t maskOf(Sight sight) {
+std::uint8_t maskOf(PixelVisibility sight) {
     switch (sight) {
-        case Sight::Seen:
+        case PixelVisibility::Seen:
             return 0;
-        case Sight::Occluded:
+        case PixelVisibility::Occluded:
             return 10;
         default:
             return 100;
@@ -81,7 +81,7 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
             flow.insert(flow.end(), {motion.x(), motion.y()});
         }
         std::vector<std::uint8_t> mask;
-        for (const Sight sight : field.sight) mask.push_back(maskOf(sight));
+        for (const PixelVisibility sight : field.sight) mask.push_back(maskOf(sight));
         files.push_back({pairFile(kFolders[3], frame.index, next, "_flow.npy"),
                          numpyBytes("<f4", {height, width, 2}, bytesOf(flow))});
         files.push_back({pairFile(kFolders[3], frame.index, next, "_mask.npy"),

@@ -299,7 +299,7 @@ TEST(LightRig, RoomLampsKeepClearOfWallsAndCupboards) {
 
 /// What a wall gets from a lamp's ball that it cuts through.
 TEST(LightRig, APlaceInALampsBallIsLitByASmallerBall) {
-    OwnLamp lamp;
+    SceneLamp lamp;
     lamp.radius_m = 0.1;
     const Eigen::Vector3d inside(0.05, 0, 0);
     const Eigen::Vector3d outside(1, 0, 0);

@@ -1,0 +1,73 @@
+#include "planning/baselines/baseline_scene.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "planning/collision/allowed_region.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/timing/clip.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <cmath>
+
+namespace dollytrack::planning {
+
+Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
+                                       const PlanParams& params, const JobContext& job) {
+    if (Status status = validate(params); !status) {
+        return tl::unexpected<Error>(std::move(status.error()));
+    }
+    BaselineScene made;
+    made.scene = std::move(scene);
+    made.edits = edits;
+    made.rays = std::make_shared<const RayCaster>(*made.scene);
+    auto map = FreeSpace::build(*made.scene, *made.rays, params.camera, params.free_space, job);
+    if (!map) return tl::unexpected<Error>(std::move(map.error()));
+    made.free_space = std::make_shared<const FreeSpace>(std::move(*map));
+    const double radius = params.camera.camera_radius_m;
+    made.region =
+        std::make_shared<const AllowedRegion>(*made.scene, *made.rays, *made.free_space,
+                                              edits.no_go, params.free_space, params.body, radius);
+    made.sphere = std::make_shared<const SweptSphere>(*made.rays, *made.free_space, radius,
+                                                      made.region.get());
+    made.views = std::make_shared<const ViewEstimator>(*made.scene, *made.rays, params.camera);
+    return made;
+}
+
+std::vector<int> shareByRoom(const BaselineScene& scene, int total, int least) {
+    const auto& rooms = scene.free_space->rooms();
+    double volume = 0.0;
+    for (const Room& room : rooms) volume += room.volume_m3;
+    std::vector<int> shares(rooms.size(), 0);
+    int given = 0;
+    for (std::size_t i = 1; i < rooms.size(); ++i) {
+        const int share = static_cast<int>(std::lround(total * rooms[i].volume_m3 / volume));
+        if (share < least || share > total - given) continue;
+        shares[i] = share;
+        given += share;
+    }
+    shares[0] = total - given;
+    return shares;
+}
+
+Eigen::Vector3d randomPlace(const BaselineScene& scene, int room, Random& random) {
+    constexpr int kTries = 200;
+    const auto& cells = scene.sphere->cells(room);
+    const double half = 0.5 * scene.free_space->resolution_m();
+    for (int i = 0; i < kTries && !cells.empty(); ++i) {
+        const Eigen::Vector3d cell =
+            cells[random.below(static_cast<std::uint32_t>(cells.size()))].cast<double>();
+        const double dx = random.uniform(-half, half);
+        const double dy = random.uniform(-half, half);
+        const double dz = random.uniform(-half, half);
+        const Eigen::Vector3d place = cell + Eigen::Vector3d(dx, dy, dz);
+        if (scene.sphere->fits(place)) return place;
+    }
+    return scene.free_space->rooms()[static_cast<std::size_t>(room)].sample;
+}
+
+int frameBudget(const PlanParams& params) {
+    if (params.timing.duration_s > 0.0) return clipFrames(params.timing);
+    return params.timing.max_frames > 0 ? params.timing.max_frames : 300;
+}
+
+}  // namespace dollytrack::planning

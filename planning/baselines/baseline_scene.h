@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/core/random.h"
+#include "engine/core/result.h"
+#include "engine/document/edits.h"
+#include "engine/jobs/job.h"
+#include "engine/scene/scene.h"
+#include "planning/plan_params.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace dollytrack {
+class RayCaster;
+}
+
+namespace dollytrack::planning {
+
+class AllowedRegion;
+class FreeSpace;
+class SweptSphere;
+class ViewEstimator;
+
+/// Shared input of all planners: one scene, its free space map and one camera. Immutable.
+struct BaselineScene {
+    std::shared_ptr<const Scene> scene;
+    PlanEdits edits;  // with object ids of this scene
+    std::shared_ptr<const RayCaster> rays;
+    std::shared_ptr<const FreeSpace> free_space;
+    std::shared_ptr<const AllowedRegion> region;
+    std::shared_ptr<const SweptSphere> sphere;
+    std::shared_ptr<const ViewEstimator> views;
+};
+
+/// Maps the scene. Errors: those of Pipeline::run() that concern the parameters and the map.
+Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
+                                       const PlanParams& params, const JobContext& job);
+
+/// Divides `total` among the rooms in proportion to the volume where the camera fits. Rooms with
+/// less than `least` get 0; the largest room gets the remainder. One entry per room.
+std::vector<int> shareByRoom(const BaselineScene& scene, int total, int least);
+
+/// A random position in a room where the camera fits; after 200 misses the one with the largest
+/// clearance.
+Eigen::Vector3d randomPlace(const BaselineScene& scene, int room, Random& random);
+
+/// Number of frames that a planner may use: that of the clip with duration_s, else `max_frames`,
+/// else 300.
+int frameBudget(const PlanParams& params);
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,107 @@
+#include "planning/baselines/dollytrack_planner.h"
+
+#include "engine/plan/plan.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/pipeline/pipeline.h"
+#include "planning/smoothing/smooth_path.h"
+#include "planning/timing/frame_moves.h"
+#include "planning/timing/time_trajectory.h"
+#include "planning/viewpoints/viewpoint_search.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::planning {
+namespace {
+
+constexpr double kFineStep = 0.01;  // m; chords this short are within 0.1 mm of the curves
+
+/// The motion between frames, along each smoothed path and off it where the camera shakes.
+std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath>& paths,
+                                                    const Trajectory& trajectory) {
+    const auto& frames = trajectory.frames;
+    std::vector<std::vector<Eigen::Vector3d>> between(frames.size());
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const TrajectoryFrame& from = frames[i];
+        const TrajectoryFrame& to = frames[i + 1];
+        if (from.path != to.path) continue;
+        for (const auto& piece :
+             moveBetween(paths[static_cast<std::size_t>(from.path)], from, to)) {
+            const double longest =
+                (piece.control - piece.start).norm() + (piece.end - piece.control).norm();
+            const int steps = std::max(1, static_cast<int>(std::ceil(longest / kFineStep)));
+            for (int j = 1; j <= steps; ++j) {
+                between[i].push_back(piece.at(static_cast<double>(j) / steps));
+            }
+        }
+        if (!between[i].empty()) between[i].pop_back();  // the next frame itself
+    }
+    return between;
+}
+
+PlannedMotion motionAlong(const std::vector<SmoothPath>& paths, Trajectory trajectory) {
+    PlannedMotion motion;
+    motion.between = waysAlong(paths, trajectory);
+    motion.trajectory = std::move(trajectory);
+    int corners = 0;
+    int collisions = 0;
+    for (const SmoothPath& path : paths) {
+        for (const SmoothPath::Piece& piece : path.pieces) corners += piece.curved ? 1 : 0;
+        collisions += path.corner_collisions;
+    }
+    motion.corner_collision_rate = corners > 0 ? static_cast<double>(collisions) / corners : 0.0;
+    return motion;
+}
+
+Result<std::shared_ptr<const Plan>> runPipeline(const BaselineScene& scene, PlanParams params,
+                                                int seed, const JobContext& job) {
+    params.seed = seed;
+    params.timing.max_frames = frameBudget(params);
+    return Pipeline(scene.scene).run(params, scene.edits, job);
+}
+
+}  // namespace
+
+PlannedMotion plannedMotionOf(const Plan& plan) {
+    PlannedMotion motion = motionAlong(plan.smooth_paths, plan.trajectory);
+    motion.plan_ms = plan.plan_ms;
+    return motion;
+}
+
+Result<PlannedMotion> smoothAsThePaper(const BaselineScene& scene, const Plan& plan,
+                                       const PlanParams& params) {
+    const PitchBand pitch = pitchBand(params.constraints);
+    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere, pitch};
+    std::vector<SmoothPath> paths;
+    for (const CameraPath& path : plan.paths) {
+        paths.push_back(smoothBlindly(path, params.smoothing.corner_distance_m, around));
+    }
+    return timeTrajectory(paths, plan.position_points, plan.observation_points, params.timing,
+                          pitch, headingLimit(params.body))
+        .map([&](Trajectory&& trajectory) {
+            PlannedMotion motion = motionAlong(paths, std::move(trajectory));
+            motion.plan_ms = plan.plan_ms;
+            return motion;
+        });
+}
+
+Result<PlannedMotion> planWithDollytrack(const BaselineScene& scene, const PlanParams& params,
+                                         int seed, const JobContext& job) {
+    return runPipeline(scene, params, seed, job).map([](const auto& plan) {
+        return plannedMotionOf(*plan);
+    });
+}
+
+Result<PlannedMotion> planPaperSmoothing(const BaselineScene& scene, const PlanParams& params,
+                                         int seed, const JobContext& job) {
+    PlanParams as_paper = params;
+    as_paper.timing.max_frames = frameBudget(params);
+    as_paper.gaze.view_mix = 0.0;
+    return runPipeline(scene, as_paper, seed, job).and_then([&](const auto& plan) {
+        return smoothAsThePaper(scene, *plan, as_paper);
+    });
+}
+
+}  // namespace dollytrack::planning

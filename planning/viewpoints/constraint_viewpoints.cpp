@@ -1,0 +1,122 @@
+#include "planning/viewpoints/constraint_viewpoints.h"
+
+#include "engine/core/field_list.h"
+#include "planning/free_space/free_space.h"
+#include "planning/gaze/room_views.h"
+#include "planning/plan_params.h"
+#include "planning/rooms/anchors.h"
+#include "planning/rooms/room_plan.h"
+#include "planning/viewpoints/fixed_points.h"
+#include "planning/viewpoints/key_frames.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <set>
+
+namespace dollytrack::planning {
+namespace {
+
+std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
+                               const std::vector<int>& keys) {
+    std::vector<GivenView> views;
+    for (const int key : keys) {
+        const PositionPoint& point = points[static_cast<std::size_t>(key)];
+        views.push_back({point.pose, point.fixed});
+    }
+    return views;
+}
+
+/// The kind's name in the parameter list.
+std::string nameOf(Anchors kind) {
+    ConstraintParams params;
+    params.anchors = kind;
+    FieldCollector fields;
+    visitConstraintParams(params, fields);
+    for (const Field& field : fields.take()) {
+        if (field.name == "anchors") return field.valueText();
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<AnchorTally> countAnchors(const ConstraintViewpoints& asked,
+                                      const std::vector<SmoothPath>& paths) {
+    std::set<int> on_the_way;
+    for (const SmoothPath& path : paths) {
+        for (const SmoothPath::Key& key : path.keys) on_the_way.insert(key.position_point);
+    }
+    std::vector<AnchorTally> tallies;
+    for (const Anchors kind : anchorKinds(asked.anchors)) {
+        AnchorTally tally{nameOf(kind)};
+        for (const AnchorViewpoints& anchor : asked.found_anchors) {
+            if (anchor.kind != kind) continue;
+            ++tally.found;
+            tally.visited += std::any_of(anchor.points.begin(), anchor.points.end(),
+                                         [&](int point) { return on_the_way.contains(point); })
+                                 ? 1
+                                 : 0;
+        }
+        tallies.push_back(std::move(tally));
+    }
+    return tallies;
+}
+
+bool asksForRooms(const ConstraintParams& constraints) {
+    return constraints.anchors != Anchors::None || constraints.rooms == RoomTours::Each;
+}
+
+Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
+                                                     const std::vector<Region>& must_see,
+                                                     const PlanParams& params,
+                                                     const RoomPlan* rooms,
+                                                     const Surroundings& around,
+                                                     VisibilityCache* memo, const JobContext& job) {
+    const ConstraintParams& constraints = params.constraints;
+    ConstraintViewpoints asked;
+    asked.placed = placed;
+    Viewpoints& viewpoints = asked.placed.viewpoints;
+    std::vector<PositionPoint>& points = viewpoints.position_points;
+    const std::size_t before = points.size();
+    if (rooms != nullptr) {
+        asked.anchors = constraints.anchors;
+        for (const AnchorViews& anchor : anchorViews(*rooms, constraints.anchors, around)) {
+            AnchorViewpoints& found =
+                asked.found_anchors.emplace_back(AnchorViewpoints{anchor.kind, {}});
+            for (const Pose& view : anchor.views) {
+                found.points.push_back(static_cast<int>(points.size()));
+                addFixedPoint(view, around, viewpoints);
+            }
+        }
+    }
+    const std::vector<int> keys = must_see.empty() ? std::vector<int>() : chooseKeyFrames(points);
+    auto found = findMustSee(around, must_see, viewsOf(points, keys), job);
+    if (!found) return tl::unexpected<Error>(std::move(found.error()));
+    asked.must_see = std::move(*found);
+    for (const MustSee& region : asked.must_see) {
+        for (const int kept : region.kept) {
+            // Larger indices are views of earlier regions, which are fixed already.
+            if (static_cast<std::size_t>(kept) < keys.size()) {
+                points[static_cast<std::size_t>(keys[static_cast<std::size_t>(kept)])].fixed = true;
+            }
+        }
+        for (const Pose& view : region.views) addFixedPoint(view, around, viewpoints);
+    }
+    const std::size_t asked_for = points.size();
+    if (asksForRoomViews(params)) addRoomViews(params, around, viewpoints);
+    if (constraints.rooms == RoomTours::Each) {
+        for (const PlanRoom& room : rooms->rooms()) {
+            asked.tour_rooms.push_back({room.name, room.box});
+        }
+        for (PositionPoint& point : points) point.room = rooms->roomAt(point.pose.position);
+    }
+    if (asked_for > before) findCaptured(around.views, points, memo);
+    for (std::size_t i = before; i < asked_for; ++i) {
+        // Like a point placed by hand, it stands for the objects it captures.
+        const auto target = static_cast<std::size_t>(points[i].observation_point);
+        viewpoints.observation_points[target].objects = points[i].captured;
+    }
+    return asked;
+}
+
+}  // namespace dollytrack::planning
