@@ -57,12 +57,10 @@ Status validate(const PlanParams& params) {
     const FreeSpaceParams& band = params.free_space;
     const BodyParams& body = params.body;
     if (!(band.min_height_m < band.max_height_m)) {
-        return fail(ErrorCode::Usage, "The height band is empty; it must be above min_height_m.",
-                    "max_height_m");
+        return fail(ErrorCode::Usage, "max_height_m must be above min_height_m.", "max_height_m");
     }
     if (params.constraints.min_pitch_deg > params.constraints.max_pitch_deg) {
-        return fail(ErrorCode::Usage,
-                    "The pitch band is empty; it must not be below min_pitch_deg.",
+        return fail(ErrorCode::Usage, "max_pitch_deg must not be below min_pitch_deg.",
                     "max_pitch_deg");
     }
     const bool has_height = body.camera_height_m > 0.0;
@@ -74,7 +72,7 @@ Status validate(const PlanParams& params) {
     }
     if (body.body == BodyShape::Cylinder && !has_height) {
         return fail(ErrorCode::Usage,
-                    "A cylinder stands on the floor; set camera_height_m above 0 as well.", "body");
+                    "body=cylinder stands on the floor and needs camera_height_m above 0.", "body");
     }
     if (body.body == BodyShape::Cylinder && body.body_height_m <= body.max_step_m) {
         return fail(ErrorCode::Usage, "The cylinder's top must be above max_step_m.",

@@ -36,12 +36,12 @@ template <class Params, class Visitor>
 void visitBodyParams(Params& p, Visitor&& visit) {
     visit("camera_preset", p.camera_preset,
           ChoiceInfo{{"free", "handheld", "drone", "robot"},
-                     "Sets what carries the camera: its heights, body, heading, pitch band, radius "
-                     "and shake; what is named beside it changes single ones"});
+                     "What carries the camera: sets heights, body, heading, pitch band, radius and "
+                     "shake; parameters set explicitly override it"});
     visit("camera_height_m", p.camera_height_m,
           FieldInfo{0, 10, "m",
-                    "Exact height of the camera above the level of the floor, which it then never "
-                    "leaves by steps; 0: free"});
+                    "Exact height of the camera above the floor, for a camera that stays on one "
+                    "floor level; 0: free"});
     visit("body", p.body,
           ChoiceInfo{{"sphere", "cylinder"},
                      "Shape that moves are proven collision-free for: the camera's sphere alone, "
@@ -49,18 +49,19 @@ void visitBodyParams(Params& p, Visitor&& visit) {
     visit("body_radius_m", p.body_radius_m, FieldInfo{0.01, 2, "m", "Radius of the cylinder"});
     visit("body_height_m", p.body_height_m,
           FieldInfo{0.05, 10, "m", "Top of the cylinder above the floor"});
-    visit("max_step_m", p.max_step_m,
-          FieldInfo{0.001, 0.5, "m",
-                    "Thresholds and rugs up to this height are driven over; the cylinder begins "
-                    "above them"});
+    visit(
+        "max_step_m", p.max_step_m,
+        FieldInfo{
+            0.001, 0.5, "m",
+            "Height of thresholds and rugs that can be driven over; the cylinder starts above it"});
     visit("heading", p.heading,
           ChoiceInfo{{"free", "along"},
                      "free: the camera looks anywhere while it moves; along: it looks along its "
                      "motion, and stops to turn on the spot"});
     visit("max_heading_deg", p.max_heading_deg,
-          FieldInfo{1, 90, "deg",
-                    "Largest angle between where the camera looks and where it moves, seen from "
-                    "above, with heading=along"});
+          FieldInfo{
+              1, 90, "deg",
+              "With heading=along: largest horizontal angle between viewing direction and motion"});
 }
 
 /// Which objects count as small, for grouping by supporting surface (paper, 3.2.2).
@@ -76,7 +77,7 @@ void visitTargetParams(Params& p, Visitor&& visit) {
           FieldInfo{0.0, 10.0, "m3", "Objects below this volume are small"});
     visit("size_ratio", p.size_ratio,
           FieldInfo{1.0, 1000.0, "",
-                    "An object is also small when what carries it is this many times larger"});
+                    "An object is also small if its supporting surface is this many times larger"});
 }
 
 /// Viewing direction and cone in which viewpoints are searched (paper, eq. 1).
@@ -90,14 +91,15 @@ struct ViewpointParams {
 
 template <class Params, class Visitor>
 void visitViewpointParams(Params& p, Visitor&& visit) {
-    visit("fill", p.fill,
-          FieldInfo{0.1, 1.0, "", "Share of the image's length that the target takes", "d"});
+    visit(
+        "fill", p.fill,
+        FieldInfo{0.1, 1.0, "", "Share of the image's width or height that the target takes", "d"});
     visit("yaw_offset_deg", p.yaw_offset_deg,
           FieldInfo{-180, 180, "deg", "Turns the viewing direction about the vertical", "M"});
     visit("pitch_offset_deg", p.pitch_offset_deg,
           FieldInfo{-89, 89, "deg", "Raises the viewing direction", "M"});
     visit("cone_half_angle_deg", p.cone_half_angle_deg,
-          FieldInfo{0, 180, "deg", "Half angle of the cone searched around it", "M"});
+          FieldInfo{0, 180, "deg", "Half angle of the search cone around that direction", "M"});
 }
 
 /// Weights of the priority search that builds the roadmap (paper, Algorithm 1).
@@ -115,7 +117,7 @@ void visitRoadmapParams(Params& p, Visitor&& visit) {
     visit("size_weight", p.size_weight,
           FieldInfo{0, 100, "1/m", "Weight of the target's size in the priority", "\u03b4"});
     visit("refusal_limit", p.refusal_limit,
-          FieldInfo{1, 100, "", "Refused edges after which a sample is left", "step"});
+          FieldInfo{1, 100, "", "Colliding edges after which a sample is given up", "step"});
 }
 
 /// RRT* that links separate parts of the roadmap (paper, 3.2.3).
@@ -128,9 +130,9 @@ struct LinkParams {
 template <class Params, class Visitor>
 void visitLinkParams(Params& p, Visitor&& visit) {
     visit("sample_sigma_m", p.sample_sigma_m,
-          FieldInfo{0.01, 10, "m", "Spread of the linking samples", "\u03c3"});
+          FieldInfo{0.01, 10, "m", "Standard deviation of the linking samples", "\u03c3"});
     visit("link_iterations", p.link_iterations,
-          FieldInfo{1, 1e6, "", "RRT* samples per link at the most"});
+          FieldInfo{1, 1e6, "", "Maximum number of RRT* samples per link"});
 }
 
 enum class PathMode { Tour, LongestBranch };
@@ -149,8 +151,8 @@ void visitPathParams(Params& p, Visitor&& visit) {
                      "tour: every key frame; longest_branch: the tree's longest branch (paper)"});
     visit("max_length_m", p.max_length_m,
           FieldInfo{0, 1e5, "m",
-                    "Longest way of a tour, all its parts together; what costs most metres an "
-                    "object is left out; 0: no limit"});
+                    "Longest tour, all its parts together; objects that cost most metres are "
+                    "dropped; 0: no limit"});
 }
 
 struct SmoothingParams {
@@ -161,7 +163,9 @@ struct SmoothingParams {
 template <class Params, class Visitor>
 void visitSmoothingParams(Params& p, Visitor&& visit) {
     visit("corner_distance_m", p.corner_distance_m,
-          FieldInfo{0, 5, "m", "Bezier set-back before and after a corner", "d"});
+          FieldInfo{0, 5, "m",
+                    "Distance before and after a corner at which its Bezier curve starts and ends",
+                    "d"});
 }
 
 /// Viewing directions between key frames.
@@ -172,12 +176,11 @@ struct GazeParams {
 
 template <class Params, class Visitor>
 void visitGazeParams(Params& p, Visitor&& visit) {
-    visit(
-        "view_mix", p.view_mix,
-        FieldInfo{0, 1, "",
-                  "Weight of views that show many objects at once, beside the close views: 0 adds "
-                  "none; else room views take this share of the spare frames, and looking across "
-                  "the room between close views costs less turning time the higher it is"});
+    visit("view_mix", p.view_mix,
+          FieldInfo{0, 1, "",
+                    "Weight of views that show many objects at once: room views take this share of "
+                    "the spare frames, and looking across the room between close views costs less "
+                    "turning time as it rises; 0: close views only"});
 }
 
 /// Named sets of motion limits; see motionLimits().
@@ -201,41 +204,40 @@ struct TimingParams {
 
 template <class Params, class Visitor>
 void visitTimingParams(Params& p, Visitor&& visit) {
-    visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames a second"});
+    visit("frame_rate", p.frame_rate, FieldInfo{0.1, 1000, "1/s", "Frames per second"});
     visit("keep_frame_rate", p.keep_frame_rate,
-          SwitchInfo{"With a budget of frames: keeps the frame rate and visits fewer objects, "
-                     "instead of lowering the rate"});
+          SwitchInfo{"With a budget of frames: keep the frame rate and visit fewer objects instead "
+                     "of lowering the rate"});
     visit("duration_s", p.duration_s,
           FieldInfo{0, 1e5, "s",
-                    "Length of the trajectory as a clip at frame_rate, which is kept: of objects "
-                    "as many as motion leaves time for; 0: as long as motion takes"});
+                    "Duration of the trajectory as a clip at a fixed frame_rate: it visits as many "
+                    "objects as the motion limits allow; 0: as long as needed"});
     visit("motion_preset", p.motion_preset,
           ChoiceInfo{
               {"easy", "medium", "hard", "custom"},
-              "Limits of motion, where they are 0 below, in m/s, m/s2, deg/s, deg/s2: easy 0.25, "
-              "0.4, 20, 60; medium 0.5, 1, 45, 180; hard 1.5, 4, 120, 720; custom: none"});
+              "Motion limits used where the four below are 0, in m/s, m/s2, deg/s, deg/s2: easy "
+              "0.25, 0.4, 20, 60; medium 0.5, 1, 45, 180; hard 1.5, 4, 120, 720; custom: none"});
     visit("max_speed_mps", p.max_speed_mps,
           FieldInfo{0, 100, "m/s", "Speed limit; 0: the preset's"});
     visit("max_acceleration_mps2", p.max_acceleration_mps2,
-          FieldInfo{0, 1000, "m/s2", "Limit of acceleration, in curves too; 0: the preset's"});
+          FieldInfo{0, 1000, "m/s2", "Acceleration limit, also in curves; 0: the preset's"});
     visit("max_turn_dps", p.max_turn_dps,
-          FieldInfo{0, 3600, "deg/s", "Turning limit; 0: the preset's"});
+          FieldInfo{0, 3600, "deg/s", "Turning rate limit; 0: the preset's"});
     visit("max_turn_acceleration_dps2", p.max_turn_acceleration_dps2,
-          FieldInfo{0, 1e5, "deg/s2", "Limit of the turning rate's change; 0: the preset's"});
-    visit(
-        "max_image_motion_dps", p.max_image_motion_dps,
-        FieldInfo{0, 3600, "deg/s",
-                  "With max_frames and no kept frame rate: the camera slows down where the image "
-                  "would move faster than this, by turning or passing near objects, so that frames "
-                  "are evenly spaced in the image; 0: no limit"});
+          FieldInfo{0, 1e5, "deg/s2", "Limit of turning acceleration; 0: the preset's"});
+    visit("max_image_motion_dps", p.max_image_motion_dps,
+          FieldInfo{0, 3600, "deg/s",
+                    "With max_frames, unless the frame rate is kept: the camera slows down where "
+                    "turning or passing near objects would move the image faster than this, so "
+                    "that frames are evenly spaced in the image; 0: no limit"});
     visit("max_frames", p.max_frames,
           FieldInfo{0, 1e6, "",
-                    "Budget of frames, for which the frame rate is lowered; 0: no limit"});
+                    "Budget of frames; the frame rate is lowered to meet it; 0: no limit"});
     visit("max_repeat_rate", p.max_repeat_rate,
-          FieldInfo{0, 1, "",
-                    "With a budget: the frame rate is lowered until at most this share of the "
-                    "frames shows nothing new, or only key frames and room views are left; 1: any "
-                    "share"});
+          FieldInfo{
+              0, 1, "",
+              "With a budget of frames: lowers the frame rate until at most this share of frames "
+              "shows nothing new, or only key frames and room views are left; 1: any share"});
 }
 
 enum class ShakeKind { None, Sinusoidal, Handheld };
@@ -253,12 +255,12 @@ template <class Params, class Visitor>
 void visitShakeParams(Params& p, Visitor&& visit) {
     visit("shake", p.shake,
           ChoiceInfo{{"none", "sinusoidal", "handheld"},
-                     "Sways the camera along and about its axes, still without any collision"});
+                     "Shakes the camera along and about its axes, without collisions"});
     visit("shake_amplitude_m", p.shake_amplitude_m,
-          FieldInfo{0, 1, "m", "Most that it moves along each axis"});
+          FieldInfo{0, 1, "m", "Largest shift along each axis"});
     visit("shake_amplitude_deg", p.shake_amplitude_deg,
-          FieldInfo{0, 45, "deg", "Most that it turns about each axis"});
-    visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Its frequency"});
+          FieldInfo{0, 45, "deg", "Largest rotation about each axis"});
+    visit("shake_hz", p.shake_hz, FieldInfo{0.01, 50, "Hz", "Frequency of the shake"});
 }
 
 /// Weights of the paper's image score, and the repair of frames that score low (paper, 3.2.4).
@@ -272,24 +274,26 @@ struct RepairParams {
 
 template <class Params, class Visitor>
 void visitRepairParams(Params& p, Visitor&& visit) {
-    visit("separation_weight", p.score.separation,
-          FieldInfo{0, 100, "", "Weight in a frame's score of how far its objects stand apart",
-                    "\u03bb"});
+    visit(
+        "separation_weight", p.score.separation,
+        FieldInfo{0, 100, "", "Weight of the separation of objects in a frame's score", "\u03bb"});
     visit("continuity_weight", p.score.continuity,
-          FieldInfo{0, 100, "", "Weight of how many objects it shows, against the frames before",
+          FieldInfo{0, 100, "",
+                    "Weight of the number of objects shown, compared with preceding frames",
                     "\u03bc"});
     visit("score_window", p.score.window,
-          FieldInfo{1, 100, "", "Frames before, that a frame is compared with", "s"});
+          FieldInfo{1, 100, "", "Number of preceding frames a frame is compared with", "s"});
     visit("squared_separation", p.score.squared,
-          SwitchInfo{"Squares the distance of boxes, as the D-IoU does"});
+          SwitchInfo{"Square the distance between boxes, as in D-IoU"});
     visit("score_threshold", p.score_threshold,
-          FieldInfo{0, 1, "", "A frame is low below this share of the trajectory's median score"});
+          FieldInfo{0, 1, "",
+                    "A frame is low-scoring below this share of the trajectory's median score"});
     visit("repair_rounds", p.repair_rounds,
           FieldInfo{0, 20, "",
-                    "Rounds in which low frames are mended: by glances aside, then by other ways; "
-                    "0: none"});
+                    "Rounds in which low-scoring frames are repaired, by look-aside views, then by "
+                    "detours; 0: none"});
     visit("drop_low_frames", p.drop_low_frames,
-          SwitchInfo{"Leaves out frames that are still low, unless an object needs them"});
+          SwitchInfo{"Drop frames that are still low-scoring, unless an object needs them"});
 }
 
 /// Sampling rate of the IMU measurements that an export writes beside the poses.
@@ -300,7 +304,7 @@ struct ImuParams {
 
 template <class Params, class Visitor>
 void visitImuParams(Params& p, Visitor&& visit) {
-    visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples a second in imu.csv"});
+    visit("imu_rate_hz", p.imu_rate_hz, FieldInfo{1, 10000, "Hz", "Samples per second in imu.csv"});
 }
 
 /// Stereo baseline of an export with two cameras.
@@ -313,8 +317,8 @@ template <class Params, class Visitor>
 void visitStereoParams(Params& p, Visitor&& visit) {
     visit("stereo_baseline_m", p.stereo_baseline_m,
           FieldInfo{0.001, 10, "m",
-                    "From the left camera, which is the trajectory's, to the right one; beyond "
-                    "camera_radius_m the right one is not kept clear of things"});
+                    "Distance from the left camera, which follows the trajectory, to the right "
+                    "one; beyond camera_radius_m the right one is not kept clear of obstacles"});
 }
 
 /// Openings that the trajectory visits in addition to its objects.
@@ -339,15 +343,15 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
           FieldInfo{-90, 90, "deg", "The camera never looks lower; -90: straight down"});
     visit("max_pitch_deg", p.max_pitch_deg,
           FieldInfo{-90, 90, "deg", "The camera never looks higher; 90: straight up"});
-    visit("loop", p.loop, SwitchInfo{"The trajectory ends where it begins"});
+    visit("loop", p.loop, SwitchInfo{"The trajectory ends where it starts"});
     visit("anchors", p.anchors,
           ChoiceInfo{{"none", "doorways", "openings", "corridors", "all"},
-                     "What the trajectory visits beside its objects: it goes through doorways, "
-                     "looks out of openings, and looks along corridors from both ends"});
+                     "What the trajectory visits besides objects: it goes through doorways, looks "
+                     "out of openings and looks along corridors from both ends"});
     visit("rooms", p.rooms,
           ChoiceInfo{{"joined", "each"},
-                     "joined: one trajectory through all rooms that doorways join; each: one for "
-                     "each room, exported to a folder of its own"});
+                     "joined: one trajectory through all connected rooms; each: one per room, each "
+                     "exported to its own folder"});
 }
 
 /// All parameters of a plan and of the images rendered from it. Field names are unique across the
@@ -418,7 +422,7 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     section("sensor");
     visitSensorParams(p.sensor, visit);
     section("random");
-    visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Seed of everything random"});
+    visit("seed", p.seed, FieldInfo{0, 2147483647, "", "Random seed"});
 }
 
 /// Returns the parameters with every field that does not affect the plan (IMU, stereo, picture,

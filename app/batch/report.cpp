@@ -104,8 +104,8 @@ const std::vector<ShownMetric>& shownMetrics() {
         {"flat_rate", "flat pictures", "%"},
         {"area_share_box", "box area", "%"},
         {"repeat_rate", "repeats", "%"},
-        {"move_collision_rate", "moves that hit", "%"},
-        {"frame_collision_rate", "frames that hit", "%"},
+        {"move_collision_rate", "colliding moves", "%"},
+        {"frame_collision_rate", "colliding frames", "%"},
         {"path_length_m", "path", "m"},
     };
     return metrics;

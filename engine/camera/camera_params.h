@@ -27,8 +27,7 @@ void visitCameraParams(Params& p, Visitor&& visit) {
     visit("hfov_deg", p.hfov_deg, FieldInfo{10, 150, "deg", "Horizontal field of view", "v"});
     visit("near_m", p.near_m, FieldInfo{0.001, 1, "m", "Distance of the near plane"});
     visit("camera_radius_m", p.camera_radius_m,
-          FieldInfo{0.01, 1, "m",
-                    "The camera is a sphere of this radius: free space kept around it"});
+          FieldInfo{0.01, 1, "m", "Radius of the camera, a sphere that must stay in free space"});
 }
 
 }  // namespace dollytrack

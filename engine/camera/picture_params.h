@@ -39,27 +39,24 @@ template <class Params, class Visitor>
 void visitPictureParams(Params& p, Visitor&& visit) {
     visit("render_mode", p.render_mode,
           ChoiceInfo{{"fast", "reference"},
-                     "How colour pictures are made: drawn, or path traced, which takes minutes a "
-                     "frame and is what the light would really do"});
+                     "How colour images are made: fast: by OpenGL; reference: path traced, "
+                     "physically correct, minutes per frame"});
     visit("antialias", p.antialias,
           ChoiceInfo{{"edges", "4x", "8x"},
-                     "Smooth edges of drawn pictures: stairs blurred, or the mean of so many looks "
-                     "a pixel, which thin things need"});
-    visit(
-        "reflections", p.reflections,
-        ChoiceInfo{{"blurred", "mirrors", "all"},
-                   "What smooth surfaces of drawn pictures show: the room's blurred light, things "
-                   "in mirrors and smooth metal, or things in all that is smooth, which takes "
-                   "longer the more of it is in sight"});
+                     "Antialiasing of fast images: edges: jagged edges are blurred; 4x, 8x: "
+                     "samples per pixel, better for thin objects"});
+    visit("reflections", p.reflections,
+          ChoiceInfo{{"blurred", "mirrors", "all"},
+                     "What smooth surfaces reflect in fast images: blurred: the room's light, "
+                     "blurred; mirrors: objects too, in mirrors and smooth metal; all: objects in "
+                     "all smooth surfaces (slower)"});
     visit("anisotropy", p.anisotropy,
           FieldInfo{0, 16, "",
-                    "Places along its slant that a texture is looked up in, so that floors and "
-                    "walls stay sharp far away; 0: 8 on a graphics card, 1 on the processor, "
-                    "which takes half as long again for 8"});
+                    "Samples of anisotropic texture filtering, which keeps distant floors and "
+                    "walls sharp; 0: 8 on a GPU, 1 on the CPU, where 8 take half as long again"});
     visit("reference_samples", p.reference_samples,
           FieldInfo{1, 65536, "",
-                    "Paths a pixel of path traced pictures; noise falls with its "
-                    "square root"});
+                    "Paths per pixel of path-traced images; noise falls with the square root"});
 }
 
 }  // namespace dollytrack

@@ -48,26 +48,27 @@ template <class Params, class Visitor>
 void visitRigCamera(Params& p, Visitor&& visit) {
     visit("lens", p.lens,
           ChoiceInfo{{"pinhole", "fisheye", "equirectangular", "orthographic"},
-                     "How directions become pixels"});
+                     "Projection of the lens"});
     visit("width_px", p.width_px, FieldInfo{16, 4096, "px", "Image width"});
     visit("height_px", p.height_px, FieldInfo{16, 4096, "px", "Image height"});
     visit("fov_deg", p.fov_deg,
-          FieldInfo{10, 220, "deg",
-                    "Field of view across the width; of a fisheye also the edge of what it sees"});
+          FieldInfo{10, 220, "deg", "Horizontal field of view; a fisheye sees nothing beyond it"});
     visit("k1", p.k1, FieldInfo{-10, 10, "", "Fisheye, after OpenCV: r = f (t + k1 t^3 + ...)"});
     visit("k2", p.k2, FieldInfo{-10, 10, "", "Fisheye: the factor of t^5"});
     visit("k3", p.k3, FieldInfo{-10, 10, "", "Fisheye: the factor of t^7"});
     visit("k4", p.k4, FieldInfo{-10, 10, "", "Fisheye: the factor of t^9"});
-    visit("px_per_m", p.px_per_m, FieldInfo{1, 10000, "px/m", "Scale of parallel rays"});
-    visit("right_m", p.right_m, FieldInfo{-10, 10, "m", "Place, right of the planned camera"});
-    visit("down_m", p.down_m, FieldInfo{-10, 10, "m", "Place, below the planned camera"});
-    visit("forward_m", p.forward_m, FieldInfo{-10, 10, "m", "Place, before the planned camera"});
-    visit("yaw_deg", p.yaw_deg, FieldInfo{-360, 360, "deg", "Turned to the right"});
-    visit("pitch_deg", p.pitch_deg, FieldInfo{-360, 360, "deg", "Then tilted up"});
-    visit("roll_deg", p.roll_deg, FieldInfo{-360, 360, "deg", "Then rolled clockwise"});
+    visit("px_per_m", p.px_per_m, FieldInfo{1, 10000, "px/m", "Scale of the orthographic image"});
+    visit("right_m", p.right_m,
+          FieldInfo{-10, 10, "m", "Position, to the right of the planned camera"});
+    visit("down_m", p.down_m, FieldInfo{-10, 10, "m", "Position, below the planned camera"});
+    visit("forward_m", p.forward_m,
+          FieldInfo{-10, 10, "m", "Position, in front of the planned camera"});
+    visit("yaw_deg", p.yaw_deg, FieldInfo{-360, 360, "deg", "Rotation to the right"});
+    visit("pitch_deg", p.pitch_deg, FieldInfo{-360, 360, "deg", "Upward tilt after yaw"});
+    visit("roll_deg", p.roll_deg, FieldInfo{-360, 360, "deg", "Clockwise roll after pitch"});
     visit("level", p.level,
-          SwitchInfo{"Rides on the planned camera's place and heading alone: down is down, however "
-                     "that camera is tilted"});
+          SwitchInfo{"Follow only the position and heading of the planned camera and stay level, "
+                     "however that camera is tilted"});
 }
 
 /// The fields but for the name. Points into `camera`.

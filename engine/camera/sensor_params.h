@@ -41,48 +41,52 @@ template <class Params, class Visitor>
 void visitSensorParams(Params& p, Visitor&& visit) {
     visit("sensor_preset", p.sensor_preset,
           ChoiceInfo{{"ideal", "phone", "webcam", "action_camera", "machine_vision"},
-                     "Sets shutter, lens, noise and quality of the colour camera; what is named "
-                     "beside it changes single ones"});
+                     "Model of the colour camera: sets shutter, lens, noise and quality; "
+                     "parameters set explicitly override it"});
     visit("shutter_s", p.shutter_s,
-          FieldInfo{0, 1, "s", "How long each row is exposed; motion in it is blurred"});
+          FieldInfo{0, 1, "s", "Exposure time of each row, which blurs motion"});
     visit("readout_s", p.readout_s,
           FieldInfo{0, 1, "s",
-                    "Rolling shutter: from the first row's exposure to the last's; the frame's "
-                    "time is the middle of all"});
+                    "Rolling shutter: time from the first row's exposure to the last row's; the "
+                    "frame's time is the middle"});
     visit("looks", p.looks,
           FieldInfo{1, 1024, "",
-                    "Pictures that each row is the mean of, over shutter and aperture; a blur "
-                    "longer than so many px shows steps"});
-    visit("aperture_mm", p.aperture_mm,
-          FieldInfo{0, 100, "mm",
-                    "Diameter of the lens's opening (focal length / f-number); 0 is a pinhole, "
-                    "sharp everywhere"});
+                    "Exposure samples averaged over shutter and aperture; a blur of more pixels "
+                    "than this shows steps"});
+    visit(
+        "aperture_mm", p.aperture_mm,
+        FieldInfo{
+            0, 100, "mm",
+            "Diameter of the aperture (focal length / f-number); 0: a pinhole, sharp everywhere"});
     visit("focus_m", p.focus_m,
           FieldInfo{0, 1000, "m",
-                    "Depth that is sharp; 0 focuses on the things in the middle of each frame"});
-    visit("k1", p.k1, FieldInfo{-2, 2, "", "Radial distortion of OpenCV's model, r^2"});
+                    "Depth in focus; 0: that of the objects at the centre of each frame"});
+    visit("k1", p.k1, FieldInfo{-2, 2, "", "Radial distortion, r^2 (OpenCV's model)"});
     visit("k2", p.k2, FieldInfo{-2, 2, "", "Radial distortion, r^4"});
     visit("p1", p.p1, FieldInfo{-0.5, 0.5, "", "Tangential distortion"});
     visit("p2", p.p2, FieldInfo{-0.5, 0.5, "", "Tangential distortion"});
     visit("k3", p.k3, FieldInfo{-2, 2, "", "Radial distortion, r^6"});
-    visit("vignetting", p.vignetting,
-          FieldInfo{0, 1, "", "Darker corners: 1 is a simple lens's cos^4 of the angle off axis"});
+    visit(
+        "vignetting", p.vignetting,
+        FieldInfo{
+            0, 1, "",
+            "Darkening towards the corners; 1: cos^4 of the angle off axis, as in a simple lens"});
     visit("white_e", p.white_e,
           FieldInfo{0, 1e6, "e-",
-                    "Electrons of a white surface: their shot noise; fewer is a higher ISO; 0 "
-                    "turns off shot and read noise"});
+                    "Electrons collected from a white surface, which determine shot noise: fewer "
+                    "is a higher ISO; 0: no shot or read noise"});
     visit("read_noise_e", p.read_noise_e,
-          FieldInfo{0, 1000, "e-", "Deviation of the electronics' noise"});
+          FieldInfo{0, 1000, "e-", "Standard deviation of the read noise"});
     visit("jpeg_quality", p.jpeg_quality,
-          FieldInfo{1, 100, "", "100 writes PNG, less JPEG of this quality"});
+          FieldInfo{1, 100, "", "Quality of JPEG files; 100: PNG files instead"});
     visit("depth_noise", p.depth_noise,
           ChoiceInfo{{"none", "kinect_azure", "redwood"},
-                     "How the depth camera errs: not at all, as time of flight does, or as "
-                     "structured light does"});
+                     "Errors of the depth camera: none, those of time of flight (kinect_azure) or "
+                     "of structured light (redwood)"});
     visit("depth_noise_strength", p.depth_noise_strength,
-          FieldInfo{0, 10, "", "Times the model's deviation and jitter; holes stay"});
-    visit("sensor_seed", p.sensor_seed,
-          FieldInfo{0, 2e9, "", "Of the noise; another seed is other noise"});
+          FieldInfo{0, 10, "",
+                    "Factor on the deviation and jitter of depth_noise; holes do not change"});
+    visit("sensor_seed", p.sensor_seed, FieldInfo{0, 2e9, "", "Random seed of the sensor noise"});
 }
 
 /// Of the sensor's picture files.

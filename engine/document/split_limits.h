@@ -17,9 +17,9 @@ template <class Limits, class Visitor>
 void visitSplitLimits(Limits& limits, Visitor&& visit) {
     visit("min_size_m", limits.min_size_m,
           FieldInfo{0.0, 100.0, "m",
-                    "Longest side of the smallest piece; smaller ones stay with the nearest"});
+                    "Longest side of the smallest piece; smaller ones join the nearest piece"});
     visit("max_pieces", limits.max_pieces,
-          FieldInfo{0, 65'535, "", "Pieces at most, the largest; 0: all", {}, 2});
+          FieldInfo{0, 65'535, "", "Largest number of pieces; 0: all", {}, 2});
 }
 
 }  // namespace dollytrack

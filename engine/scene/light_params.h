@@ -35,45 +35,47 @@ template <class Params, class Visitor>
 void visitLightParams(Params& p, Visitor&& visit) {
     visit("light_preset", p.light_preset,
           ChoiceInfo{{"neutral", "day", "evening", "night", "overcast"},
-                     "Sets time, strengths, lamps' temperature and exposure; what is named beside "
-                     "it changes single ones"});
+                     "Lighting: sets time, strengths, lamp temperature and exposure; parameters "
+                     "set explicitly override it"});
     visit("time_of_day_h", p.time_of_day_h,
           FieldInfo{0, 24, "h",
-                    "Height and colour of the sun, brightness of the sky: 6 is sunrise, 12 noon, "
-                    "18 sunset"});
+                    "Time of day, which sets the sun's height and colour and the sky's brightness: "
+                    "6: sunrise, 12: noon, 18: sunset"});
     visit("sun_azimuth_deg", p.sun_azimuth_deg,
           FieldInfo{-360, 360, "deg",
-                    "Where the sun stands, from the world's x axis towards its y axis"});
+                    "Direction of the sun, measured from the world's x axis towards its y axis"});
     visit("sun_strength", p.sun_strength,
-          FieldInfo{0, 10, "", "Direct sun through windows: 1 is a clear day's, 0 none"});
+          FieldInfo{0, 10, "", "Direct sunlight through windows; 1: a clear day, 0: none"});
     visit("sky_strength", p.sky_strength,
-          FieldInfo{0, 20, "", "The sky's light through windows; 1 as in the neutral light"});
+          FieldInfo{0, 20, "", "Skylight through windows; 1: as in the neutral light"});
     visit("lamp_strength", p.lamp_strength,
-          FieldInfo{0, 10, "", "Lamps and what else shines by itself; 1 as in the neutral light"});
+          FieldInfo{0, 10, "",
+                    "Light of lamps and other emitting surfaces; 1: as in the neutral light"});
     visit("lamp_temperature_K", p.lamp_temperature_K,
           FieldInfo{0,
                     20000,
                     "K",
-                    "Colour of the lamps as a black body's, warm from 2700; 0 as in the neutral "
-                    "light",
+                    "Colour temperature of the lamps, 2700 is warm; 0: as in the neutral light",
                     {},
                     1000});
     visit("own_lamps", p.own_lamps,
           FieldInfo{0, 10, "",
-                    "The light of the scene's own lamps that stand, or hang beside a room's "
-                    "middle, times lamp_strength: 0 none"});
+                    "Light of the scene's lamps that stand or hang away from a room's middle, as a "
+                    "factor on lamp_strength; 0: none"});
     visit("exposure_ev", p.exposure_ev,
-          FieldInfo{-10, 10, "EV", "Brighter than the automatic exposure by powers of two"});
-    visit("light_variation", p.light_variation,
-          FieldInfo{0, 1, "",
-                    "Draws time, sun, strengths, temperature, exposure and, a little, colour and "
-                    "roughness of materials around what is set: 0 none, 1 the widest"});
+          FieldInfo{-10, 10, "EV",
+                    "Added to the automatic exposure; each step doubles the brightness"});
+    visit(
+        "light_variation", p.light_variation,
+        FieldInfo{0, 1, "",
+                  "Random variation of time, sun, strengths, temperature and exposure around their "
+                  "values and, slightly, of material colour and roughness; 0: none, 1: widest"});
     visit("light_varies", p.light_varies,
           ChoiceInfo{{"scene", "frame"},
-                     "What is drawn for: the scene, or each frame anew its strengths of sun, sky "
-                     "and lamps, temperature and exposure; time, azimuth and materials stay the "
-                     "scene's, and so does the light that the editor shows"});
-    visit("light_seed", p.light_seed, FieldInfo{0, 2e9, "", "Of the variation"});
+                     "Scope of light_variation: scene: one draw for the scene; frame: new sun, sky "
+                     "and lamp strengths, temperature and exposure in each frame. Time, azimuth, "
+                     "materials and the editor's view use the scene's draw"});
+    visit("light_seed", p.light_seed, FieldInfo{0, 2e9, "", "Random seed of the light variation"});
 }
 
 /// The values of a preset; what it does not set (azimuth, variation, seed) is as by default.

@@ -17,38 +17,38 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::array kPlanners = {
-    Planner{"dollytrack", "a view for every object, joined by proven moves",
+    Planner{"dollytrack", "a view for every object, joined by moves proven collision-free",
             "this program, after Information 2025, 16(4), 315",
-            "proven for the whole way, corners included", planWithDollytrack},
+            "proven for the whole motion, corners included", planWithDollytrack},
     Planner{"paper-smoothing", "the same path with the paper's smoothing",
             "Camera Pose Generation Based on Unity3D, Information 2025, 16(4), 315",
-            "none: up to 15 % of the corners are accepted", planPaperSmoothing},
-    Planner{"two-body", "two randomly pushed bodies: the camera and what it looks at",
+            "none: up to 15 % colliding corners are accepted", planPaperSmoothing},
+    Planner{"two-body", "two randomly pushed bodies: the camera and the point it looks at",
             "SceneNet RGB-D (McCormac et al., ICCV 2017), InteriorNet (Li et al., BMVC 2018)",
-            "places are tested at every step, the ways between are not", planTwoBody},
-    Planner{"density-walk", "a random walk drawn to dense triangles",
+            "positions are tested at every step; the motion between them is not", planTwoBody},
+    Planner{"density-walk", "a random walk attracted by dense triangles",
             "Hypersim (Roberts et al., ICCV 2021)",
-            "places are tested; of the ways only that the next place is in sight", planDensityWalk},
+            "positions are tested; between them only a free line of sight", planDensityWalk},
     Planner{"best-view", "the views that overlook most of each room's floor plan",
-            "3D-FRONT (Fu et al., ICCV 2021)", "places are tested; there is no motion",
+            "3D-FRONT (Fu et al., ICCV 2021)", "positions are tested; there is no motion",
             planBestView},
-    Planner{"random-keys", "random key frames joined by RRT* at even speed",
+    Planner{"random-keys", "random key frames joined by RRT* at constant speed",
             "TartanAir, easy (Wang et al., IROS 2020)", "RRT* in free space", planRandomKeysEasy},
     Planner{"random-keys-hard", "the same with sinusoidal bumps",
             "TartanAir, hard (Wang et al., IROS 2020)",
-            "RRT* in free space, then shaken: frames are tested, the ways between are not",
+            "RRT* in free space, then shaken: frames are tested; the motion between them is not",
             planRandomKeysHard},
     Planner{"uniform", "random legal poses", "the usual baseline, as in BlenderProc",
-            "places are tested; there is no motion", planUniform},
+            "positions are tested; there is no motion", planUniform},
 };
 
 constexpr std::array kAuxiliary = {
     Planner{"wall-stare", "a control: a camera that stares at a bare wall", "this program",
-            "places are tested", planWallStare},
+            "positions are tested", planWallStare},
     Planner{"object-facing", "test views: at random objects from 1 to 3 m", "this program",
-            "places are tested; there is no motion", planObjectFacing},
+            "positions are tested; there is no motion", planObjectFacing},
     Planner{"close-views", "test views: at random objects from 0.3 to 1 m", "this program",
-            "places are tested; there is no motion", planCloseViews},
+            "positions are tested; there is no motion", planCloseViews},
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ Result<PlannedMotion> viewsWithin(const BaselineScene& scene, const PlanParams& 
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = 1.0 / params.timing.frame_rate;
     const std::vector<const Object*> targets = targetsOf(*scene.scene);
-    if (targets.empty()) return fail(ErrorCode::Failed, "The scene has no object to look at.");
+    if (targets.empty()) return fail(ErrorCode::Failed, "The scene has no object to view.");
     const auto rooms = static_cast<std::uint32_t>(scene.free_space->rooms().size());
     for (int i = 0; i < frameBudget(params); ++i) {
         Random random(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(i));
@@ -57,7 +57,8 @@ Result<PlannedMotion> viewsWithin(const BaselineScene& scene, const PlanParams& 
         }
     }
     if (motion.trajectory.frames.empty()) {
-        return fail(ErrorCode::Failed, "No object is in sight from within these distances.");
+        return fail(ErrorCode::Failed,
+                    "No object is visible from a position within these distances.");
     }
     return motion;
 }

@@ -280,7 +280,7 @@ Result<FreeSpace> FreeSpace::make(std::shared_ptr<const SurfaceMap> surfaces, co
                                   const Scene& scene, const RayCaster& rays,
                                   const CameraParams& camera, const JobContext& job) {
     if (!(camera.camera_radius_m >= 0.01 && camera.camera_radius_m <= 1.0)) {
-        return fail(ErrorCode::BadInput, "give a radius from 0.01 to 1 m", "camera_radius_m");
+        return fail(ErrorCode::BadInput, "must be 0.01 to 1 m", "camera_radius_m");
     }
     auto impl = std::make_unique<Impl>();
     impl->surfaces = std::move(surfaces);

@@ -17,7 +17,7 @@ struct FreeSpaceParams {
 template <class Params, class Visitor>
 void visitFreeSpaceParams(Params& p, Visitor&& visit) {
     visit("octree_resolution_m", p.octree_resolution_m,
-          FieldInfo{0.01, 0.5, "m", "Edge of the smallest cell of the map of free space", "T"});
+          FieldInfo{0.01, 0.5, "m", "Edge length of the smallest cell of the free-space map", "T"});
     visit("min_height_m", p.min_height_m,
           FieldInfo{0, 100, "m", "Lowest height of the camera above the floor below it"});
     visit("max_height_m", p.max_height_m,

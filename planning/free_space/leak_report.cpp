@@ -154,9 +154,10 @@ std::string describe(const Opening& opening) {
     }
     const Eigen::Vector3d& at = opening.center_in_world;
     std::array<char, 160> text = {};
-    std::snprintf(text.data(), text.size(), "Room %d %s (%.1f m2 around %.1f, %.1f, %.1f; %s)",
-                  opening.component + 1, what.c_str(), opening.area_m2, at.x(), at.y(), at.z(),
-                  opening.at_scene_box ? "bounded by the scene's box" : "cut where walls end");
+    std::snprintf(
+        text.data(), text.size(), "Room %d %s (%.1f m2 around %.1f, %.1f, %.1f; %s)",
+        opening.component + 1, what.c_str(), opening.area_m2, at.x(), at.y(), at.z(),
+        opening.at_scene_box ? "at the edge of the scene" : "at the edge of the building");
     return text.data();
 }
 

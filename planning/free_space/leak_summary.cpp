@@ -23,7 +23,7 @@ std::string describeAlike(const std::string& what, const AlikeOpenings& alike) {
     if (alike.count == 1) return describe(*alike.largest);
     const Eigen::Vector3d& at = alike.largest->center_in_world;
     return fmt::format(
-        "{} in {} places ({:.1f} m2 in all; the largest has {:.1f} m2 around {:.1f}, {:.1f}, "
+        "{} at {} openings ({:.1f} m2 in total; the largest has {:.1f} m2 around {:.1f}, {:.1f}, "
         "{:.1f})",
         what, alike.count, alike.area_m2, alike.largest->area_m2, at.x(), at.y(), at.z());
 }

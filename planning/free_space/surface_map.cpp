@@ -44,22 +44,20 @@ SurfaceMap& SurfaceMap::operator=(SurfaceMap&&) noexcept = default;
 Result<std::unique_ptr<SurfaceMap::Impl>> SurfaceMap::begin(const Scene& scene,
                                                             const FreeSpaceParams& params) {
     if (!(params.octree_resolution_m >= 0.01 && params.octree_resolution_m <= 0.5)) {
-        return fail(ErrorCode::BadInput, "give a cell size from 0.01 to 0.5 m",
-                    "octree_resolution_m");
+        return fail(ErrorCode::BadInput, "must be 0.01 to 0.5 m", "octree_resolution_m");
     }
     const Eigen::AlignedBox3d& room = scene.room_bounds;
     if (!room.min().allFinite() || !room.max().allFinite() || room.isEmpty() ||
         room.sizes().maxCoeff() > 1e4) {
         return fail(ErrorCode::BadInput,
-                    "the scene has no usable bounds to look for rooms in; check its units",
-                    scene.name);
+                    "the scene's bounds are empty or too large; check its units", scene.name);
     }
     auto impl = std::make_unique<Impl>();
     impl->grid = makeVoxelGrid(room, params.octree_resolution_m, kMaxCells);
     const VoxelGrid& grid = impl->grid;
     if (!fitsOctree(grid)) {
         return fail(ErrorCode::BadInput,
-                    "the room lies too far from the origin for its map; move it to within " +
+                    "the room is too far from the origin for its map; move it to within " +
                         inMetres(32000 * grid.resolution_m) + " or raise octree_resolution_m",
                     scene.name);
     }

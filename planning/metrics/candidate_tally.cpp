@@ -17,11 +17,11 @@ std::string nameOf(const Scene& scene, int object_id, const char* without) {
 std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
     switch (verdict) {
         case Verdict::InObstacle:
-            return "too near to " + nameOf(scene, object_id, "a surface");
+            return "too close to " + nameOf(scene, object_id, "a surface");
         case Verdict::OutsideRoom:
             return "outside the rooms' free space";
         case Verdict::TooClose:
-            return "too near to the object itself";
+            return "too close to the object itself";
         case Verdict::NoGo:
             return "in a no-go box";
         case Verdict::HeightBand:
@@ -31,13 +31,13 @@ std::string inWords(const Scene& scene, Verdict verdict, int object_id) {
         case Verdict::InGap:
             return "in a gap between surfaces";
         case Verdict::Unscanned:
-            return "facing mostly what was not scanned";
+            return "facing mostly unscanned space";
         case Verdict::OccludedBy:
             return "hidden by " + nameOf(scene, object_id, "itself");
         case Verdict::TooSmall:
-            return "too far";
+            return "too far away";
         case Verdict::Cropped:
-            return "too near to fit it in";
+            return "too close to fit it in the image";
         case Verdict::Legal:
             break;
     }
@@ -110,28 +110,30 @@ std::string CandidateTally::refusals(const Scene& scene, std::size_t kinds) cons
 }
 
 std::string CandidateTally::reason(const Scene& scene) const {
-    if (tried_ == 0) return "No place could be tried.";
+    if (tried_ == 0) return "No candidate position was found.";
     const double best = 100.0 * most_visible_;
     if (legal_ > 0) {
         return fmt::format(
-            "Near to captured from {} of {} places tried, but a closer look shows too little.",
+            "It is almost captured from {} of {} candidates, but dense sampling shows too little "
+            "of it.",
             legal_, tried_);
     }
     switch (loss()) {
         case Loss::NoFreePose:
-            return fmt::format("None of the {} places tried is free: {}.", tried_, refusals(scene));
+            return fmt::format("None of the {} candidates is free: {}.", tried_, refusals(scene));
         case Loss::Occluded:
             return fmt::format(
-                "Hidden at each of the {} free places tried, mostly by {}; the best shows {:.0f} "
+                "Hidden from each of the {} free candidates, mostly by {}; the best shows {:.0f} "
                 "%.",
                 free(), nameOf(scene, occluder(), "itself"), best);
         case Loss::TooSmall:
             return fmt::format(
-                "Too small in the image from each of the {} places tried that see it.", inSight());
+                "Too small in the image from each of the {} candidates from which it is visible.",
+                inSight());
         default:
             return fmt::format(
-                "Does not fit into the image from any of the {} places tried that see it; the "
-                "best shows {:.0f} %.",
+                "Does not fit into the image from any of the {} candidates from which it is "
+                "visible; the best shows {:.0f} %.",
                 inSight(), best);
     }
 }

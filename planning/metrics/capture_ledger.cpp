@@ -93,13 +93,14 @@ class RowMaker {
         switch (how_far) {
             case Reached::Found:
                 // Key frames are chosen to keep every capture; only a budget drops some.
-                lose(Loss::OverBudget, "Its key frame was dropped to keep to max_frames.");
+                lose(Loss::OverBudget, "Its key frame was dropped to keep within max_frames.");
                 break;
             case Reached::KeyFrame:
                 lostBeforePath(furthest);
                 break;
             case Reached::Path:
-                lose(Loss::DroppedByScore, "The frame that showed it was dropped for its score.");
+                lose(Loss::DroppedByScore,
+                     "The frame that showed it was removed because its image score was low.");
                 break;
             case Reached::Frame:
                 lostAtKeyFrame(furthest);
@@ -115,10 +116,10 @@ class RowMaker {
                         [&](const SmoothPath& path) { return path.component == part; });
         if (visited) {
             lose(Loss::DroppedByPath,
-                 fmt::format("Its key frame was left off the path, {}.", left_out_for_));
+                 fmt::format("Its key frame was left out of the path {}.", left_out_for_));
         } else {
             lose(Loss::OtherComponent,
-                 fmt::format("Its key frame is in room {}, which no path goes through.", part + 1));
+                 fmt::format("Its key frame is in room {}, which no path visits.", part + 1));
         }
     }
 
@@ -129,22 +130,21 @@ class RowMaker {
              moved > kMoved_m
                  ? fmt::format("The rounded path passes its key frame at {:.2f} m, where {}.",
                                moved, justBelow())
-                 : fmt::format("The path goes through its key frame, but counted by every pixel "
-                               "{}.",
+                 : fmt::format("The path passes its key frame, but counted pixel by pixel {}.",
                                justBelow()));
     }
 
     [[nodiscard]] std::string justBelow() const {
         return row_.captured
                    ? fmt::format("its box takes {:.1f} % of the image", 100.0 * row_.box_share)
-                   : fmt::format("{:.0f} % of it shows", 100.0 * row_.visible_fraction);
+                   : fmt::format("{:.0f} % of it is visible", 100.0 * row_.visible_fraction);
     }
 
     bool lostByHand() {
         for (std::size_t o = 0; o < plan_.observation_points.size(); ++o) {
             if (!has(plan_.observation_points[o].objects, row_.object_id)) continue;
             if (plan_.searches[o].removed && tallyOf(plan_, row_.object_id).legal() > 0) {
-                lose(Loss::ByHand, "Its position point was removed by hand.");
+                lose(Loss::ByHand, "Its position point was removed manually.");
                 return true;
             }
         }
@@ -179,8 +179,7 @@ class RowMaker {
             }
         }
         const std::string text = fmt::format(
-            "Where it is captured its box takes at most {:.1f} % of the image, and {:.0f} % are "
-            "needed",
+            "Its box takes at most {:.1f} % of the image where it is captured; {:.0f} % are needed",
             100.0 * largest, 100.0 * CaptureRules{}.min_box_share);
         CandidateTally nearer;
         for (std::size_t o = 0; o < plan_.observation_points.size(); ++o) {
@@ -191,7 +190,7 @@ class RowMaker {
             }
         }
         const std::string why = nearer.refusals(scene_, 3);
-        return why.empty() ? text + "." : text + "; nearer places are " + why + ".";
+        return why.empty() ? text + "." : text + "; closer candidates are " + why + ".";
     }
 
     void lose(Loss loss, std::string reason) {

@@ -251,14 +251,12 @@ class Finder {
         const std::string range =
             fmt::format("{:.6g} .. {:.6g} deg", band.min_pitch_deg, band.max_pitch_deg);
         if (row.captured) {
-            row.reason += " The pitch band of " + range + " keeps out views that show it larger.";
+            row.reason += " The pitch band of " + range + " excludes views in which it is larger.";
             return;
         }
         row.loss = Loss::PitchBand;
         row.occluder = 0;
-        row.reason = "The pitch band of " + range +
-                     " keeps it out of the image at places where the camera may be and would "
-                     "capture it.";
+        row.reason = "The pitch band of " + range + " excludes the views that would capture it.";
     }
 
     /// A view was found and lost later: undo what lost it.

@@ -68,7 +68,7 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
             const NoGoBox* box = region->boxAt(view.position, reach);
             if (box == nullptr) continue;
             made.remedy.remove_no_go = box->name;
-            made.remedy.text = "take away the no-go box '" + box->name + "', which keeps it out";
+            made.remedy.text = "remove the no-go box '" + box->name + "', which blocks the view";
             std::erase_if(made.change.edits.no_go,
                           [&](const NoGoBox& other) { return other.name == box->name; });
         } else {

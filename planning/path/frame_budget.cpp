@@ -50,7 +50,7 @@ void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
             continue;
         }
         plan.refused_pins.push_back({pin, edits.pinned[static_cast<std::size_t>(pin)].name,
-                                     Verdict::Legal, 0, "dropped to keep to max_frames"});
+                                     Verdict::Legal, 0, "dropped to keep within max_frames"});
     }
 }
 

@@ -16,20 +16,20 @@ namespace {
 /// The reason for key frames that are not on the path, as a phrase.
 std::string leftOutFor(const PlanParams& params) {
     if (params.path.path_mode == PathMode::LongestBranch) {
-        return "as path_mode=longest_branch takes one branch of the tree only";
+        return "because path_mode=longest_branch follows only one branch of the tree";
     }
     if (params.timing.duration_s > 0.0) {
-        return fmt::format("to keep to duration_s={:g}", params.timing.duration_s);
+        return fmt::format("to keep within duration_s={:g}", params.timing.duration_s);
     }
     if (clipFrames(params.timing) > 0) {
-        return fmt::format("to keep to max_frames={} at a kept frame rate",
+        return fmt::format("to keep within max_frames={} at a fixed frame rate",
                            params.timing.max_frames);
     }
-    if (params.path.max_length_m <= 0.0) return "as no way leads there";
+    if (params.path.max_length_m <= 0.0) return "because no collision-free path to it was found";
     return params.timing.max_frames > 0
-               ? fmt::format("to keep to max_length_m={:g} with max_frames={}",
+               ? fmt::format("to keep within max_length_m={:g} with max_frames={}",
                              params.path.max_length_m, params.timing.max_frames)
-               : fmt::format("to keep to max_length_m={:g}", params.path.max_length_m);
+               : fmt::format("to keep within max_length_m={:g}", params.path.max_length_m);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
     }
     if (params.constraints.loop && !edits.end.empty() && edits.end != edits.start) {
         return fail(ErrorCode::Usage,
-                    "A loop ends where it begins; leave its end open, or do without the loop.",
+                    "A loop ends where it starts; remove the end point, or set loop=false.",
                     "loop");
     }
     if (Status status = validateClip(params); !status) {

@@ -42,11 +42,9 @@ std::vector<int> structureClasses(const Scene& scene) {
 void warnOfUnscanned(const FreeSpace& map) {
     constexpr double kNearlyAll = 0.9;
     if (map.scannedShare().value_or(1.0) >= kNearlyAll) return;
-    log::warn(
-        "planning",
-        fmt::format("only {:.0f} % of the rooms' air was scanned; the camera keeps out of the "
-                    "rest, and objects there may be missed",
-                    100.0 * *map.scannedShare()));
+    log::warn("planning", fmt::format("only {:.0f} % of the rooms was scanned; the camera avoids "
+                                      "the rest and may miss objects there",
+                                      100.0 * *map.scannedShare()));
 }
 
 /// The position point of the pin with this name; -1 if there is none or it was refused.

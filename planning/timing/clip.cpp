@@ -33,7 +33,7 @@ Status validateClip(const PlanParams& params) {
     }
     if (params.path.path_mode == PathMode::LongestBranch) {
         return fail(ErrorCode::Usage,
-                    "path_mode=longest_branch cannot keep to a number of frames at a kept frame "
+                    "path_mode=longest_branch cannot meet a number of frames at a fixed frame "
                     "rate; use path_mode=tour.",
                     "path_mode");
     }
@@ -73,9 +73,8 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
     const auto frames = static_cast<int>(trajectory.frames.size());
     if (keepsFrameRate(params) && params.duration_s <= 0.0 && 2 * frames < params.max_frames) {
         return fmt::format(
-            "only {} of max_frames={} frames are used: at frame_rate={:g} no further view is "
-            "within "
-            "reach of the rest; raise max_frames or lower --fps",
+            "only {} of max_frames={} frames are used: at frame_rate={:g} no further view fits "
+            "into the remaining frames; raise max_frames or lower --fps",
             frames, params.max_frames, params.frame_rate);
     }
     const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;

@@ -103,8 +103,8 @@ std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surrou
             break;
         default:
             refused.reason =
-                "too near to " + (refused.object_id > 0 ? scene.object(refused.object_id).name
-                                                        : std::string("a surface"));
+                "too close to " + (refused.object_id > 0 ? scene.object(refused.object_id).name
+                                                         : std::string("a surface"));
             break;
     }
     return refused;

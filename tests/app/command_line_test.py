@@ -100,7 +100,7 @@ class CommandLine(FolderCase):
         frame = ("--up", "z", "--unit", 1)
         info = run("info", scan, *frame)
         self.assertEqual(info.returncode, 0, info.stderr)
-        text = re.search(r"scan: (\d+ % of the rooms' air was scanned.*)", info.stdout).group(1)
+        text = re.search(r"scan: (\d+ % of the rooms was scanned.*)", info.stdout).group(1)
         share = json.loads(run("info", scan, *frame, "--json").stdout)["scanned_share"]
         self.assertTrue(0.3 < share < 0.9, share)
         small = (*frame, "--max-frames", 8, "--set", "width_px=96", "--set", "height_px=72")

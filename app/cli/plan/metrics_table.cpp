@@ -47,8 +47,7 @@ std::string jsonText(const nlohmann::json& json) {
 
 std::string scannedText(std::optional<double> share) {
     if (!share) return {};
-    return fmt::format("{:.0f} % of the rooms' air was scanned, the rest is unknown",
-                       100.0 * *share);
+    return fmt::format("{:.0f} % of the rooms was scanned, the rest is unknown", 100.0 * *share);
 }
 
 std::string scannedText(const nlohmann::json& metrics) {

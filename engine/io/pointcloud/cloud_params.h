@@ -22,14 +22,15 @@ void visitCloudParams(Params& p, Visitor&& visit) {
     visit("voxel_m", p.voxel_m,
           FieldInfo{0.002, 0.5, "m", "Detail: one point is kept in each cube of this size"});
     visit("max_points", p.max_points,
-          FieldInfo{100, 2e6, "", "The cubes grow until no more points than this are kept"});
+          FieldInfo{100, 2e6, "", "Largest number of points kept; the cubes grow until it is met"});
     visit("gap_m", p.gap_m,
-          FieldInfo{0.005, 2.0, "m", "Surfaces are not joined across more than this"});
+          FieldInfo{0.005, 2.0, "m", "Largest gap across which surfaces are joined"});
     visit("hole_m", p.hole_m, FieldInfo{0.0, 5.0, "m", "Holes up to this wide are filled"});
     visit("plane_m", p.plane_m,
-          FieldInfo{0.005, 0.3, "m", "How far points of a wall or floor may lie from its plane"});
+          FieldInfo{0.005, 0.3, "m",
+                    "Largest distance of the points of a wall or floor from its plane"});
     visit("object_m", p.object_m,
-          FieldInfo{0.02, 2.0, "m", "Things with a smaller diagonal are no objects of their own"});
+          FieldInfo{0.02, 2.0, "m", "Smallest diagonal of a separate object"});
 }
 
 }  // namespace dollytrack
