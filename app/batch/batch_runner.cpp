@@ -182,7 +182,7 @@ class Runner {
                 return {};
             }
             results_[index].state = JobState::Busy;
-            results_[index].message = "another batch is at this job";
+            results_[index].message = "another batch is running this job";
             finish(index);
             return {};
         }
@@ -194,11 +194,11 @@ class Runner {
             log::debug("batch", job.name + ": done before");
             return {};
         }
-        if (!standing->why.empty()) log::info("batch", job.name + ": anew, " + standing->why);
+        if (!standing->why.empty()) log::info("batch", job.name + ": restarted, " + standing->why);
         const bool resumes = standing->step == Standing::Step::GoOn && job.command == "export";
         JobResult result;
         result.state = JobState::Begun;
-        result.message = "its run had no end";
+        result.message = "its last run did not finish";
         result.scene = std::move(standing->scene);
         result.command = job.command;
         result.arguments = job.arguments;
@@ -268,15 +268,15 @@ class Runner {
                 (result.datasets.empty() || !datasetsAreThere(result, folder));
             if (result.metrics.empty() || lacks_datasets) {
                 result.state = JobState::Failed;
-                result.message = "it ended well, but what it should have written is not there";
+                result.message = "it reported success, but its output is missing";
             }
         } else if (one.kill_at) {
             result.state = one.stopped_as;
             result.message =
                 one.stopped_as == JobState::TimedOut
-                    ? fmt::format("it took longer than {:g} s; the next run goes on from there",
+                    ? fmt::format("it took longer than {:g} s; the next run resumes it",
                                   settings_.timeout_s)
-                    : "it was stopped with the batch; the next run goes on from there";
+                    : "it was stopped with the batch; the next run resumes it";
         } else if (end.signal != 0) {
             result.state = JobState::Crashed;
             result.message = signalText(end.signal);
@@ -344,7 +344,7 @@ Result<Standing> standingOf(const Job& job, const RunSettings& settings) {
     } else if (found.state == JobState::Done && datasetsAreThere(found, folder)) {
         standing.step = Standing::Step::Nothing;
     } else if (found.version != settings.version) {
-        standing.why = "another version of the program began it";
+        standing.why = "another version of the program started it";
     } else if (canGoOn(found)) {
         standing.step = Standing::Step::GoOn;
     }

@@ -120,8 +120,8 @@ class OrderReader {
             reader.read("name", set.name);
             if (set.name.empty() || asName(set.name) != set.name) {
                 reader.refuse(reader.placeOf("name"),
-                              "Each [[set]] needs a name of letters, digits, '-' and '_'; it "
-                              "becomes a part of folders' names.");
+                              "Each [[set]] needs a name of letters, digits, '-' and '_', which "
+                              "becomes part of folder names.");
             }
             if (!names.insert(set.name).second) {
                 reader.refuse(reader.placeOf("name"),
@@ -224,9 +224,9 @@ class OrderReader {
                 if (!seed && !frames) continue;
                 reader_.refuse(
                     reader_.placeOf("set"),
-                    fmt::format("The set '{}' has {}, and '{}' is there as well; leave "
-                                "one of them out.",
-                                set.name, assignment, seed ? "seeds" : "max_frames of [export]"));
+                    fmt::format(
+                        "The set '{}' has {}, but '{}' is given as well; remove one of them.",
+                        set.name, assignment, seed ? "seeds" : "max_frames of [export]"));
             }
         }
     }
@@ -234,7 +234,7 @@ class OrderReader {
     Status findScenes(const Texts& patterns, const Texts& excluded) {
         if (patterns.empty()) {
             return fail(ErrorCode::BadInput,
-                        "The file names no scenes; write like scenes = [\"rooms/*.glb\"].",
+                        "The file lists no scenes; add a line like scenes = [\"rooms/*.glb\"].",
                         file_.string());
         }
         std::set<std::string> known;
@@ -274,13 +274,14 @@ Result<BatchOrder> readJobsFile(const fs::path& file) {
     std::error_code error;
     const Result<std::string> text = io::readText(file, kMostMebibytes);
     if (!text || text->empty()) {
-        return fail(ErrorCode::BadInput,
-                    fs::is_directory(file, error) ? "this is a folder; name the jobs file in it"
-                    : !fs::exists(file, error)
-                        ? "there is no such file; README.md has an example of a jobs file"
-                    : text ? "the jobs file is empty"
-                           : text.error().message,
-                    file.string());
+        return fail(
+            ErrorCode::BadInput,
+            fs::is_directory(file, error) ? "this is a folder; give the jobs file in it"
+            : !fs::exists(file, error)
+                ? "there is no such file; see the guide app/guides/batches.md for an example"
+            : text ? "the jobs file is empty"
+                   : text.error().message,
+            file.string());
     }
     if (Status status = checkTomlDepth(*text, file.string()); !status) {
         return tl::unexpected<Error>(std::move(status.error()));

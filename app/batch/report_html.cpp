@@ -116,7 +116,7 @@ std::string endOfLog(const std::filesystem::path& path) {
         lines.push_back(std::move(line));
         if (lines.size() > kLogLines) lines.pop_front();
     }
-    std::string text = lines.empty() ? "It says nothing but how far it was.\n" : "";
+    std::string text = lines.empty() ? "The log contains only progress lines.\n" : "";
     for (const std::string& line : lines) text += asMarkup(line) + "\n";
     return text;
 }
@@ -133,7 +133,7 @@ std::string failures(const Report& report) {
             asMarkup(complaintOf(row)), report.linkTo(row, "log.txt"),
             endOfLog(report.jobs_folder / row.job.name / "log.txt"));
     }
-    return text.empty() ? text : "<h2>What went wrong</h2>\n" + text;
+    return text.empty() ? text : "<h2>Errors</h2>\n" + text;
 }
 
 std::string sheets(const Report& report) {

@@ -73,8 +73,7 @@ class Search {
         if (!looked_.insert({folder.string(), at}).second) return {};
         if (looked_.size() > kMostLooks) {
             return fail(ErrorCode::BadInput,
-                        fmt::format("the pattern leads into more than {} folders; write one that "
-                                    "leads into fewer",
+                        fmt::format("the pattern matches more than {} folders; use a narrower one",
                                     kMostLooks),
                         folder.string());
         }
@@ -278,7 +277,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
     std::vector<SceneFile> found = search.take();
     if (found.empty()) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("'{}' names no scene; scenes are {} and .dolly files", pattern,
+                    fmt::format("'{}' matches no scene; scenes are {} and .dolly files", pattern,
                                 fmt::join(sceneExtensions(), ", ")));
     }
     return withDatasetScenes(std::move(found), base);

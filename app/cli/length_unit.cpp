@@ -35,7 +35,7 @@ std::string asMetres(std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), last, number);
     if (error == std::errc() && end == last && number >= 1e-6 && number <= 1e6) return {};
     return "'" + text +
-           "' is no unit: give metres per unit from 1e-6 to 1e6, like 0.001, or m, cm, mm, inch "
+           "' is not a unit: give metres per unit from 1e-6 to 1e6, like 0.001, or m, cm, mm, inch "
            "or ft";
 }
 

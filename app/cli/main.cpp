@@ -103,8 +103,8 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
         log::setSink(cli::ProgressLines::logSink());
     }
     CLI::App app(
-        "Plans where a camera should go inside an indoor 3D scene so that every object is "
-        "seen well,\nand renders the trajectory as a labelled dataset.");
+        "Plans a camera trajectory through an indoor 3D scene that captures every object well,\n"
+        "and renders it as a labelled dataset.");
     app.name("dollytrack");
     app.formatter(std::make_shared<cli::HelpFormatter>());
     app.set_version_flag("--version", std::string("dollytrack ") + versionText());
@@ -117,18 +117,14 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
         "\nExit codes: 0 done, 1 failed, 2 usage, 3 partial or a --require not met, 4 bad input,\n"
         "5 no OpenGL, 6 cannot write, 130/143 interrupted.");
     bool verbose = false;
-    app.add_flag("-q,--quiet", session.quiet,
-                 "No progress and no notes on stderr, only warnings and errors");
-    app.add_flag("-v,--verbose", verbose, "Say more on stderr");
+    app.add_flag("-q,--quiet", session.quiet, "Only warnings and errors on stderr");
+    app.add_flag("-v,--verbose", verbose, "Verbose messages on stderr");
     bool no_cache = false;
-    app.add_flag(
-        "--no-cache", no_cache,
-        "Read scene files anew, and do not keep what was read; same as DOLLYTRACK_NO_CACHE=1");
+    app.add_flag("--no-cache", no_cache, "Bypass the scene cache; same as DOLLYTRACK_NO_CACHE=1");
     app.add_option("--threads", session.threads, "Worker threads; 0: one per core")
         ->check(CLI::Range(0, 1024));
     std::string progress = "bar";
-    app.add_option("--progress", progress,
-                   "How to tell progress on stderr: to a person, or an object a line to a program")
+    app.add_option("--progress", progress, "Progress on stderr: a bar, or one JSON object per line")
         ->check(CLI::IsMember({"bar", "json"}))
         ->type_name("bar|json");
     app.fallthrough();

@@ -82,11 +82,11 @@ manual::ManualSettings manualSettings() {
     };
     settings.more["params"] = parameterEntries(fields);
     settings.more[""] =
-        ".SH FILES\n.TP\n.I dollytrack\\-import\nReads one scene file, in a process of its own "
-        "that may open little else. The other programs start it; it must lie beside them.\n"
-        ".TP\n.I ~/.cache/dollytrack\nScenes and light that were computed before.\n"
-        ".SH ENVIRONMENT\n.TP\n.B DOLLYTRACK_NO_CACHE\nIf 1, nothing is taken from that folder or "
-        "kept there.\n";
+        ".SH FILES\n.TP\n.I dollytrack\\-import\nReads one scene file in a sandboxed process. The "
+        "other programs start it; it must be in the same folder.\n"
+        ".TP\n.I ~/.cache/dollytrack\nCache of scenes and computed light.\n"
+        ".SH ENVIRONMENT\n.TP\n.B DOLLYTRACK_NO_CACHE\nIf 1, this cache is neither read nor "
+        "written.\n";
     return settings;
 }
 

@@ -30,7 +30,7 @@ Result<Requirement> parseRequirement(std::string_view text) {
     const auto broken = [&] {
         return fail(
             ErrorCode::Usage,
-            fmt::format("'{}' is no condition; write it like well_captured_rate>=0.8.", text),
+            fmt::format("'{}' is not a condition; write it like well_captured_rate>=0.8.", text),
             "--require");
     };
     const std::size_t at = text.find_first_of("<>=");
@@ -80,9 +80,9 @@ bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& 
         const nlohmann::json value = metrics.value(requirement.metric, nlohmann::json());
         if (!value.is_number() && !value.is_array()) {
             all = false;
-            log::warn("require", fmt::format("not met: {} has no value, for there is nothing to "
-                                             "measure it on",
-                                             requirement.metric));
+            log::warn("require",
+                      fmt::format("not met: {} has no value, because there is nothing to measure",
+                                  requirement.metric));
             continue;
         }
         const double measured =

@@ -28,7 +28,7 @@ CLI::Validator upAxisOption() {
     return CLI::Validator(
         [](std::string& text) {
             const std::optional<UpAxis> axis = parseUpAxis(text);
-            if (!axis) return fmt::format("'{}' is no upward axis: give {}", text, kUpAxes);
+            if (!axis) return fmt::format("'{}' is not an upward axis: give {}", text, kUpAxes);
             text = axis->text();
             return std::string();
         },
@@ -121,8 +121,8 @@ Result<nlohmann::json> endOperation(const std::string& option, const std::string
     }
     if (numbers.size() != 6) {
         return fail(ErrorCode::Usage,
-                    "Give six numbers, x,y,z of the camera and of what it looks at, or the name of "
-                    "a pinned point.",
+                    "Give six numbers, x,y,z of the camera and of the point it looks at, or the "
+                    "name of a pinned point.",
                     option);
     }
     operation["position"] = {numbers[0], numbers[1], numbers[2]};
@@ -152,8 +152,8 @@ Status checkPatterns(const SceneArguments& arguments, const Scene& scene) {
         for (const std::string& pattern : *patterns) {
             if (isAny(pattern) || (may_lack_class && isClassName(scene, pattern))) continue;
             return fail(ErrorCode::Usage,
-                        fmt::format("'{}' names no class and no object of this scene{}", pattern,
-                                    nameHint(pattern, names)),
+                        fmt::format("'{}' is neither a class nor an object of this scene{}",
+                                    pattern, nameHint(pattern, names)),
                         option);
         }
     }
@@ -174,9 +174,10 @@ Status checkSomeAreLeft(const SceneArguments& arguments, const SceneEdits& edits
     SceneEdits without = edits;
     without.ignore.clear();
     if (hasTargets(edits) || !hasTargets(without)) return {};
-    return fail(ErrorCode::Usage,
-                "No target is left: all that --only names is ignored; change one of the two.",
-                "--ignore");
+    return fail(
+        ErrorCode::Usage,
+        "No target is left, because --ignore excludes everything in --only; change one of the two.",
+        "--ignore");
 }
 
 void addNew(std::vector<std::string>& list, const std::vector<std::string>& more) {
@@ -341,19 +342,18 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments) {
 void addImportArguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--unit", arguments.unit_m,
-                    "Metres per unit of the scene, or m, cm, mm, inch, ft; else found out")
+                    "Metres per unit of the scene, or m, cm, mm, inch, ft; default: detected")
         ->transform(lengthUnit())
         ->type_name("METRES|UNIT");
     command
         .add_option("--up", arguments.up_axis,
-                    "The scene's upward axis: x, y, z, -x, -y or -z; else found out")
+                    "The scene's upward axis: x, y, z, -x, -y or -z; default: detected")
         ->transform(upAxisOption())
         ->type_name("AXIS");
     command
-        .add_option(
-            "--labels", arguments.labels,
-            "Words and their NYU40 classes (CSV), added to the built-in ones, or classes of "
-            "one's own for the dataset (JSON, see assets/labels)")
+        .add_option("--labels", arguments.labels,
+                    "Words and their NYU40 classes (CSV), added to the built-in ones, or your own "
+                    "classes for the dataset (JSON, see assets/labels)")
         ->type_name("FILE");
     command
         .add_option_function<std::vector<std::string>>(
@@ -362,9 +362,8 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
                 arguments.models.clear();
                 for (const std::string& text : given) addModelFolders(text, arguments.models);
             },
-            "Folder with the models of a scene made of models (3D-FUTURE-model, "
-            "ShapeNetCore.v2, Gazebo's models); may be repeated, or several with colons "
-            "between (\"$GAZEBO_MODEL_PATH\")")
+            "Folder with the models that the scene refers to (3D-FUTURE-model, ShapeNetCore.v2, "
+            "Gazebo's models); repeatable, or several separated by colons (\"$GAZEBO_MODEL_PATH\")")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command
@@ -374,13 +373,12 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->check(CLI::ExistingPath.description(""))
         ->type_name("FILE|DIR");
     command.add_flag("--keep-meshes", arguments.keep_meshes,
-                     "Leave meshes as the file has them: do not take apart those that hold several "
-                     "objects, nor join objects that are split into a mesh per material");
+                     "Leave meshes as they are in the file: neither split meshes that contain "
+                     "several objects, nor join objects that have one mesh per material");
     command
-        .add_option(
-            "--cloud", arguments.cloud,
-            "How a point cloud becomes a room: voxel_m, max_points, gap_m, hole_m, plane_m, "
-            "object_m; may be repeated")
+        .add_option("--cloud", arguments.cloud,
+                    "Reconstruction of a point cloud: voxel_m, max_points, gap_m, hole_m, plane_m, "
+                    "object_m; repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
 }
@@ -388,7 +386,7 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
 void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--set", arguments.assignments,
-                    "Set a parameter; 'dollytrack params' lists them; again for each")
+                    "Set a parameter (see 'dollytrack params'); repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     command.add_option("--seed", arguments.seed, "Same as --set seed=N")->type_name("N");
@@ -398,27 +396,27 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
         ->type_name("METRES");
     command
         .add_option("--fps", arguments.fps,
-                    "Same as --set frame_rate=N --set keep_frame_rate=true: no budget lowers it")
+                    "Fixed frame rate; same as --set frame_rate=N --set keep_frame_rate=true")
         ->type_name("N");
     command
         .add_option("--duration", arguments.duration_s,
-                    "Same as --set duration_s=SECONDS: a clip of just that length")
+                    "Exact duration; same as --set duration_s=SECONDS")
         ->type_name("SECONDS");
     command
         .add_option("--ignore", arguments.ignore,
-                    "A class, or a name with * and ?, that is no target; may be repeated")
+                    "A class, or a name with * and ?, that is not a target; repeatable")
         ->type_name("CLASS|NAME")
         ->allow_extra_args(false);
-    command.add_option("--only", arguments.only, "The only targets, likewise; may be repeated")
+    command.add_option("--only", arguments.only, "The only targets, by class or name; repeatable")
         ->type_name("CLASS|NAME")
         ->allow_extra_args(false);
     command
         .add_option("--start", arguments.start,
-                    "Begin at a pinned point, or at a position looking at a target, m")
+                    "Start point: a pinned point, or a position and a point to look at, m")
         ->type_name("POINT|x,y,z,tx,ty,tz");
-    command.add_option("--end", arguments.end, "End there, likewise")
+    command.add_option("--end", arguments.end, "End point, in the form of --start")
         ->type_name("POINT|x,y,z,tx,ty,tz");
-    command.add_flag("--loop", arguments.loop, "End where it begins; same as --set loop=true");
+    command.add_flag("--loop", arguments.loop, "End at the start; same as --set loop=true");
 }
 
 Status checkArguments(const SceneArguments& arguments) {
@@ -462,8 +460,8 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     const bool other_import = opened.import != stored_import;
     if (other_scene || other_import || other_edits ||
         !planning::makeSamePlan(stored, opened.params)) {
-        const std::string changed = other_import  ? "how to read the scene"
-                                    : other_edits ? "what is asked of the trajectory"
+        const std::string changed = other_import  ? "the import settings"
+                                    : other_edits ? "constraints of the trajectory"
                                                   : changedNames(stored, opened.params);
         log::warn("project",
                   other_scene

@@ -30,7 +30,7 @@ void warnOfStrays(Scene& scene, const char* list, const std::vector<std::string>
         for (const Object& object : scene.objects) names.push_back(object.name);
         const std::string close = closestName(pattern, names);
         scene.report.warnings.push_back(
-            fmt::format("{} '{}' names no class and no object{}", list, pattern,
+            fmt::format("{} '{}' is neither a class nor an object{}", list, pattern,
                         close.empty() ? "" : fmt::format("; did you mean '{}'?", close)));
     }
 }

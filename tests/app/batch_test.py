@@ -148,7 +148,7 @@ class Batch(FolderCase):
         verified = run("-q", "verify", elsewhere)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         last = verified.stdout.strip().splitlines()[-1]
-        self.assertIn("sound as far as it goes", last)
+        self.assertIn("sound as far as checked", last)
         self.assertIn("--scene", last)
         self.assertGreater(json.loads(run("-q", "verify", elsewhere, "--json").stdout)
                            ["unproven_without_scene"], 0)
@@ -466,7 +466,7 @@ class Batch(FolderCase):
                 result = run("batch", file)
                 self.assertFails(result, 4, f"bad.toml:{line}: ", word)
         for text, word in [('out = "x"\n', "scenes"), ('scenes = "none/*.obj"\n', "none"),
-                           ('scenes = "rooms/*.glb"\n', "names no scene"),
+                           ('scenes = "rooms/*.glb"\n', "matches no scene"),
                            ('scenes = "b.obj"\n', "b.obj")]:
             file.write_text(text)
             self.assertFails(run("batch", file), 4, word)

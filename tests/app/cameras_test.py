@@ -170,7 +170,7 @@ class CamerasTest(FolderCase):
             result = self.export(out, "--range", "0:1", "--overwrite", "--camera", camera)
             self.assertEqual(result.returncode, 0, result.stderr)
             with self.subTest(camera):
-                self.assertEqual("the planned camera once more" in result.stderr, again)
+                self.assertEqual("duplicates the planned camera" in result.stderr, again)
                 same = ((out / "rgb/000000.png").read_bytes() ==
                         (out / "cameras/a/rgb/000000.png").read_bytes())
                 self.assertEqual(same, again)

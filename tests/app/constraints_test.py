@@ -130,14 +130,14 @@ class Constraints(FolderCase):
         apart = self.folder / "apart.obj"
         tiny_room.write_two(apart)
         result = run("plan", apart, "--max-frames", 12)
-        self.assertIn("no free way joins all places", result.stderr)
+        self.assertIn("no collision-free path connects all views", result.stderr)
         self.assertIn("--set rooms=each", result.stderr)
         # Across the one room, from wall to wall and from floor to ceiling.
         cut = self.folder / "cut.dolly"
         wall = {"op": "add_no_go", "center": [2, -1.5, 1.3], "size": [0.6, 4, 4]}
         self.assertEqual(run("edit", self.room, "-o", cut, "--op", json.dumps(wall)).returncode, 0)
         result = run("plan", cut, "--max-frames", 12)
-        self.assertIn("no free way joins all places", result.stderr)
+        self.assertIn("no collision-free path connects all views", result.stderr)
         self.assertNotIn("rooms=each", result.stderr)
 
     def test_rooms_become_datasets_of_their_own(self):

@@ -189,7 +189,7 @@ class EvaluateTest(FolderCase):
         span = f"lasts from {self.times[0]:.2f} to {self.times[-1]:.2f} s"
         empty = self.folder / "no_pose.txt"
         empty.write_text("# timestamp tx ty tz qx qy qz qw\n")
-        cases = [(empty, "holds no pose")]
+        cases = [(empty, "contains no pose")]
         for name, offset, word in [("late.txt", step / 2, "--max-dt"),
                                    ("unix.txt", 1.7e9, "no time in common")]:
             cases.append((self.write(name, self.times + offset, self.positions, self.rotations),

@@ -210,7 +210,7 @@ class ExportFolder(FolderCase):
     def test_light_by_frame_that_does_not_vary_or_is_not_recorded_is_warned_of(self):
         by_frame = ["--set", "light_varies=frame", "--modalities", "rgb", "--range", "0:1"]
         for arguments, said in [
-            (["--formats", "frames"], "light_variation is 0"),
+            (["--formats", "frames"], "light_variation=0"),
             (["--formats", "coco", "--modalities", "instance", "--set", "light_variation=0.5"],
              "add frames to --formats"),
             (["--formats", "frames", "--set", "light_variation=0.5"], None),
@@ -241,7 +241,7 @@ class ExportFolder(FolderCase):
                 words = [word for one in settings for word in ("--set", one)]
                 warnings = self.export(self.new_folder(), *(more or ["--modalities", "rgb"]),
                                        "--range", "0:1", *words).stderr
-                told = [line for line in warnings.splitlines() if " nothing while " in line]
+                told = [line for line in warnings.splitlines() if " has no effect with " in line]
                 self.assertEqual(len(told), 0 if said is None else 1, warnings)
                 self.assertIn(said or "", "".join(told))
 

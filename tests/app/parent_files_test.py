@@ -257,7 +257,7 @@ class HandMade(ParentCase):
         path.write_text("a" + ".a" * 500_000 + "=1\n")
         self.refuses("batch", path, "--dry-run", words=["m.toml:1", "parts"])
         path.write_text('scenes = ["' + "**/" * 40 + '*.xyz"]\n')
-        self.refuses("batch", path, "--dry-run", words=["names no scene"])
+        self.refuses("batch", path, "--dry-run", words=["matches no scene"])
 
     def test_pipes_and_devices(self):
         """In place of any file: it is refused as no ordinary file, and nothing waits for it."""

@@ -237,12 +237,13 @@ class VerifyTest(FolderCase):
         near = run("-q", "verify", out, "--scene", self.folder / "room.obj").stdout
         skipped = near.count(" skipped  ")
         self.assertGreater(skipped, 5)
-        self.assertIn(f"{skipped} skipped ({skipped} look at what was not exported): sound", near)
+        self.assertIn(f"{skipped} skipped ({skipped} concern files that were not exported): sound",
+                      near)
         # 'scene' alone is about the scene where neither ids nor surfaces were written.
         forget_path(out)
         away = run("-q", "verify", out).stdout
-        self.assertIn(f"{skipped + 1} skipped ({skipped} look at what was not exported; 1 needs the "
-                      "scene: name it with --scene): sound as far as it goes", away)
+        self.assertIn(f"{skipped + 1} skipped ({skipped} concern files that were not exported; "
+                      "1 needs the scene: pass it with --scene): sound as far as checked", away)
 
     def test_the_list_names_every_check(self):
         listed = run("verify", "--list")

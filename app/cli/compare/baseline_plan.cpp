@@ -49,7 +49,7 @@ nlohmann::json judgedJson(const planning::Judgement& judgement, const std::strin
 void addPlannerArgument(CLI::App& command, std::string& planner) {
     command
         .add_option("--planner", planner,
-                    "Who plans: dollytrack, or another of 'dollytrack compare --list'")
+                    "Planner to use (see 'dollytrack compare --list'); default: dollytrack")
         ->type_name("NAME");
 }
 

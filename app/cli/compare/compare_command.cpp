@@ -100,7 +100,7 @@ std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
 
 /// Reads the --trajectory files, in world coordinates of the scene.
 Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments,
-                                           const OpenedScene& opened) {
+                                               const OpenedScene& opened) {
     std::vector<GivenTrajectory> given;
     const std::vector<std::string> names = givenNames(arguments.trajectories);
     for (const std::string& path : arguments.trajectories) {
@@ -115,13 +115,14 @@ Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments
         log::info("compare",
                   fmt::format("{}: {} poses, format {}{}", path, loaded->trajectory.frames.size(),
                               loaded->format,
-                              loaded->timed ? "" : ", without times: as if at frame_rate"));
+                              loaded->timed ? "" : ", without times: frame_rate is assumed"));
         constexpr double kNoticeable = 0.5;  // larger differences are reported, degrees
         const double hfov = opened.params.camera.hfov_deg;
         if (loaded->hfov_deg && std::abs(*loaded->hfov_deg - hfov) > kNoticeable) {
-            log::warn("compare", fmt::format("{}: its images show {:.1f} degrees, but are judged "
-                                             "as if {:.1f}; give --set hfov_deg={:.1f}",
-                                             path, *loaded->hfov_deg, hfov, *loaded->hfov_deg));
+            log::warn("compare",
+                      fmt::format("{}: its horizontal field of view is {:.1f} degrees, but it is "
+                                  "measured with {:.1f}; pass --set hfov_deg={:.1f}",
+                                  path, *loaded->hfov_deg, hfov, *loaded->hfov_deg));
         }
         given.push_back({names[given.size()], {std::move(loaded->trajectory), {}, {}, {}}});
     }
@@ -166,7 +167,7 @@ Status checkOutcomesGiven(const OutcomeArguments& given) {
           std::pair(!given.test_scenes.empty(), "--test-scene"),
           std::pair(given.test_frames != usual.test_frames, "--test-frames")}) {
         if (differs) {
-            return fail(ErrorCode::Usage, "It needs --outcomes; name judges there, or 'all'.",
+            return fail(ErrorCode::Usage, "It needs --outcomes; name the judges there, or 'all'.",
                         option);
         }
     }
@@ -176,10 +177,10 @@ Status checkOutcomesGiven(const OutcomeArguments& given) {
 /// Checks that would otherwise fail only after long work.
 Status checkUsage(const CompareArguments& arguments) {
     if (arguments.scenes.empty()) {
-        return fail(ErrorCode::Usage, "Name at least one scene.", "SCENE");
+        return fail(ErrorCode::Usage, "Give at least one scene.", "SCENE");
     }
     if (!arguments.trajectories.empty() && arguments.scenes.size() > 1) {
-        return fail(ErrorCode::Usage, "A trajectory belongs to one scene; name only that one.",
+        return fail(ErrorCode::Usage, "A trajectory belongs to one scene; give only that scene.",
                     "--trajectory");
     }
     if (!arguments.picture.empty()) {
@@ -222,7 +223,8 @@ SceneArguments withFrames(SceneArguments each) {
                                       : std::ranges::find(each.assignments, "max_frames=0") !=
                                             each.assignments.end();
     if (none)
-        log::warn("compare", "max_frames=0 is no limit here: all planners keep to 300 frames");
+        log::warn("compare",
+                  "max_frames=0 does not remove the limit here: every planner gets 300 frames");
     return each;
 }
 
@@ -301,47 +303,48 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
 
 void addCompareCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
-        "compare", "Plan with several published methods and judge all trajectories alike");
+        "compare", "Plan with several published methods and measure all trajectories alike");
     auto arguments = std::make_shared<CompareArguments>();
     command->add_option("scenes", arguments->scenes, "Scenes or .dolly projects")
         ->type_name("SCENE...");
     command
         ->add_option("--planners", arguments->planners,
-                     "Which, separated by commas; 'all' by default, --list says what there is")
+                     "Planners, separated by commas (see --list); default: all")
         ->delimiter(',')
         ->type_name("NAMES");
-    command->add_flag("--list", arguments->list, "List the planners and where they come from");
+    command->add_flag("--list", arguments->list, "List the planners and their sources");
     addImportArguments(*command, arguments->each);
     addParameterArguments(*command, arguments->each);
-    command->add_option("--seeds", arguments->seeds, "Plan with this many seeds and give medians")
+    command->add_option("--seeds", arguments->seeds, "Plan with this many seeds and report medians")
         ->check(CLI::Range(1, 1000))
         ->type_name("N");
     command->add_flag("--bound", arguments->bound,
-                      "Also search densely for what could be captured at all (takes a while)");
+                      "Also compute an upper bound by a dense viewpoint search (slow)");
     command->add_flag("--json", arguments->as_json, "Print everything as JSON");
-    command->add_option("--csv", arguments->csv, "Write everything as a table")->type_name("FILE");
+    command->add_option("--csv", arguments->csv, "Write all results as a table")->type_name("FILE");
     command
         ->add_option("--picture", arguments->picture,
-                     "Draw it as bars; the mean when there are several scenes")
+                     "Bar chart of the results; of several scenes, their mean")
         ->type_name("FILE.svg|png");
     command
         ->add_option("--trajectory", arguments->trajectories,
-                     "Also judge a trajectory from elsewhere; again for more")
+                     "Also measure a trajectory from another program; repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
     command
-        ->add_option("--trajectory-format", arguments->trajectory_format,
-                     "Its format, else found out: " + io::trajectoryFormatNames())
+        ->add_option(
+            "--trajectory-format", arguments->trajectory_format,
+            "Format of --trajectory; default: detected. One of: " + io::trajectoryFormatNames())
         ->type_name("NAME");
     command
         ->add_option("--trajectory-world", arguments->trajectory_world,
-                     "What its positions are measured in, else the format's habit: scene (the "
-                     "scene file's axes and unit), y-up, z-up, ned, camera")
+                     "World axes and unit of its positions: scene (those of the scene file), y-up, "
+                     "z-up, ned, camera; default: the format's convention")
         ->type_name("NAME");
     addOutcomeArguments(*command, arguments->outcomes);
     command->footer(
         "Rates are in %. 'hit frames' have a surface inside the camera's sphere, 'hit moves' meet\n"
-        "one on the way to the next frame. Where no motion joins the frames there is no path.\n"
+        "one on the way to the next frame. Planners without motion have no path.\n"
         "Example: dollytrack compare room.glb --planners all --max-frames 300 --bound");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runCompare(*arguments, session); };

@@ -69,8 +69,8 @@ class SceneComparison {
         for (std::size_t i = 0; i < metrics.size(); ++i) {
             if (metrics[i].name != "outside_rate" || !(*row)[i] || *(*row)[i] < 0.9) continue;
             log::warn("compare", given.name +
-                                     ": nearly all of its poses are outside the rooms; is it of "
-                                     "this scene, and is --trajectory-world right?");
+                                     ": nearly all of its poses are outside the rooms; check that "
+                                     "it belongs to this scene, and --trajectory-world");
         }
         result_.rows.push_back({given.name, std::move(*row)});
         return {};
@@ -121,10 +121,11 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
                                 const planning::PlanParams& params, const ComparisonOrder& order,
                                 const std::vector<GivenTrajectory>& given, const JobContext& job) {
     if (order.seeds > 1 && params.seed > std::numeric_limits<int>::max() - (order.seeds - 1)) {
-        return fail(ErrorCode::Usage,
-                    fmt::format("There are no {} seeds from {} on; begin with a smaller --seed.",
-                                order.seeds, params.seed),
-                    "--seeds");
+        return fail(
+            ErrorCode::Usage,
+            fmt::format("There are fewer than {} seeds from {} on; start from a smaller --seed.",
+                        order.seeds, params.seed),
+            "--seeds");
     }
     const auto begin = std::chrono::steady_clock::now();
     const auto map = planning::mapBaselineScene(std::move(scene), edits, params,

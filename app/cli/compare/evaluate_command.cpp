@@ -91,51 +91,51 @@ Result<ExitCode> runEvaluate(EvaluateArguments arguments, const Session& session
 }  // namespace
 
 void addEvaluateCommand(CLI::App& app, Session& session) {
-    CLI::App* command =
-        app.add_subcommand("evaluate", "Measure what a SLAM program has estimated from a dataset");
+    CLI::App* command = app.add_subcommand(
+        "evaluate", "Measure the trajectory that a SLAM program estimated from a dataset");
     auto arguments = std::make_shared<EvaluateArguments>();
     command->add_option("dataset", arguments->folder, "Folder of the dataset")
         ->required()
         ->type_name("DIR");
     command
         ->add_option("--estimated", arguments->estimated,
-                     "The trajectory of a run, with times (TUM); again for each run")
+                     "Estimated trajectory of a run, with times (TUM); repeatable, one per run")
         ->required()
         ->type_name("FILE")
         ->allow_extra_args(false);
     command
         ->add_option("--cloud", arguments->clouds,
-                     "The points that a run has reconstructed (PLY), in the order of --estimated")
+                     "Reconstructed points of a run (PLY), in the order of --estimated; repeatable")
         ->type_name("PLY")
         ->allow_extra_args(false);
     command
         ->add_option("--align", arguments->align,
-                     "Turn and move the estimate onto the truth (se3), scale it, too (sim3), or "
-                     "take it as it is")
+                     "Alignment of the estimate with the truth: se3 (rotation and translation), "
+                     "sim3 (also scale) or none")
         ->check(CLI::IsMember({"se3", "sim3", "none"}))
         ->type_name("se3|sim3|none")
         ->capture_default_str();
     command
         ->add_option("--max-dt", arguments->settings.max_dt_s,
-                     "Most that the time of a pose may be off its frame's, s")
+                     "Largest difference between the times of a pose and its frame, s")
         ->check(CLI::Range(0.0, 1e6).description("0 .. 1e6"))
         ->type_name("SECONDS")
         ->capture_default_str();
     command
         ->add_option("--delta", arguments->settings.delta,
-                     "Frames over which a relative error is measured")
+                     "Number of frames over which relative errors are measured")
         ->check(CLI::Range(1, 1'000'000).description("1 .. 1000000"))
         ->type_name("FRAMES")
         ->capture_default_str();
     command
         ->add_option("--min-tracked", arguments->limits.min_tracked,
-                     "A run that has a pose for less than this share of the frames has failed")
+                     "A run fails if it has poses for less than this share of the frames")
         ->check(CLI::Range(0.0, 1.0).description("0 .. 1"))
         ->type_name("SHARE")
         ->capture_default_str();
     command
         ->add_option("--max-ate", arguments->limits.max_ate_m,
-                     "A run with a larger absolute error (RMSE, m) has failed")
+                     "A run fails if its absolute error (RMSE, m) is larger")
         ->check(CLI::Range(0.0, 1e6).description("0 .. 1e6"))
         ->type_name("METRES")
         ->capture_default_str();

@@ -123,8 +123,8 @@ Result<Trajectory> readEstimate(const std::string& path) {
     if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));
     if (!loaded->timed) {
         return fail(ErrorCode::BadInput,
-                    "Its poses have no times, so nothing says of which frames they are; TUM's "
-                    "lines begin with them.",
+                    "Its poses have no times, so they cannot be assigned to frames; use the TUM "
+                    "format, whose lines start with times.",
                     path);
     }
     return std::move(loaded->trajectory);
@@ -133,10 +133,10 @@ Result<Trajectory> readEstimate(const std::string& path) {
 std::string whyNotMeasured(const Trajectory& truth, const Trajectory& estimate,
                            const TrajectoryError& error, const TrajectoryErrorSettings& settings) {
     if (error.measured) return {};
-    if (estimate.frames.empty()) return "it holds no pose";
-    if (truth.frames.empty()) return "the dataset has no frame";
+    if (estimate.frames.empty()) return "it contains no pose";
+    if (truth.frames.empty()) return "the dataset has no frames";
     if (!error.matches.empty()) {
-        return fmt::format("only {} of its poses {} to a frame, and fewer than {} fit anything",
+        return fmt::format("only {} of its poses {} to a frame; an alignment needs at least {}",
                            error.matches.size(), error.matches.size() == 1 ? "belongs" : "belong",
                            posesNeeded(settings.alignment));
     }
@@ -187,10 +187,10 @@ std::string evaluationText(const std::vector<RunFigures>& runs, const SuccessLim
     for (const RunFigures& run : runs) text += row(run);
     for (const RunFigures& run : runs) {
         if (run.not_measured.empty()) continue;
-        fmt::format_to(out, "\nno errors of {}: {}", run.name, run.not_measured);
+        fmt::format_to(out, "\nno errors for {}: {}", run.name, run.not_measured);
     }
     text += "\n";
-    fmt::format_to(out, "relative errors are of motions over {} frame{}\n", settings.delta,
+    fmt::format_to(out, "relative errors are measured over {} frame{}\n", settings.delta,
                    settings.delta == 1 ? "" : "s");
     for (const RunFigures& run : runs) {
         if (!run.reconstruction) continue;
@@ -201,7 +201,7 @@ std::string evaluationText(const std::vector<RunFigures>& runs, const SuccessLim
                        run.cloud, cloud.points, 1e3 * cloud.mean_m, 1e3 * cloud.median_m,
                        1e3 * cloud.p90_m);
         if (run.completeness) {
-            fmt::format_to(out, "; {:.1f} % of what the frames show has a point within 5 cm",
+            fmt::format_to(out, "; {:.1f} % of the surface in the frames has a point within 5 cm",
                            100.0 * *run.completeness);
         }
         text += "\n";
@@ -211,7 +211,7 @@ std::string evaluationText(const std::vector<RunFigures>& runs, const SuccessLim
                    "(--min-tracked) with an RMSE of {:g} m or less (--max-ate)\n",
                    100.0 * successRate(runs), 100.0 * limits.min_tracked, limits.max_ate_m);
     if (successRate(runs) == 0.0) {
-        text += "no run was a success; that is a result, so the exit code is 0\n";
+        text += "no run succeeded; that is a result, so the exit code is 0\n";
     }
     return text;
 }

@@ -33,7 +33,7 @@ Result<std::vector<std::string>> sizeAssignments(const std::string& text) {
     const bool parted = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
     const auto second = parted ? std::from_chars(first.ptr + 1, end, height) : first;
     if (!parted || second.ec != std::errc() || second.ptr != end) {
-        return fail(ErrorCode::Usage, "Write the size of the frames as 320x240.",
+        return fail(ErrorCode::Usage, "Give the size of the frames as WIDTHxHEIGHT, like 320x240.",
                     "--resolution " + text);
     }
     return std::vector{fmt::format("width_px={}", width), fmt::format("height_px={}", height)};
@@ -73,7 +73,7 @@ Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
         const std::size_t equals = text.find('=');
         if (dot == 0 || dot == std::string::npos || equals == std::string::npos ||
             dot + 1 >= equals) {
-            return fail(ErrorCode::Usage, "Write an option of a judge as JUDGE.NAME=VALUE.",
+            return fail(ErrorCode::Usage, "Give an option of a judge as JUDGE.NAME=VALUE.",
                         "--judge-option " + text);
         }
         const std::string name = text.substr(dot + 1, equals - dot - 1);
@@ -145,7 +145,8 @@ Result<OutcomeOrder> orderOf(const OutcomeArguments& arguments, const OutcomeSub
                              const Session& session) {
     OutcomeOrder order;
     if (arguments.out.empty()) {
-        return fail(ErrorCode::Usage, "Say where frames and results go, with --out DIR.", "--out");
+        return fail(ErrorCode::Usage, "Give the folder for frames and results with --out DIR.",
+                    "--out");
     }
     if (Status status = checkAssignments(subjects.each.assignments); !status) {
         return tl::unexpected<Error>(std::move(status.error()));

@@ -33,7 +33,7 @@ Result<std::vector<std::string>> valuesOf(const std::string& text, const std::st
         if (const auto number = finiteNumber(part)) numbers.push_back(*number);
     }
     if (range.size() != 3 || numbers.size() != 3 || numbers[2] <= 0.0 || numbers[1] < numbers[0]) {
-        return fail(ErrorCode::Usage, "A range is FROM:TO:STEP, with numbers that rise.", where);
+        return fail(ErrorCode::Usage, "A range is FROM:TO:STEP with rising numbers.", where);
     }
     const double steps = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-6);
     if (steps >= kMostValues) {

@@ -172,33 +172,34 @@ Result<ExitCode> runSweep(SweepArguments arguments, const Session& session) {
 
 void addSweepCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
-        "sweep", "Plan with every value of a parameter and show what it does to the metrics");
+        "sweep", "Plan with every value of a parameter and show its effect on the metrics");
     auto arguments = std::make_shared<SweepArguments>();
     arguments->scene.max_frames = 300;
     addSceneArguments(*command, arguments->scene);
     addParameterArguments(*command, arguments->scene);
     command
         ->add_option("--param", arguments->parameters,
-                     "What to change: NAME=FROM:TO:STEP or NAME=A,B,C; again for a second one")
+                     "Parameter and values: NAME=FROM:TO:STEP or NAME=A,B,C; repeatable, for a "
+                     "second parameter")
         ->required()
         ->type_name("VALUES")
         ->allow_extra_args(false);
     command
         ->add_option("--metric", arguments->metrics,
-                     "What to show; again for more (the CSV has all)")
+                     "Metric to show; repeatable (the CSV has all metrics)")
         ->type_name("NAME")
         ->allow_extra_args(false);
     command
         ->add_option("--planners,--planner", arguments->planners,
-                     "Which, separated by commas; 'dollytrack compare --list' says what there is")
+                     "Planners, separated by commas (see 'dollytrack compare --list')")
         ->delimiter(',')
         ->type_name("NAMES");
     command->add_option("--csv", arguments->csv, "Write all metrics and stage times")
         ->type_name("FILE");
-    command->add_option("--plot", arguments->plot, "Draw the metrics over the first parameter")
+    command->add_option("--plot", arguments->plot, "Plot the metrics over the first parameter")
         ->type_name("FILE.svg|png");
     command->footer(
-        "Example, the paper's figure 5 with its smoothing beside ours:\n"
+        "Example, the paper's figure 5 with its smoothing and Dollytrack's:\n"
         "  dollytrack sweep room.glb --param corner_distance_m=0.05:1:0.05 --plot figure5.svg");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runSweep(*arguments, session); };

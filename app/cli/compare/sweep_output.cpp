@@ -105,9 +105,10 @@ Status checkAxis(const SweptParameter& parameter) {
         std::all_of(parameter.values.begin(), parameter.values.end(),
                     [](const std::string& value) { return finiteNumber(value).has_value(); });
     if (numbers) return {};
-    return fail(ErrorCode::Usage,
-                "Only a number can be drawn along an axis; make this parameter the second --param.",
-                parameter.name);
+    return fail(
+        ErrorCode::Usage,
+        "Only a number can be plotted along an axis; make this parameter the second --param.",
+        parameter.name);
 }
 
 render::Figure sweepFigure(const std::string& title, const std::vector<SweptParameter>& parameters,

@@ -15,8 +15,7 @@ Result<std::unique_ptr<gl::Context>> BackendOption::createContext() const {
 void addBackendOption(CLI::App& command, BackendOption& option) {
     command
         .add_option("--gl", option.name,
-                    "What draws: egl (the graphics card), osmesa (the processor), or auto (egl "
-                    "where there is a graphics card)")
+                    "OpenGL backend: egl (GPU), osmesa (CPU) or auto (egl if there is a GPU)")
         ->check(CLI::IsMember(
             std::vector<std::string>(gl::kBackendNames.begin(), gl::kBackendNames.end())));
 }

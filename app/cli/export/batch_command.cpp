@@ -129,7 +129,7 @@ Status checkUsage(const BatchArguments& arguments) {
     }
     if (arguments.merge.empty()) {
         if (!arguments.file.empty()) return {};
-        return fail(ErrorCode::Usage, "Name a jobs file, or a batch's folder with --merge.",
+        return fail(ErrorCode::Usage, "Give a jobs file, or the folder of a batch with --merge.",
                     "JOBS.toml");
     }
     for (const auto& [given, option] : {std::pair(!arguments.file.empty(), "JOBS.toml"),
@@ -137,8 +137,8 @@ Status checkUsage(const BatchArguments& arguments) {
                                         std::pair(!arguments.shard.empty(), "--shard"),
                                         std::pair(arguments.dry_run, "--dry-run")}) {
         if (!given) continue;
-        return fail(ErrorCode::Usage, "--merge takes the folder of a batch and nothing else to do.",
-                    option);
+        return fail(ErrorCode::Usage,
+                    "--merge takes only the folder of a batch; leave the jobs file out.", option);
     }
     return {};
 }
@@ -167,7 +167,8 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
         return tl::unexpected<Error>(std::move(status.error()));
     }
     if (arguments.out.empty() && order->out.empty()) {
-        return fail(ErrorCode::Usage, "Say where the datasets go, with --out or 'out' in the file.",
+        return fail(ErrorCode::Usage,
+                    "Give the folder for the datasets with --out, or with 'out' in the file.",
                     "--out");
     }
     const Result<batch::RunSettings> settings = settingsFor(arguments, *order, session);
@@ -195,10 +196,11 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
         const auto done = std::count_if(
             report.rows.begin(), report.rows.end(),
             [](const auto& row) { return row.result.state == batch::JobState::Done; });
-        return fail(ErrorCode::Cancelled,
-                    fmt::format("the batch was stopped; {} of {} jobs are done, the same command "
-                                "goes on from there",
-                                done, report.rows.size()));
+        return fail(
+            ErrorCode::Cancelled,
+            fmt::format(
+                "the batch was stopped; {} of {} jobs are done, and the same command resumes it",
+                done, report.rows.size()));
     }
     print(report, arguments.as_json);
     return exitCodeOf(report);
@@ -208,42 +210,41 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
 
 void addBatchCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
-        "batch", "Export many scenes with many settings, each by a program of its own");
+        "batch", "Export many scenes with many settings, each in its own process");
     auto arguments = std::make_shared<BatchArguments>();
-    command->add_option("jobs", arguments->file, "What to do; README.md has an example")
+    command->add_option("jobs", arguments->file, "Jobs file (see the guide app/guides/batches.md)")
         ->type_name("JOBS.toml");
-    command->add_option("--out", arguments->out, "Folder of the batch, before that of the file")
+    command->add_option("--out", arguments->out, "Folder of the batch; overrides 'out' in the file")
         ->type_name("DIR");
     command->add_option("-j,--jobs", arguments->parallel, "Jobs at a time; they share the threads")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
     command
         ->add_option("--timeout", arguments->timeout_s,
-                     "Stop a job that takes longer, before what the file says; 0: never")
+                     "Stop a job that takes longer; overrides the file; 0: never")
         ->check(CLI::Range(0.0, 1e9).description("0 .. 1e9"))
         ->type_name("SECONDS");
     command
         ->add_option("--shard", arguments->shard,
-                     "Only every n-th job, from the i-th on (0 .. n-1): a machine's part")
+                     "Only every n-th job, starting with job i (0 .. n-1): one machine's share")
         ->type_name("i/n");
     command
         ->add_option("--require", arguments->require,
-                     "A job is good only if its metric meets a condition, as in "
-                     "'well_captured_rate>=0.8'; may be repeated")
+                     "A job is good only if its metric meets this condition, as in "
+                     "'well_captured_rate>=0.8'; repeatable")
         ->type_name("CONDITION")
         ->allow_extra_args(false);
-    command->add_flag("--resume", arguments->resume,
-                      "Go on with what is not done; said or not, that is what happens");
-    command->add_flag("--dry-run", arguments->dry_run, "List the jobs and what is to be done");
+    command->add_flag("--resume", arguments->resume, "Resume unfinished jobs (the default)");
+    command->add_flag("--dry-run", arguments->dry_run, "List the jobs and what remains to be done");
     command
         ->add_option("--merge", arguments->merge,
-                     "Put together what all parts left in a batch's folder")
+                     "Merge the results of all shards in a batch's folder")
         ->type_name("DIR");
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
-        "Done jobs are left alone, others go on where they were stopped. Those begin anew whose\n"
-        "settings, scene file or labels have changed; textures and models are not looked at.\n"
-        "The folder gets summary.json, junit.xml and index.html, and a folder for each job.\n"
+        "Finished jobs are skipped, interrupted ones resumed; jobs restart if their settings,\n"
+        "scene file or labels have changed (textures and models are not checked).\n"
+        "The folder gets summary.json, junit.xml, index.html and a folder for each job.\n"
         "Exit code: 0 all jobs are good, 3 some are not, 4 the jobs file cannot be used.\n"
         "Example: dollytrack batch rooms.toml --jobs 4 --timeout 3600");
     command->callback([&session, arguments] {

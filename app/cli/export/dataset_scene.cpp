@@ -210,26 +210,24 @@ Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidO
 
 void addDatasetSceneArguments(CLI::App& command, DatasetSceneArguments& arguments) {
     command
-        .add_option("--scene", arguments.path,
-                    "The scene or project it was made of; else looked for where it was and "
-                    "beside the dataset")
+        .add_option(
+            "--scene", arguments.path,
+            "Scene or project of the dataset; default: its original path, then beside the dataset")
         ->type_name("SCENE");
     command.add_flag("--keep-meshes", arguments.keep_meshes,
-                     "As 'plan --keep-meshes' had it: meshes are left as the file has them");
+                     "If the plan used --keep-meshes: leave meshes as they are in the file");
     command
         .add_option(
             "--labels", arguments.labels,
-            "The label file it was made with, if that has words; its classes are in the dataset")
+            "Label file of the plan, if it adds words; label files with classes are in the dataset")
         ->type_name("FILE");
-    command
-        .add_option("--models", arguments.models,
-                    "A folder of models that the scene was made with; may be repeated")
+    command.add_option("--models", arguments.models, "Folder with models of the scene; repeatable")
         ->check(CLI::ExistingDirectory.description(""))
         ->type_name("DIR")
         ->allow_extra_args(false);
     command
         .add_option("--annotations", arguments.annotations,
-                    "The annotations that it was made with, if any")
+                    "Annotations of the scene, if the plan used any")
         ->type_name("DIR");
 }
 
@@ -243,8 +241,8 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
     DatasetScene opened;
     if (path.empty()) {
         opened.missing = "the scene " + said->file +
-                         " is neither where it was, nor beside the dataset, nor is a project of "
-                         "it; name it with --scene";
+                         " and its project are neither at their original path nor beside the "
+                         "dataset; pass it with --scene";
         return opened;
     }
     Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments, job);
@@ -255,11 +253,11 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
         *scene = std::make_shared<const Scene>(std::move(varied));
     }
     if ((*scene)->source_sha256 != said->sha256) {
-        return fail(ErrorCode::BadInput,
-                    "It is not the scene that the dataset was made of, or it has changed since; "
-                    "that was " +
-                        said->file + ".",
-                    path.string());
+        return fail(
+            ErrorCode::BadInput,
+            "It is not the scene of the dataset, or it has changed; the dataset's scene is " +
+                said->file + ".",
+            path.string());
     }
     opened.scene = std::move(*scene);
     opened.rays = std::make_unique<RayCaster>(*opened.scene);

@@ -101,10 +101,10 @@ void printTable(const char* title, std::span<const Row> rows) {
 void printChoices() {
     printTable("modalities", render::modalities());
     printTable("formats", render::formats());
-    fmt::print("*: written where none is named; the name 'all' stands for all.\n");
+    fmt::print("*: written by default; 'all' selects all.\n");
     fmt::print(
-        "dataset.json, which describes the dataset, comes with each; so does a contact sheet where "
-        "any of them is a picture.\n");
+        "Every dataset has dataset.json, which describes it, and a contact sheet if it has "
+        "images.\n");
 }
 
 template <class Row>
@@ -217,7 +217,7 @@ void addExportCommand(CLI::App& app, Session& session) {
     addSceneArguments(*command, arguments->scene);
     addParameterArguments(*command, arguments->scene);
     addPlannerArgument(*command, arguments->planner);
-    command->add_option("--out", arguments->out, "Folder for the dataset; made if missing")
+    command->add_option("--out", arguments->out, "Folder for the dataset; created if missing")
         ->required()
         ->check([](const std::string& folder) {
             return folder.empty() ? "The name of the folder is empty." : "";
@@ -247,65 +247,61 @@ void addExportCommand(CLI::App& app, Session& session) {
             printChoices();
             throw CLI::Success();
         },
-        "Say what --modalities and --formats can name, and nothing else");
+        "List the names for --modalities and --formats, then exit");
     command
         ->add_option("--flow-distances", arguments->flow_distances,
-                     "Optical flow to the frames this many later and earlier (default: 1)")
+                     "Distances of optical flow, in frames later and earlier (default: 1)")
         ->type_name("N,...")
         ->allow_extra_args(false)
         ->delimiter(',');
     command
-        ->add_option(
-            "--rig", arguments->rig,
-            "Further cameras that ride on the planned one, a JSON file (see README); their "
-            "images go to cameras/")
+        ->add_option("--rig", arguments->rig,
+                     "Additional cameras mounted on the planned one, a JSON file (see the guide "
+                     "app/guides/cameras.md); their images go to cameras/")
         ->type_name("FILE");
     command
-        ->add_option("--camera", arguments->cameras,
-                     "One more of them, as often as wanted: left:lens=fisheye,yaw_deg=-90; " +
-                         cameraFields())
+        ->add_option(
+            "--camera", arguments->cameras,
+            "One additional camera, as in left:lens=fisheye,yaw_deg=-90; repeatable; fields: " +
+                cameraFields())
         ->type_name("NAME:FIELD=VALUE,...")
         ->allow_extra_args(false);
     command->add_flag("--still", arguments->still,
-                      "Things that have a track stay where the plan has them");
+                      "Objects with a track stay at their planned poses");
     command
         ->add_option("--folds", arguments->folds.count,
-                     "Lists for cross-validation with so many parts, in folds/")
+                     "Cross-validation lists with N folds, in folds/")
         ->type_name("N")
         ->check(CLI::Range(2, 100));
-    command->add_option("--fold-seed", arguments->folds.seed, "Another way to split the frames")
+    command->add_option("--fold-seed", arguments->folds.seed, "Random seed of the folds")
         ->type_name("N")
         ->capture_default_str();
     command->add_flag("--resume", arguments->resume,
-                      "Continue what an interrupted export with the same arguments left");
+                      "Resume an interrupted export with the same arguments");
     command->add_flag("--overwrite", arguments->overwrite,
-                      "Replace a complete dataset once the new one is complete; write among other "
-                      "files, which stay");
+                      "Replace a complete dataset once the new one is complete; also allows a "
+                      "folder with other files, which are kept");
     command
         ->add_option("--within", arguments->within,
-                     "A folder around --out: no symbolic link below it is followed (as in --out)")
+                     "Folder that contains --out; symbolic links below it are not followed")
         ->type_name("DIR");
     addBackendOption(*command, arguments->backend);
     command
         ->add_option("--require", arguments->requirements,
-                     "Exit with 3 unless a metric meets a condition, as in 'dark_rate<=0.02'; may "
-                     "be repeated")
+                     "Exit with code 3 unless a metric meets a condition, as in 'dark_rate<=0.02'; "
+                     "repeatable")
         ->type_name("CONDITION")
         ->allow_extra_args(false);
     command->add_flag("--json", arguments->as_json, "Print the summary as JSON");
     command->footer(
-        "How pictures are made and lit and what a real camera makes of them is set with --set:\n"
-        "see picture, light and sensor in 'dollytrack params'.\n"
-        "A scene is planned first; a project's own plan is used as it is, unless a parameter that\n"
-        "shapes it is changed here or its scene file has changed: then it is planned again, with "
-        "a\n"
-        "warning.\n"
-        "An export that is stopped keeps its finished frames; the same command with --resume goes "
-        "on\n"
-        "from there and ends with the same files. Without it, an unfinished dataset begins anew;\n"
+        "Rendering, light and sensors are set with --set: see picture, light and sensor in\n"
+        "'dollytrack params'.\n"
+        "A scene is planned first. A project's plan is used as it is, unless its scene file or a\n"
+        "parameter of the plan has changed: then it is planned again, with a warning.\n"
+        "A stopped export keeps its finished frames; the same command with --resume continues\n"
+        "and ends with the same files. Without --resume, an unfinished dataset is started anew;\n"
         "a complete one is replaced only with --overwrite.\n"
-        "Planned with rooms=each, every room becomes a dataset in a folder of its own, "
-        "DIR/room_1.\n"
+        "With rooms=each, every room becomes a dataset in its own folder, like DIR/room_1.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runExport(*arguments, session); };

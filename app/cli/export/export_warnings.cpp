@@ -16,9 +16,9 @@ namespace {
 void warnOfLight(const LightParams& light, const render::DatasetSettings& settings) {
     if (light.light_varies != LightVaries::Frame) return;
     if (light.light_variation == 0.0) {
-        log::warn("export",
-                  "light_varies=frame changes nothing while light_variation is 0: set that too, up "
-                  "to 1");
+        log::warn(
+            "export",
+            "light_varies=frame has no effect with light_variation=0; set light_variation up to 1");
         return;
     }
     const auto formats = render::chooseFormats(settings.formats);
@@ -26,9 +26,9 @@ void warnOfLight(const LightParams& light, const render::DatasetSettings& settin
                               return std::string_view(one->name) == "frames";
                           });
     if (recorded) return;
-    log::warn("export",
-              "light_varies=frame: what light each frame has is not recorded; add frames to "
-              "--formats");
+    log::warn(
+        "export",
+        "light_varies=frame: the light of each frame is not recorded; add frames to --formats");
 }
 
 void warnOfSun(const LightParams& light) {
@@ -39,9 +39,11 @@ void warnOfSun(const LightParams& light) {
     if (sunElevationDeg(light.time_of_day_h) > 0.0 || resolved(light).sun_elevation_deg > 0.0) {
         return;
     }
-    log::warn("export", fmt::format("{} changes nothing while the sun is below the horizon: set "
-                                    "time_of_day_h too, between 6 and 18",
-                                    set_strength ? "sun_strength" : "sun_azimuth_deg"));
+    log::warn(
+        "export",
+        fmt::format(
+            "{} has no effect with the sun below the horizon; set time_of_day_h between 6 and 18",
+            set_strength ? "sun_strength" : "sun_azimuth_deg"));
 }
 
 void warnOfPictures(const PictureParams& picture) {
@@ -50,8 +52,7 @@ void warnOfPictures(const PictureParams& picture) {
         return;
     }
     log::warn("export",
-              "reference_samples changes nothing while render_mode is fast: set "
-              "render_mode=reference too");
+              "reference_samples has no effect with render_mode=fast; set render_mode=reference");
 }
 
 /// Warns of blur settings without exposure samples; a rolling shutter always has several samples.
@@ -60,7 +61,7 @@ void warnOfLooks(const SensorParams& sensor, const render::DatasetSettings& sett
     if (sensor.looks > 1 || sensor.readout_s > 0.0 || !blurs) return;
     const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
     if (!chosen || !render::contains(*chosen, render::kRgbSensor)) return;
-    log::warn("export", fmt::format("{} blurs nothing while looks is 1: set that too, 16 as a rule",
+    log::warn("export", fmt::format("{} has no effect with looks=1; set looks=16",
                                     sensor.shutter_s > 0.0 ? "shutter_s" : "aperture_mm"));
 }
 
@@ -83,10 +84,9 @@ void warnOfExport(const planning::PlanParams& params, const render::DatasetSetti
     warnOfLooks(params.sensor, settings);
     for (const RigCamera& camera : settings.rig) {
         if (!repeats(camera, params.camera)) continue;
-        log::warn("export",
-                  fmt::format("camera '{}' is the planned camera once more: same place, direction "
-                              "and lens; give it others, as in {}:yaw_deg=90",
-                              camera.name, camera.name));
+        log::warn("export", fmt::format("camera '{}' duplicates the planned camera's pose and "
+                                        "lens; change one, as in {}:yaw_deg=90",
+                                        camera.name, camera.name));
     }
 }
 

@@ -63,17 +63,16 @@ Status checkRooms(const std::vector<RoomExport>& exports, const render::FrameRan
         const int available = static_cast<int>(one.trajectory.frames.size());
         const int count = static_cast<int>(render::framesOf(range, available).size());
         if (count == 0) {
-            return fail(ErrorCode::Usage,
-                        fmt::format("the range holds none of the {} frames of {}; nothing was "
-                                    "rendered of any room",
-                                    available, one.room),
-                        "--range");
+            return fail(
+                ErrorCode::Usage,
+                fmt::format("the range contains none of the {} frames of {}; no room was rendered",
+                            available, one.room),
+                "--range");
         }
         if (count < folds.count) {
             return fail(ErrorCode::Usage,
-                        fmt::format("{} has {} frame{}, which cannot be split into {} folds; ask "
-                                    "for fewer, or for more frames; nothing was rendered of any "
-                                    "room",
+                        fmt::format("{} has {} frame{}, too few for {} folds; lower --folds or "
+                                    "raise the number of frames; no room was rendered",
                                     one.room, count, count == 1 ? "" : "s", folds.count),
                         "--folds");
         }
@@ -86,8 +85,8 @@ Status claimForRooms(const fs::path& folder, const fs::path& root,
     std::error_code error;
     if (fs::exists(folder / "dataset.json", error)) {
         return fail(ErrorCode::CannotWrite,
-                    "the folder holds a dataset of all rooms; choose another one for a dataset a "
-                    "room, or plan with rooms=joined",
+                    "the folder contains one dataset of all rooms; choose another folder for a "
+                    "dataset per room, or plan with rooms=joined",
                     folder.string());
     }
     const Result<io::GuardedFolder> own = io::GuardedFolder::makeBelow(folder, root);

@@ -52,24 +52,24 @@ render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
     }
 }
 
-/// The verdict; "sound as far as it goes" if checks were skipped for lack of the scene.
+/// The verdict; "sound as far as checked" if checks were skipped for lack of the scene.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
-    return verified.unproven() == 0 ? "sound" : "sound as far as it goes";
+    return verified.unproven() == 0 ? "sound" : "sound as far as checked";
 }
 
-/// The reasons for skipped checks: " (3 look at what was not exported; 2 need the scene: name it
-/// with --scene)".
+/// The reasons for skipped checks: " (3 concern files that were not exported; 2 need the scene:
+/// name it with --scene)".
 std::string whySkipped(const Verified& verified, std::ptrdiff_t skipped) {
     const std::ptrdiff_t unproven = verified.unproven();
     const std::ptrdiff_t absent = skipped - unproven;
     std::vector<std::string> reasons;
     if (absent > 0) {
-        reasons.push_back(
-            fmt::format("{} look{} at what was not exported", absent, absent == 1 ? "s" : ""));
+        reasons.push_back(fmt::format("{} concern{} files that were not exported", absent,
+                                      absent == 1 ? "s" : ""));
     }
     if (unproven > 0) {
-        reasons.push_back(fmt::format("{} need{} the scene: name it with --scene", unproven,
+        reasons.push_back(fmt::format("{} need{} the scene: pass it with --scene", unproven,
                                       unproven == 1 ? "s" : ""));
     }
     return reasons.empty() ? "" : fmt::format(" ({})", fmt::join(reasons, "; "));
@@ -232,13 +232,14 @@ Result<ExitCode> runVerify(const VerifyArguments& arguments, const Session& sess
 
 void addVerifyCommand(CLI::App& app, Session& session) {
     CLI::App* command =
-        app.add_subcommand("verify", "Read a dataset again and prove that it agrees with itself");
+        app.add_subcommand("verify", "Check a dataset's files against each other and the scene");
     auto arguments = std::make_shared<VerifyArguments>();
-    command->add_option("dataset", arguments->folder, "Folder of a dataset, or of one a room")
+    command
+        ->add_option("dataset", arguments->folder, "Folder of a dataset, or of datasets per room")
         ->required()
         ->type_name("DIR");
     addDatasetSceneArguments(*command, arguments->scene);
-    command->add_option("--show", arguments->show, "Findings to print of each check")
+    command->add_option("--show", arguments->show, "Number of findings to print per check")
         ->check(CLI::Range(0, 20).description("0 .. 20"))
         ->type_name("N");
     command->add_flag("--json", arguments->as_json, "Print the result as JSON");
@@ -251,14 +252,14 @@ void addVerifyCommand(CLI::App& app, Session& session) {
             }
             throw CLI::Success();
         },
-        "Say what is checked, and nothing else");
+        "List the checks, then exit");
     command->footer(
-        "Ends with 0 when every check that could be made has passed, with 4 when one has not.\n"
-        "A check is skipped when the dataset lacks the files for it, or the scene is not at hand: "
-        "it is\n"
-        "looked for where it was, beside the dataset, in the working folder, where a batch had it "
-        "from,\n"
-        "and where projects in those folders have it.\n"
+        "Exit code 0 if every check that could run passed, 4 if one failed.\n"
+        "A check is skipped if the dataset lacks the files for it, or if the scene is found "
+        "neither\n"
+        "at its original path nor beside the dataset, in the working folder, where a batch had "
+        "it,\n"
+        "or where projects in those folders have it.\n"
         "Example: dollytrack verify dataset --scene room.glb");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runVerify(*arguments, session); };

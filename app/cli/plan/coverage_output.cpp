@@ -57,15 +57,16 @@ std::string coverageCsv(const planning::CoverageCurves& curves) {
 render::Figure coverageFigure(const std::string& title, const planning::CoverageCurves& curves) {
     render::Figure figure;
     figure.title = title;
-    figure.charts = {chartOf(curves.by_frames, "Within a budget of frames", "frames", true),
-                     chartOf(curves.by_length, "Within a length of the path", "path (m)", false)};
+    figure.charts = {
+        chartOf(curves.by_frames, "Within a budget of frames", "frames", true),
+        chartOf(curves.by_length, "Within a budget of path length", "path (m)", false)};
     return figure;
 }
 
 Status checkCoverageFiles(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         if (!isTable(path) && !render::checkFigureName(path)) {
-            return fail(ErrorCode::Usage, "The curve's name must end in .csv, .svg or .png.", path);
+            return fail(ErrorCode::Usage, "The file's name must end in .csv, .svg or .png.", path);
         }
         if (Status status = checkWritable(path); !status) return status;
     }

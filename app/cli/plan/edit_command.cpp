@@ -54,7 +54,7 @@ Result<nlohmann::json> parse(const std::string& text, const std::string& where, 
     if (json) return json;
     const bool has_place = json.error().where != where;  // true if the text is not JSON at all
     return fail(code,
-                has_place ? "This is not valid JSON; names and texts stand in double quotes, as in "
+                has_place ? "This is not valid JSON; names and texts need double quotes, as in "
                             "{\"op\":\"exclude\",\"object\":\"lamp_3\"}."
                           : json.error().message,
                 json.error().where);
@@ -121,7 +121,7 @@ std::string wordsOf(const Eigen::Vector3d& point) {
 
 std::string wordsOf(const SplitLimits& limits) {
     std::string text = "into its pieces";
-    if (limits.min_size_m > 0.0) text += fmt::format(" from {:g} m on", limits.min_size_m);
+    if (limits.min_size_m > 0.0) text += fmt::format(" from {:g} m up", limits.min_size_m);
     if (limits.max_pieces > 0) text += fmt::format(", {} at most", limits.max_pieces);
     return text;
 }
@@ -156,10 +156,10 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
                         merged ? "from " + wordsOf(one.objects) : wordsOf(one.limits)});
     }
     for (const std::string& one : edits.scene.ignore) {
-        rows.push_back({"ignored", one, "class or name that is no target"});
+        rows.push_back({"ignored", one, "class or name that is not a target"});
     }
     for (const std::string& one : edits.scene.only) {
-        rows.push_back({"only", one, "others are no targets"});
+        rows.push_back({"only", one, "nothing else is a target"});
     }
     for (const ObjectChange& one : edits.scene.changes) {
         rows.push_back({"object", one.object.name, wordsOf(one)});
@@ -171,7 +171,7 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
                          one.objects.empty() ? "added" : "for " + wordsOf(one.objects))});
     }
     if (!edits.plan.start.empty()) {
-        rows.push_back({"start", edits.plan.start, "the trajectory begins there"});
+        rows.push_back({"start", edits.plan.start, "the trajectory starts there"});
     }
     if (!edits.plan.end.empty()) {
         rows.push_back({"end", edits.plan.end, "the trajectory ends there"});
@@ -205,7 +205,7 @@ void printEdits(const Edits& edits, bool as_json) {
     }
     const std::vector<EditRow> rows = rowsOf(edits);
     if (rows.empty()) {
-        fmt::print("Nothing is edited by hand; 'dollytrack edit --list' tells what can be.\n");
+        fmt::print("There are no manual edits; 'dollytrack edit --list' lists the operations.\n");
         return;
     }
     std::size_t widest = 0;
@@ -219,11 +219,10 @@ void printEdits(const Edits& edits, bool as_json) {
 /// Checks the arguments of commands other than --list.
 Status checkArguments(const EditArguments& arguments) {
     if (arguments.scene.path.empty()) {
-        return fail(ErrorCode::Usage, "Name the project to edit, or a scene and -o.");
+        return fail(ErrorCode::Usage, "Give the project to edit, or a scene and -o.");
     }
     if (arguments.showsOnly() && (arguments.plan || arguments.dry_run || !arguments.out.empty())) {
-        return fail(ErrorCode::Usage,
-                    "Say what to edit: give --script or --op; --list tells what.");
+        return fail(ErrorCode::Usage, "Give --script or --op; --list lists the operations.");
     }
     const SceneArguments& scene = arguments.scene;
     if (arguments.showsOnly() &&
@@ -240,7 +239,7 @@ Status checkArguments(const EditArguments& arguments) {
     }
     if (arguments.out.empty() && !arguments.dry_run && !isProjectFile(arguments.scene.path) &&
         arguments.annotations.empty()) {
-        return fail(ErrorCode::Usage, "A scene file is not changed; name a new project with -o.",
+        return fail(ErrorCode::Usage, "A scene file is never changed; give a new project with -o.",
                     arguments.scene.path);
     }
     if (!arguments.out.empty() && !isProjectFile(arguments.out)) {
@@ -335,33 +334,33 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
 }  // namespace
 
 void addEditCommand(CLI::App& app, Session& session) {
-    CLI::App* command = app.add_subcommand(
-        "edit",
-        "Change by hand what a project plans: objects, points, no-go boxes, parameters; without "
-        "--op or --script list what is changed");
+    CLI::App* command = app.add_subcommand("edit",
+                                           "Edit a project manually: objects, points, no-go boxes, "
+                                           "parameters; without --op or --script, list its edits");
     auto arguments = std::make_shared<EditArguments>();
     addSceneArguments(*command, arguments->scene);
     command->get_option("scene")->required(false);
     command
         ->add_option("--script", arguments->script,
-                     "A list of operations; all are applied, or none")
+                     "JSON list of operations; either all are applied or none")
         ->type_name("FILE.json");
     command
         ->add_option("--op", arguments->operations,
-                     "One operation; may be given several times, after those of the script")
+                     "One operation, applied after those of --script; repeatable")
         ->type_name("JSON")
         ->allow_extra_args(false);
-    command->add_option("-o,--out", arguments->out, "Write here instead of into the project itself")
+    command
+        ->add_option("-o,--out", arguments->out, "Write to this project instead of the edited one")
         ->type_name("FILE.dolly");
     command
         ->add_option("--write-annotations", arguments->annotations,
-                     "Write what is edited for other programs and projects to read: the file "
-                     "SCENE.objects.json beside the scene is found by itself")
+                     "Export the edits as annotations; SCENE.objects.json beside the scene is "
+                     "found automatically")
         ->type_name("FILE");
     command->add_flag("--plan", arguments->plan, "Plan afterwards, and store the plan");
     command->add_flag("--dry-run", arguments->dry_run,
-                      "Say what the operations would do, into how many pieces a split would go, "
-                      "and write nothing");
+                      "Report the effect of the operations, such as the number of pieces of a "
+                      "split, without writing");
     command->add_flag("--list", arguments->list, "List all operations with their fields");
     command->add_flag("--json", arguments->as_json, "Print as JSON");
     command->footer(

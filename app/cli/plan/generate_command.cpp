@@ -127,12 +127,11 @@ Status prepareFolder(const fs::path& folder, bool overwrite) {
     if (error) return tl::unexpected(io::writeError(error.value(), folder));
     if (!fs::exists(folder / kListName)) {
         return fail(ErrorCode::CannotWrite,
-                    "The folder holds other files; name one that is empty or new.",
-                    folder.string());
+                    "The folder contains other files; give an empty or new one.", folder.string());
     }
     if (!overwrite) {
         return fail(ErrorCode::Usage,
-                    "The folder holds generated rooms; --overwrite replaces them.",
+                    "The folder contains generated rooms; --overwrite replaces them.",
                     folder.string());
     }
     return removeRooms(folder);
@@ -236,39 +235,37 @@ void listPresets() {
 }  // namespace
 
 void addGenerateCommand(CLI::App& app, Session& session) {
-    CLI::App* command = app.add_subcommand("generate", "Make furnished rooms to plan in");
+    CLI::App* command = app.add_subcommand("generate", "Generate furnished rooms for planning");
     auto arguments = std::make_shared<GenerateArguments>();
-    command->add_option("--out", arguments->out, "Folder for the rooms, one a folder")
+    command->add_option("--out", arguments->out, "Folder for the rooms, each in its own folder")
         ->required()
         ->type_name("DIR");
-    command->add_option("--rooms", arguments->rooms, "How many (1)")
+    command->add_option("--rooms", arguments->rooms, "Number of rooms (1)")
         ->check(CLI::Range(1, 10'000).description("1 .. 10000"))
         ->type_name("N");
-    command->add_option("--seed", arguments->seed, "The same seed gives the same rooms (1)")
+    command->add_option("--seed", arguments->seed, "Random seed (1)")
         ->check(CLI::Range(0, std::numeric_limits<int>::max()).description("0 .. 2147483647"))
         ->type_name("N");
     command
         ->add_option("--preset", arguments->presets,
-                     "Kinds of rooms, separated by commas; all in turn by default, --list has them")
+                     "Kinds of rooms, separated by commas (see --list); default: all in turn")
         ->delimiter(',')
         ->type_name("NAMES");
-    command
-        ->add_option("--size", arguments->size, "Exactly so large, in m, instead of the preset's")
+    command->add_option("--size", arguments->size, "Exact size, m; default: about the preset's")
         ->type_name("LxWxH");
     command
         ->add_option("--objects", arguments->objects,
-                     "Clutter: objects to aim at, instead of the preset's number; never fewer than "
-                     "the furniture that its kind of room is made of")
+                     "Number of objects to aim at, at least the essential furniture of the preset; "
+                     "default: about the preset's")
         ->check(CLI::Range(1, generate::kMostObjects)
                     .description(fmt::format("1 .. {}", generate::kMostObjects)))
         ->type_name("N");
     command
         ->add_option("--library", arguments->library,
-                     "Folder of furniture libraries (.sh3f), instead of those of Debian's package "
+                     "Folder of furniture libraries (.sh3f); default: those of Debian's package "
                      "sweethome3d-furniture")
         ->type_name("DIR");
-    command->add_flag("--overwrite", arguments->overwrite,
-                      "Replace the rooms that were generated there before");
+    command->add_flag("--overwrite", arguments->overwrite, "Replace rooms generated there before");
     command->add_flag("--json", arguments->as_json, "Print the list of rooms as JSON");
     command->add_flag_callback(
         "--list",
@@ -276,12 +273,11 @@ void addGenerateCommand(CLI::App& app, Session& session) {
             listPresets();
             throw CLI::Success();
         },
-        "List the presets, and nothing else");
+        "List the presets, then exit");
     command->footer(
-        "Each room is a home of Sweet Home 3D with its truth (objects.json: class, place, size,\n"
-        "front, what holds it) and the licences of its models (LICENSES). Sizes vary by 5 %, "
-        "numbers\n"
-        "of objects by 10 % around the preset's.\n"
+        "Each room is a home of Sweet Home 3D with its truth (objects.json: class, position,\n"
+        "size, front, supporting object) and the licences of its models (LICENSES). Sizes vary\n"
+        "by 5 %, numbers of objects by 10 % around the preset's.\n"
         "Example: dollytrack generate --rooms 20 --seed 7 --out rooms");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runGenerate(*arguments, session); };

@@ -41,13 +41,13 @@ nlohmann::json roomsJson(const planning::FreeSpace& map) {
 }
 
 void printRooms(const planning::FreeSpace& map, double coverage) {
-    fmt::print("\nrooms (where the camera can be; joined by open doors they are one)\n");
+    fmt::print("\nrooms (free space of the camera; rooms joined by open doors are one)\n");
     for (const planning::Room& room : map.rooms()) {
         const Eigen::Vector3d size = room.box.sizes();
         fmt::print("  {:2}  {:.1f} x {:.1f} x {:.1f} m, {:.1f} m2, {:.1f} m3\n", room.component + 1,
                    size.x(), size.y(), size.z(), room.floor_area_m2, room.volume_m3);
     }
-    fmt::print("  surfaces were modelled or scanned in {:.0f} % of the directions from inside\n",
+    fmt::print("  surfaces are modelled or scanned in {:.0f} % of the directions from inside\n",
                100.0 * coverage);
     if (const std::string scanned = scannedText(map.scannedShare()); !scanned.empty()) {
         fmt::print("  scan: {}\n", scanned);
@@ -91,12 +91,12 @@ Result<ExitCode> runInfo(const SceneArguments& arguments, bool as_json, const Se
 }  // namespace
 
 void addInfoCommand(CLI::App& app, Session& session) {
-    CLI::App* command = app.add_subcommand(
-        "info", "Say what a scene holds: rooms, objects, classes, and what is doubtful");
+    CLI::App* command =
+        app.add_subcommand("info", "Summarize a scene: rooms, objects, classes, doubtful settings");
     auto arguments = std::make_shared<SceneArguments>();
     auto as_json = std::make_shared<bool>(false);
     addSceneArguments(*command, *arguments);
-    command->add_flag("--json", *as_json, "Print it as JSON");
+    command->add_flag("--json", *as_json, "Print the summary as JSON");
     command->callback([&session, arguments, as_json] {
         session.action = [&session, arguments, as_json] {
             return runInfo(*arguments, *as_json, session);

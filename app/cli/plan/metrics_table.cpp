@@ -34,7 +34,7 @@ std::string scoreRows(const nlohmann::json& repair) {
     }
     return row("image score", tallyText(repair["before"])) +
            row("  after repair", tallyText(repair["after"])) +
-           row("  by", fmt::format("{} glances, {} other ways, {} frames left out; {} rounds",
+           row("  by", fmt::format("{} look-aside views, {} detours, {} dropped frames; {} rounds",
                                    repair.value("glances", 0), repair.value("replanned", 0),
                                    dropped, repair.value("rounds", 0)));
 }
@@ -86,9 +86,8 @@ std::string metricsTable(const nlohmann::json& m) {
                 fmt::format("{} of corners, {} of frames", percent(m, "corner_collision_rate"),
                             percent(m, "frame_collision_rate")));
     if (const int lines = m.value("straight_lines_that_hit", 0); lines > 0) {
-        text +=
-            row("  between frames",
-                fmt::format("none on its way; on straight lines from frame to frame {}", lines));
+        text += row("  between frames",
+                    fmt::format("none on the path; {} on straight lines between frames", lines));
     }
     std::string tightest = "-";
     if (const auto least = m.find("min_clearance_m"); least != m.end() && least->is_number()) {
@@ -124,7 +123,7 @@ std::string metricsTable(const nlohmann::json& m) {
     text += row("path", fmt::format("{:.1f} m", m.value("path_length_m", 0.0)));
     for (const auto& region : m.value("must_see", nlohmann::json::array())) {
         text += row("seen of " + region.value("region", ""),
-                    fmt::format("{:.1f} % of what can be seen ({} of {} patches)",
+                    fmt::format("{:.1f} % of the visible surface ({} of {} patches)",
                                 100.0 * region.value("rate", 0.0), region.value("seen", 0),
                                 region.value("seeable", 0)));
     }

@@ -111,7 +111,7 @@ Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, con
         planning::coverageCurves(pipeline, opened.params, opened.plan_edits, plan, job);
     if (!curves) return tl::unexpected<Error>(curves.error());
     const std::string title =
-        fmt::format("{}: what budgets capture", opened.scene->source.filename().string());
+        fmt::format("{}: coverage by budget", opened.scene->source.filename().string());
     for (const std::string& path : paths) {
         if (Status status = writeCoverage(title, *curves, path); !status) return status;
     }
@@ -137,7 +137,7 @@ Status checkBaselineUsage(const PlanArguments& arguments) {
     for (const auto& [given, option] : ours) {
         if (!given) continue;
         return fail(ErrorCode::Usage,
-                    "This needs a plan of dollytrack's own; leave out --planner, or use 'export "
+                    "This needs Dollytrack's own planner; leave out --planner, or use 'export "
                     "--planner' for a dataset of the other planner's trajectory.",
                     option);
     }
@@ -179,7 +179,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     }
     if (!arguments.picture.empty() &&
         std::filesystem::path(arguments.picture).extension() != ".png") {
-        return fail(ErrorCode::Usage, "The picture's name must end in .png.", arguments.picture);
+        return fail(ErrorCode::Usage, "The image's name must end in .png.", arguments.picture);
     }
     for (const std::string& file : {arguments.out, arguments.picture}) {
         if (Status status = checkWritable(file); !status) {
@@ -250,45 +250,45 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
 
 void addPlanCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
-        "plan", "Plan a camera trajectory and say how well it captures the objects");
+        "plan", "Plan a camera trajectory and report how well it captures the objects");
     auto arguments = std::make_shared<PlanArguments>();
     addSceneArguments(*command, arguments->scene);
     addParameterArguments(*command, arguments->scene);
     addPlannerArgument(*command, arguments->planner);
-    command->add_option("-o,--out", arguments->out, "Write a project with the plan")
+    command->add_option("-o,--out", arguments->out, "Project to write, with the plan")
         ->type_name("FILE.dolly");
     command
         ->add_option("--time", arguments->scene.time_s,
-                     "Plan with the objects that have tracks where these have them then, s; a "
-                     "project that is written keeps them there")
+                     "Plan with objects at their tracks' poses at this time, s; a written project "
+                     "keeps them there")
         ->type_name("S");
     command
         ->add_option("--picture", arguments->picture,
-                     "Write a picture of the planned room, seen from above")
+                     "Image of the planned room to write, seen from above")
         ->type_name("FILE.png");
     command
         ->add_option("--storey", arguments->storey,
-                     "Storey that the picture looks into, 1 the lowest; else the topmost")
+                     "Storey shown in the image, 1 is the lowest; default: the topmost")
         ->type_name("N")
         ->check(CLI::Range(1, 1000))
         ->needs("--picture");
     addBackendOption(*command, arguments->backend);
     command
         ->add_option("--coverage", arguments->coverage,
-                     "Also plan within rising budgets of frames and of length, and write what they "
-                     "capture, as a table or a picture by the file's extension; may be repeated")
+                     "Also plan with increasing budgets of frames and length and write the "
+                     "coverage, as a table or image by the file's extension; repeatable")
         ->type_name("FILE.csv|svg|png")
         ->allow_extra_args(false);
     command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
     command->add_flag("--bound", arguments->bound,
-                      "Also search densely for what could be captured at all (takes a while)");
+                      "Also compute an upper bound by a dense viewpoint search (slow)");
     command->add_flag("--explain", arguments->explain,
-                      "Say of every object which frame captures it and how well, or where it was "
-                      "lost and what would help");
+                      "List for every object the frame that captures it and how well, or why it is "
+                      "lost and a remedy");
     command
-        ->add_option("--require", arguments->requirements,
-                     "Exit with 3 unless a metric meets a condition, as in "
-                     "'well_captured_rate>=0.8'")
+        ->add_option(
+            "--require", arguments->requirements,
+            "Exit with code 3 unless a metric meets a condition, as in 'well_captured_rate>=0.8'")
         ->type_name("CONDITION")
         ->allow_extra_args(false);
     command->footer(

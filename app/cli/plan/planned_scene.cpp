@@ -31,8 +31,7 @@ void warnOfAnchors(const Plan& plan) {
     for (const AnchorTally& one : anchors) {
         if (one.visited >= one.found) continue;
         log::warn("planning",
-                  fmt::format("{} of {} {} are not visited: the camera finds no place there, or no "
-                              "way leads to it",
+                  fmt::format("{} of {} {} are not visited: no legal pose, or unreachable",
                               one.found - one.visited, one.found, one.kind));
     }
 }
@@ -42,11 +41,12 @@ void warnOfAnchors(const Plan& plan) {
 void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
     const int lines = plan.trajectory_metrics.straight_lines_that_hit;
     if (lines == 0 || (timing.max_frames > 0 && !planning::keepsFrameRate(timing))) return;
-    log::warn("planning",
-              fmt::format("frame_rate is low for this speed: between frames the camera goes around "
-                          "things that straight lines from frame to frame would hit ({}); raise "
-                          "frame_rate from {:g}, or set max_speed_mps",
-                          lines, timing.frame_rate));
+    log::warn(
+        "planning",
+        fmt::format(
+            "frame_rate is low for this speed: straight lines between frames would collide {} "
+            "times, although the path does not; raise frame_rate from {:g}, or set max_speed_mps",
+            lines, timing.frame_rate));
 }
 
 void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
@@ -67,13 +67,12 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
     std::set<int> motions;
     for (const TrajectoryFrame& frame : plan.trajectory.frames) motions.insert(frame.path);
     if (motions.size() < 2) return;
-    log::warn(
-        "planning",
-        fmt::format(
-            "no free way joins all places: the trajectory has {} motions, and jumps "
-            "from one to the next; 'path' in frames.csv tells them apart{}",
-            motions.size(),
-            roomsPartThem(plan.paths) ? ", and --set rooms=each exports rooms by themselves" : ""));
+    log::warn("planning", fmt::format("no collision-free path connects all views: the trajectory "
+                                      "has {} separate motions, numbered by 'path' in frames.csv{}",
+                                      motions.size(),
+                                      roomsPartThem(plan.paths)
+                                          ? "; --set rooms=each exports each room separately"
+                                          : ""));
 }
 
 /// The user setting that leaves no free space; empty if some is free.
@@ -104,14 +103,14 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
     if (!any) return {};
     if (region->hasBand() && !in_band) {
         return fmt::format(
-            "min_height_m={:g} and max_height_m={:g} leave the camera no free place "
-            "above the floor; widen the band",
+            "min_height_m={:g} and max_height_m={:g} leave the camera no free position above the "
+            "floor; widen the band",
             band.min_height_m, band.max_height_m);
     }
     return region->hasBand()
-               ? "the no-go boxes leave the camera no free place between "
-                 "min_height_m and max_height_m; move or shrink them"
-               : "the no-go boxes leave the camera no free place; move or shrink them";
+               ? "the no-go boxes leave the camera no free position between min_height_m and "
+                 "max_height_m; move or shrink them"
+               : "the no-go boxes leave the camera no free position; move or shrink them";
 }
 
 /// An illegal camera pose for --start or --end is an error; other pins are only dropped.

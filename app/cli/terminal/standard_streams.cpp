@@ -38,7 +38,7 @@ void cleanStandardOutput() {
 
 Status finishStandardOutput() {
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return {};
-    return fail(ErrorCode::CannotWrite, "the results cannot be written to the standard output.");
+    return fail(ErrorCode::CannotWrite, "the results cannot be written to standard output.");
 }
 
 void printToStandardError(std::string_view message) {

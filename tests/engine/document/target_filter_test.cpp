@@ -57,7 +57,7 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     EXPECT_EQ(warningFor({"sofa"}, {"sofa"}),
               "ignore names all that only leaves; nothing is left to capture");
     EXPECT_EQ(warningFor({}, {"*"}), "ignore names every target; nothing is left to capture");
-    EXPECT_NE(warningFor({"nosuch"}, {}).find("names no class and no object"), std::string::npos);
+    EXPECT_NE(warningFor({"nosuch"}, {}).find("is neither a class nor an object"), std::string::npos);
 
     // An object that the lists leave out can be wanted by name all the same.
     ProjectState state;
