@@ -134,7 +134,7 @@ void Editor::addEditCommands() {
         return selected_.objects().empty() ? "Select an object first." : "";
     };
     commands_.add(
-        {"edit.exclude", "Edit", "Exclude what is selected", key(GLFW_KEY_X),
+        {"edit.exclude", "Edit", "Exclude the selection", key(GLFW_KEY_X),
          [this] {
              apply({{"op", "exclude"},
                     {"object", objectKeys(*workspace_.shown().scene, selected_.objects())}});
@@ -143,7 +143,7 @@ void Editor::addEditCommands() {
     commands_.add(
         {"edit.include",
          "Edit",
-         "Make what is selected a target",
+         "Make the selection a target",
          {GLFW_KEY_X, false, true},
          [this] {
              apply({{"op", "include"},
@@ -185,7 +185,7 @@ void Editor::addEditCommands() {
                                   ? ""
                                   : "Select a position point first.";
                    }});
-    commands_.add({"edit.delete", "Edit", "Delete what is selected", key(GLFW_KEY_DELETE),
+    commands_.add({"edit.delete", "Edit", "Delete the selection", key(GLFW_KEY_DELETE),
                    [this] { deleteSelected(); },
                    [this]() -> std::string {
                        const bool can = selected_.is(Selection::Kind::PositionPoint) ||
@@ -233,7 +233,7 @@ void Editor::addViewCommands() {
     const auto aspect = [this] {
         return static_cast<double>(pane_.width) / std::max(pane_.height, 1);
     };
-    commands_.add({"view.frame_selected", "View", "Show what is selected", key(GLFW_KEY_F),
+    commands_.add({"view.frame_selected", "View", "Show the selection", key(GLFW_KEY_F),
                    [this] { bringIntoView(selectedBox()); },
                    [this]() -> std::string {
                        return selectedBox().isEmpty() ? "Select something first." : "";
@@ -287,14 +287,14 @@ void Editor::addViewCommands() {
          [this]() -> std::string { return frameCount() > 0 ? "" : "There is no trajectory."; },
          [this] { return through_camera_; }});
     keypad_.push_back({GLFW_KEY_KP_0, false, through});
-    commands_.add({"view.hide", "View", "Hide what is selected", key(GLFW_KEY_H),
+    commands_.add({"view.hide", "View", "Hide the selection", key(GLFW_KEY_H),
                    [this] { selected_.hideObjects(); },
                    [this]() -> std::string {
                        return selected_.objects().empty() ? "Select an object first." : "";
                    }});
     commands_.add({"view.show_all",
                    "View",
-                   "Show all that is hidden",
+                   "Show all hidden objects",
                    {GLFW_KEY_H, false, false, true},
                    [this] { selected_.showAll(); },
                    needs_scene});
@@ -321,9 +321,9 @@ void Editor::addViewCommands() {
             std::clamp(now.position_m + way * workspace_.shown().free_space->resolution_m(),
                        room.min()[now.axis], room.max()[now.axis]);
     };
-    commands_.add({"layer.slice_up", "Layers", "Slice of free space up", key(GLFW_KEY_PAGE_UP),
-                   [slice] { slice(1.0); }, needs_map});
-    commands_.add({"layer.slice_down", "Layers", "Slice of free space down",
+    commands_.add({"layer.slice_up", "Layers", "Raise the slice of free space",
+                   key(GLFW_KEY_PAGE_UP), [slice] { slice(1.0); }, needs_map});
+    commands_.add({"layer.slice_down", "Layers", "Lower the slice of free space",
                    key(GLFW_KEY_PAGE_DOWN), [slice] { slice(-1.0); }, needs_map});
     commands_.add({"layer.slice_height",
                    "Layers",
@@ -338,9 +338,9 @@ void Editor::addViewCommands() {
     layer("points", "Observation and position points", {GLFW_KEY_F3}, layers.points);
     layer("roadmap", "Roadmap", {GLFW_KEY_F4}, layers.roadmap);
     layer("trajectory", "Trajectory", {GLFW_KEY_F5}, layers.trajectory);
-    layer("candidates", "Candidates of what is selected", {GLFW_KEY_F6}, layers.candidates);
+    layer("candidates", "Candidates of the selection", {GLFW_KEY_F6}, layers.candidates);
     layer("no_go", "No-go boxes, regions", {GLFW_KEY_F7}, layers.no_go_boxes);
-    layer("ceilings", "Look in from above", {GLFW_KEY_F8}, layers.ceiling_cut);
+    layer("ceilings", "Cut ceilings away", {GLFW_KEY_F8}, layers.ceiling_cut);
     commands_.add({"view.preview",
                    "View",
                    "Preview of the camera",

@@ -27,7 +27,7 @@ void Editor::askForFile(const std::string& id) {
         request.filters = {
             {"Scenes and projects", all}, {"Projects", {".dolly"}}, {"Scenes", scenes}};
     } else if (id == "locate scene") {
-        request.title = "Where is the project's scene now?";
+        request.title = "Locate the project's scene";
         request.filters = {{"Scenes", scenes}};
     } else if (id == "save") {
         request.purpose = ui::FileRequest::Purpose::Save;
@@ -41,7 +41,8 @@ void Editor::askForFile(const std::string& id) {
     } else if (id == "annotations") {
         const std::filesystem::path beside = io::annotationFileOf(workspace_.sceneFile());
         request.purpose = ui::FileRequest::Purpose::Save;
-        request.title = "Write the annotations beside the scene, for everyone who opens it";
+        request.title =
+            "Write the annotations beside the scene, where they are found automatically";
         request.accept = "Write";
         request.extension = ".json";
         request.filters = {{"Annotations", {".json"}}};
@@ -53,10 +54,10 @@ void Editor::askForFile(const std::string& id) {
         request.filters = {{"Label files", {".json", ".csv"}}};
     } else if (id == "preview.png") {
         request.purpose = ui::FileRequest::Purpose::Save;
-        request.title = "Save the camera's picture";
+        request.title = "Save the camera's image";
         request.accept = "Save";
         request.extension = ".png";
-        request.filters = {{"PNG pictures", {".png"}}};
+        request.filters = {{"PNG images", {".png"}}};
         request.name = fmt::format("frame_{:06}.png",
                                    picture_to_save_ ? picture_to_save_->frame : playback_.frame());
     } else if (id == "export folder") {
@@ -64,7 +65,7 @@ void Editor::askForFile(const std::string& id) {
         request.title = "Folder for the dataset";
         request.accept = "Choose";
     } else if (id == "export rig") {
-        request.title = "Cameras that ride on the planned one";
+        request.title = "Additional cameras mounted on the planned one";
         request.accept = "Choose";
         request.filters = {{"Rigs", {".json"}}};
     } else if (id == "export projects") {
@@ -153,7 +154,7 @@ void Editor::drawDialogs() {
         questions_.tell({true, "The scene cannot be drawn", error, {}});
     }
     if (const std::optional<Error> error = pictures_.takeError()) {
-        questions_.tell({true, "Cannot save the picture", describe(*error), {}});
+        questions_.tell({true, "Cannot save the image", describe(*error), {}});
     }
     if (std::vector<LostWork> lost = autosave_.takeLostWork(); !lost.empty()) {
         questions_.offer(std::move(lost));

@@ -82,29 +82,30 @@ void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& 
             break;
         case Kind::New:
             view.folder_warns = false;
-            view.folder_says = "It will be made.";
+            view.folder_says = "It will be created.";
             break;
         case Kind::NewInNew:
-            view.folder_says = fmt::format("It will be made, and all of its path after {}.",
+            view.folder_says = fmt::format("It will be created, with all folders below {}.",
                                            found.around.string());
             break;
         case Kind::Dataset:
-            view.folder_says = "A dataset is there: Export asks before it replaces it.";
+            view.folder_says = "It contains a dataset; Export asks before replacing it.";
             break;
         case Kind::Unfinished:
-            view.folder_says = "The unfinished export that is there will be replaced.";
+            view.folder_says = "Its unfinished export will be replaced.";
             break;
         case Kind::OtherFiles:
             if (other_files_may_stay) {
-                view.folder_says = "Other files are there; they stay.";
+                view.folder_says = "It contains other files, which are kept.";
             } else {
                 view.why_not_folder =
-                    "Other files are there: choose another folder, or tick that it may hold them.";
+                    "It contains other files: choose another folder, or tick that it may contain "
+                    "them.";
             }
             break;
         case Kind::NoFolder:
             view.why_not_folder = found.around.empty()
-                                      ? "That is a file, not a folder."
+                                      ? "This is a file, not a folder."
                                       : found.around.string() + " is a file, not a folder.";
             break;
     }
@@ -144,10 +145,10 @@ ui::ExportView Editor::exportView() {
     } else if (!workspace_.isOpen()) {
         view.why_not = "No scene is open.";
     } else if (!workspace_.planIsCurrent()) {
-        view.why_not = workspace_.planError().empty() ? "The plan is still being made."
-                                                      : workspace_.planError();
+        view.why_not =
+            workspace_.planError().empty() ? "Planning is still running." : workspace_.planError();
     } else if (frameCount() == 0) {
-        view.why_not = "There is no trajectory: nothing can be captured.";
+        view.why_not = "There is no trajectory, because no object can be captured.";
     }
     view.frame_count = frameCount();
     view.current_frame = playback_.frame();
@@ -178,8 +179,8 @@ ui::ExportView Editor::exportView() {
             // Only a warning: this is the case after each export started here.
             view.folder_warns = true;
             view.folder_says =
-                fmt::format("{} {} exported there: another one needs its own folder.",
-                            job->request.name, job->active() ? "is being" : "will be");
+                fmt::format("{} {} exported there: choose another folder.", job->request.name,
+                            job->active() ? "is being" : "will be");
             if (view.why_not.empty()) view.why_not = view.folder_says;
         }
     }
@@ -221,7 +222,7 @@ void Editor::resumeExport(int id, const std::vector<ui::ExportJob>& jobs) {
     if (other == nullptr) return exports_->resume(id);
     questions_.tell({true,
                      "The folder is in use",
-                     fmt::format("{} is exported into {} now.\nGo on when that has ended.",
+                     fmt::format("{} is being exported into {}.\nTry again when it has finished.",
                                  other->request.name, other->request.folder.string()),
                      {}});
 }
@@ -238,9 +239,9 @@ void Editor::queueExport(const ui::ExportView& view) {
     if (found.kind != FolderFinding::Kind::NewInNew) return add(request);
     // Several missing folders suggest a typing error.
     questions_.ask(
-        {"Make the whole path?",
-         fmt::format("Of {}\nonly {} is there.", request.folder.string(), found.around.string()),
-         {{"Make it and export", [add, request] { add(request); }}}});
+        {"Create the folders?",
+         fmt::format("Of {}\nonly {} exists.", request.folder.string(), found.around.string()),
+         {{"Create and export", [add, request] { add(request); }}}});
 }
 
 void Editor::askToReplace(const ui::ExportRequest& request,
@@ -250,8 +251,8 @@ void Editor::askToReplace(const ui::ExportRequest& request,
     ui::ExportRequest replacing = request;
     replacing.overwrite = true;
     questions_.ask(
-        {"A dataset is there already",
-         fmt::format("{} holds {}.\nOverwriting replaces it when the new one is complete.",
+        {"The folder contains a dataset",
+         fmt::format("{} contains {}.\nOverwriting replaces it when the new one is complete.",
                      request.folder.string(), describeDataset(request.folder)),
          {{"Export to " + beside.folder.filename().string(),
            [this, add, beside] {

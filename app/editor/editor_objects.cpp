@@ -131,19 +131,19 @@ void Editor::addObjectCommands() {
     };
     commands_.add({"edit.clear_move",
                    "Edit",
-                   "Put the object back to its place",
+                   "Move the object back to its original position",
                    {GLFW_KEY_G, false, false, true},
                    [putBack] { putBack("offset", ui::pointJson(Eigen::Vector3d::Zero())); },
                    needs_object});
     commands_.add({"edit.clear_turn",
                    "Edit",
-                   "Turn the object back",
+                   "Rotate the object back to its original heading",
                    {GLFW_KEY_R, false, false, true},
                    [putBack] { putBack("turn_deg", 0.0); },
                    needs_object});
     commands_.add({"edit.add_key",
                    "Edit",
-                   "Give the object a key at this time",
+                   "Add a key to the object at this time",
                    {GLFW_KEY_I},
                    [this] {
                        apply(ui::addKeyOperation(workspace_.state().edits,
@@ -153,7 +153,7 @@ void Editor::addObjectCommands() {
                    needs_object});
     commands_.add({"edit.remove_key",
                    "Edit",
-                   "Take the object's key at this time away",
+                   "Remove the object's key at this time",
                    {GLFW_KEY_I, false, false, true},
                    [this] { apply(removeKeyHere()); },
                    [this, needs_object]() -> std::string {
@@ -163,7 +163,7 @@ void Editor::addObjectCommands() {
                    }});
     commands_.add({"timeline.play_tracks",
                    "Timeline",
-                   "Let things with keys move",
+                   "Play object tracks",
                    {GLFW_KEY_SPACE, false, true},
                    [this] { playTracks(); },
                    [this]() -> std::string {

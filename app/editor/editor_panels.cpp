@@ -309,14 +309,14 @@ void Editor::drawStatus() {
         right = fmt::format("{:L} triangles, {} objects   ", shown.scene->triangles.size(),
                             shown.scene->objects.size());
     }
-    right += fmt::format("window {:.0f} ms, picture {:.0f} ms", window_.lastFrame_ms(),
+    right += fmt::format("window {:.0f} ms, image {:.0f} ms", window_.lastFrame_ms(),
                          drawing_.view().milliseconds);
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     ImGui::SameLine(std::max(ImGui::GetWindowWidth() - width - ui::scaled(12), 0.0F));
     ImGui::TextDisabled("%s", right.c_str());
     std::string more;
     if (shown.scene) {
-        more = fmt::format("A unit of the scene file is {:g} m.\n", shown.scene->report.unit_m);
+        more = fmt::format("One unit of the scene file is {:g} m.\n", shown.scene->report.unit_m);
     }
     ui::tooltip(more + drawing_.rendererName());
 }

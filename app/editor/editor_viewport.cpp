@@ -387,7 +387,7 @@ void Editor::drawImportBar() {
     const int pressed =
         ui::drawNoteBar("import_doubt", up + (up.empty() || unit.empty() ? "" : "; ") + unit,
                         {{"Read with " + settingsText(proposal),
-                          "Read the scene file again like that; can be undone"},
+                          "Reload the scene file with this setting; can be undone"},
                          {"Keep", "Hide this line"}});
     if (pressed == 0) workspace_.applyProposal();
     if (pressed == 1) import_bar_dismissed_ = true;
@@ -397,17 +397,15 @@ void Editor::drawBars() {
     drawImportBar();
     if (!workspace_.fileChanged()) return;
     const std::filesystem::path file = workspace_.path();
-    const int pressed =
-        ui::drawNoteBar("file_changed", "Changed by another program: " + file.string(),
-                        {{"Reload", "Open it again as it is on the disk"},
-                         {"Keep mine",
-                          "Go on with what is open; saving asks before it overwrites "
-                          "what the other program wrote"}});
+    const int pressed = ui::drawNoteBar(
+        "file_changed", "Changed by another program: " + file.string(),
+        {{"Reload", "Reload the file from disk"},
+         {"Keep mine", "Keep the open version; saving asks before overwriting the file"}});
     if (pressed == 1) workspace_.dismissFileChange();
     if (pressed != 0) return;
     if (!workspace_.unsaved()) return workspace_.open(file);
     questions_.ask({"Reload " + file.filename().string() + "?",
-                    "What was changed here since it was opened or saved is lost.",
+                    "Changes made here since it was opened or saved are lost.",
                     {{"Reload", [this, file] { workspace_.open(file); }}}});
 }
 
@@ -428,7 +426,7 @@ void Editor::drawCentre() {
         view.message = failed ? "The scene cannot be shown: " + workspace_.planError()
                               : "Preparing the scene …";
     }
-    if (workspace_.shown().outdated) view.remark = "The plan before: these parameters give none";
+    if (workspace_.shown().outdated) view.remark = "Previous plan: these parameters give no plan";
     view.locked = through_camera_;
     if (through_camera_) {
         const CameraParams& camera = workspace_.shown().params.camera;

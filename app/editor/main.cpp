@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     using namespace dollytrack;
     // Exceeding the file size limit then is a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
-    CLI::App app("Plan a camera's way through an indoor scene, see why, and tune it by hand.");
+    CLI::App app("Plan a camera trajectory through an indoor scene, inspect and tune it.");
     app.name("dollytrack-editor");
     app.set_version_flag("--version", std::string("dollytrack-editor ") + versionText());
     std::string path;
@@ -86,10 +86,10 @@ int main(int argc, char** argv) {
     app.add_option("file", path, "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
         ->type_name("FILE");
     app.add_option("--size", size,
-                   "Size of the window, such as 1280x720; of a screen of 96 dots per inch")
+                   "Size of the window for a screen of 96 dots per inch, such as 1280x720")
         ->type_name("WxH");
     app.add_option("--inspect", socket,
-                   "Unix socket that answers the line 'state' with what is shown, as JSON")
+                   "Unix socket that answers the line 'state' with the editor's state, as JSON")
         ->type_name("PATH");
     if (argc == 3 && std::string_view(argv[1]) == manual::kManualOption) {
         const Status written = manual::writeManual(app, {DOLLYTRACK_VERSION, {}, {}}, argv[2]);
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
         int height = 0;
         if (std::sscanf(size.c_str(), "%dx%d", &width, &height) != 2 || width < 320 ||
             height < 240 || width > 16384 || height > 16384) {
-            std::cerr << "dollytrack-editor: --size wants something like 1280x720.\n";
+            std::cerr << "dollytrack-editor: --size needs WIDTHxHEIGHT, like 1280x720.\n";
             return 2;
         }
         settings.window = {width, height, false};

@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "head -c 300000 /dev/zero | tr '\\0' x >&2; echo >&2; "
                   "echo '{\"fraction\":\"many\",\"frames\":-5,\"stage\":7}' >&2; "
                   "echo '[1,2' >&2; echo '{\"error\":5}' >&2; echo 'last words' >&2; exit 1",
-                  "It said last: last words"},
+                  "Its last message: last words"},
         BadEnding{"ClosedEar", "exec 2>&-; sleep 0.3; exit 1", "exit code 1"}),
     [](const auto& tested) { return std::string(tested.param.what); });
 

@@ -162,7 +162,7 @@ TEST(ExportPanel, NothingMovesForWhatThereIsToSay) {
         return tops;
     };
     const std::vector<float> before = places();
-    panel.view.folder_says = "It will be made, and all of its path after a folder with a long name";
+    panel.view.folder_says = "It will be created, with all folders below a folder with a long name";
     screen.frame(2);
     EXPECT_EQ(places(), before);
     panel.view.why_not_folder = "Other files are there: choose another folder, or tick the box.";
@@ -296,10 +296,10 @@ TEST(ExportPanel, WaitsForARangeThatIsTheRightWayRound) {
 
 TEST(ExportPanel, WritesNowhereThatItCannot) {
     Export panel;
-    panel.view.folder_says = "It will be made.";
+    panel.view.folder_says = "It will be created.";
     test::Screen screen([&] { panel.draw(); }, 380, 900);
     EXPECT_TRUE(screen.enabled("export.add"));
-    panel.view.why_not_folder = "That is a file, not a folder.";
+    panel.view.why_not_folder = "This is a file, not a folder.";
     screen.frame(2);
     EXPECT_FALSE(screen.enabled("export.add"));
     // Other projects get folders of their own, whether or not one is chosen here.

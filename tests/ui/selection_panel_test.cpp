@@ -224,7 +224,7 @@ TEST_F(SelectionPanelTest, ASplitTellsItsPiecesAndTakesLimits) {
     EXPECT_EQ(splitText(told, memory.split), "Makes 4 objects of it, the smallest 0.2 m");
     ASSERT_TRUE(screen.typeInto("selection.split.min_size_m", "0.35")) << screen.names();
     EXPECT_EQ(splitText(told, memory.split),
-              "Makes 2 objects of it, the smallest 0.4 m; 2 smaller pieces stay with the nearest");
+              "Makes 2 objects of it, the smallest 0.4 m; 2 smaller pieces join the nearest");
     ASSERT_TRUE(screen.typeInto("selection.split.min_size_m", "0.45"));
     EXPECT_FALSE(screen.enabled("selection.split"));
     ASSERT_TRUE(screen.typeInto("selection.split.min_size_m", "0"));

@@ -91,7 +91,7 @@ class RoadmapBuilder {
                                             {0, 0, 0},
                                             toTag(Picked::RefusedEdge, static_cast<int>(i))});
         }
-        layer_.legend.entries.push_back({"Refused, with the point of collision", Shape::Line,
+        layer_.legend.entries.push_back({"Colliding edge, with the point of collision", Shape::Line,
                                          kRefusedColor, static_cast<int>(refused.size())});
     }
 

@@ -10,7 +10,7 @@ std::string nameOf(const Scene& scene, const Plan& plan, int position_point) {
     const auto o = static_cast<std::size_t>(plan.position_points[p].observation_point);
     const std::vector<int>& objects = plan.observation_points[o].objects;
     if (objects.empty())
-        return plan.position_points[p].room_view ? "a room view" : "a view asked for";
+        return plan.position_points[p].room_view ? "a room view" : "a constraint view";
     const std::string& first = scene.object(objects.front()).name;
     return objects.size() == 1 ? first : fmt::format("{} and {} more", first, objects.size() - 1);
 }
@@ -18,7 +18,7 @@ std::string nameOf(const Scene& scene, const Plan& plan, int position_point) {
 namespace {
 
 std::string obstacle(const Scene& scene, const RefusedEdge& edge) {
-    if (edge.object_id > 0) return "would hit " + scene.object(edge.object_id).name;
+    if (edge.object_id > 0) return "would collide with " + scene.object(edge.object_id).name;
     if (edge.reason == Verdict::NoGo) return "would enter a no-go box";
     if (edge.reason == Verdict::HeightBand) return "would leave the height band";
     return "would leave free space";
@@ -41,7 +41,7 @@ std::string describe(const Scene& scene, const Plan& plan, const AlgorithmStep& 
                 b, step.distance_m, step.cost(), step.distance_cost, step.size_cost,
                 step.turn_cost);
         case Kind::Skip:
-            return fmt::format("Skip: {} and {} are already joined or refused.", a, b);
+            return fmt::format("Skip: {} and {} are already joined, or their edge collides.", a, b);
         case Kind::Edge:
             return fmt::format("Edge: straight from {} to {}?", a, b);
         case Kind::Accepted:
@@ -52,7 +52,7 @@ std::string describe(const Scene& scene, const Plan& plan, const AlgorithmStep& 
                                obstacle(scene, plan.roadmap.refused[index]));
         case Kind::Leave:
             return step.index == 0 ? fmt::format("Done with {}: it has all the edges it needs.", a)
-                                   : fmt::format("Done with {}: {} {} refused.", a, step.index,
+                                   : fmt::format("Done with {}: {} {} colliding.", a, step.index,
                                                  step.index == 1 ? "edge was" : "edges were");
         case Kind::Link:
             return fmt::format("Link: RRT* grows from {} towards {}.", a, b);
@@ -61,15 +61,16 @@ std::string describe(const Scene& scene, const Plan& plan, const AlgorithmStep& 
                                (step.point - step.from).norm(),
                                step.parent < 0 ? a : fmt::format("sample {}", step.parent + 1));
         case Kind::LinkFound:
-            return fmt::format("Link: found from {} to {}, {:.2f} m by way of {} corners.", a, b,
+            return fmt::format("Link: found from {} to {}, {:.2f} m with {} corners.", a, b,
                                plan.roadmap.edges[index].length_m,
                                plan.roadmap.edges[index].via.size());
         case Kind::LinkFailed:
             return fmt::format("Link: none found from {} to {} with {} samples.", a, b, step.index);
         case Kind::Prune:
-            return fmt::format("Prune: the edge between {} and {} closes a cycle and goes.", a, b);
+            return fmt::format("Prune: the edge between {} and {} closes a cycle and is removed.",
+                               a, b);
         case Kind::Visit:
-            return step.b < 0 ? fmt::format("Path {}: begins at {}.", step.index + 1, a)
+            return step.b < 0 ? fmt::format("Path {}: starts at {}.", step.index + 1, a)
                               : fmt::format("Path {}: from {} to {}.", step.index + 1, b, a);
     }
     return {};

@@ -164,9 +164,9 @@ void drawLegendBox(const std::vector<Legend>& legends, ImVec2 low, ImVec2 room,
     nameArea("legend", low.x, low.y, low.x + size.x, low.y + size.y);
     state.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::BeginGroup();
-    if (button(
-            state.open ? "\u25be Legend" : "\u25b8 Legend", "legend.title",
-            {.tip = state.open ? "Fold it" : "What the signs and colours mean", .small = true})) {
+    if (button(state.open ? "\u25be Legend" : "\u25b8 Legend", "legend.title",
+               {.tip = state.open ? "Collapse the legend" : "Meaning of the symbols and colours",
+                .small = true})) {
         state.open = !state.open;
     }
     for (const Legend& legend : legends) {

@@ -120,7 +120,7 @@ Status openFolder(const fs::path& folder) {
     }
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
-        return fail(ErrorCode::Failed, "The folder is not there any more.", folder.string());
+        return fail(ErrorCode::Failed, "The folder no longer exists.", folder.string());
     }
     // Started through a shell that exits at once, so that no zombie process remains. The folder is
     // passed as $0, so it is never interpreted as a command.

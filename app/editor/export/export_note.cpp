@@ -86,7 +86,7 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
     } catch (const json::exception&) {
         // A replaced character would name another folder.
         return fail(ErrorCode::CannotWrite,
-                    "A path of this export is not UTF-8; it cannot be noted for later.",
+                    "A path of this export is not UTF-8, so the export cannot be resumed later.",
                     file.string());
     }
 }
@@ -112,7 +112,7 @@ Result<ExportNote> readNote(const fs::path& file) {
         const auto* end = std::ranges::find(kEnds, read.value("end", std::string(kEnds[0])));
         if (end != kEnds.end()) note.end = static_cast<ExportEnd>(end - kEnds.begin());
     } catch (const json::exception&) {
-        return fail(ErrorCode::BadInput, "The note of an unfinished export cannot be read.",
+        return fail(ErrorCode::BadInput, "The record of an unfinished export cannot be read.",
                     file.string());
     }
     return note;
@@ -134,7 +134,7 @@ Result<ExportNote> takeOverNote(const fs::path& left, const fs::path& folder,
                       error);
         if (error) {
             return fail(ErrorCode::CannotWrite,
-                        "An unfinished export cannot be taken over: " + error.message() + ".",
+                        "An unfinished export cannot be resumed: " + error.message() + ".",
                         old_snapshot.string());
         }
     }
@@ -163,8 +163,8 @@ std::vector<fs::path> findLeftNotes(const fs::path& folder) {
     }
     for (const fs::path& file : left_over) fs::remove(file, error);
     if (!left_over.empty()) {
-        log::info("export", fmt::format("removed {} snapshots of exports that were cut off",
-                                        left_over.size()));
+        log::info("export",
+                  fmt::format("removed {} snapshots of interrupted exports", left_over.size()));
     }
     std::ranges::sort(notes);
     std::vector<fs::path> files;

@@ -27,7 +27,7 @@ Result<fs::path> findExportProgram() {
     if (fs::path beside = ownFile().parent_path() / "dollytrack"; isProgram(beside)) return beside;
     if (const fs::path found = findInPath("dollytrack"); !found.empty()) return found;
     return fail(ErrorCode::Failed,
-                "The program 'dollytrack', which does the exporting, is neither beside the editor "
+                "The program 'dollytrack', which exports datasets, is neither beside the editor "
                 "nor in PATH; build or install it.");
 }
 

@@ -68,7 +68,7 @@ ErrorCode codeNamed(const std::string& name) {
 
 /// Appends the program's last message, if there is one.
 std::string withLastWords(std::string sentence, const ui::ExportJob& job) {
-    if (!job.last_words.empty()) sentence += " It said last: " + job.last_words.back();
+    if (!job.last_words.empty()) sentence += " Its last message: " + job.last_words.back();
     return sentence;
 }
 
@@ -143,14 +143,14 @@ void concludeJob(const Outcome& outcome, ui::ExportJob& job) {
     job.error.code = ErrorCode::Failed;
     job.error.where = job.request.folder.string();
     if (end.signal != 0) {
-        job.error.message = withLastWords(
-            fmt::format("The export program was ended by the system ({}); the frames it had "
-                        "finished are kept: Continue goes on from there.",
-                        strsignal(end.signal)),
-            job);
+        job.error.message =
+            withLastWords(fmt::format("The export program was ended by the system ({}); its "
+                                      "finished frames are kept: press Continue to resume.",
+                                      strsignal(end.signal)),
+                          job);
     } else if (end.exit_code == 0) {
         job.error.message = withLastWords(
-            "The export program ended without finishing a dataset; check that it is of this "
+            "The export program ended without finishing a dataset; check that it has the editor's "
             "version.",
             job);
     } else {

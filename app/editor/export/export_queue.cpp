@@ -218,7 +218,7 @@ void ExportQueue::loop() {
     try {
         adoptLeftJobs();
     } catch (const std::exception& e) {
-        log::warn("export", std::string("Unfinished exports cannot be looked for: ") + e.what());
+        log::warn("export", std::string("Unfinished exports cannot be searched for: ") + e.what());
     }
     while (true) {
         storeNewJobs();
@@ -307,7 +307,7 @@ void ExportQueue::storeNewJobs() {
             mark_.hold();
             if (writeSnapshot(id)) keepNote(id);
         } catch (const std::exception& e) {
-            log::debug("export", std::string("A job is not kept for later: ") + e.what());
+            log::debug("export", std::string("An export cannot be kept for later: ") + e.what());
         }
     }
 }
@@ -316,7 +316,7 @@ void ExportQueue::keepNote(int id) {
     try {
         writeOrRemoveNote(id);
     } catch (const std::exception& e) {
-        log::debug("export", std::string("An export cannot be noted for later: ") + e.what());
+        log::debug("export", std::string("An export cannot be recorded for later: ") + e.what());
     }
 }
 
@@ -362,7 +362,7 @@ Status ExportQueue::writeSnapshot(int id) {
     fs::create_directories(file.parent_path(), error);
     if (error) {
         return fail(ErrorCode::CannotWrite,
-                    "The folder for snapshots cannot be made: " + error.message() + ".",
+                    "The folder for snapshots cannot be created: " + error.message() + ".",
                     file.parent_path().string());
     }
     if (Status saved = io::saveProject(*project, file); !saved) return saved;

@@ -56,7 +56,7 @@ ui::RemedySearch RemedyFinder::state(const PlanOutcome& shown, int object_id) {
     if (!same) return search;
     if (searching_ && ended) {
         search.state = State::Failed;
-        search.error = "The search ended without an answer; the log may say why.";
+        search.error = "The search ended without a result; see the log.";
     } else if (searching_) {
         search.state = State::Searching;
         search.fraction = worker_.state().fraction;

@@ -61,13 +61,14 @@ void Autosave::hearOfCopies() {
     const std::optional<Written> news = written_->take();
     if (!news) return;
     if (news->status) {
-        if (std::exchange(failing_, false)) log::info("autosave", "copies are written again");
+        if (std::exchange(failing_, false))
+            log::info("autosave", "backup copies are written again");
         if (restored_from_ == news->replaced) restored_from_.clear();
     } else if (!std::exchange(failing_, true)) {
         // Reported once, since a full disk stays full for a while.
-        log::warn("autosave", "no copy of the unsaved work: " + describe(news->status.error()) +
-                                  " It is tried again every " + std::to_string(kRetry.count()) +
-                                  " s.");
+        log::warn("autosave",
+                  "the unsaved work cannot be backed up: " + describe(news->status.error()) +
+                      " The next attempts follow every " + std::to_string(kRetry.count()) + " s.");
     }
 }
 

@@ -15,8 +15,8 @@ Result<OpenedProject> openProject(ProjectContent content, const JobContext& job)
     const bool changed = sceneHasChanged(content, *opened.imported);
     if (changed) {
         opened.warnings.push_back(
-            "The scene file has changed since the project was saved; objects were found again by "
-            "name, and the plan is new.");
+            "The scene file has changed since the project was saved; objects were matched by name, "
+            "and planning runs again.");
     }
     const auto& missing = opened.imported->report.textures_missing;
     if (!missing.empty()) {
@@ -24,7 +24,7 @@ Result<OpenedProject> openProject(ProjectContent content, const JobContext& job)
             std::to_string(missing.size()) +
             (missing.size() == 1 ? " texture is missing: " : " textures are missing: ") +
             missing.front() + (missing.size() > 1 ? ", …" : "") +
-            "; those surfaces show plain colour.");
+            "; those surfaces have a plain colour.");
     }
     opened.project = std::move(content.project);
     opened.scene_file = std::move(content.scene_file);

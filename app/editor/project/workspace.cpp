@@ -123,9 +123,7 @@ void Workspace::takeHistory(LoadOutcome& outcome) {
     if (history) {
         outcome.history = std::move(*history);
     } else {
-        outcome.opened->warnings.push_back(
-            "The work is back, but its undo history was not kept: what was done before cannot be "
-            "undone step by step.");
+        outcome.opened->warnings.push_back("The work was restored without its undo history.");
     }
 }
 
@@ -182,8 +180,7 @@ void Workspace::finishOpening(LoadOutcome outcome) {
     Notice notice{true, "Cannot open " + name, describe(error)};
     if (!outcome.missing_scene.empty()) {
         notice.text = "Its scene " + outcome.missing_scene.string() +
-                      " is not there any more. Find it where it is now, or put it back and open "
-                      "the project again.";
+                      " no longer exists. Locate it, or put it back and open the project again.";
         notice.missing_scene_of = outcome.path;
         notice.restores = outcome.restored;
     }
@@ -283,7 +280,7 @@ Status Workspace::checkEditable() const {
     if (!isOpen()) return fail(ErrorCode::Failed, "No scene is open.");
     if (!shown_.scene && shown_.error) {
         return fail(shown_.error->code,
-                    "There is no scene to edit, since the last change failed; undo it. " +
+                    "There is no scene to edit, because the last change failed; undo it. " +
                         shown_.error->message,
                     shown_.error->where);
     }
@@ -291,7 +288,7 @@ Status Workspace::checkEditable() const {
         return fail(ErrorCode::Failed, "The scene is still being prepared; try again in a moment.");
     }
     if (!(shown_.state->edits.scene.definitions == state().edits.scene.definitions)) {
-        return fail(ErrorCode::Failed, "The objects are being made anew; try again in a moment.");
+        return fail(ErrorCode::Failed, "The objects are being rebuilt; try again in a moment.");
     }
     return {};
 }

@@ -108,7 +108,7 @@ Inspector::Inspector(const std::filesystem::path& socket_path, std::function<voi
     struct stat there {};
     if (lstat(name.c_str(), &there) == 0 &&
         (!S_ISSOCK(there.st_mode) || unlink(name.c_str()) != 0)) {
-        log::error("editor", "cannot listen on " + name + ": there is a file of that name");
+        log::error("editor", "cannot listen on " + name + ": a file of that name exists");
         return;
     }
     impl_->listener = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);

@@ -30,7 +30,7 @@ std::string textOf(const std::vector<ExportQueue::Found>& found) {
         const auto& [job, editor_died] = found[i];
         text += fmt::format(
             "{}: {}{}.\n", job.request.folder.string(),
-            editor_died ? "the editor ended while it was being exported"
+            editor_died ? "the editor ended during the export"
                         : "leaving the editor stopped its export",
             job.frames > 0 ? fmt::format(", {} of {} frames are done", job.frames_done, job.frames)
                            : std::string());
@@ -38,7 +38,7 @@ std::string textOf(const std::vector<ExportQueue::Found>& found) {
     if (found.size() > kMostNamed) {
         text += fmt::format("{} more are in the queue.\n", found.size() - kMostNamed);
     }
-    return text + "What is finished stays, and the queue under Export has the rest.";
+    return text + "Finished frames are kept; the export queue has the rest.";
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ void Questions::drawLostWork() {
     ui::MessageBox box;
     box.title = "Unsaved work was found";
     box.text = fmt::format(
-        "The editor ended without saving {}.\nThe last copy is of {}.",
+        "The editor ended without saving {}.\nThe last backup copy is from {}.",
         work.project.empty() ? "a project of " + work.scene : work.project.string(), work.when);
     box.buttons = {"Restore", "Delete the copy", "Later"};
     const int pressed = ui::drawMessageBox(box);
@@ -164,10 +164,8 @@ void Questions::drawLostWork() {
 void Questions::drawChangedFile() {
     ui::MessageBox box;
     box.title = changed_file_.filename().string() + " was changed by another program";
-    box.text =
-        changed_file_.string() +
-        " does not hold what was opened or saved here last. Reloading it loses what was changed "
-        "here since, overwriting it what the other program wrote.";
+    box.text = changed_file_.string() +
+               ": Reload loses your changes, Overwrite loses the other program's.";
     // Enter presses the first button, which loses nothing.
     box.buttons = {"Save as…", "Reload", "Overwrite", "Cancel"};
     const int pressed = ui::drawMessageBox(box);
@@ -205,8 +203,8 @@ void Questions::drawExports() {
                     ? "An export is not finished"
                     : fmt::format("{} exports are not finished", stopped_exports_);
     box.text = fmt::format(
-        "Leaving stops {} after the frame at hand. Finished frames stay, and the next start of "
-        "the editor offers to go on from there.",
+        "Leaving stops {} after the current frame. Finished frames are kept, and the editor offers "
+        "to resume at its next start.",
         stopped_exports_ == 1 ? "it" : "them");
     box.buttons = {"Keep exporting", "Stop and quit"};
     box.escape = 0;
@@ -220,7 +218,7 @@ void Questions::drawFoundExports() {
     ui::MessageBox box;
     box.title = titleOf(found_exports_);
     box.text = textOf(found_exports_);
-    box.buttons = {"Continue", "Later", "Take out of the queue"};
+    box.buttons = {"Continue", "Later", "Remove from the queue"};
     box.escape = 1;
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;

@@ -104,7 +104,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     glfwSetErrorCallback(onGlfwError);
     if (glfwInit() == GLFW_FALSE) {
         return fail(ErrorCode::NoOpenGl,
-                    "There is no window system to open a window in (" + last_glfw_error +
+                    "There is no window system (" + last_glfw_error +
                         "); start it in a desktop session, or use the program 'dollytrack', which "
                         "needs none.");
     }
@@ -127,8 +127,8 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     if (window->window_ == nullptr) {
         return fail(ErrorCode::NoOpenGl,
                     "This display offers no OpenGL 4.5 (" + last_glfw_error +
-                        "); update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw "
-                        "with the processor.");
+                        "); update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to render "
+                        "on the CPU.");
     }
     glfwSetWindowSizeLimits(window->window_, onScreen(800, scale, most_width),
                             onScreen(500, scale, most_height), GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -176,7 +176,7 @@ Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
         auto apart = gl::createEglContext();
         if (apart) return apart;
         log::warn("editor",
-                  "Drawing shares the window's driver, which may crash it now and then: " +
+                  "Rendering shares the window's OpenGL driver, which may crash occasionally: " +
                       apart.error().message);
     }
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -185,7 +185,7 @@ Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
     glfwMakeContextCurrent(window_);
     if (hidden_ == nullptr) {
         return fail(ErrorCode::NoOpenGl,
-                    "the second OpenGL context cannot be made: " + last_glfw_error);
+                    "the second OpenGL context cannot be created: " + last_glfw_error);
     }
     return std::unique_ptr<gl::Context>(std::make_unique<HiddenWindow>(hidden_));
 }

@@ -47,7 +47,7 @@ ui::ImageViewerView PictureFile::view() {
     if (!isOpen()) texture_.reset();
     if (std::optional<Pixels> pixels = read_->take(); pixels && isOpen()) {
         if (pixels->rgba.empty()) {
-            message_ = "The picture " + file_.string() + " cannot be read.";
+            message_ = "The image " + file_.string() + " cannot be read.";
         } else {
             message_.clear();
             texture_.upload(pixels->width, pixels->height, pixels->rgba);

@@ -341,7 +341,7 @@ class Files(Task):
         self.start()
         self.editor.click("message.restore")
         self.editor.wait(lambda state: state["open"], "the lost work")
-        self.assertIn("undo history was not kept", self.notice())
+        self.assertIn("without its undo history", self.notice())
         state = self.editor.idle()
         self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
         self.assertEqual(len(state["history"]), 1)

@@ -178,7 +178,7 @@ TEST(RoadmapLayer, DrawsEachKindOfEdgeAsItIs) {
     EXPECT_EQ(countOf(layer.legend, "Accepted, part 2"), 1);
     EXPECT_EQ(countOf(layer.legend, "Link by RRT*"), 1);
     EXPECT_EQ(countOf(layer.legend, "Dropped: closes a cycle"), 1);
-    EXPECT_EQ(countOf(layer.legend, "Refused, with the point of collision"), 2);
+    EXPECT_EQ(countOf(layer.legend, "Colliding edge, with the point of collision"), 2);
     EXPECT_EQ(countOf(layer.legend, "RRT* sample"), 3);
     std::map<int, int> lines_of_edge;
     for (const render::OverlayLine& line : layer.overlay.lines) {

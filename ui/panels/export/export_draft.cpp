@@ -72,13 +72,13 @@ std::string rangeNote(const ExportView& view, const ExportDraft& draft) {
     const int last = view.frame_count - 1;
     if (view.frame_count == 0 || draft.current_only) return {};
     if (isReversed(draft)) {
-        return fmt::format("From {} to {} there are no frames: the last comes before the first.",
+        return fmt::format("The range {} to {} is empty: its last frame comes before its first.",
                            draft.first, draft.last);
     }
-    if (draft.first > last) return fmt::format("The trajectory ends with frame {}.", last);
+    if (draft.first > last) return fmt::format("The last frame of the trajectory is {}.", last);
     if (draft.last <= last && draft.first >= 0) return {};
     const Frames frames = framesOf(view, draft);
-    return fmt::format("There are frames 0 to {}: {} to {} are exported.", last, frames.begin,
+    return fmt::format("The frames are 0 to {}: {} to {} are exported.", last, frames.begin,
                        frames.end - 1);
 }
 
@@ -130,7 +130,7 @@ std::string whyNot(const ExportView& view, const ExportDraft& draft) {
         return "Choose at least one format.";
     }
     if (wantsFlow(view, draft) && !areDistances(draft.flow_distances)) {
-        return "Flow goes to frames at whole distances, as in 1,5.";
+        return "Flow distances are whole numbers of frames, as in 1,5.";
     }
     return {};
 }

@@ -64,18 +64,18 @@ void drawQueueButtons(const ExportView& view, const ExportJob& job, std::size_t 
     const float gap = scaled(3);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 3 * side - 2 * gap);
     if (iconButton(Icon::Up, nameFor(job, "earlier"),
-                   {"Earlier", index == 0 ? "It is the first." : "", false, true})) {
+                   {"Earlier", index == 0 ? "It is the first already." : "", false, true})) {
         actions.earlier = job.id;
     }
     ImGui::SameLine(0, gap);
     const bool is_last = index + 1 == view.jobs.size();
     if (iconButton(Icon::Down, nameFor(job, "later"),
-                   {"Later", is_last ? "It is the last." : "", false, true})) {
+                   {"Later", is_last ? "It is the last already." : "", false, true})) {
         actions.later = job.id;
     }
     ImGui::SameLine(0, gap);
-    const char* tip = job.active() ? "Cancel and take out of the queue; the frames stay"
-                                   : "Take out of the queue; the dataset stays";
+    const char* tip = job.active() ? "Cancel and remove from the queue; frames are kept"
+                                   : "Remove from the queue; the dataset is kept";
     if (iconButton(Icon::Close, nameFor(job, "remove"), {tip, {}, false, true})) {
         actions.remove = job.id;
     }
@@ -94,20 +94,20 @@ void drawOutcomeButtons(const ExportView& view, const ExportJob& job, ExportActi
     if (job.state != ExportState::Done) {
         const bool can = job.active() || job.state == ExportState::Waiting;
         offer("Cancel", "cancel",
-              {job.state == ExportState::Stopping ? "It stops after the frame at hand."
+              {job.state == ExportState::Stopping ? "It stops after the current frame."
                : can                              ? ""
-                                                  : "It does not run.",
-               "Stop after the frame at hand; Continue goes on from there"},
+                                                  : "It is not running.",
+               "Stop after the current frame; Continue resumes it"},
               actions.cancel);
     }
     if (job.state == ExportState::Cancelled || job.state == ExportState::Failed) {
         offer(job.frames_done > 0 ? "Continue" : "Try again", "resume",
-              {{}, job.frames_done > 0 ? "Go on after the frames that are finished" : ""},
-              actions.resume);
+              {{}, job.frames_done > 0 ? "Resume after the finished frames" : ""}, actions.resume);
     }
     if (job.state == ExportState::Done) {
         offer("Contact sheet", "sheet",
-              {job.contact_sheet.empty() ? "This dataset has none." : "", "Look at the dataset"},
+              {job.contact_sheet.empty() ? "This dataset has no contact sheet." : "",
+               "Show the contact sheet"},
               actions.show_sheet);
     }
     if (job.frames_done > 0 || job.state == ExportState::Done) {
@@ -144,7 +144,7 @@ void drawJob(const ExportView& view, std::size_t index, ExportActions& actions) 
         if (!job.last_words.empty()) {
             std::string words;
             for (const std::string& line : job.last_words) words += line + "\n";
-            ImGui::TextColored(palette().text_dim, "What the program said");
+            ImGui::TextColored(palette().text_dim, "Program output");
             tooltip(words);
         }
     }
@@ -164,17 +164,17 @@ std::string durationText(double seconds) {
 void drawExportJobs(const ExportView& view, ExportActions& actions) {
     heading("Queue");
     if (view.jobs.empty()) {
-        ImGui::TextDisabled("Nothing is queued.");
+        ImGui::TextDisabled("The queue is empty.");
         return;
     }
     flowTo("Hold on");
     const auto waiting = std::ranges::count(view.jobs, ExportState::Waiting, &ExportJob::state);
     const char* label = view.held ? "Go on" : "Hold";
-    const std::string none = "Nothing is waiting.";
+    const std::string none = "No export is waiting.";
     if (button(label, "export.hold",
                {!view.held && waiting == 0 ? none : "",
-                view.held ? "Start what waits" : "Finish what runs and start nothing new", 0.0F,
-                true})) {
+                view.held ? "Start waiting exports" : "Finish the running export, start no other",
+                0.0F, true})) {
         actions.toggle_hold = true;
     }
     for (std::size_t i = 0; i < view.jobs.size(); ++i) drawJob(view, i, actions);

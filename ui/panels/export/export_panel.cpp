@@ -32,7 +32,7 @@ void besideOrBelow(bool beside) {
 }
 
 void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
-    formLabel("Folder", "Where the dataset is written; it is made if it is not there");
+    formLabel("Folder", "Folder for the dataset; created if missing");
     const char* label = "Choose…";
     const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(-width - ImGui::GetStyle().ItemSpacing.x);
@@ -43,7 +43,7 @@ void drawFolder(const ExportView& view, ExportDraft& draft, ExportActions& actio
     if (button(label, "export.choose_folder")) actions.choose_folder = true;
     // Always one line, so that the widgets below keep their position.
     const std::string none =
-        draft.folder.empty() ? "An empty folder, a new one, or a dataset's." : "It is empty.";
+        draft.folder.empty() ? "An empty folder, a new one, or that of a dataset." : "It is empty.";
     const bool bad = !view.why_not_folder.empty();
     const std::string& says = bad ? view.why_not_folder : view.folder_says;
     const ImVec4& color = bad                                  ? palette().bad
@@ -77,7 +77,7 @@ std::optional<std::array<SizeField, 2>> sizeFields(const ExportView& view) {
 void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& actions) {
     const auto sizes = sizeFields(view);
     if (!sizes) return;
-    const char* camera = "The image of the plan's camera: with another size all is planned anew.";
+    const char* camera = "Image size of the camera; changing it starts a new plan.";
     formLabel("Image, px", camera);
     const char* keep = "keep ratio";
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -119,10 +119,9 @@ void drawImageSize(const ExportView& view, ExportDraft& draft, ExportActions& ac
 
 void drawFrames(const ExportView& view, ExportDraft& draft) {
     const int most = std::max(view.frame_count - 1, 0);
-    formLabel("Frames",
-              fmt::format("First and last, both are exported, and every how manieth between them; "
-                          "there are frames 0 to {}",
-                          most));
+    formLabel("Frames", fmt::format("First and last exported frame, and the step between exported "
+                                    "frames; there are frames 0 to {}",
+                                    most));
     // On the same line if there is room, so that a short panel shows it.
     const char* only = "current only";
     const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
@@ -160,7 +159,7 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     besideOrBelow(beside);
     ImGui::Checkbox(only, &draft.current_only);
     nameItem("export.current_only");
-    tooltip(fmt::format("Only the frame that is shown, number {}", view.current_frame));
+    tooltip(fmt::format("Only the current frame, number {}", view.current_frame));
     // Always one line, so that the widgets below keep their position.
     formLine("");
     const std::string note = rangeNote(view, draft);
@@ -207,21 +206,21 @@ void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
     };
     if (const Field* mode = fieldNamed(*view.parameters, "render_mode");
         mode != nullptr && wantsPictures(view, draft)) {
-        row("Pictures", "How colour pictures are made; all other files are the same",
+        row("Pictures", "How colour images are rendered; other files do not change",
             {"render_mode", mode->valueText() == "fast" ? "antialias" : "reference_samples"});
     }
     if (wantsPictures(view, draft)) {
-        row("Light", "What light colour pictures are made in; more of it is among the parameters",
+        row("Light", "Light of the colour images; see the parameters for more",
             {"light_preset", "exposure_ev"});
     }
     if (wantsSensors(view, draft)) {
-        row("Sensors", "What real cameras make of it; more of them is among the parameters",
+        row("Sensors", "Simulated camera sensors; see the parameters for more",
             {"sensor_preset", "depth_noise"});
     }
 }
 
 void drawRig(ExportDraft& draft, ExportActions& actions) {
-    formLabel("Rig", "Further cameras that ride on the planned one; their images go to cameras/");
+    formLabel("Rig", "Additional cameras mounted on the planned one; their images go to cameras/");
     const char* label = "Choose…##rig";
     const float width =
         ImGui::CalcTextSize(label, nullptr, true).x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -249,20 +248,20 @@ void drawContents(const ExportView& view, ExportDraft& draft) {
     drawChoices("Modalities", "modality", view.modalities, draft.turned_modalities);
     drawChoices("Formats", "format", view.formats, draft.turned_formats);
     if (wantsFlow(view, draft)) {
-        formLabel("Flow to frames", "This many frames later and earlier, separated by commas");
+        formLabel("Flow to frames", "Distances in frames, later and earlier, separated by commas");
         ImGui::SetNextItemWidth(-FLT_MIN);
         ImGui::InputText("##flow", &draft.flow_distances);
         nameItem("export.flow_distances");
     }
     if (view.has_tracks) {
-        formLabel("Moving things");
-        ImGui::Checkbox("stay where the plan has them", &draft.still);
+        formLabel("Moving objects");
+        ImGui::Checkbox("stay at their planned poses", &draft.still);
         nameItem("export.still");
     }
     formLabel("Other files");
     ImGui::Checkbox("may be in the folder", &draft.overwrite);
     nameItem("export.overwrite");
-    tooltip("They stay. Without this, only an empty folder or an earlier dataset is written into.");
+    tooltip("They are kept. Without this, the folder must be empty or contain a dataset.");
     endForm();
 }
 
@@ -271,7 +270,7 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
     ImGui::Separator();
     if (button("Export", "export.add",
                {.why_not = whyNot(view, draft),
-                .tip = "Put it in the queue; it starts when its turn comes",
+                .tip = "Add it to the queue",
                 .width = scaled(110),
                 .primary = true})) {
         actions.add_current = true;
@@ -280,8 +279,7 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
     if (button("Add projects…", "export.add_files",
                {isReversed(draft) ? rangeNote(view, draft) : "",
                 fmt::format("Queue other .dolly files: {}, with the modalities, formats and rig "
-                            "chosen here and parameters of their own; each gets a folder beside "
-                            "{}",
+                            "chosen here and their own parameters; each gets a folder beside {}",
                             rangeForOthers(draft) == "::" ? "all of their frames"
                                                           : "this range of their frames",
                             draft.folder.empty() ? "its project" : "this one")})) {
@@ -293,7 +291,7 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
         flowTo(summary.c_str());
         ImGui::AlignTextToFramePadding();
         cutText(summary, palette().text_dim,
-                "The size of the image is a parameter of the camera; the plan depends on it.");
+                "The image size is a parameter of the camera; the plan depends on it.");
         return;
     }
     const std::string progress = running->request.name + ": " + progressText(*running);

@@ -78,7 +78,7 @@ void drawChanges(const EditsView& view, EditsActions& actions) {
         const std::string name = "edits.object." + std::to_string(change.object.id);
         if (id == 0) {
             ImGui::TextColored(palette().warning, "%s", change.object.name.c_str());
-            tooltip("This object is no longer in the scene; the change waits for it.");
+            tooltip("This object is not in the scene; the change applies when it returns.");
         } else {
             if (link(change.object.name, name + ".select")) {
                 actions.select = Selection::ofObject(id);
@@ -106,7 +106,7 @@ void drawDefinitions(const EditsView& view) {
         ImGui::TextWrapped("%s",
                            merge ? fmt::format("{}: merged from {}", definition.name, from).c_str()
                                  : fmt::format("{}: split into its pieces", from).c_str());
-        tooltip("Undo, or the history, takes it back.");
+        tooltip("Undo it with Undo or in the history.");
     }
 }
 
@@ -137,9 +137,9 @@ void drawTargetLists(const EditsView& view, EditsActions& actions) {
     };
     const SceneEdits& scene = view.edits->scene;
     row("Ignore", "ignore",
-        "Classes, or names with * and ?, that are no targets; between commas: lamp*, curtain",
+        "Classes, or names with * and ?, that are not targets, separated by commas: lamp*, curtain",
         scene.ignore);
-    row("Only", "only", "Where this says anything, the only targets, likewise", scene.only);
+    row("Only", "only", "If set, the only targets (classes or names)", scene.only);
     endForm();
 }
 
@@ -155,8 +155,9 @@ void drawEnds(const EditsView& view, const PinnedPoint& point, const std::string
         actions.edit.operation = {{"op", op}};
         if (!is) actions.edit.operation["point"] = point.name;
     };
-    end("Start", "set_start", view.edits->plan.start, "The trajectory begins here, or anywhere");
-    end("End", "set_end", view.edits->plan.end, "The trajectory ends here, or anywhere");
+    end("Start", "set_start", view.edits->plan.start,
+        "The trajectory starts here; empty: anywhere");
+    end("End", "set_end", view.edits->plan.end, "The trajectory ends here; empty: anywhere");
 }
 
 /// Shows whether the plan visits the pinned point; "being checked" while the plan is outdated.
@@ -193,7 +194,7 @@ void drawPins(const EditsView& view, EditsActions& actions) {
         ImGui::SameLine();
         const bool added = point.objects.empty();
         if (button(added ? "Delete" : "Unpin", name + ".unpin",
-                   {.tip = added ? "Removes this point" : "Leaves it to the planner again"})) {
+                   {.tip = added ? "Remove this point" : "The planner chooses the pose again"})) {
             actions.edit.operation = {{"op", "unpin"}, {"point", point.name}};
         }
         drawEnds(view, point, name, actions);
@@ -240,7 +241,7 @@ void drawBoxes(const EditsView& view, EditsActions& actions) {
         ImGui::PopID();
         ImGui::Spacing();
     }
-    if (button("Add box", "edits.add_box", {.tip = "On what is in the middle of the view"})) {
+    if (button("Add box", "edits.add_box", {.tip = "On the surface at the centre of the view"})) {
         actions.edit.operation = addNoGoOperation(view.new_box);
     }
     flowTo("Add around selection");
@@ -277,7 +278,7 @@ void drawRegions(const EditsView& view, EditsActions& actions) {
         ImGui::Spacing();
     }
     if (button("Add region", "edits.add_region",
-               {.tip = "Of more or less interest, or one to be seen as a whole"})) {
+               {.tip = "A box with a weight, or one that must be seen completely"})) {
         actions.edit.operation =
             addRegionOperation(view.around_selection ? *view.around_selection : view.new_box);
     }
@@ -324,7 +325,7 @@ EditsActions drawEditsPanel(const EditsView& view) {
     ImGui::BeginChild("edits");
     const Edits& edits = *view.edits;
     if (edits.scene == SceneEdits{} && edits.plan == PlanEdits{}) {
-        paragraph("Nothing was changed by hand. Select an object or a position point to change it.",
+        paragraph("There are no manual edits. Select an object or a position point to edit it.",
                   palette().text_dim);
     }
     drawChanges(view, actions);

@@ -44,10 +44,10 @@ void drawCaptures(const Plan& plan) {
     const CaptureMetrics& capture = plan.capture_metrics;
     if (!beginTable("captures")) return;
     rateRow("Captured", capture.capture_rate, capture.captured, capture.objects,
-            "80 % of the silhouette visible and 120 pixels or more, in at least one frame");
+            "At least 80 % of the silhouette and 120 pixels visible in one frame");
     rateRow("Well captured", capture.well_captured_rate, capture.well_captured, capture.objects,
-            "Captured, and the box takes 5 % of the image or more");
-    rateRow("Small, captured", capture.small_capture_rate, 0, 0, "Of objects below 0.1 m³");
+            "Captured, and the box takes at least 5 % of the image");
+    rateRow("Small, captured", capture.small_capture_rate, 0, 0, "Only objects below 0.1 m³");
     row("Area share",
         fmt::format("{:.1f} % box, {:.1f} % mask", 100.0 * capture.area_share_box,
                     100.0 * capture.area_share_mask),
@@ -64,7 +64,7 @@ double durationOf(const Trajectory& trajectory) {
 
 void drawScores(const RepairReport& repair) {
     constexpr const char* kMeaning =
-        "The mean image score, and frames that score low: they show few objects, or none";
+        "Mean image score, and the number of low-scoring frames, which show few objects or none";
     const auto text = [](const ScoreTally& tally) {
         return fmt::format("{:.2f}, {} of {} frames low", tally.mean, tally.low, tally.frames);
     };
@@ -74,9 +74,8 @@ void drawScores(const RepairReport& repair) {
     }
     row("Image score", text(repair.before) + " before repair", kMeaning);
     row("  repaired", text(repair.after),
-        fmt::format("{} stretches got a glance aside, {} another way, {} frames were left out, in "
-                    "{} rounds",
-                    repair.glances, repair.replanned, repair.dropped, repair.rounds)
+        fmt::format("{} look-aside views, {} detours, {} frames dropped, {} rounds", repair.glances,
+                    repair.replanned, repair.dropped, repair.rounds)
             .c_str());
 }
 
@@ -99,26 +98,27 @@ void drawTrajectory(const Plan& plan, bool measured) {
     const std::string where =
         measured ? fmt::format("{:.3f} m, near frame {}", metrics.tightest.clearance_m,
                                metrics.tightest.frame)
-                 : fmt::format("{:.3f} m at the least", clearance);
-    row("Clearance", where, "The least from the camera's centre to a surface, all along the way");
+                 : fmt::format("{:.3f} m", clearance);
+    row("Clearance", where,
+        "Smallest distance from the camera's centre to a surface along the path");
     if (measured) {
         row("Repeats", fmt::format("{:.1f} %", 100.0 * metrics.repeat_rate),
-            "Frames that show next to no surface that no earlier frame saw");
+            "Share of frames that show almost no new surface");
         row("Object pixels", fmt::format("{:.1f} %", 100.0 * metrics.object_pixels),
-            "Share of the images on targets");
+            "Share of the images' pixels on targets");
         drawScores(plan.repair);
         const auto spread = [](const Spread& of, const char* unit) {
             return fmt::format("{:.2f} {}, {:.2f} at most", of.median, unit, of.max);
         };
         const MotionMetrics& motion = metrics.motion;
-        row("Speed", spread(motion.speed_mps, "m/s"), "Median, from frame to frame");
-        row("Turning", spread(motion.turn_dps, "°/s"), "Median, from frame to frame");
+        row("Speed", spread(motion.speed_mps, "m/s"), "Median between consecutive frames");
+        row("Turning", spread(motion.turn_dps, "°/s"), "Median between consecutive frames");
         row("Acceleration", spread(motion.acceleration_mps2, "m/s²"), "Median over three frames");
         row("Jerk", spread(motion.jerk_mps3, "m/s³"), "Median over four frames");
         row("Collisions",
             fmt::format("{:.1f} % corners, {:.1f} % frames", 100.0 * metrics.corner_collision_rate,
                         100.0 * metrics.frame_collision_rate),
-            "Whose swept camera sphere touches a surface; proven");
+            "Corners and frames where the swept camera sphere touches a surface; proven");
     }
     ImGui::EndTable();
 }
@@ -202,7 +202,7 @@ MetricsActions drawMetricsPanel(const MetricsView& view) {
         actions.select_object = drawUncaptured(view);
     }
     title("Time");
-    ImGui::TextWrapped("%.0f ms map, %.0f ms plan; the last change was on the screen after %.0f ms",
+    ImGui::TextWrapped("%.0f ms map, %.0f ms plan; the last change was visible after %.0f ms",
                        view.plan->map_ms, view.plan->plan_ms, view.last_run_ms);
     drawStages(*view.plan);
     ImGui::EndChild();

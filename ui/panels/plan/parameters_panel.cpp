@@ -38,7 +38,7 @@ ParametersActions drawParametersPanel(const ParametersView& view, const FieldLis
     ImGui::SameLine();
     if (ImGui::Button("Reset all")) actions.reset_all = true;
     nameItem("parameters.reset_all");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Every parameter back to its default");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reset every parameter to its default");
 
     ImGui::BeginChild("fields");
     std::string section;

@@ -63,12 +63,12 @@ void moveWithMouse(const ImageViewerView& view, ImageViewerState& state, ImVec2 
 ImageViewerActions drawImageViewer(const ImageViewerView& view, ImageViewerState& state) {
     ImageViewerActions actions;
     const bool any = view.texture != 0 && view.width > 0 && view.height > 0;
-    if (button("Back", "image.close", {{}, "Close this picture (Esc)"})) actions.close = true;
+    if (button("Back", "image.close", {{}, "Close this image (Esc)"})) actions.close = true;
     ImGui::SameLine();
-    const std::string none = any ? "" : "There is no picture.";
-    if (button("Fit", "image.fit", {none, "Show all of it"})) state.zoom = 0.0;
+    const std::string none = any ? "" : "There is no image.";
+    if (button("Fit", "image.fit", {none, "Fit to the window"})) state.zoom = 0.0;
     ImGui::SameLine();
-    if (button("1:1", "image.actual", {none, "A pixel of the picture is one of the screen"})) {
+    if (button("1:1", "image.actual", {none, "One image pixel per screen pixel"})) {
         if (state.zoom <= 0.0) state.center_x = state.center_y = 0.5;
         state.zoom = 1.0;
     }

@@ -120,7 +120,7 @@ void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switc
     const int top = std::max(view.levels - 1, 0);
     int range[2] = {std::min(settings.cells.min_level, top),
                     std::min(settings.cells.max_level, top)};
-    formLabel("Cell sizes", "From the smallest to the largest level of the octree that is drawn");
+    formLabel("Cell sizes", "Smallest and largest level of the octree to draw");
     const auto edge = [&](int level) { return view.cell_m * std::exp2(level); };
     const std::string low = fmt::format("{:.2f} m", edge(range[0]));
     const std::string high = fmt::format("{:.2f} m", edge(range[1]));
@@ -136,8 +136,8 @@ void drawLevels(const LayersView& view, LayerSettings& settings, Switches& switc
 
 void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& switches) {
     const std::string why_not = view.has_map ? "" : "The map is not built yet.";
-    if (!switches.check("Free space", "free_space", settings.free_space,
-                        "The octree of where the camera can be", why_not)) {
+    if (!switches.check("Free space", "free_space", settings.free_space, "The octree of free space",
+                        why_not)) {
         return;
     }
     ImGui::Indent();
@@ -146,10 +146,10 @@ void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& sw
     switches.check("occupied", "cells.occupied", settings.cells.occupied);
     flowToSwitch("unknown");
     switches.check("unknown", "cells.unknown", settings.cells.unknown,
-                   "Inside walls and furniture, and outside of the building",
-                   settings.sliced ? "" : "There is too much of it to be shown without a slice.");
+                   "Space inside walls and furniture, and outside the building",
+                   settings.sliced ? "" : "It has too many cells to be shown without a slice.");
     flowToSwitch("slice");
-    switches.check("slice", "sliced", settings.sliced, "Only a slab of the map");
+    switches.check("slice", "sliced", settings.sliced, "Show only a slab of the map");
     ImGui::Unindent();
     details("free_space", [&] {
         if (settings.sliced) drawSlice(view, settings, switches);
@@ -164,7 +164,7 @@ void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& sw
 
 void drawPoints(LayerSettings& settings, Switches& switches, const std::string& why_not) {
     if (!switches.check("Points", "points", settings.points,
-                        "What is looked at, and where the camera stands", why_not)) {
+                        "Observation points and camera positions", why_not)) {
         return;
     }
     ImGui::Indent();
@@ -180,7 +180,7 @@ void drawPoints(LayerSettings& settings, Switches& switches, const std::string& 
 void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& switches,
                  const std::string& why_not) {
     const std::string why =
-        view.stepping ? "The steps of the algorithm are shown in its place." : why_not;
+        view.stepping ? "The steps of the algorithm are shown instead." : why_not;
     if (!switches.check("Roadmap", "roadmap", settings.roadmap, "The moves between position points",
                         why)) {
         return;
@@ -189,11 +189,12 @@ void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& swit
     RoadmapOverlayOptions& options = settings.roadmap_options;
     switches.check("accepted", "roadmap.accepted", options.accepted);
     flowToSwitch("refused");
-    switches.check("refused", "roadmap.refused", options.refused, "Where the camera would collide");
+    switches.check("refused", "roadmap.refused", options.refused,
+                   "Moves in which the camera would collide");
     flowToSwitch("links");
-    switches.check("links", "roadmap.links", options.links, "Found by RRT*");
+    switches.check("links", "roadmap.links", options.links, "Moves found by RRT*");
     flowToSwitch("samples");
-    switches.check("samples", "roadmap.samples", options.samples, "Tried by RRT*");
+    switches.check("samples", "roadmap.samples", options.samples, "Samples of RRT*");
     flowToSwitch("dropped");
     switches.check("dropped", "roadmap.dropped", options.dropped, "Edges that close a cycle");
     flowToSwitch("path");
@@ -206,7 +207,7 @@ void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& swit
 }
 
 void drawTrajectory(LayerSettings& settings, Switches& switches, const std::string& why_not) {
-    if (!switches.check("Trajectory", "trajectory", settings.trajectory, "The camera's way",
+    if (!switches.check("Trajectory", "trajectory", settings.trajectory, "The camera's path",
                         why_not)) {
         return;
     }
@@ -224,7 +225,7 @@ void drawTrajectory(LayerSettings& settings, Switches& switches, const std::stri
 /// A switch for each verdict that occurs; none if no target is selected.
 void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& switches) {
     ImGui::Indent();
-    switches.check("cone", "cone", settings.cone, "That was searched");
+    switches.check("cone", "cone", settings.cone, "The search cone");
     for (std::size_t i = 0; i < kVerdicts; ++i) {
         if (!view.candidates_there[i]) continue;
         const std::string words(inWords(static_cast<Verdict>(i)));
@@ -256,16 +257,15 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     drawPoints(settings, switches, why_not);
     drawRoadmap(view, settings, switches, why_not);
     if (switches.check("Candidates", "candidates", settings.candidates,
-                       "The places tried for what is selected, by the reason", why_not)) {
+                       "Candidates of the selected object, by verdict", why_not)) {
         drawCandidates(view, settings, switches);
     }
     drawFreeSpace(view, settings, switches);
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
-    switches.check("Cut the ceiling away", "ceiling_cut", settings.ceiling_cut,
-                   "To look into rooms from above");
+    switches.check("Cut ceilings away", "ceiling_cut", settings.ceiling_cut,
+                   "Show rooms from above without ceilings");
     if (settings.ceiling_cut && view.storeys > 1) drawStoreys(view, settings, switches);
-    switches.check("Grid", "grid", settings.grid,
-                   "At the height of the floor, under the room and beside it");
+    switches.check("Grid", "grid", settings.grid, "At floor height, below and around the room");
     if (!view.legends.empty()) {
         ImGui::Separator();
         drawLegends(view.legends);

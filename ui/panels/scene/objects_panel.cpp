@@ -20,7 +20,7 @@ namespace dollytrack::ui {
 namespace {
 
 constexpr std::array<const char*, 6> kShown = {
-    "All", "Targets", "Not captured", "Captured small", "Well captured", "No targets"};
+    "All", "Targets", "Not captured", "Captured small", "Well captured", "Not targets"};
 
 const ObjectCapture* captureOf(const ObjectsView& view, int id) {
     if (view.captures == nullptr) return nullptr;
@@ -69,7 +69,7 @@ void drawState(const Object& object, const ObjectCapture* capture) {
         if (capture != nullptr && capture->well_captured) {
             text = "●";
             color = palette().good;
-            why = "Well captured: 80 % visible, and its box takes 5 % of the image";
+            why = "Well captured: at least 80 % visible, and its box takes 5 % of the image";
         } else if (capture != nullptr && capture->captured) {
             text = "◐";
             color = palette().warning;
@@ -155,7 +155,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
         }
         ImGui::PopStyleVar();
         nameItem("objects.target." + std::to_string(object.id));
-        tooltipBeside("A target: the plan shall capture it");
+        tooltipBeside("A target: the plan should capture it");
     }
     ImGui::PopID();
 }

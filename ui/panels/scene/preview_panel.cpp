@@ -137,7 +137,7 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
         actions.changed = true;
     }
     ImGui::SameLine(0, gap);
-    if (iconButton(Icon::Save, "preview.save", {"Save this picture as a PNG file", view.why_not})) {
+    if (iconButton(Icon::Save, "preview.save", {"Save this image as a PNG file", view.why_not})) {
         actions.save_png = true;
     }
     ImGui::SameLine(0, gap);

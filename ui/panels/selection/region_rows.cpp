@@ -38,12 +38,12 @@ void regionRows(const Region& region, const std::string& name, EditRequest& edit
     if (textField(called, name + ".name") && !called.empty() && called != region.name) {
         edit.operation = {{"op", "change_region"}, {"name", region.name}, {"to", called}};
     }
-    formLabel("Weight", "Of the objects inside, when frames are few; outside it is 1");
+    formLabel("Weight", "Weight of the objects inside if frames are limited; outside it is 1");
     double weight = region.weight;
     const FieldEdit weighed =
         dragNumber(weight, {kSmallestWeight, kLargestWeight, 0.05F, "%.2f"}, name + ".weight");
     ask(weighed, "weight", weight);
-    formLabel("Must see", "All of its surface that can be seen is to be seen");
+    formLabel("Must see", "Frames must show all of its visible surface");
     bool must_see = region.must_see;
     if (ImGui::Checkbox("##must_see", &must_see)) {
         edit.operation = {{"op", "change_region"}, {"name", region.name}, {"must_see", must_see}};
@@ -59,7 +59,7 @@ void regionRows(const Region& region, const std::string& name, EditRequest& edit
 std::optional<std::string> seenText(const Plan& plan, const Region& region) {
     for (const RegionCoverage& one : plan.must_see) {
         if (one.name != region.name) continue;
-        return fmt::format("{:.1f} % seen of what can be", 100.0 * one.rate());
+        return fmt::format("{:.1f} % of the visible surface seen", 100.0 * one.rate());
     }
     return std::nullopt;
 }

@@ -27,9 +27,9 @@ using nlohmann::json;
 const char* sourceText(FrontSource source) {
     switch (source) {
         case FrontSource::Annotation:
-            return "given by the scene or by hand";
+            return "set in the scene or manually";
         case FrontSource::Wall:
-            return "away from the wall it is at";
+            return "away from its wall";
         case FrontSource::ShortSide:
             return "across its longer side";
         case FrontSource::RoomCentre:
@@ -55,7 +55,7 @@ Said whatIsSaid(const Object& object, const ObjectChange* change) {
     said.role = change->role.value_or(object.role);
     if (change->front) {
         said.front = turnLevel(*change->front, change->move.value_or(ObjectMove{}).turn_rad);
-        said.front_source = "set by hand";
+        said.front_source = "set manually";
     }
     if (change->large) said.size = *change->large ? 2 : 1;
     said.move = change->move.value_or(ObjectMove{});
@@ -63,14 +63,14 @@ Said whatIsSaid(const Object& object, const ObjectChange* change) {
 }
 
 void drawRole(const Object& object, const Said& said, const json& key, EditRequest& edit) {
-    formLabel("Target", "A target is to be captured; others are obstacles and labels only.");
+    formLabel("Target", "Targets should be captured; other objects are obstacles and labels only.");
     bool target = said.role == Role::Target;
     if (ImGui::Checkbox("##target", &target)) {
         edit.operation = {{"op", target ? "include" : "exclude"}, {"object", key}};
     }
     nameItem("selection.target");
     ImGui::SameLine();
-    const char* note = said.role == Role::Excluded ? "excluded by hand"
+    const char* note = said.role == Role::Excluded ? "excluded manually"
                        : object.structure          ? "part of the building"
                                                    : "";
     ImGui::TextColored(palette().text_dim, "%s", note);
@@ -78,7 +78,7 @@ void drawRole(const Object& object, const Said& said, const json& key, EditReque
 
 void drawSize(const Object& object, const Said& said, const json& key, EditRequest& edit) {
     constexpr std::array kSizes = {"auto", "small", "large"};
-    formLabel("Counts as", "Small things are captured in groups with what carries them.");
+    formLabel("Counts as", "Small objects are captured together with their supporting surface.");
     const std::string now = said.size != 0 ? kSizes[static_cast<std::size_t>(said.size)]
                             : object.large ? "auto (large)"
                                            : "auto (small)";
@@ -96,7 +96,7 @@ void drawSize(const Object& object, const Said& said, const json& key, EditReque
 }
 
 void drawFront(const Said& said, const json& key, EditRequest& edit) {
-    formLabel("Front", "The side it is seen from best. 0\u00b0: along x, 90\u00b0: along y");
+    formLabel("Front", "The side with its best view. 0\u00b0: along x, 90\u00b0: along y");
     double angle = std::atan2(said.front.y(), said.front.x()) * 180.0 / std::numbers::pi;
     const FieldEdit field = dragNumber(angle, {-360.0, 360.0, 1.0F, "%.0f", "\u00b0"},
                                        "selection.front", said.front_source);
@@ -122,25 +122,25 @@ void drawMove(const Said& said, const json& key, EditRequest& edit) {
                            json value) {
         ImGui::SameLine();
         if (iconButton(Icon::Close, name,
-                       {tip, changed ? "" : "It is where the scene file has it."})) {
+                       {tip, changed ? "" : "It is at its position in the scene file."})) {
             edit.operation = {{"op", "move_object"}, {"object", key}};
             edit.operation[what] = std::move(value);
         }
     };
     const float room = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemSpacing.x;
-    formLabel("Moved", "From where the scene file has it, m");
+    formLabel("Moved", "Offset from its position in the scene file, m");
     Eigen::Vector3d offset = said.move.offset_m;
     const FieldEdit moved = dragPoint(offset, kPlaceRange, "selection.move", {}, room);
     request(moved, "offset", pointJson(offset));
-    reset("selection.move.reset", "Back to its place in the file (Alt+G)",
+    reset("selection.move.reset", "Back to its position in the file (Alt+G)",
           !said.move.offset_m.isZero(0.0), "offset", pointJson(Eigen::Vector3d::Zero()));
-    formLabel("Turned", "About the vertical through its middle; positive is counter-clockwise");
+    formLabel("Turned", "About the vertical through its centre; positive is counter-clockwise");
     double turn = said.move.turn_rad * 180.0 / std::numbers::pi;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - room);
     const FieldEdit turned = dragNumber(turn, kAngleRange, "selection.turn");
     request(turned, "turn_deg", turn);
-    reset("selection.turn.reset", "As the file has it (Alt+R)", said.move.turn_rad != 0.0,
-          "turn_deg", 0.0);
+    reset("selection.turn.reset", "Back to its heading in the file (Alt+R)",
+          said.move.turn_rad != 0.0, "turn_deg", 0.0);
 }
 
 void drawButtons(const SelectionView& view, const Object& object, const SelectionState& state,
@@ -157,9 +157,9 @@ void drawButtons(const SelectionView& view, const Object& object, const Selectio
         actions.edit.operation = splitOperation(key, state.split);
     }
     flowTo("Reset");
-    if (button("Reset", "selection.reset",
-               {.why_not = changed ? "" : "Nothing was changed by hand.",
-                .tip = "As the scene has it"})) {
+    if (button(
+            "Reset", "selection.reset",
+            {.why_not = changed ? "" : "It has no manual edits.", .tip = "As the scene has it"})) {
         actions.edit.operation = {{"op", "reset_object"}, {"object", key}};
     }
 }
@@ -222,7 +222,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
     const auto& captures = view.plan->captures;
     const auto found = std::ranges::find(captures, object.id, &ObjectCapture::object_id);
     if (found == captures.end()) {
-        ImGui::TextDisabled("No target: nothing has to capture it.");
+        ImGui::TextDisabled("Not a target: it need not be captured.");
         return;
     }
     if (found->well_captured) {
@@ -247,7 +247,7 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
     if (found->best.frame >= 0) {
         drawView("Best frame", found->best, "selection.best_frame", actions);
     } else {
-        formText("Best frame", "it is never seen");
+        formText("Best frame", "it is never visible");
     }
     if (found->well_captured && found->best_well.frame != found->best.frame) {
         drawView("Best well", found->best_well, "selection.best_well_frame", actions);
@@ -277,7 +277,7 @@ void drawObject(const SelectionView& view, int id, SelectionState& state,
     heading("Search for a view");
     ImGui::Checkbox("Show candidates", &state.show_candidates);
     nameItem("selection.show_candidates");
-    tooltip("Every place that was tried, coloured by its reason");
+    tooltip("All candidates, coloured by verdict");
     drawSearch(view, point, actions);
 }
 
@@ -300,14 +300,14 @@ void drawObjects(const SelectionView& view, SelectionState& state, SelectionActi
         state.merge_name.clear();
     }
     ImGui::SameLine();
-    if (button("Group what touches", "selection.group")) {
+    if (button("Group touching objects", "selection.group")) {
         actions.edit.operation = {{"op", "group"}, {"object", objectKeys(*view.scene, ids)}};
         if (!state.merge_name.empty()) actions.edit.operation["name"] = state.merge_name;
         state.merge_name.clear();
     }
     tooltip(
-        "Makes an object of each group of touching objects, such as the legs and seats of "
-        "chairs; with a name they are numbered");
+        "Makes one object of each group of touching objects, such as the legs and seats of chairs; "
+        "a name is numbered");
 }
 
 }  // namespace dollytrack::ui

@@ -82,8 +82,7 @@ void drawRegion(const SelectionView& view, SelectionActions& actions) {
     const Region& region =
         view.edits->plan.regions[static_cast<std::size_t>(view.selection->index)];
     heading(region.name.c_str());
-    paragraph("A place of more or less interest, or one to be seen as a whole.",
-              palette().text_dim);
+    paragraph("A box with a weight, or one that must be seen completely.", palette().text_dim);
     if (beginForm("region")) {
         regionRows(region, "selection.region", actions.edit);
         endForm();
@@ -103,7 +102,7 @@ void drawRegion(const SelectionView& view, SelectionActions& actions) {
 void drawKind(const SelectionView& view, SelectionState& state, SelectionActions& actions) {
     switch (view.selection->kind) {
         case Kind::None:
-            paragraph("Click something in the viewport or in a list to see what is known of it.",
+            paragraph("Click something in the viewport or in a list to inspect it.",
                       palette().text_dim);
             break;
         case Kind::Object:
@@ -154,7 +153,7 @@ SelectionActions drawSelectionPanel(const SelectionView& view, SelectionState& s
     if (isThere(view)) {
         drawKind(view, state, actions);
     } else {
-        paragraph("The plan has changed and this is not in it any more. Click it again.",
+        paragraph("The plan has changed and no longer contains this. Select again.",
                   palette().text_dim);
     }
     ImGui::EndChild();

@@ -24,11 +24,11 @@ const char* kindText(TargetKind kind) {
         case TargetKind::Single:
             return "one object, seen from its front";
         case TargetKind::Support:
-            return "things that stand on another";
+            return "objects on a supporting surface";
         case TargetKind::Suspension:
-            return "something that hangs";
+            return "a hanging object";
         case TargetKind::Shelf:
-            return "things inside another";
+            return "objects inside another";
     }
     return "";
 }
@@ -111,7 +111,7 @@ void drawPinning(const SelectionView& view, const Handle& handle, SelectionActio
             actions.edit.operation = std::move(operation);
         }
     } else if (!handle.placedFromView()) {
-        if (button("Unpin", "selection.unpin", {.tip = "Leaves it to the planner again"})) {
+        if (button("Unpin", "selection.unpin", {.tip = "The planner chooses the pose again"})) {
             actions.edit.operation = {{"op", "unpin"}, {"point", handle.pin->name}};
         }
     } else {
@@ -119,7 +119,7 @@ void drawPinning(const SelectionView& view, const Handle& handle, SelectionActio
     }
     flowTo("Delete");
     if (button("Delete", "selection.delete",
-               {.why_not = why_not, .tip = "The plan does without this point"})) {
+               {.why_not = why_not, .tip = "Remove this point from the plan"})) {
         actions.edit.operation = handle.placedFromView()
                                      ? json{{"op", "unpin"}, {"point", handle.pin->name}}
                                      : json{{"op", "remove_point"},
@@ -157,7 +157,7 @@ void drawObservationPoint(const SelectionView& view, SelectionActions& actions) 
             actions.select = clicked;
         }
         if (point.carrier != 0) {
-            formLine("Carried by");
+            formLine("Supported by");
             if (link(objectName(*view.scene, point.carrier), "selection.carrier")) {
                 actions.select = Selection::ofObject(point.carrier);
             }
@@ -171,10 +171,10 @@ void drawObservationPoint(const SelectionView& view, SelectionActions& actions) 
     if (button("Go to", "selection.frame")) actions.frame = true;
     if (removed) {
         flowTo("Restore");
-        if (button("Restore", "selection.restore", {.tip = "It gets a position point again"})) {
+        if (button("Restore", "selection.restore", {.tip = "Give it a position point again"})) {
             actions.edit.operation = {{"op", "restore_point"}, {"objects", keys}};
         }
-        ImGui::TextColored(palette().warning, "Removed by hand: it gets no position point.");
+        ImGui::TextColored(palette().warning, "Removed manually: it gets no position point.");
     } else {
         flowTo("Remove");
         if (button("Remove", "selection.remove",
@@ -199,13 +199,13 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
     }
     ImGui::TextColored(handle.pin != nullptr ? palette().accent : palette().text_dim, "%s",
                        handle.pin != nullptr ? "\u25a0 pinned"
-                       : point.fixed         ? "kept as it is: a region or an anchor asks for it"
+                       : point.fixed         ? "fixed by a region or an anchor"
                        : point.room_view     ? "a room view: many objects at once (view_mix)"
                                              : "found by the search");
     if (beginForm("pose")) {
         drawPose(view, handle, actions.edit);
         formText("Fill", fmt::format("{:.0f} %", 100.0 * point.fill),
-                 "Share of the image's length in the tighter direction");
+                 "Share of the image's width or height, whichever is larger");
         const auto target = static_cast<std::size_t>(point.observation_point);
         if (target < view.plan->observation_points.size()) {
             const Eigen::Vector3d& looked_at = view.plan->observation_points[target].position;

@@ -13,9 +13,9 @@ RemedyActions drawRemedy(const RemedySearch& search) {
     using State = RemedySearch::State;
     switch (search.state) {
         case State::NotAsked:
-            actions.find = button("Find what would help", "selection.find_remedy",
-                                  {.tip = "Plans again with one change after the other, and shows "
-                                          "the mildest that gets it captured"});
+            actions.find = button("Find a remedy", "selection.find_remedy",
+                                  {.tip = "Plan with one change after another, and show the "
+                                          "smallest change that captures it"});
             break;
         case State::Searching:
             ImGui::ProgressBar(static_cast<float>(search.fraction),
@@ -24,15 +24,16 @@ RemedyActions drawRemedy(const RemedySearch& search) {
             actions.cancel = button("Cancel", "selection.cancel_remedy");
             break;
         case State::Found:
-            paragraph("What helps: " + search.row.remedy->text + ".", palette().good);
+            paragraph("Remedy: " + search.row.remedy->text + ".", palette().good);
             nameItem("selection.remedy");
             if (search.can_be_applied) {
-                actions.apply = button("Do that", "selection.apply_remedy",
-                                       {.tip = "One step of undo", .primary = true});
+                actions.apply =
+                    button("Apply", "selection.apply_remedy",
+                           {.tip = "Apply the remedy as one undo step", .primary = true});
             }
             break;
         case State::Nothing:
-            paragraph("None of the changes tried gets it captured.", palette().text_dim);
+            paragraph("None of the tested changes captures it.", palette().text_dim);
             nameItem("selection.no_remedy");
             break;
         case State::Failed:

@@ -62,7 +62,7 @@ void drawOutcome(const SelectionView& view, int search, const Outcome& outcome, 
     if (outcome.occluder != 0) {
         ImGui::SameLine();
         if (button(("\u2192##" + name).c_str(), name + ".occluder",
-                   {.tip = "Select what is in the way", .small = true})) {
+                   {.tip = "Select the obstructing object", .small = true})) {
             actions.select = Selection::ofObject(outcome.occluder);
         }
     }
@@ -91,7 +91,7 @@ void drawSearch(const SelectionView& view, int observation_point, SelectionActio
         ImGui::TextColored(palette().bad, "No position point");
     }
     if (search.candidates.empty()) return;
-    ImGui::TextColored(palette().text_dim, "%zu places were tried:", search.candidates.size());
+    ImGui::TextColored(palette().text_dim, "%zu candidates were tested:", search.candidates.size());
     const std::vector<Outcome> outcomes = outcomesOf(search);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         drawOutcome(view, observation_point, outcomes[i], i, actions);
@@ -121,7 +121,7 @@ void drawCandidate(const SelectionView& view, SelectionActions& actions) {
     if (candidate.occluder != 0) {
         ImGui::SameLine();
         if (button("\u2192##occluder", "selection.occluder",
-                   {.tip = "Select what is in the way", .small = true})) {
+                   {.tip = "Select the obstructing object", .small = true})) {
             actions.select = Selection::ofObject(candidate.occluder);
         }
     }
@@ -130,9 +130,9 @@ void drawCandidate(const SelectionView& view, SelectionActions& actions) {
         formText("Distance",
                  fmt::format("{:.2f} m", (candidate.position - target.position).norm()));
         formText("Fill", fmt::format("{:.0f} %", 100.0 * candidate.fill),
-                 "Share of the image's length in the tighter direction");
+                 "Share of the image's width or height, whichever is larger");
         formText("Visible", fmt::format("{:.0f} %", 100.0 * candidate.visible_fraction),
-                 "Of the object of the group that shows least");
+                 "Of the group's least visible object");
         endForm();
     }
     if (button("Look through", "selection.look")) {
@@ -141,7 +141,7 @@ void drawCandidate(const SelectionView& view, SelectionActions& actions) {
     flowTo("Pin here");
     if (button("Pin here", "selection.pin",
                {.why_not = target.objects.empty() ? "It stands for no object." : "",
-                .tip = "The camera shall take its picture from here"})) {
+                .tip = "Fix the camera at this pose"})) {
         actions.edit.operation = {{"op", "pin"},
                                   {"objects", objectKeys(*view.scene, target.objects)},
                                   {"position", pointJson(candidate.position)},

@@ -40,7 +40,7 @@ std::string splitText(const SelectionView& view, const SplitLimits& limits) {
     const std::size_t joined = view.piece_sizes_m->size() - kept;
     return fmt::format(
         "Makes {} objects of it, the smallest {:.3g} m{}", kept, (*view.piece_sizes_m)[kept - 1],
-        joined == 0 ? "" : fmt::format("; {} smaller pieces stay with the nearest", joined));
+        joined == 0 ? "" : fmt::format("; {} smaller pieces join the nearest", joined));
 }
 
 void drawSplit(const SelectionView& view, SelectionState& state) {

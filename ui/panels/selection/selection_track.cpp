@@ -53,7 +53,7 @@ void drawTrack(const SelectionView& view, int id, SelectionActions& actions) {
     const std::vector<TrackKey>& track = change != nullptr ? change->track : none;
     heading("Moving");
     if (track.empty()) {
-        ImGui::TextDisabled("It has no keys: it stands still.");
+        ImGui::TextDisabled("No keys: the object does not move.");
     } else {
         if (!beginForm("track")) return;
         for (std::size_t i = 0; i < track.size(); ++i) {
@@ -78,20 +78,20 @@ void drawTrack(const SelectionView& view, int id, SelectionActions& actions) {
         fmt::format("{} key at {:g} s", at_key ? "Set" : "Add", view.track_time_s);
     if (button(add.c_str(), "selection.add_key",
                {.why_not = view.edits == nullptr ? "No project is open." : "",
-                .tip = "It stands at this place then (I)"})) {
+                .tip = "Add a key with its pose at this time (I)"})) {
         actions.edit.operation = addKeyOperation(*view.edits, *view.scene, id, view.track_time_s);
     }
     flowTo("Remove key");
     if (button("Remove key", "selection.remove_key",
                {.why_not = at_key ? "" : "It has no key at this time.",
-                .tip = "That of this time (Alt+I)"})) {
+                .tip = "Remove the key at this time (Alt+I)"})) {
         actions.edit.operation =
             removeKeyOperation(*view.edits, *view.scene, id, view.track_time_s);
     }
     flowTo("Remove track");
     if (button("Remove track", "selection.remove_track",
                {.why_not = track.empty() ? "It has no keys." : "",
-                .tip = "All its keys; it stays where it is"})) {
+                .tip = "Remove all keys; the object stays where it is"})) {
         actions.edit.operation = trackOperation(objectKey(*view.scene, id), {});
     }
 }

@@ -55,8 +55,8 @@ void drawEdge(const SelectionView& view, SelectionActions& actions) {
     const RoadmapEdge& edge =
         view.plan->roadmap.edges[static_cast<std::size_t>(view.selection->index)];
     heading("Roadmap edge");
-    paragraph(edge.via.empty() ? "A straight move, proven free for the camera's sphere."
-                               : "A way round obstacles, found by RRT*.",
+    paragraph(edge.via.empty() ? "A straight move, proven collision-free for the camera's sphere."
+                               : "A detour around obstacles, found by RRT*.",
               palette().text_dim);
     if (!beginForm("edge")) return;
     endRows(view, edge.a, edge.b, actions);
@@ -70,11 +70,11 @@ void drawEdge(const SelectionView& view, SelectionActions& actions) {
 void drawRefusedEdge(const SelectionView& view, SelectionActions& actions) {
     const RefusedEdge& edge =
         view.plan->roadmap.refused[static_cast<std::size_t>(view.selection->index)];
-    heading("Refused edge");
+    heading("Colliding edge");
     if (!beginForm("refused")) return;
     endRows(view, edge.a, edge.b, actions);
     formText("Length", fmt::format("{:.2f} m", straightLength(*view.plan, edge.a, edge.b)));
-    formLine("Would hit");
+    formLine("Collides with");
     if (edge.object_id == 0) {
         ImGui::TextWrapped("nothing; it would be %s", verdictText(edge.reason).c_str());
     } else if (link(objectName(*view.scene, edge.object_id), "selection.hit")) {
@@ -137,7 +137,7 @@ void drawVoxel(const SelectionView& view) {
     formText("State", stateText(state));
     const int level = static_cast<int>(std::lround(std::log2(size / space.resolution_m())));
     formText("Cell", fmt::format("{:.3g} m, level {}", size, level),
-             "Level 0 has the smallest cells; one more doubles them");
+             "Level 0 has the smallest cells; each level doubles them");
     if (state == planning::CellState::Free) {
         formText("Clearance", clearanceText(view, place), "To the nearest surface");
         const int room = space.componentAt(place);

@@ -23,12 +23,12 @@ struct GroupStyle {
 };
 constexpr std::array<GroupStyle, kStepGroups> kGroups = {{
     {"Sample", "A key frame drawn at random"},
-    {"Near", "The vertex of least cost for it"},
-    {"Edge", "A straight move that is tried"},
-    {"CollisionFree", "Whether that move is free"},
+    {"Near", "Its nearest vertex, by cost"},
+    {"Edge", "A straight move to test"},
+    {"CollisionFree", "Whether that move is collision-free"},
     {"Link", "RRT* joins separate parts"},
-    {"Prune", "Edges that close a cycle go"},
-    {"Branch", "The order of the path"},
+    {"Prune", "Edges that close a cycle are removed"},
+    {"Branch", "The order of visits along the path"},
 }};
 constexpr std::array kSpeeds = {2.0, 10.0, 50.0, 250.0};
 
@@ -57,8 +57,8 @@ std::optional<std::size_t> nextRefusal(const StepsView& view) {
 
 void drawTransport(const StepsView& view, const StepsState& state, StepsActions& actions) {
     const std::size_t all = view.steps->steps.size();
-    const std::string at_start = view.taken == 0 ? "No step is taken yet." : "";
-    const std::string at_end = view.taken == all ? "All steps are taken." : "";
+    const std::string at_start = view.taken == 0 ? "This is before the first step." : "";
+    const std::string at_end = view.taken == all ? "This is after the last step." : "";
     const auto back = nextStop(state.rows, view.taken, -1);
     const auto forward = nextStop(state.rows, view.taken, 1);
     const auto go = [&](Icon icon, const char* name, const char* tip, const std::string& why_not,
@@ -68,7 +68,7 @@ void drawTransport(const StepsView& view, const StepsState& state, StepsActions&
     };
     const std::string none_left = !at_end.empty() ? at_end
                                   : forward       ? ""
-                                                  : "No step of the kinds shown is left.";
+                                                  : "No further step of the kinds shown.";
     go(Icon::ToStart, "steps.first", "Before the first step", at_start, 0);
     go(Icon::StepBack, "steps.back", "One step back", at_start, back.value_or(0));
     if (iconButton(view.playing ? Icon::Pause : Icon::Play, "steps.play",
@@ -76,7 +76,7 @@ void drawTransport(const StepsView& view, const StepsState& state, StepsActions&
         actions.toggle_play = true;
     }
     ImGui::SameLine(0, scaled(3));
-    go(Icon::StepForward, "steps.forward", "One step on", none_left, forward.value_or(all));
+    go(Icon::StepForward, "steps.forward", "One step forward", none_left, forward.value_or(all));
     go(Icon::ToEnd, "steps.last", "After the last step", at_end, all);
     ImGui::NewLine();
     ImGui::SameLine(0, 0);
@@ -97,11 +97,10 @@ void drawSpeedAndRefusal(const StepsView& view, StepsState& state, StepsActions&
         }
         ImGui::EndCombo();
     }
-    flowTo("Next refusal");
+    flowTo("Next collision");
     const auto refusal = nextRefusal(view);
-    if (button("Next refusal", "steps.next_refusal",
-               {refusal ? "" : "No move is refused from here on.",
-                "To the next move that would collide"})) {
+    if (button("Next collision", "steps.next_refusal",
+               {refusal ? "" : "No later move collides.", "To the next move that would collide"})) {
         actions.go_to = refusal;
     }
 }

@@ -31,7 +31,7 @@ void drawButtons(const TimelineView& view, TimelineState& state, TimelineActions
     const std::optional<int> before = neighbourKey(keys, view.frame, -1);
     const std::optional<int> after = neighbourKey(keys, view.frame, 1);
     const auto key_why = [&](const std::optional<int>& key) {
-        return !none.empty() ? none : key ? "" : "There is no key frame further on.";
+        return !none.empty() ? none : key ? "" : "There is no later key frame.";
     };
     const auto go = [&](Icon icon, const char* name, const char* tip, const std::string& why_not,
                         int frame) {
@@ -39,7 +39,7 @@ void drawButtons(const TimelineView& view, TimelineState& state, TimelineActions
         ImGui::SameLine(0, scaled(3));
     };
     go(Icon::ToStart, "timeline.start", "First frame (Home)", at_start, 0);
-    go(Icon::PreviousMark, "timeline.previous_key", "Key frame before", key_why(before),
+    go(Icon::PreviousMark, "timeline.previous_key", "Previous key frame", key_why(before),
        before.value_or(0));
     go(Icon::StepBack, "timeline.back", "One frame back (Left)", at_start, view.frame - 1);
     if (iconButton(view.playing ? Icon::Pause : Icon::Play, "timeline.play",
@@ -47,10 +47,10 @@ void drawButtons(const TimelineView& view, TimelineState& state, TimelineActions
         actions.toggle_play = true;
     }
     ImGui::SameLine(0, scaled(3));
-    go(Icon::StepForward, "timeline.forward", "One frame on (Right)", at_end, view.frame + 1);
+    go(Icon::StepForward, "timeline.forward", "One frame forward (Right)", at_end, view.frame + 1);
     go(Icon::NextMark, "timeline.next_key", "Next key frame", key_why(after), after.value_or(0));
     go(Icon::ToEnd, "timeline.end", "Last frame (End)", at_end, last);
-    if (iconButton(Icon::Loop, "timeline.loop", {"Begin again at the end", {}, state.loop})) {
+    if (iconButton(Icon::Loop, "timeline.loop", {"Repeat from the start", {}, state.loop})) {
         state.loop = !state.loop;
     }
     ImGui::SameLine();
@@ -60,7 +60,7 @@ void drawSpeed(TimelineState& state) {
     ImGui::SetNextItemWidth(scaled(68));
     const bool open = ImGui::BeginCombo("##speed", fmt::format("×{:g}", state.speed).c_str());
     nameItem("timeline.speed");
-    if (!open) tooltip("Speed of playing");
+    if (!open) tooltip("Playback speed");
     if (!open) return;
     for (const double speed : kSpeeds) {
         const std::string text = fmt::format("×{:g}", speed);
@@ -129,7 +129,7 @@ void drawRightEnd(const TimelineView& view, TimelineState& state) {
         state.shown = 0.0;
     }
     ImGui::SameLine();
-    if (button("Strips", "timeline.strips", {{}, "What is drawn below the scrubber"})) {
+    if (button("Strips", "timeline.strips", {{}, "Curves below the scrubber"})) {
         ImGui::OpenPopup("strips");
     }
     if (!ImGui::BeginPopup("strips")) return;

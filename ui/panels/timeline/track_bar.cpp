@@ -43,20 +43,20 @@ TrackBarActions drawTrackBar(const TrackBarView& view) {
     const std::string why_not =
         view.last_s > 0.0 ? "" : "The only key is at 0 s; add one at a later time.";
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Moving things");
+    ImGui::TextUnformatted("Moving objects");
     tooltip(
-        "Objects with keys stand where their tracks have them at this time, and the plan is "
-        "for them there. The camera's own time is the row below.");
+        "Objects with keys are at their tracks' poses at this time, and the plan applies to these "
+        "poses. The row below is the camera's own time.");
     ImGui::SameLine();
     if (iconButton(view.playing ? Icon::Pause : Icon::Play, "tracks.play",
-                   {view.playing ? "Pause" : "Let things move; each step is planned", why_not})) {
+                   {view.playing ? "Pause" : "Play the tracks; each step is planned", why_not})) {
         actions.toggle_play = true;
     }
     ImGui::SameLine();
     // A time beyond the usual end extends the slider.
     const double end_s = std::max(trackBarEnd(view.last_s), view.time_s);
     const float number = scaled(96);
-    const char* const elsewhere = "moved by hand since";
+    const char* const elsewhere = "moved manually since";
     const float note =
         view.is_there ? 0.0F : ImGui::CalcTextSize(elsewhere).x + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(
@@ -83,8 +83,8 @@ TrackBarActions drawTrackBar(const TrackBarView& view) {
         ImGui::TextColored(palette().text_dim, "%s", elsewhere);
         nameItem("tracks.elsewhere");
         tooltip(
-            "A thing with a track stands where its track does not have it at this time. Add a "
-            "key there, or choose a time to put it back.");
+            "An object is not at its track's pose for this time. Add a key there, or choose a time "
+            "to put it back.");
     }
     return actions;
 }

@@ -171,7 +171,7 @@ void drawHelpOverlay(const CommandTable& commands, HelpState& state) {
     ImGui::BeginChild("blocks");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, scaled(2)});
     const std::vector<Block> blocks = makeBlocks(commands, state.filter);
-    if (blocks.empty()) ImGui::TextDisabled("Nothing is called that.");
+    if (blocks.empty()) ImGui::TextDisabled("No match.");
     if (!blocks.empty()) drawBlocks(blocks, ImGui::GetContentRegionAvail().x);
     ImGui::PopStyleVar();
     ImGui::EndChild();

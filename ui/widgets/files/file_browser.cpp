@@ -214,7 +214,7 @@ void FileBrowser::Impl::drawTop() {
     ImGui::PopFont();
     const bool at_root = folder.empty() || folder == folder.root_path();
     if (button("\u2191", "files.up",
-               {.why_not = at_root ? "There is no folder above." : "", .tip = "Folder above"})) {
+               {.why_not = at_root ? "There is no parent folder." : "", .tip = "Parent folder"})) {
         select_name = folder.filename().string();
         look(folder.parent_path(), Intent::Enter);
     }
@@ -337,13 +337,13 @@ std::string FileBrowser::Impl::noteText() const {
     if (request.purpose == Purpose::Save && !name.empty()) {
         const fs::path typed = typedPath(name, folder);
         if (typed.has_filename() && typed.has_extension() && !missingEnding(typed).empty()) {
-            return "It is saved as " + typed.filename().string() + request.extension +
-                   ", since its name has to end in " + request.extension + ".";
+            return "It will be saved as " + typed.filename().string() + request.extension +
+                   ", because its name must end in " + request.extension + ".";
         }
     }
     if (!arranged) return "Reading the folder \u2026";
     if (arranged->entries.empty()) return "This folder is empty.";
-    if (rows.empty()) return "Nothing here of this kind.";
+    if (rows.empty()) return "No files of this type.";
     return std::to_string(rows.size()) + " of " + std::to_string(arranged->entries.size()) +
            " entries";
 }
@@ -368,7 +368,7 @@ void FileBrowser::Impl::drawChoices() {
     }
     ImGui::Checkbox("Hidden", &order.hidden);
     nameItem("files.hidden");
-    tooltip("Also files whose names begin with a dot");
+    tooltip("Also show files whose names begin with a dot");
 }
 
 void FileBrowser::Impl::drawButtons(bool entered) {
@@ -389,11 +389,11 @@ void FileBrowser::Impl::drawButtons(bool entered) {
 
 void FileBrowser::Impl::drawOverwrite() {
     if (overwrite.empty()) return;
-    const int pressed = drawMessageBox({false,
-                                        "Replace " + overwrite.filename().string() + "?",
-                                        "There is a file of that name already. Its content is lost "
-                                        "when you replace it.",
-                                        {"Replace", "Cancel"}});
+    const int pressed =
+        drawMessageBox({false,
+                        "Replace " + overwrite.filename().string() + "?",
+                        "A file of that name exists. Replacing it deletes its content.",
+                        {"Replace", "Cancel"}});
     if (pressed == 0) answer = {request.id, overwrite};
     if (pressed >= 0) overwrite.clear();
 }

@@ -163,9 +163,9 @@ void FolderReader::makeFolder(const fs::path& path) {
             PathAnswer failed;
             failed.path = path;
             failed.problem = errno == EEXIST
-                                 ? "Something is called '" + path.filename().string() +
-                                       "' here already. Choose another name."
-                                 : "The folder cannot be made here (" + errorText(errno) + ").";
+                                 ? "A file or folder '" + path.filename().string() +
+                                       "' exists already. Choose another name."
+                                 : "The folder cannot be created here (" + errorText(errno) + ").";
             answer->put(std::move(failed));
             return;
         }

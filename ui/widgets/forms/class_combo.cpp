@@ -59,7 +59,7 @@ std::optional<int> classCombo(int nyu40, std::string& filter, const std::string&
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     nameItem(name + ".filter");
     const std::vector<int> classes = classesFor(filter);
-    if (classes.empty()) ImGui::TextDisabled("No class is called that.");
+    if (classes.empty()) ImGui::TextDisabled("No match.");
     for (const int candidate : classes) {
         ImGui::PushID(candidate);
         drawSwatch(candidate);

@@ -163,7 +163,7 @@ FieldEdit drawField(const Field& field, const Field& standard, const std::string
         }
         nameItem(path + ".reset");
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("Back to %s", standard.valueText().c_str());
+            ImGui::SetTooltip("Reset to %s", standard.valueText().c_str());
         }
     }
     ImGui::PopID();
