@@ -144,8 +144,7 @@ Result<std::vector<std::uint8_t>> encodeContactSheet(const io::GuardedFolder& fo
     int thumb_height = 1;
     for (std::size_t i = 0; i < thumbs.size(); ++i) {
         if (thumbs[i].empty()) {
-            return fail(ErrorCode::BadInput,
-                        "the image was damaged or taken away while the export was running",
+            return fail(ErrorCode::BadInput, "the image was damaged or removed during the export",
                         (folder.path() / pictures[i].file).string());
         }
         thumb_height = std::max(thumb_height, thumbs[i].rows);

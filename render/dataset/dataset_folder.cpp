@@ -126,8 +126,8 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
         if (std::ranges::any_of(*names,
                                 [](const std::string& name) { return name != kJournalFile; })) {
             return fail(ErrorCode::CannotWrite,
-                        "the folder holds files that are not a Dollytrack dataset; choose an empty "
-                        "folder, or give --overwrite",
+                        "the folder contains files that are not a Dollytrack dataset; choose an "
+                        "empty folder, or pass --overwrite",
                         folder.string());
         }
     }
@@ -170,8 +170,8 @@ Status DatasetFolder::checkNotComplete() const {
     return fail(ErrorCode::Usage,
                 "the folder holds a complete dataset of " + std::to_string(frames) + " frame" +
                     (frames == 1 ? "" : "s") +
-                    "; choose another folder, give --overwrite to replace it, or --resume to check "
-                    "that it is the one wanted",
+                    "; choose another folder, or pass --overwrite to replace it, or --resume to "
+                    "check that it is the requested one",
                 path().string());
 }
 

@@ -54,12 +54,13 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
             : DatasetJournal::begin(folder->folder(), identity, gl::rendererName(), names);
     if (!journal) return tl::unexpected(journal.error());
     ledger.emplace(std::move(*journal), frameCount(), std::move(earlier.entries));
-    writer.emplace(
-        FrameWriter::Settings{folder->unfinished(), contents.modalities, order.card.formats, needs()},
-        *frame_context, [this](WrittenFrame written) {
-            return ledger->addWritten(written.index, std::move(written.sha256s),
-                                      std::move(written.masks), std::move(written.instances));
-        });
+    writer.emplace(FrameWriter::Settings{folder->unfinished(), contents.modalities,
+                                         order.card.formats, needs()},
+                   *frame_context, [this](WrittenFrame written) {
+                       return ledger->addWritten(written.index, std::move(written.sha256s),
+                                                 std::move(written.masks),
+                                                 std::move(written.instances));
+                   });
     return {};
 }
 
@@ -80,8 +81,10 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     }
     if (Status status = drain(); !status) return tl::unexpected(status.error());
     if (!folder->isThere()) {  // writing now would create it anew without the images
-        return fail(ErrorCode::CannotWrite, "the dataset cannot be finished",
-                    settings.folder.string());
+        return fail(
+            ErrorCode::CannotWrite,
+            "the dataset cannot be finished: its folder was removed or replaced during the export",
+            settings.folder.string());
     }
     DatasetContents& contents = order.contents;
     DatasetCard& card = order.card;
@@ -109,7 +112,7 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     if (status) status = folder->finish();
     if (!status) return tl::unexpected(status.error());
     if (const std::string unusable = unusableText(summary.pictures); !unusable.empty()) {
-        log::warn("export", unusable + "; they capture nothing");
+        log::warn("export", unusable + "; they do not count as captures");
     }
     return summary;
 }
@@ -170,7 +173,8 @@ int DatasetJob::framesDone() const {
 Result<bool> DatasetJob::step() {
     if (framesDone() == frameCount()) return false;
     if (!folderIsThere()) {  // writing now would go to a deleted or moved folder
-        return fail(ErrorCode::CannotWrite, "the dataset cannot be written on",
+        return fail(ErrorCode::CannotWrite,
+                    "the export cannot continue: its folder was removed or replaced",
                     impl_->settings.folder.string());
     }
     Status status = impl_->context->makeCurrent();
@@ -232,9 +236,9 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
         if (kept > 0) {
             error.message += "; " + std::to_string(kept) + " of " +
                              std::to_string(dataset->frameCount()) +
-                             " frames are finished, --resume continues after them";
+                             " frames are finished; --resume continues after them";
         } else if (!dataset->folderIsThere()) {
-            error.message += "; the folder was removed meanwhile, and what was finished with it";
+            error.message += "; the folder and its finished frames were removed meanwhile";
         }
         return tl::unexpected<Error>(std::move(error));
     };

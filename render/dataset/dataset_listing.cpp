@@ -35,7 +35,7 @@ Result<json> parseCard(const io::GuardedFolder& folder, const std::string& card,
     if (!file) return tl::unexpected(file.error());
     const Result<std::string> text = file->readAll(io::kMostTextBytes);
     if (!text) {
-        return fail(ErrorCode::CannotWrite, "it cannot be read; choose another folder",
+        return fail(ErrorCode::CannotWrite, "dataset.json cannot be read; choose another folder",
                     (folder.path() / card).string());
     }
     return io::parseBoundedJson<json>(*text, card, keep).value_or(json(json::value_t::discarded));

@@ -5,6 +5,8 @@
 #include "render/dataset/scene_hash.h"
 #include "render/sensors/sensor_lens.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -14,7 +16,8 @@ namespace {
 Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
     Result<nlohmann::json> value = io::parseBoundedJson(text, what);
     if (!value) {
-        return fail(ErrorCode::Failed, std::string(what) + " handed to the export are no JSON");
+        return fail(ErrorCode::Failed,
+                    std::string(what) + " passed to the export are not valid JSON");
     }
     return value;
 }
@@ -52,7 +55,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     DatasetOrder order{{scene, camera, {}, plannedFrames(trajectory, settings.range)}, {}};
     if (order.contents.frames.empty()) {
         return fail(ErrorCode::Usage,
-                    "the range holds none of the trajectory's " +
+                    "the range contains none of the trajectory's " +
                         std::to_string(trajectory.frames.size()) + " frames",
                     "--range");
     }
@@ -64,7 +67,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     order.contents.imu_rate_hz = settings.imu_rate_hz;
     for (const int distance : settings.flow_distances) {
         if (distance >= 1) continue;
-        return fail(ErrorCode::Usage, "A distance of flow is a number of frames from 1 on.",
+        return fail(ErrorCode::Usage, "Flow distances are in frames and at least 1.",
                     "--flow-distances");
     }
     const bool has_flow =
@@ -75,8 +78,8 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
         settings.flow_distances.empty() ? 1 : *std::ranges::min_element(settings.flow_distances);
     if (has_flow && nearest > 1 && nearest >= std::ssize(order.contents.frames)) {
         return fail(ErrorCode::Usage,
-                    "no two of the " + std::to_string(order.contents.frames.size()) +
-                        " frames are " + std::to_string(nearest) + " apart",
+                    fmt::format("the {} frames are too few for a flow distance of {}",
+                                order.contents.frames.size(), nearest),
                     "--flow-distances");
     }
     order.contents.flow_distances = settings.flow_distances;

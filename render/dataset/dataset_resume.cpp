@@ -46,7 +46,7 @@ tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& fi
                 "the dataset is complete, but " +
                     (count == 1 ? std::string("this file is")
                                 : "this and " + std::to_string(count - 1) + " more files are") +
-                    " missing or damaged; export it again with --overwrite in place of --resume",
+                    " missing or damaged; export it again with --overwrite instead of --resume",
                 (folder.path() / file).string());
 }
 
@@ -83,12 +83,11 @@ Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& o
         }
     }
     if (!differing.empty()) {
-        return fail(ErrorCode::Usage,
-                    "the folder holds a complete dataset of something else (it differs in " +
-                        differing +
-                        "); choose another folder, or give --overwrite in place of --resume to "
-                        "replace it",
-                    folder.path().string());
+        return fail(
+            ErrorCode::Usage,
+            "the folder contains another complete dataset (different: " + differing +
+                "); choose another folder, or pass --overwrite instead of --resume to replace it",
+            folder.path().string());
     }
     try {
         std::vector<std::pair<std::string, std::string>> files;
@@ -137,7 +136,7 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
     if (folder.isComplete() && !(begun && folder.isStaged())) {
         const Result<Counted> counted = checkComplete(folder, order, job);
         if (counted) {
-            log::info("export", "the dataset in the folder is complete and whole");
+            log::info("export", "the dataset in the folder is complete and undamaged");
             earlier.complete = *counted;
             return earlier;
         }
@@ -148,23 +147,22 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
         journal.entries.clear();
     }
     if (!begun) {
-        log::info("export", "there is nothing to continue in the folder: beginning anew");
+        log::info("export", "there is nothing to resume in the folder; starting a new export");
         return Earlier{};
     }
     if (*journal.identity != identity) {
         return fail(ErrorCode::Usage,
-                    "the unfinished dataset in the folder is another one (it differs in " +
+                    "the folder contains another unfinished dataset (different: " +
                         differences(*journal.identity, identity) +
-                        "); continue it as it was begun, or leave out --resume to begin anew (with "
-                        "--overwrite "
-                        "beside a complete dataset)",
+                        "); resume it with its original arguments, or leave out --resume to start "
+                        "a new export (with --overwrite beside a complete dataset)",
                     folder.path().string());
     }
     // Not an error, but the bytes may differ from those of a single run.
     if (journal.drawn_by != gl::rendererName()) {
-        log::warn("export", "the finished frames were drawn by " + journal.drawn_by +
+        log::warn("export", "the finished frames were rendered by " + journal.drawn_by +
                                 ", the others will be by " + gl::rendererName() +
-                                "; they may differ in shades");
+                                "; colours may differ slightly");
     }
     const int count = static_cast<int>(order.contents.frames.size());
     std::erase_if(journal.entries,
@@ -173,10 +171,10 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
     journal.entries = wholeFrames(folder, std::move(journal.entries), job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
     const std::size_t found = journal.entries.size();
-    log::info("export", "continuing: " + std::to_string(found) + " of " + std::to_string(count) +
+    log::info("export", "resuming: " + std::to_string(found) + " of " + std::to_string(count) +
                             " frames are done");
     if (found < listed) {
-        log::warn("export", "missing or damaged, and rendered again: " +
+        log::warn("export", "missing or damaged, rendered again: " +
                                 std::to_string(listed - found) + " of the finished frames");
     }
     return earlier;

@@ -23,10 +23,10 @@ void warnOfTouching(const DatasetContents& contents) {
     if (first == contents.frames.end()) return;
     const auto count = std::ranges::count_if(
         contents.frames, [&](const DatasetFrame& frame) { return frame.clearance_m < radius; });
-    log::warn("export", "things that move come nearer to the camera than its radius in " +
+    log::warn("export", "moving objects come closer to the camera than camera_radius_m in " +
                             std::to_string(count) + " frames, first in frame " +
                             std::to_string(first->source_frame) +
-                            "; plan with them elsewhere (--time), or export with --still");
+                            "; plan with them at other poses (--time), or export with --still");
 }
 
 /// Warns that labels belong to the undistorted pictures.
@@ -40,7 +40,7 @@ void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
     log::warn(
         "export",
         fmt::format("boxes and masks of {} belong to the clean pictures (rgb): in rgb_sensor, "
-                    "whose lens bends them, things lie up to {:.1f} px beside",
+                    "whose lens distorts, objects are displaced by up to {:.1f} px",
                     names, lens.largestShift_px()));
 }
 
@@ -51,8 +51,8 @@ void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origi
         return;
     }
     log::warn("export",
-              "path traced sensor pictures show things that move where they are at the frame's "
-              "time, blurred by the camera's motion alone; render_mode=fast blurs both");
+              "path-traced sensor pictures show moving objects without motion blur of their own; "
+              "render_mode=fast blurs them");
 }
 
 }  // namespace
@@ -67,7 +67,8 @@ std::unique_ptr<const Scene> FrameDrawing::variedScene(const Scene& scene,
 
 FrameDrawing::~FrameDrawing() {
     // Another context may be current by now; its objects must not be deleted.
-    if (context && !context->makeCurrent()) log::error("export", "the OpenGL context is gone");
+    if (context && !context->makeCurrent())
+        log::error("export", "the OpenGL context no longer exists");
 }
 
 unsigned FrameDrawing::needs() const {
@@ -113,8 +114,8 @@ Result<FrameSeries> FrameSeries::begin(std::unique_ptr<gl::Context> context, con
         describeOrder(varied ? *varied : given, camera, trajectory, settings, origin);
     if (!order) return tl::unexpected(order.error());
     order->card.formats.clear();
-    auto drawing = std::make_unique<FrameDrawing>(std::move(settings), std::move(varied),
-                                                  std::move(*order));
+    auto drawing =
+        std::make_unique<FrameDrawing>(std::move(settings), std::move(varied), std::move(*order));
     drawing->context = std::move(context);
     if (Status status = drawing->prepare(rays, trajectory, origin, {}, job); !status) {
         return tl::unexpected(status.error());

@@ -75,7 +75,8 @@ Result<FrameFolds> splitFrames(const std::vector<DatasetFrame>& frames,
     if (frames.size() < count) {
         return fail(ErrorCode::Usage,
                     std::to_string(frames.size()) + " frames cannot be split into " +
-                        std::to_string(count) + " folds; ask for fewer, or for more frames",
+                        std::to_string(count) +
+                        " folds; lower --folds or raise the number of frames",
                     "--folds");
     }
     FrameFolds result;
@@ -98,12 +99,11 @@ Result<FrameFolds> splitFrames(const std::vector<DatasetFrame>& frames,
             if (!leaks) fold.train.push_back(static_cast<int>(i));
         }
         if (fold.train.empty()) {
-            return fail(
-                ErrorCode::Usage,
-                "fold " + std::to_string(result.folds.size()) +
-                    " would have no frame to train on: all are within a second or a step of those "
-                    "it is judged by; export more of the trajectory, or ask for more folds",
-                "--folds");
+            return fail(ErrorCode::Usage,
+                        "fold " + std::to_string(result.folds.size()) +
+                            " has no training frames: all are too close to its validation frames; "
+                            "export more of the trajectory, or raise --folds",
+                        "--folds");
         }
         fold.val = std::move(part);
         result.folds.push_back(std::move(fold));

@@ -9,10 +9,10 @@ namespace dollytrack::render {
 
 Result<FrameRange> parseFrameRange(const std::string& text) {
     const auto refuse = [&] {
-        return fail(
-            ErrorCode::Usage,
-            "\"" + text + "\" is no range; write first:end:step, for example 0:100:2 or ::5",
-            "--range");
+        return fail(ErrorCode::Usage,
+                    "\"" + text +
+                        "\" is not a frame range; write first:end:step, for example 0:100:2 or ::5",
+                    "--range");
     };
     std::array<std::optional<int>, 3> parts;
     std::size_t start = 0;
@@ -40,8 +40,8 @@ Result<FrameRange> parseFrameRange(const std::string& text) {
     if (range.end && *range.end <= range.begin) {
         return fail(ErrorCode::Usage,
                     "\"" + text +
-                        "\" ends before its first frame; the end, which is not among the "
-                        "frames, comes after the beginning, as in 5:10",
+                        "\" ends before its first frame; the end, which is excluded, must come "
+                        "after the first frame, as in 5:10",
                     "--range");
     }
     return range;

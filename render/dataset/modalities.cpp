@@ -73,7 +73,7 @@ Result<ModalitySet> chooseModalities(const std::vector<std::string>& names, bool
         chosen->insert(later, &*of_rig);
     } else if (std::find(names.begin(), names.end(), kRigModality) != names.end()) {
         return fail(ErrorCode::Usage,
-                    "The modality 'cameras' needs cameras: name a file of them with --rig, or one "
+                    "The modality 'cameras' needs a rig: pass a rig file with --rig, or a camera "
                     "with --camera.",
                     "--modalities");
     }

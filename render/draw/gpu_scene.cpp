@@ -292,7 +292,7 @@ Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
     if (scene.objects.size() > 65535) {
         return fail(ErrorCode::BadInput,
                     "the scene has " + std::to_string(scene.objects.size()) +
-                        " objects, more than the 65535 that 16-bit labels can tell apart; join "
+                        " objects, more than the 65535 that 16-bit labels can distinguish; merge "
                         "some of them",
                     scene.source.string());
     }

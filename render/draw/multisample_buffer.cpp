@@ -29,11 +29,11 @@ Result<MultisampleBuffer> MultisampleBuffer::create(int width, int height) {
     glNamedFramebufferTexture(frame, GL_DEPTH_ATTACHMENT, images.depth_.get(), 0);
     constexpr std::array<GLenum, 2> kOutputs = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     glNamedFramebufferDrawBuffers(frame, kOutputs.size(), kOutputs.data());
-    if (!gl::checkErrors("creating the images of several looks") ||
+    if (!gl::checkErrors("creating the multisampled images") ||
         glCheckNamedFramebufferStatus(frame, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         return fail(ErrorCode::Usage,
-                    fmt::format("this OpenGL driver cannot draw {} looks at each of {} x {} px; "
-                                "use antialias=edges, or a smaller picture",
+                    fmt::format("this OpenGL driver cannot render {} samples per pixel at {} x {} "
+                                "px; use antialias=edges, or a smaller image",
                                 kSamplesPerPixel, width, height));
     }
     glBindFramebuffer(GL_FRAMEBUFFER, frame);

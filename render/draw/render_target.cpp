@@ -24,9 +24,9 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     int largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (width < 1 || height < 1 || width > largest || height > largest) {
-        return fail(ErrorCode::Usage, "a picture of " + std::to_string(width) + " x " +
+        return fail(ErrorCode::Usage, "an image of " + std::to_string(width) + " x " +
                                           std::to_string(height) +
-                                          " px cannot be drawn; this driver's limit is " +
+                                          " px cannot be rendered; this driver's limit is " +
                                           std::to_string(largest) + " px");
     }
     RenderTarget target;
@@ -78,7 +78,7 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     }
     if (glCheckNamedFramebufferStatus(frame, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         return fail(ErrorCode::NoOpenGl,
-                    "this OpenGL driver cannot draw colour, depth and labels in one pass; use "
+                    "this OpenGL driver cannot render colour, depth and labels in one pass; use "
                     "Mesa's software driver");
     }
     return target;

@@ -238,8 +238,7 @@ Status checkNeeds(const FormatSet& formats, const ModalitySet& modalities) {
         return fail(ErrorCode::Usage,
                     std::string("The format '") + format->name + "' needs the modality '" +
                         format->modality +
-                        "', which --modalities leaves out; add it, or name other "
-                        "formats.",
+                        "', which --modalities leaves out; add it, or choose other formats.",
                     "--formats");
     }
     return {};

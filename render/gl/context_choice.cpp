@@ -11,8 +11,9 @@ Result<std::unique_ptr<Context>> openFirst(std::span<const ContextChoice> choice
         if (context) return context;
         tried += (tried.empty() ? "" : ", ") + choice.name + " (" + context.error().message + ")";
     }
-    return fail(ErrorCode::NoOpenGl, "nothing draws without a window; tried: " +
-                                         (tried.empty() ? "nothing, as there is nothing" : tried));
+    return fail(ErrorCode::NoOpenGl,
+                "no OpenGL driver works without a window; " +
+                    (tried.empty() ? std::string("none is available") : "tried: " + tried));
 }
 
 }  // namespace dollytrack::gl

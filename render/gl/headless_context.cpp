@@ -54,7 +54,7 @@ Result<std::unique_ptr<Context>> createHeadlessContext(Backend backend) {
     if (backend == Backend::Auto && hasGraphicsCard()) {
         Result<std::unique_ptr<Context>> context = createLoadedEglContext();
         if (context) return context;
-        log::warn("render", "the graphics card is not used: " + context.error().message);
+        log::warn("render", "the GPU is not used: " + context.error().message);
     }
     return createOsMesaContext();
 }

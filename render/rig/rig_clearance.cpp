@@ -47,18 +47,18 @@ std::vector<std::string> rigWarnings(const FrameContext& context) {
         const auto all = contents.frames.size();
         if (behind.count > 0) {
             warnings.push_back(fmt::format(
-                "camera '{}' of the rig is inside or behind something in {} of {} frames, first "
-                "in frame {}: '{}'; the plan keeps {:g} m around the planned camera free, so bring "
-                "the camera closer to it, or plan with a larger camera_radius_m",
+                "camera '{}' of the rig is inside or behind another object in {} of {} frames, "
+                "first in frame {}: '{}'; the plan keeps {:g} m around the planned camera free, so "
+                "move the camera closer to it, or plan with a larger camera_radius_m",
                 camera.name, behind.count, all, behind.frame,
                 nameOf(contents.scene, behind.object_id), radius));
         }
         if (near.count > 0) {
-            warnings.push_back(fmt::format(
-                "camera '{}' of the rig comes nearer than {:g} m to something in {} of {} frames, "
-                "first in frame {}: '{}'",
-                camera.name, radius, near.count, all, near.frame,
-                nameOf(contents.scene, near.object_id)));
+            warnings.push_back(
+                fmt::format("camera '{}' of the rig is closer than {:g} m to an object in {} of {} "
+                            "frames, first in frame {}: '{}'",
+                            camera.name, radius, near.count, all, near.frame,
+                            nameOf(contents.scene, near.object_id)));
         }
     }
     return warnings;

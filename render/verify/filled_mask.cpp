@@ -119,7 +119,8 @@ std::string partProblem(const Mask& outlined, const Mask& mask, int width, int h
         if (outlined[i] == 0) continue;
         ++outlined_px;
         if (filled[i] == 0) {
-            return fmt::format("its outline holds pixel ({}, {}), which is not its", i / h, i % h);
+            return fmt::format("its outline contains pixel ({}, {}), which is not part of it",
+                               i / h, i % h);
         }
         const bool last_row = i % h + 1 == h;
         const bool last_column = i + h >= mask.size();
@@ -128,13 +129,13 @@ std::string partProblem(const Mask& outlined, const Mask& mask, int width, int h
                                           {i - h, i >= h},
                                           {i + h, !last_column}}) {
             if (!there || mask[i] == 0 || mask[next] == 0 || outlined[next] != 0) continue;
-            return fmt::format("its outline leaves pixel ({}, {}) out", next / h, next % h);
+            return fmt::format("its outline misses pixel ({}, {})", next / h, next % h);
         }
     }
     const std::vector<int> sizes = partSizes(mask, width, height);
     const int largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
     if (outlined_px >= largest && outlined_px > 0) return {};
-    return fmt::format("its outline holds {} px of {}", outlined_px, largest);
+    return fmt::format("its outline contains {} px of {}", outlined_px, largest);
 }
 
 Mask withoutHoles(const Mask& mask, int width, int height) {

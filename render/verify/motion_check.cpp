@@ -48,7 +48,7 @@ void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
             if (nothing) {
                 if (!unknown) {
                     pixels.add(x, y, [&] {
-                        return WrongPixels::Text{found(), "no motion, as nothing is seen"};
+                        return WrongPixels::Text{found(), "no motion, because nothing is visible"};
                     });
                 }
                 continue;

@@ -22,7 +22,7 @@ const char* name(int sight) {
         case kNothing:
             return "nothing";
         default:
-            return "no value of a mask";
+            return "not a mask value";
     }
 }
 
@@ -98,10 +98,9 @@ void judgeByDepth(const Image8& mask, const std::vector<Followed>& followed,
         const int found = mask.values[static_cast<std::size_t>(i)];
         const double before = one.depth_m - *surface;
         if (found == kOccluded && std::abs(before) < 0.001) {
-            pixels.add(x, y, [&] { return wrong(found, "seen, by the other picture's depth"); });
+            pixels.add(x, y, [&] { return wrong(found, "visible, by the other image's depth"); });
         } else if (found == kSeen && before > 3.0 * slack) {
-            pixels.add(x, y,
-                       [&] { return wrong(found, "occluded, by the other picture's depth"); });
+            pixels.add(x, y, [&] { return wrong(found, "occluded, by the other image's depth"); });
         }
     }
 }
@@ -193,7 +192,7 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
         if (nothing || found == kNothing) {
             if (nothing != (found == kNothing)) {
                 pixels.add(x, y, [&] {
-                    return wrong(found, nothing ? "nothing (255)" : "what becomes of the surface");
+                    return wrong(found, nothing ? "nothing (255)" : "the state of the surface");
                 });
             }
             continue;
@@ -201,8 +200,8 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
         const Sides sides = sidesOf(subject.dataset, followed[at]);
         if (found == kOutside ? !sides.may_be_outside : !sides.may_be_inside) {
             pixels.add(x, y, [&] {
-                return wrong(found, found == kOutside ? "inside the other picture"
-                                                      : "outside the other picture (2)");
+                return wrong(found, found == kOutside ? "inside the other image"
+                                                      : "outside the other image (2)");
             });
         } else if (found == kSeen || found == kOccluded) {
             inside.push_back(i);

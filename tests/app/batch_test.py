@@ -408,7 +408,7 @@ class Batch(FolderCase):
         self.assertIn("--resume", listed["runs"])
         result = run("batch", file)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("continuing", (self.out / "a.small/log.txt").read_text())
+        self.assertIn("resuming", (self.out / "a.small/log.txt").read_text())
 
     def test_its_own_memory_does_not_grow_with_the_scenes(self):
         count = 200 if LONG else 24

@@ -74,7 +74,7 @@ class ExportFolder(FolderCase):
         # The same one is found complete, another one is told so.
         self.export(out, "--modalities", "rgb", "--resume")
         self.assertFails(run("-q", "export", self.project, "--out", out, "--range", "0:2",
-                             "--resume"), 2, "something else", "--overwrite")
+                             "--resume"), 2, "another complete dataset", "--overwrite")
         self.assertEqual(hashes(out), before)
         self.export(out, "--range", "0:2", "--overwrite")
         self.assertEqual(len(list((out / "rgb").iterdir())), 2)
@@ -198,7 +198,7 @@ class ExportFolder(FolderCase):
         self.assertFails(refused, 2, "complete dataset of 3 frames")
         resumed = run(*again, "--resume")
         self.assertEqual(resumed.returncode, 0, resumed.stderr)
-        self.assertIn("continuing", resumed.stderr)
+        self.assertIn("resuming", resumed.stderr)
         fresh = self.new_folder()
         made = run("-q", "export", self.room, "--out", fresh, *again[4:])
         self.assertEqual(made.returncode, 0, made.stderr)
@@ -264,7 +264,7 @@ class ExportFolder(FolderCase):
         process.send_signal(signal.SIGCONT)
         _, errors = process.communicate()
         self.assertEqual(process.returncode, 6, errors)
-        self.assertIn("was removed meanwhile", errors)
+        self.assertIn("were removed meanwhile", errors)
         self.assertNotIn("--resume", errors)
         self.assertFalse(out.exists())
 

@@ -98,7 +98,7 @@ class Export(FolderCase):
         listed = lines_in(out / MARK) - 1
         times = {path: path.stat().st_mtime_ns for path in out.glob("rgb/*.png")}
         result = self.assertContinues(out)
-        self.assertIn("continuing", result.stderr)
+        self.assertIn("resuming", result.stderr)
         kept = sum(path.stat().st_mtime_ns == written for path, written in times.items())
         self.assertGreaterEqual(kept, listed)
 

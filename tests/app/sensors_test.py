@@ -200,7 +200,7 @@ class SensorsTest(FolderCase):
         told = run("export", self.project, "--out", self.folder / "told", *SENSORS, *traced,
                    "--set", "looks=1")
         self.assertEqual(told.returncode, 0, told.stderr)
-        self.assertIn("things that move", told.stderr)
+        self.assertIn("moving objects", told.stderr)
         out = self.export("sensor_preset=ideal", "k1=-0.25", "shutter_s=0.05", "looks=4",
                           more=[*traced, "--still"])
         drawn = self.export("sensor_preset=ideal", "k1=-0.25", "shutter_s=0.05", more=["--still"])

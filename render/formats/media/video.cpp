@@ -37,7 +37,7 @@ double rateOf(const DatasetContents& contents) {
 Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& file) {
     cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
     if (picture.empty()) {
-        return fail(ErrorCode::CannotWrite, "the picture cannot be read again for the video",
+        return fail(ErrorCode::CannotWrite, "the image cannot be read again for the video",
                     (folder.path() / file).string());
     }
     cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);

@@ -136,11 +136,10 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     const AVCodec* encoder = ::avcodec_find_encoder(AV_CODEC_ID_H264);
     if (!encoder) {
         return fail(ErrorCode::Failed,
-                    "libavcodec has no encoder for H.264 here; leave out the format 'video'",
-                    "--formats");
+                    "libavcodec lacks an H.264 encoder; leave out the format 'video'", "--formats");
     }
     codec.reset(::avcodec_alloc_context3(encoder));
-    if (!codec) return problem("make an encoder", AVERROR(ENOMEM));
+    if (!codec) return problem("create an encoder", AVERROR(ENOMEM));
     codec->width = width / 2 * 2;
     codec->height = height / 2 * 2;
     codec->pix_fmt = AV_PIX_FMT_YUV420P;
@@ -159,7 +158,7 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     // With mbtree, x264 164 encodes small pictures differently from run to run.
     ::av_opt_set(codec->priv_data, "mbtree", "0", 0);
     if (const int error = ::avcodec_open2(codec.get(), encoder, nullptr); error < 0) {
-        return problem("begin the encoder", error);
+        return problem("start the encoder", error);
     }
     return {};
 }
@@ -169,7 +168,7 @@ Status VideoEncoder::Impl::open(double frames_per_s) {
     AVFormatContext* made = nullptr;
     if (const int error = ::avformat_alloc_output_context2(&made, nullptr, "mp4", nullptr);
         error < 0) {
-        return problem("make a file", error);
+        return problem("create a file", error);
     }
     muxer.reset(made);
     constexpr int kBuffer = 1 << 16;
@@ -178,14 +177,14 @@ Status VideoEncoder::Impl::open(double frames_per_s) {
     stream = ::avformat_new_stream(muxer.get(), nullptr);
     frame.reset(::av_frame_alloc());
     packet.reset(::av_packet_alloc());
-    if (!io || !stream || !frame || !packet) return problem("begin a file", AVERROR(ENOMEM));
+    if (!io || !stream || !frame || !packet) return problem("start a file", AVERROR(ENOMEM));
     muxer->pb = io.get();
     muxer->flags |= AVFMT_FLAG_BITEXACT;  // no version and no date
     stream->time_base = codec->time_base;
     stream->avg_frame_rate = codec->framerate;
     int error = ::avcodec_parameters_from_context(stream->codecpar, codec.get());
     if (error >= 0) error = ::avformat_write_header(muxer.get(), nullptr);
-    if (error < 0) return problem("begin a file", error);
+    if (error < 0) return problem("start a file", error);
     frame->format = codec->pix_fmt;
     frame->width = codec->width;
     frame->height = codec->height;
@@ -206,7 +205,7 @@ Status VideoEncoder::Impl::send(const AVFrame* picture) {
         packet->stream_index = stream->index;
         error = ::av_interleaved_write_frame(muxer.get(), packet.get());
     }
-    return problem("encode a picture", error);
+    return problem("encode an image", error);
 }
 
 VideoEncoder::VideoEncoder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -227,8 +226,7 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
     Impl& impl = *impl_;
     if (rgb.size() !=
         3U * static_cast<std::size_t>(impl.width) * static_cast<std::size_t>(impl.height)) {
-        return fail(ErrorCode::Failed, "a picture of another size came for the video",
-                    "preview.mp4");
+        return fail(ErrorCode::Failed, "the video got an image of another size", "preview.mp4");
     }
     // The encoder may still hold the previous picture, so each gets its own buffer.
     const std::int64_t pts = impl.frame->pts;
@@ -237,7 +235,7 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
     impl.frame->width = impl.codec->width;
     impl.frame->height = impl.codec->height;
     if (const int error = ::av_frame_get_buffer(impl.frame.get(), 0); error < 0) {
-        return problem("make a picture", error);
+        return problem("create an image", error);
     }
     toYuv(rgb, impl.width, *impl.frame);
     impl.frame->pts = pts;
@@ -249,7 +247,7 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
 Result<std::string> VideoEncoder::finish() {
     if (Status status = impl_->send(nullptr); !status) return tl::unexpected(status.error());
     if (const int error = ::av_write_trailer(impl_->muxer.get()); error < 0) {
-        return problem("end the file", error);
+        return problem("finish the file", error);
     }
     ::avio_flush(impl_->io.get());
     return std::move(impl_->file.bytes);

@@ -109,10 +109,10 @@ Result<std::string> GlbBuilder::pack(Json root) const {
     pad(json, ' ');
     const std::uint64_t length = 12 + 8 + json.size() + 8 + binary.size();
     if (length > std::numeric_limits<std::uint32_t>::max()) {
-        return fail(ErrorCode::Failed,
-                    "the scene is larger than the 4 GB that a .glb can hold; leave out the format "
-                    "'gltf'",
-                    "--formats");
+        return fail(
+            ErrorCode::Failed,
+            "the scene is larger than the 4 GB limit of a .glb file; leave out the format 'gltf'",
+            "--formats");
     }
     std::string file = "glTF";
     file.reserve(length);

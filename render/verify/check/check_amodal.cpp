@@ -40,7 +40,7 @@ void compare(const AmodalMask& mask, const Image16& ids, int frame, Findings& fi
     };
     const auto pixels = insideOf(mask, ids.width, ids.height);
     if (pixels.empty()) {
-        return add({}, "run lengths that do not sum up to the image",
+        return add({}, "run lengths that do not add up to the image",
                    fmt::format("{}", ids.values.size()));
     }
     const auto bounds = boundsOf(pixels, ids.height);
@@ -49,7 +49,8 @@ void compare(const AmodalMask& mask, const Image16& ids, int frame, Findings& fi
     for (int x = 0; x < ids.width; ++x) {
         for (int y = 0; y < ids.height; ++y, ++inside) {
             if (*inside != 0 || ids.at(x, y) != mask.object_id) continue;
-            return add(std::array{x, y}, "outside the whole mask", "inside, as it is seen there");
+            return add(std::array{x, y}, "outside the amodal mask",
+                       "inside, because it is visible there");
         }
     }
 }
@@ -85,7 +86,7 @@ CheckWork beginAmodal(const Subject& subject, Findings& /*findings*/) {
             const StoredObject* object = dataset.object(id);
             if (!object || object->role != "target" || whole.contains(id)) continue;
             findings.add({file, frame, std::array{seen.x0, seen.y0},
-                          fmt::format("no mask of object {}", id), "one, as it is seen"});
+                          fmt::format("no mask of object {}", id), "one, because it is visible"});
         }
     };
     return work;

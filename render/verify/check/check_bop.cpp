@@ -52,7 +52,7 @@ class FrameCheck {
         const Json& truths = files.truth.at(key);
         const Json& infos = files.info.at(key);
         if (truths.size() != infos.size()) {
-            return add(kInfo, fmt::format("{} things", infos.size()),
+            return add(kInfo, fmt::format("{} objects", infos.size()),
                        fmt::format("{}, as in {}", truths.size(), kTruth));
         }
         const Image16* ids = images_.image16("instance");
@@ -64,7 +64,7 @@ class FrameCheck {
             const StoredObject* object = dataset_.object(id);
             const auto shown = seen.find(id);
             if (!object || shown == seen.end() || !listed.insert(id).second) {
-                add(kTruth, fmt::format("object {}", id), "objects in sight, each once");
+                add(kTruth, fmt::format("object {}", id), "visible objects, each once");
                 continue;
             }
             comparePose(*object, truths[i]);
@@ -75,7 +75,7 @@ class FrameCheck {
             const StoredObject* object = dataset_.object(id);
             if (!object || object->role != "target" || listed.contains(id)) continue;
             findings_.add({kTruth, frame_, std::array{shown.x0, shown.y0},
-                           fmt::format("object {} is missing", id), "what is in sight"});
+                           fmt::format("object {} is missing", id), "the visible objects"});
         }
     }
 

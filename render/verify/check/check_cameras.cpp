@@ -52,12 +52,12 @@ void checkPose(const StoredCamera& camera, const StoredFrame& planned, int frame
     const Pose expected = camera.expectedPose(planned.pose);
     const Pose& is = camera.poses[i];
     if ((is.position - expected.position).norm() > 1e-6) {
-        tell("its place is " + text(is.position),
-             text(expected.position) + ", where the planned camera carries it");
+        tell("its position is " + text(is.position),
+             text(expected.position) + ", by the planned camera's pose and its mount");
     }
     if (angleBetween(is.rotation, expected.rotation) > 1e-6) {
-        tell("its orientation differs from the planned camera's and its own on that",
-             "that in which the planned camera carries it");
+        tell("its orientation differs from the planned camera's orientation and its mount",
+             "that of the planned camera and its mount");
     }
 }
 
@@ -177,8 +177,8 @@ class CameraFrame {
         if (!read) {
             problem = read.error().message;
         } else if (read->width != camera_.width || read->height != camera_.height) {
-            problem = fmt::format("it is {} x {} px where {} x {} are said", read->width,
-                                  read->height, camera_.width, camera_.height);
+            problem = fmt::format("it is {} x {} px, expected {} x {}", read->width, read->height,
+                                  camera_.width, camera_.height);
         }
         if (problem.empty()) {
             into = std::move(*read);
@@ -221,7 +221,7 @@ class CameraFrame {
         if (none != (ids_.at(x, y) == 0)) {
             return wrong.add(x, y, [&] {
                 return WrongPixels::Text{none ? "no normal" : "a normal",
-                                         "one exactly where an object is"};
+                                         "a normal exactly where an object is"};
             });
         }
         if (none) return;

@@ -48,7 +48,7 @@ void compareRunLengths(const CocoAnnotation& one, const Image16& ids, int frame,
     const auto runs = one.segmentation.at("counts").get<std::string>();
     const Mask mask = maskFrom(readRunLengths(runs), ids.width, ids.height);
     if (mask.empty()) {
-        return wrongMask(kRunLengths, one, frame, "run lengths that do not sum up to the image",
+        return wrongMask(kRunLengths, one, frame, "run lengths that do not add up to the image",
                          fmt::format("{}", ids.values.size()), findings);
     }
     compareMasks(
@@ -86,7 +86,7 @@ void comparePolygons(const CocoAnnotation& one, const Image16& ids, int frame, F
     const std::size_t parts = partSizes(shown, ids.width, ids.height).size();
     if (one.segmentation.size() != parts) {
         wrongMask(kPolygons, one, frame, fmt::format("{} polygons", one.segmentation.size()),
-                  fmt::format("{}, one a part in sight", parts), findings);
+                  fmt::format("{}, one per visible part", parts), findings);
     }
     compareMasks(
         kPolygons, one, ids.height, mask, withoutHoles(shown, ids.width, ids.height), frame,

@@ -221,7 +221,7 @@ void judgeByDepth(const std::vector<Sighting>& sightings, Findings& findings) {
         findings.add({kPoints,
                       static_cast<int>(frame),
                       {},
-                      fmt::format("{} of {} points stand before what the frame shows ({})",
+                      fmt::format("{} of {} points are in front of the visible surfaces ({})",
                                   one.before, one.judged, one.example),
                       "points of surfaces"});
     }
@@ -252,7 +252,7 @@ CheckWork beginColmap(const Subject& subject, Findings& findings) {
                            std::move(expected)});
             };
             if (!isInAnyFrame(subject.dataset, point.place)) {
-                wrong("a point that no frame has in its picture", "one in view");
+                wrong("a point that no image contains", "one in view");
             }
             if (!subject.rays) continue;
             const double off = subject.rays->closest(point.place).distance;

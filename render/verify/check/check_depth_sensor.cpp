@@ -104,7 +104,7 @@ class DepthSensorFrame {
                           images_.frame(),
                           {},
                           fmt::format("{} of {} px are holes", dark, seen->values.size()),
-                          "holes at steps of depth and on what is dark"});
+                          "holes at depth steps and on dark surfaces"});
         }
     }
 
@@ -137,15 +137,14 @@ class DepthSensorFrame {
                 return WrongPixels::Text{
                     fmt::format("{:.3f} m", metres),
                     exact > 0.0 ? fmt::format("{:.3f} to {:.3f} m", least - reach, most + reach)
-                                : std::string("a hole, as nothing is there")};
+                                : std::string("a hole, because no surface is there")};
             });
         } else if (!model_.none() &&
                    (metres > model_.farthest_m + rounding_ ||
                     metres < model_.nearest_m - rounding_ || stepAt(depth, x, y) > 1.5)) {
             full.add(x, y, [&] {
-                return WrongPixels::Text{
-                    fmt::format("{:.3f} m", metres),
-                    "a hole: out of the camera's reach, or at a step of depth"};
+                return WrongPixels::Text{fmt::format("{:.3f} m", metres),
+                                         "a hole: out of the camera's range, or at a depth step"};
             });
         }
     }
@@ -201,7 +200,7 @@ CheckWork beginDepthSensor(const Subject& subject, Findings& findings) {
         return {};
     }
     if (!model->none() && !model->redwood() && model->name != "kinect_azure") {
-        add("names the model '" + model->name + "', which is none of this program's");
+        add("names the model '" + model->name + "', which this program does not know");
         return {};
     }
     const auto& parameters = subject.dataset.card.at("parameters");

@@ -48,7 +48,7 @@ class FoldCheck {
         }
         for (std::size_t i = 0; i < held_back.size(); ++i) {
             if (held_back[i] == 1) continue;
-            add("folds", static_cast<int>(i), fmt::format("held back {} times", held_back[i]),
+            add("folds", static_cast<int>(i), fmt::format("validated {} times", held_back[i]),
                 "in one fold");
         }
     }
@@ -99,7 +99,8 @@ class FoldCheck {
         for (int frame = 0; frame < static_cast<int>(dataset_.frames.size()); ++frame) {
             const bool is_trained = trained.contains(frame);
             if (held_back.contains(frame)) {
-                if (is_trained) add(file, frame, "trained on and held back", "one of the two");
+                if (is_trained)
+                    add(file, frame, "used for training and validation", "one of the two");
                 continue;
             }
             if (!guard) {
@@ -109,12 +110,13 @@ class FoldCheck {
             switch (nearest(frame, val, *guard)) {
                 case Nearness::Neighbour:
                     if (is_trained) {
-                        add(file, frame, "almost what a frame held back shows", "in neither list");
+                        add(file, frame, "almost the same as a validation frame",
+                            "in neither list");
                     }
                     break;
                 case Nearness::Apart:
                     if (!is_trained) {
-                        add(file, frame, "in neither list", "in one: no frame held back is near");
+                        add(file, frame, "in neither list", "in one: no validation frame is near");
                     }
                     break;
                 case Nearness::Unknown:

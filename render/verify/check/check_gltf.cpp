@@ -63,7 +63,7 @@ class NodeCheck {
         }
         const double away = (keys_.translations[key].cast<double>() - expected.position).norm();
         if (!(away <= kTolerance + kFloatStep * expected.position.norm())) {
-            wrong(fmt::format("{:.3g} m off", away), "the place in dataset.json");
+            wrong(fmt::format("{:.3g} m off", away), "the position in dataset.json");
         }
         const Eigen::Vector4d q = keys_.rotations[key].cast<double>();
         const Eigen::Matrix3d rotation =

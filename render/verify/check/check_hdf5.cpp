@@ -116,7 +116,7 @@ class FrameCheck {
             listed.insert(id);
             const StoredObject* object = dataset_.object(id);
             if (!object || !seen.contains(id)) {
-                add(fmt::format("{} lists object {}", kName, id), "what is in sight");
+                add(fmt::format("{} lists object {}", kName, id), "the visible objects");
             } else if (one.at("category_id").get<int>() != object->class_id ||
                        one.at("name").get<std::string>() != object->name) {
                 add(fmt::format("object {}: {}", id, one.dump()),
@@ -125,7 +125,7 @@ class FrameCheck {
         }
         for (const auto& [id, pixels] : seen) {
             if (!listed.contains(id)) {
-                add(fmt::format("{} lists no object {}", kName, id), "what is in sight");
+                add(fmt::format("{} lists no object {}", kName, id), "the visible objects");
             }
         }
     }

@@ -188,7 +188,7 @@ class ImuCheck {
             dataset_.frames[i - 1].pose.rotation.conjugate() * dataset_.frames[i].pose.rotation;
         const double off = expected.angularDistance(span.turned);
         if (off <= span.tolerance.turn_rad) return;
-        add(i, fmt::format("angular rates that end {:.3g} rad beside the pose", off),
+        add(i, fmt::format("angular rates that deviate by {:.3g} rad from the pose", off),
             fmt::format("at most {:.2g} rad", span.tolerance.turn_rad));
     }
 
@@ -205,8 +205,7 @@ class ImuCheck {
         const double off = (found - expected).norm();
         if (off <= allowed) return;
         add(middle,
-            fmt::format("specific forces that change the velocity {:.3g} m/s beside the poses",
-                        off),
+            fmt::format("specific forces that deviate by {:.3g} m/s from the poses' velocity", off),
             fmt::format("at most {:.2g} m/s", allowed));
     }
 

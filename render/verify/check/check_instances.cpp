@@ -158,7 +158,7 @@ void compareFrame(const StoredDataset& dataset, const InstancesTable& table, Fra
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target" || rows.contains(id)) continue;
         findings.add({kFile, frame, std::array{shown.x0, shown.y0},
-                      fmt::format("no row of object {}", id), "one, as it is seen"});
+                      fmt::format("no row of object {}", id), "one, because it is visible"});
     }
     std::vector<AmodalMask> masks;
     if (dataset.has("amodal")) {

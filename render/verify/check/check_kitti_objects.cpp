@@ -65,7 +65,7 @@ class FrameCheck {
         const auto& expected = rows.size() == things.size() ? things : targets;
         if (rows.size() != expected.size()) {
             add(0, fmt::format("{} lines", rows.size()),
-                fmt::format("{}, one a thing in sight", expected.size()));
+                fmt::format("{}, one per visible object", expected.size()));
         }
         for (std::size_t i = 0; i < std::min(rows.size(), expected.size()); ++i) {
             compare(i + 1, rows[i], *expected[i], seen.at(expected[i]->id));

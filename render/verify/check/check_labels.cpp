@@ -90,10 +90,10 @@ void checkHoles(const StoredDataset& dataset, FrameImages& images, const Image16
                 if (far_away != 0) continue;
             }
             wrong.add(x, y, [&] {
-                return WrongPixels::Text{none ? "no depth" : fmt::format("depth {:g}", value),
-                                         id != 0
-                                             ? fmt::format("that of object {}", id)
-                                             : std::string("none, as the pixel shows no object")};
+                return WrongPixels::Text{
+                    none ? "no depth" : fmt::format("depth {:g}", value),
+                    id != 0 ? fmt::format("that of object {}", id)
+                            : std::string("none, because the pixel shows no object")};
             });
         }
     }

@@ -99,7 +99,7 @@ class NormalImages {
                                    ? WrongPixels::Text{"no normal", fmt::format("that of object {}",
                                                                                 ids_->at(x, y))}
                                    : WrongPixels::Text{text(normalFrom(pixel)),
-                                                       "none, as the pixel shows no object"};
+                                                       "none, because the pixel shows no object"};
                     });
                 }
                 if (nothing) continue;
@@ -109,7 +109,7 @@ class NormalImages {
                 if (normal.dot(along) > 0.01) {
                     away.add(x, y, [&] {
                         return WrongPixels::Text{text(normal) + ", away from the camera",
-                                                 "the side that is seen"};
+                                                 "the visible side"};
                     });
                 }
                 const double norm = normal.norm();

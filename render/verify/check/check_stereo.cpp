@@ -72,7 +72,7 @@ class StereoPair {
                         fmt::format("{:.3f} px", found / 256.0),
                         metres > 0.0
                             ? fmt::format("{:.3f} px, by the depth", focal_times_baseline_ / metres)
-                            : std::string("none, as nothing is seen")};
+                            : std::string("none, because nothing is visible")};
                 });
             }
         }

@@ -60,7 +60,7 @@ CheckWork beginObjectCoordinates(const Subject& subject, Findings& /*findings*/)
                 if (!object) {
                     if (pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0) continue;
                     none.add(x, y, [&] {
-                        return WrongPixels::Text{"coordinates", "0, as no object is seen"};
+                        return WrongPixels::Text{"coordinates", "0, because no object is visible"};
                     });
                     continue;
                 }

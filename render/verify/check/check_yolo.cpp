@@ -41,7 +41,7 @@ Result<std::vector<Line>> readLines(const std::filesystem::path& path) {
         for (double share = 0.0; fields >> share;) line.shares.push_back(share);
         if (!fields.eof()) {
             return fail(ErrorCode::BadInput,
-                        fmt::format("line {} has what is no number", lines.size() + 1));
+                        fmt::format("line {} has a word that is not a number", lines.size() + 1));
         }
         lines.push_back(std::move(line));
     }
@@ -147,7 +147,8 @@ void checkSplit(const StoredDataset& dataset, Findings& findings) {
     if (dataset.frames.size() < 2) return;
     for (const int frame : val) {
         if (!train.contains(frame)) continue;
-        findings.add({"val.txt", frame, {}, "a picture that is trained on, too", "another"});
+        findings.add(
+            {"val.txt", frame, {}, "a picture that is also a training picture", "another"});
     }
 }
 
@@ -193,7 +194,7 @@ class FrameCheck {
                            frame_,
                            {},
                            fmt::format("{} lines", lines->size()),
-                           fmt::format("{}, one a target in sight", count)});
+                           fmt::format("{}, one per visible target", count)});
         }
         return std::move(*lines);
     }
@@ -241,7 +242,7 @@ class FrameCheck {
         fillPolygon(corners, ids_->width, ids_->height, outlined);
         const std::string wrong =
             partProblem(outlined, shownBy(*ids_, of.object_id), ids_->width, ids_->height);
-        if (!wrong.empty()) add(folder, of, wrong, "an outline of its largest part in sight");
+        if (!wrong.empty()) add(folder, of, wrong, "an outline of its largest visible part");
     }
 
     const StoredDataset& dataset_;

@@ -30,8 +30,8 @@ Result<std::vector<AmodalMask>> readAmodal(const std::filesystem::path& path, in
             masks.push_back(std::move(mask));
         }
     } catch (const nlohmann::json::exception& error) {
-        return fail(ErrorCode::BadInput, fmt::format("It is no list of masks ({}).", error.what()),
-                    path.string());
+        return fail(ErrorCode::BadInput,
+                    fmt::format("It is not a list of masks ({}).", error.what()), path.string());
     }
     return masks;
 }

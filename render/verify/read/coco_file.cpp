@@ -67,7 +67,7 @@ class CocoReader {
         const int id = one.at("id").get<int>();
         const int frame = id - 1;
         if (!frames_.contains(frame)) {
-            return add({}, fmt::format("image id {}", id), "the number of a frame of it + 1");
+            return add({}, fmt::format("image id {}", id), "a listed frame number + 1");
         }
         if (!frame_of_.emplace(id, frame).second) {
             return add(frame, fmt::format("image id {} twice", id), "once");
@@ -95,7 +95,7 @@ class CocoReader {
         }
         const int frame = at->second;
         if (one.id < 1 || !ids_.insert(one.id).second) {
-            add(frame, fmt::format("annotation id {}", one.id), "numbers from 1 on, each once");
+            add(frame, fmt::format("annotation id {}", one.id), "numbers from 1, each once");
         }
         if (!categories_.contains(one.category)) {
             add(frame, fmt::format("annotation {} has category {}", one.id, one.category),
@@ -114,7 +114,7 @@ class CocoReader {
         const DatasetClass* expected = dataset_.boxClass(*object);
         if (expected == nullptr) {
             add(frame, fmt::format("annotation {} is of object {}", one.id, one.object_id),
-                "none, as its class is void");
+                "none, because its class is void");
         } else if (one.category != expected->id) {
             add(frame, fmt::format("annotation {} has category {}", one.id, one.category),
                 fmt::format("{}, the class of object {}", expected->id, one.object_id));
@@ -194,7 +194,7 @@ void compareCoco(const StoredDataset& dataset, const std::string& file,
                       fmt::format("no annotation of object {}", id), "one"});
     }
     if (annotated.size() != annotations.size()) {
-        findings.add({file, frame, {}, "an object twice", "one annotation an object"});
+        findings.add({file, frame, {}, "an object twice", "one annotation per object"});
     }
 }
 

@@ -34,7 +34,7 @@ template <class T>
 std::string sizeProblem(const Result<Image<T>>& image, const Intrinsics& lens) {
     if (!image) return image.error().message;
     if (image->width == lens.width && image->height == lens.height) return {};
-    return fmt::format("it is {} x {} px where {} x {} are said", image->width, image->height,
+    return fmt::format("it is {} x {} px, expected {} x {}", image->width, image->height,
                        lens.width, lens.height);
 }
 
@@ -88,7 +88,7 @@ const FrameImages::Entry& FrameImages::load(std::string_view modality) {
     Entry& entry = entries_[std::string(modality)];
     const ImageKind* kind = imageKind(modality);
     if (!kind || !dataset_.has(modality)) {
-        entry.problem = "the dataset has none";
+        entry.problem = "the dataset does not have it";
         return entry;
     }
     const std::filesystem::path path = dataset_.folder / storedFile(dataset_, *kind, frame_);
@@ -116,7 +116,7 @@ const FrameImages::Entry& FrameImages::loadMask(std::string_view modality) {
     Entry& entry = masks_[std::string(modality)];
     const ImageKind* kind = imageKind(modality);
     if (!kind || !kind->mask || !dataset_.has(modality)) {
-        entry.problem = "the dataset has none";
+        entry.problem = "the dataset does not have it";
         return entry;
     }
     const std::string file = fmt::format("{}/{:06}{}", modality, frame_, kind->mask);

@@ -32,12 +32,12 @@ Result<GlbFile> GlbFile::read(const std::filesystem::path& path) {
     try {
         if (!bytes->starts_with("glTF") || wordAt(*bytes, 4) != 2 ||
             wordAt(*bytes, 8) != bytes->size()) {
-            return fail(ErrorCode::BadInput, "it is no whole glTF 2.0 file");
+            return fail(ErrorCode::BadInput, "not a complete glTF 2.0 file");
         }
         for (std::size_t at = 12; at < bytes->size();) {
             const std::size_t length = wordAt(*bytes, at);
             const std::uint32_t kind = wordAt(*bytes, at + 4);
-            if (length > bytes->size() - at - 8) throw std::out_of_range("a chunk is cut off");
+            if (length > bytes->size() - at - 8) throw std::out_of_range("a chunk is truncated");
             if (kind == kJsonChunk) {
                 file.json_ = parseJson(std::string_view(*bytes).substr(at + 8, length)).value();
             }
@@ -57,7 +57,7 @@ std::vector<float> GlbFile::floats(std::size_t accessor, std::size_t components)
     const std::size_t begin =
         view.value("byteOffset", std::size_t{0}) + numbers.value("byteOffset", std::size_t{0});
     if (numbers.at("componentType") != kFloat || view.contains("byteStride")) {
-        throw std::runtime_error("keys that are no plain floats");
+        throw std::runtime_error("keys that are not plain floats");
     }
     if (begin > binary_.size() || count > (binary_.size() - begin) / (components * sizeof(float))) {
         throw std::runtime_error("an accessor reaches beyond the file");
@@ -90,7 +90,7 @@ NodeKeys GlbFile::readKeys(int node) const {
     }
     if (keys.times_s.empty() || keys.translations.size() != keys.times_s.size() ||
         keys.rotations.size() != keys.times_s.size()) {
-        throw std::runtime_error("keys of time, place and rotation that are not of one number");
+        throw std::runtime_error("different numbers of time, translation and rotation keys");
     }
     return keys;
 }

@@ -36,7 +36,7 @@ Result<std::string> bytesOf(const fs::path& path) {
 Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kBegin = "\x89PNG\r\n\x1a\n";
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
-    if (!bytes.starts_with(kBegin)) return unreadableImage("it is no PNG");
+    if (!bytes.starts_with(kBegin)) return unreadableImage("it is not a PNG file");
     // Width and height in big-endian order, checked before any memory is allocated.
     std::uint64_t pixels = 1;
     for (const std::size_t at : {16U, 20U}) {
@@ -45,12 +45,13 @@ Status endsAsPng(const std::string& bytes) {
             side = 256 * side + static_cast<std::uint8_t>(bytes[at + i]);
         }
         if (side > kLargestImageSide)
-            return unreadableImage(fmt::format("it says it is {} px", side));
+            return unreadableImage(fmt::format("it claims to be {} px", side));
         pixels *= side;
     }
-    if (pixels > kMostPixels) return unreadableImage(fmt::format("it says it has {} px", pixels));
+    if (pixels > kMostPixels)
+        return unreadableImage(fmt::format("it claims to have {} px", pixels));
     if (!bytes.ends_with(kEnd))
-        return unreadableImage("its end is missing, or something follows it");
+        return unreadableImage("it is truncated, or followed by extra data");
     return {};
 }
 
@@ -69,7 +70,7 @@ Result<cv::Mat> decode(const std::string& bytes, int depth, int channels) {
         const auto kind = [](int one, int count) {
             return fmt::format("{} bit x {}", 8 * CV_ELEM_SIZE1(one), count);
         };
-        return unreadableImage(fmt::format("it is {} where {} is said",
+        return unreadableImage(fmt::format("it is {}, expected {}",
                                            kind(picture.depth(), picture.channels()),
                                            kind(depth, channels)));
     }
@@ -93,9 +94,9 @@ Image<T> imageFrom(const cv::Mat& picture) {
 
 /// OpenCV decodes truncated JPEG files too, filling with grey.
 Status endsAsJpeg(const std::string& bytes) {
-    if (!bytes.starts_with("\xff\xd8")) return unreadableImage("it is no JPEG");
+    if (!bytes.starts_with("\xff\xd8")) return unreadableImage("it is not a JPEG file");
     if (!bytes.ends_with("\xff\xd9")) {
-        return unreadableImage("its end is missing, or something follows it");
+        return unreadableImage("it is truncated, or followed by extra data");
     }
     return {};
 }
@@ -155,19 +156,19 @@ Result<ImageF> readFlow(const fs::path& path) {
     if (!bytes) return tl::unexpected<Error>(bytes.error());
     constexpr std::size_t kHead = 12;
     if (bytes->size() < kHead || !bytes->starts_with("PIEH")) {
-        return unreadableImage("it is no .flo file");
+        return unreadableImage("it is not a .flo file");
     }
     const int width = numberAt<std::int32_t>(*bytes, 4);
     const int height = numberAt<std::int32_t>(*bytes, 8);
     if (width < 1 || height < 1 || width > kLargestImageSide || height > kLargestImageSide) {
-        return unreadableImage(fmt::format("it says {} x {} px", width, height));
+        return unreadableImage(fmt::format("it claims {} x {} px", width, height));
     }
     ImageF image{width, height, 2, {}};
     const std::size_t count =
         2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (bytes->size() != kHead + 4 * count) {
-        return unreadableImage(fmt::format("it has {} bytes where {} x {} px need {}",
-                                           bytes->size(), width, height, kHead + 4 * count));
+        return unreadableImage(fmt::format("it has {} bytes, but {} x {} px need {}", bytes->size(),
+                                           width, height, kHead + 4 * count));
     }
     image.values.resize(count);
     std::memcpy(image.values.data(), bytes->data() + kHead, 4 * count);

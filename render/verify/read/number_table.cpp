@@ -34,15 +34,16 @@ Result<NumberTable> NumberTable::read(const std::filesystem::path& path) {
             for (std::size_t i = 0; i < width; ++i) {
                 if (table.columns_.emplace(fields[i], i).second) continue;
                 return fail(ErrorCode::BadInput,
-                            fmt::format("The column \"{}\" is there twice.", fields[i]),
+                            fmt::format("The column \"{}\" occurs twice.", fields[i]),
                             io::placeOf(path, number));
             }
             continue;
         }
         if (fields.size() != width) {
-            return fail(ErrorCode::BadInput,
-                        fmt::format("There are {} values under {} names.", fields.size(), width),
-                        io::placeOf(path, number));
+            return fail(
+                ErrorCode::BadInput,
+                fmt::format("There are {} values for {} column names.", fields.size(), width),
+                io::placeOf(path, number));
         }
         table.rows_.push_back(std::move(fields));
     }

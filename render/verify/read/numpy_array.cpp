@@ -54,31 +54,31 @@ Result<Image<T>> readArray(const std::filesystem::path& path, std::string_view t
     if (!bytes) return unreadableArray("it cannot be read");
     constexpr std::size_t kBefore = 10;
     if (bytes->size() < kBefore || !bytes->starts_with(std::string_view("\x93NUMPY\x01\x00", 8))) {
-        return unreadableArray("it is no .npy file of version 1.0");
+        return unreadableArray("it is not a .npy file of version 1.0");
     }
     const auto byteAt = [&](std::size_t i) { return static_cast<unsigned char>((*bytes)[i]); };
     const std::size_t length = byteAt(8) + 256U * byteAt(9);
-    if (bytes->size() < kBefore + length) return unreadableArray("its header is cut off");
+    if (bytes->size() < kBefore + length) return unreadableArray("its header is truncated");
     const auto header = std::string_view(*bytes).substr(kBefore, length);
     const auto descr = valueOf(header, "descr");
     if (!descr || !descr->starts_with(fmt::format("'{}'", type))) {
         return unreadableArray(fmt::format("its type is not {}", type));
     }
     const auto order = valueOf(header, "fortran_order");
-    if (!order || !order->starts_with("False")) return unreadableArray("it is not in C's order");
+    if (!order || !order->starts_with("False")) return unreadableArray("it is not in C order");
     const std::vector<int> shape = shapeFrom(valueOf(header, "shape").value_or(""));
     const bool flat = shape.size() == 2 && channels == 1;
     const bool deep = shape.size() == 3 && shape[2] == channels;
     if (!flat && !deep) {
         return unreadableArray(
-            fmt::format("its shape is not rows x columns, {} a pixel", channels));
+            fmt::format("its shape is not rows x columns with {} per pixel", channels));
     }
     Image<T> image{shape[1], shape[0], channels, {}};
     const std::size_t count = static_cast<std::size_t>(shape[0]) *
                               static_cast<std::size_t>(shape[1]) *
                               static_cast<std::size_t>(channels);
     if (bytes->size() - kBefore - length != count * sizeof(T)) {
-        return unreadableArray(fmt::format("it has {} bytes of values where its shape needs {}",
+        return unreadableArray(fmt::format("it has {} bytes of values, but its shape needs {}",
                                            bytes->size() - kBefore - length, count * sizeof(T)));
     }
     image.values.resize(count);

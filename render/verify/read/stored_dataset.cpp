@@ -164,14 +164,14 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder, unknown)) {
         return fail(ErrorCode::BadInput,
                     std::filesystem::exists(folder, unknown)
-                        ? "This is a file; name the folder of a dataset."
+                        ? "This is a file; give the folder of a dataset."
                         : "There is no such folder.",
                     folder.string());
     }
     if (!std::filesystem::exists(path, unknown)) {
         return fail(ErrorCode::BadInput,
-                    "There is no dataset.json in it: it is no dataset, or its export has not "
-                    "ended; 'dollytrack export --resume' ends it.",
+                    "It has no dataset.json: it is not a dataset, or its export did not finish; "
+                    "'dollytrack export --resume' finishes it.",
                     folder.string());
     }
     Result<Json> card = io::readBoundedJson<Json>(path);
@@ -180,7 +180,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     std::string field = "format";
     try {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
-            return fail(ErrorCode::BadInput, "It is not the card of a Dollytrack dataset.",
+            return fail(ErrorCode::BadInput, "It is not the dataset.json of a Dollytrack dataset.",
                         path.string());
         }
         if (Status read = readCard(dataset, field); !read) {
@@ -190,16 +190,15 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
         dataset.unusable_frames = readUnusableFrames(dataset.card);
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::BadInput,
-                    "The field lacks a value or has one of the wrong type; export the dataset "
-                    "again.",
+                    "The field is missing or has the wrong type; export the dataset again.",
                     path.string() + ": " + field);
     }
     const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
     if (!isSide(dataset.lens.width) || !isSide(dataset.lens.height) || !(dataset.lens.fx > 0.0) ||
         !(dataset.lens.fy > 0.0)) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("The image's sides are not 1 to {} px, or its focal length is not "
-                                "positive; export the dataset again.",
+                    fmt::format("The image's width and height are not 1 to {} px, or its focal "
+                                "length is not positive; export the dataset again.",
                                 kLargestSide),
                     path.string() + ": conventions.intrinsics");
     }

@@ -61,15 +61,15 @@ StoredCamera cameraFrom(const Json& one) {
 
 std::string problemOf(const StoredCamera& camera, std::size_t frames) {
     constexpr std::array kLenses = {"pinhole", "fisheye", "equirectangular", "orthographic"};
-    if (!isPlainName(camera.name)) return "a name that is no folder's";
+    if (!isPlainName(camera.name)) return "an invalid folder name";
     if (std::ranges::find(kLenses, camera.lens) == kLenses.end()) {
-        return "a lens that is not known: " + camera.lens;
+        return "an unknown lens: " + camera.lens;
     }
     const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
-    if (!isSide(camera.width) || !isSide(camera.height)) return "sides that no image has";
+    if (!isSide(camera.width) || !isSide(camera.height)) return "invalid image sizes";
     if (camera.lens != "equirectangular" && !(camera.focal > 0.0)) return "no focal length";
     const bool wide = camera.lens == "fisheye" || camera.lens == "equirectangular";
-    if (camera.range != wide) return "depth of the other kind than its lens has";
+    if (camera.range != wide) return "a depth kind that does not match its lens";
     if (camera.poses.size() != frames) return fmt::format("{} poses", camera.poses.size());
     return {};
 }
