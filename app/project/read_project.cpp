@@ -70,11 +70,11 @@ bool sceneIsGone(const ProjectContent& content) {
 
 Status checkScene(const ProjectContent& content) {
     if (sceneIsGone(content)) {
-        return fail(ErrorCode::BadInput,
-                    "The project's scene " + content.scene_file.string() +
-                        " is gone; put it back, or say where it is now (scene.path in the "
-                        "project).",
-                    content.project.string());
+        return fail(
+            ErrorCode::BadInput,
+            "The project's scene " + content.scene_file.string() +
+                " does not exist; put it back, or correct its path (scene.path in the project).",
+            content.project.string());
     }
     const auto format = checkSceneFile(content.scene_file);
     return format ? Status() : Status(tl::unexpected<Error>(format.error()));

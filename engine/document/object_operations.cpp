@@ -86,7 +86,8 @@ std::string excludeObject(ProjectState& state, const OperationContext& context,
     });
     if (objects.empty()) {
         fields.field(fields.has("object") ? "object" : "class")
-            .refuse(fmt::format("'{}' is a part of the building and no target anyway.", first));
+            .refuse(fmt::format("'{}' is a part of the building, which is not a target anyway.",
+                                first));
         return {};
     }
     for (const ObjectRef& object : objects) {
@@ -143,7 +144,7 @@ std::string moveObjectBy(ProjectState& state, const OperationContext& context,
     const ObjectRef object = fields.object("object");
     const bool moves = fields.has("offset");
     const bool turns = fields.has("turn_deg");
-    if (!moves && !turns) fields.field("object").refuse("Say how: give an offset or turn_deg.");
+    if (!moves && !turns) fields.field("object").refuse("Give an offset or turn_deg.");
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     if (moves) offset = readOffset(fields.field("offset"));
     const double turn_deg = turns ? fields.field("turn_deg").number(-360.0, 360.0) : 0.0;

@@ -65,10 +65,8 @@ ObjectRef OperationReader::readObject(const JsonReader& from) const {
         return {};
     }
     if (found.size() > 1) {
-        from.refuse(
-            fmt::format("{} objects are called '{}'; give the number of the one you mean: "
-                        "{}.",
-                        found.size(), name, fmt::join(found, ", ")));
+        from.refuse(fmt::format("{} objects are called '{}'; give the number of one: {}.",
+                                found.size(), name, fmt::join(found, ", ")));
         return {};
     }
     return {found.front(), name};
@@ -182,16 +180,16 @@ Pose OperationReader::pose(const std::optional<Pose>& before) const {
     if (ways > 1) {
         fields_.refuse("Give only one of target, yaw_deg with pitch_deg, and quaternion_xyzw.");
     } else if (ways == 0 && !(before && has("position"))) {
-        fields_.refuse(before ? "Give a position, or where the camera looks: target, or yaw_deg "
-                                "and pitch_deg."
-                              : "Say where the camera looks: give target, or yaw_deg and "
-                                "pitch_deg.");
+        fields_.refuse(before
+                           ? "Give a position, or the direction of the camera: target, or yaw_deg "
+                             "and pitch_deg."
+                           : "Give the direction of the camera: target, or yaw_deg and pitch_deg.");
     }
     if (!before || has("position")) pose.position = field("position").point();
     if (has("target")) {
         const Eigen::Vector3d target = field("target").point();
         if (!((target - pose.position).norm() > 1e-6)) {
-            field("target").refuse("The camera cannot look at where it is itself.");
+            field("target").refuse("The target must differ from the camera's position.");
         }
         if (good()) pose.rotation = lookAt(pose.position, target).rotation;
     } else if (has("quaternion_xyzw")) {

@@ -83,7 +83,7 @@ std::string setHeightBand(ProjectState& state, const OperationContext& context,
         fields.has("max_m") ? fields.field("max_m").number(0.0, kHighest) : kHighest;
     if (fields.good() && !(low < high)) {
         fields.field("max_m").refuse(
-            fmt::format("The band must end above {:g} m, where it begins.", low));
+            fmt::format("The band must end above its start at {:g} m.", low));
     }
     if (!fields.good()) return {};
     for (const auto& [name, value] : {std::pair{"min_height_m", low}, {"max_height_m", high}}) {

@@ -4,7 +4,7 @@
 
 namespace dollytrack::planning {
 
-/// Baseline: a random walk drawn to dense triangles, as in Hypersim (Roberts et al., ICCV 2021,
+/// Baseline: a random walk attracted by dense triangles, as in Hypersim (Roberts et al., ICCV 2021,
 /// section 3). As published: each view is chosen among 20 random candidates near the last one (out
 /// of 1,000 draws within 1.5 m horizontally and 0.25 m vertically) whose camera and look-at point
 /// are visible from the last ones; the probability is proportional to the squared valid fraction

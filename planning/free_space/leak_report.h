@@ -36,7 +36,7 @@ struct LeakReport {
     [[nodiscard]] bool isClosed() const { return openings.empty(); }
 };
 
-/// One phrase: "Room 1 has no ceiling (12.0 m2 around 1.0, 2.0, 2.4; bounded by the scene's box)".
+/// One phrase: "Room 1 has no ceiling (12.0 m2 around 1.0, 2.0, 2.4; at the edge of the scene)".
 std::string describe(const Opening& opening);
 
 /// Finds the openings of at least 0.1 m2 from the cell states. Each belongs to the room found

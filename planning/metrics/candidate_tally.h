@@ -28,7 +28,7 @@ class CandidateTally {
     /// A sentence that explains loss() with numbers.
     [[nodiscard]] std::string reason(const Scene& scene) const;
 
-    /// "too near to wall (12), hidden by sofa (3)": the most frequent reasons, at most `kinds`.
+    /// "too close to wall (12), hidden by sofa (3)": the most frequent reasons, at most `kinds`.
     [[nodiscard]] std::string refusals(const Scene& scene, std::size_t kinds = 2) const;
 
   private:

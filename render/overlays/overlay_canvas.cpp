@@ -14,7 +14,7 @@ Result<OverlayCanvas> OverlayCanvas::create(int width, int height) {
     if (width < 1 || height < 1 || width > largest || height > largest) {
         return fail(ErrorCode::Usage, "overlays of " + std::to_string(width) + " x " +
                                           std::to_string(height) +
-                                          " px cannot be drawn; this driver's limit is " +
+                                          " px cannot be rendered; this driver's limit is " +
                                           std::to_string(largest) + " px");
     }
     OverlayCanvas canvas;

@@ -253,7 +253,7 @@ std::string ScenePlan::coverage(const std::vector<std::string>& files,
                                          *planned_.plan, job.stage(0.0, 1.0, "coverage"));
             if (!curves) return tl::unexpected<Error>(curves.error());
             const std::string title =
-                opened_.scene->source.filename().string() + ": what budgets capture";
+                opened_.scene->source.filename().string() + ": coverage by budget";
             for (const std::string& file : files) {
                 if (Status status = cli::writeCoverage(title, *curves, file); !status) {
                     return status;

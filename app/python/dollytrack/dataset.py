@@ -143,14 +143,14 @@ class Dataset(_Samples):
         file = self.folder / "dataset.json"
         if not self.folder.is_dir():
             exists = self.folder.exists()
-            raise failure(BadInput, "This is a file; name the folder of a dataset." if exists
+            raise failure(BadInput, "This is a file; give the folder of a dataset." if exists
                           else "There is no such folder.", str(folder))
         if not file.exists():
-            raise failure(BadInput, "There is no dataset.json in it: it is no dataset, or its export "
-                          "has not ended; 'dollytrack export --resume' ends it.", str(folder))
+            raise failure(BadInput, "It has no dataset.json: it is not a dataset, or its export did "
+                          "not finish; 'dollytrack export --resume' finishes it.", str(folder))
         self._card = _read_json(file)
         if not isinstance(self._card, dict) or self._card.get("format") != "dollytrack dataset":
-            raise failure(BadInput, "It is not the card of a Dollytrack dataset.", str(file))
+            raise failure(BadInput, "It is not the dataset.json of a Dollytrack dataset.", str(file))
         try:
             self._indices = np.arange(len(self._card["frames"]))
             #: Name and id of each class; ids are the values of semantic images and labels.

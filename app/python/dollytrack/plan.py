@@ -162,8 +162,8 @@ class Plan:
         images: "rgb", "depth", "instance", "semantic", "normal_world", "normal_camera", "albedo",
             "rgb_right", "depth_right"; none named: the first four. See Frame for their arrays.
         range: "a:b:s", frames a to b (b not included), every s-th.
-        still: objects that move stay where the plan has them.
-        gl: "auto", "egl" (the graphics card) or "osmesa" (the processor).
+        still: objects with a track stay at their planned poses.
+        gl: OpenGL backend: "auto", "egl" (GPU) or "osmesa" (CPU).
         progress: of the light, which is computed before the first frame.
 
         Raises NoOpenGl where nothing can draw.
@@ -193,11 +193,11 @@ class Plan:
         modalities, formats: as 'dollytrack export --list' has them, or "all"; None: the usual ones.
         range: "a:b:s", frames a to b (b not included), every s-th.
         flow_distances: optical flow to the frames this many later and earlier.
-        folds, fold_seed: lists for cross-validation with so many parts.
-        rig, cameras: a file of further cameras, and more of them as text, "left:yaw_deg=90".
-        still: objects that move stay where the plan has them.
-        overwrite: replace a complete dataset; resume: go on with one that was interrupted.
-        gl: "auto", "egl" (the graphics card) or "osmesa" (the processor).
+        folds, fold_seed: number of cross-validation folds, and the random seed of the split.
+        rig, cameras: a file of additional cameras, and single ones as text, "left:yaw_deg=90".
+        still: objects with a track stay at their planned poses.
+        overwrite: replace a complete dataset; resume: continue an interrupted export.
+        gl: OpenGL backend: "auto", "egl" (GPU) or "osmesa" (CPU).
         progress: True for a bar, or a function of a fraction (0 .. 1) and a stage's name.
 
         The result is what 'dollytrack export --json' prints. After Ctrl-C the finished frames are kept;

@@ -21,7 +21,7 @@ def decode(data: bytes, scale: Optional[float] = None) -> npt.NDArray[Any]:
     """The picture of a PNG file: (H, W) or (H, W, channels), uint8 or uint16; with a scale, float32
     values times it. Some lines at a time, so that a picture is written to memory once."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
-        raise Damaged("it is no PNG file")
+        raise Damaged("it is not a PNG file")
     view = memoryview(data)
     at, packed, header = 8, [], b""
     while at + 8 <= len(data):

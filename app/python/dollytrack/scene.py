@@ -210,8 +210,8 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
     """Reads a scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL, point clouds, homes, 3D-FRONT, SceneNet
     RGB-D) or a .dolly project.
 
-    unit_m: metres per unit of the scene; None: found out.
-    up_axis: the file's upward axis: "x", "y", "z", "-x", "-y" or "-z"; None: found out.
+    unit_m: metres per unit of the scene; None: detected.
+    up_axis: the file's upward axis: "x", "y", "z", "-x", "-y" or "-z"; None: detected.
     labels: words and their classes (CSV), or classes of one's own (JSON).
     models: folders with the models of a scene made of models.
     annotations: a file SCENE.objects.json, or the folder of a Hypersim scene.
@@ -223,7 +223,7 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
     be used.
     """
     if up_axis is not None and up_axis not in ("x", "y", "z", "-x", "-y", "-z"):
-        raise failure(Usage, f"{up_axis!r} is no upward axis: give x, y, z, -x, -y or -z.", "up_axis")
+        raise failure(Usage, f"{up_axis!r} is not an upward axis: give x, y, z, -x, -y or -z.", "up_axis")
     if isinstance(models, (str, bytes)) or hasattr(models, "__fspath__"):
         models = [models]  # type: ignore[list-item]
     return Scene(_core.open_scene(

@@ -49,7 +49,7 @@ AnnotatedObject readObject(const JsonReader& from) {
         range.count = static_cast<std::size_t>(ranges.at(i).at("count").integer(1, kMostTriangles));
     }
     if (object.nodes.empty() && object.meshes.empty() && object.triangles.empty()) {
-        from.refuse("Say what the object is made of: nodes, meshes or triangles.");
+        from.refuse("Give the parts of the object: nodes, meshes or triangles.");
     }
     if (const JsonReader category = from.at("class"); !category.absent()) {
         object.category = cleanText(category.text());

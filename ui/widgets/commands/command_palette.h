@@ -12,7 +12,7 @@ namespace dollytrack::ui {
 /// A searchable entry besides commands: a parameter.
 struct PaletteItem {
     std::string name;  // "fill"
-    std::string text;  // description: "Share of the image's length that the target takes"
+    std::string text;  // description: "Share of the image's width or height that the target takes"
 };
 
 struct CommandPaletteView {
