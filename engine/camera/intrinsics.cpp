@@ -20,7 +20,7 @@ Status validate(const CameraParams& params) {
     if (corner <= params.camera_radius_m) return {};
     return fail(ErrorCode::Usage,
                 fmt::format("The near plane's corners are {:.3f} m from the camera, outside its "
-                            "sphere of {:.3f} m: near_m {:g} does not go with hfov_deg {:g}; lower "
+                            "sphere of {:.3f} m: near_m {:g} is too large for hfov_deg {:g}; lower "
                             "near_m or hfov_deg, or raise camera_radius_m.",
                             corner, params.camera_radius_m, params.near_m, params.hfov_deg),
                 "near_m, hfov_deg");

@@ -60,14 +60,16 @@ Status refuse(const RigCamera& camera, std::string message) {
 
 Status validateLens(const RigCamera& camera) {
     if (camera.lens == Lens::Pinhole && camera.fov_deg > kWidestPinhole) {
-        return refuse(camera, fmt::format("A pinhole cannot see {:g} degrees; up to {:g} can be, "
-                                          "or lens=fisheye.",
-                                          camera.fov_deg, kWidestPinhole));
+        return refuse(
+            camera,
+            fmt::format(
+                "A pinhole lens cannot see {:g} degrees; use at most {:g}, or lens=fisheye.",
+                camera.fov_deg, kWidestPinhole));
     }
     if (camera.lens == Lens::Fisheye && !risesEverywhere(camera)) {
         return refuse(camera,
-                      "With these k1 .. k4 two directions fall on one pixel within "
-                      "fov_deg; lower fov_deg, or check their signs.");
+                      "With these k1 .. k4 two directions within fov_deg share a pixel; lower "
+                      "fov_deg, or check the signs.");
     }
     if (camera.lens == Lens::Fisheye) {
         const double side_px = sidePx(LensModel(camera));
@@ -127,8 +129,8 @@ Status validate(const Rig& rig) {
     for (const RigCamera& camera : rig) {
         if (!isFolderName(camera.name)) {
             return refuse(camera,
-                          "A camera's name becomes a folder: up to 40 letters a to z, "
-                          "digits, _ and -, not beginning with -.");
+                          "A camera's name becomes a folder: up to 40 letters a to z, digits, _ "
+                          "and -, not starting with -.");
         }
         if (!names.insert(camera.name).second) {
             return refuse(camera, "Two cameras of the rig have the same name.");

@@ -152,7 +152,7 @@ Status setField(const FieldList& fields, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos) {
         return fail(ErrorCode::Usage,
-                    fmt::format("'{}' sets nothing; write name=value.", assignment));
+                    fmt::format("'{}' is not an assignment; write name=value.", assignment));
     }
     const std::string_view name = assignment.substr(0, equals);
     const Field* field = find(fields, name);

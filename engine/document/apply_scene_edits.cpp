@@ -112,7 +112,7 @@ Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
     assignDatasetClasses(scene);  // the lists of targets may name them
     if (scene.objects.size() > kMostObjects) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("Taken apart, the scene has {} objects, more than the {} that "
+                    fmt::format("After the split the scene has {} objects, more than the {} that "
                                 "images can number; split fewer.",
                                 scene.objects.size(), kMostObjects),
                     imported.name);

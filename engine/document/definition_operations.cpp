@@ -67,11 +67,10 @@ void refuseMoved(const ProjectState& state, const OperationContext& context,
         const int id = findObject(context.scene, change.object);
         if ((!change.move && change.track.empty()) || id == 0) continue;
         if (std::ranges::find(objects, id, &ObjectRef::id) == objects.end()) continue;
-        where.refuse(
-            fmt::format("'{}' was moved, or has a track; take that back first (move_object "
-                        "with offset [0, 0, 0] and turn_deg 0, object_track with no "
-                        "keys), and move what comes of it.",
-                        change.object.name));
+        where.refuse(fmt::format(
+            "'{}' was moved, or has a track; undo that first (move_object with offset [0, 0, 0] "
+            "and turn_deg 0, object_track without keys), and move the result.",
+            change.object.name));
     }
 }
 
@@ -211,7 +210,7 @@ std::string merge(ProjectState& state, const OperationContext& context,
     definition.name = fields.field("name").text();
     if (fields.has("class")) definition.nyu40 = fields.nyu40("class");
     if (fields.good() && definition.objects.size() < 2) {
-        fields.field("objects").refuse("It takes two objects or more to make one of them.");
+        fields.field("objects").refuse("Merging needs at least two objects.");
     }
     if (fields.good()) {
         refuseMoved(state, context, definition.objects, fields.field("objects"));

@@ -120,11 +120,11 @@ std::vector<ObjectRef> OperationReader::objects(const std::string& name) const {
 
 std::vector<ObjectRef> OperationReader::objectsOrClass(const std::string& name) const {
     if (has(name) == has("class")) {
-        fields_.refuse(has(name)
-                           ? fmt::format("Give either '{}' or 'class', not both.", name)
-                           : fmt::format("It needs the field '{}' or 'class': which objects it is "
-                                         "about.",
-                                         name));
+        fields_.refuse(
+            has(name)
+                ? fmt::format("Give either '{}' or 'class', not both.", name)
+                : fmt::format("It needs the field '{}' or 'class', which selects the objects.",
+                              name));
         return {};
     }
     if (has(name)) return objects(name);

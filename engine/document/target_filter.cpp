@@ -48,10 +48,9 @@ void warnOfNothingLeft(Scene& scene, const std::vector<int>& left_out, const Sce
     scene.report.warnings.push_back(
         only_names_some
             ? std::string(edits.only.empty()
-                              ? "ignore names every target; nothing is left to capture"
-                              : "ignore names all that only leaves; nothing is left "
-                                "to capture")
-            : fmt::format("only '{}' names no target of this scene; nothing is left to capture",
+                              ? "ignore excludes every target; nothing is left to capture"
+                              : "ignore excludes everything in only; nothing is left to capture")
+            : fmt::format("only '{}' matches no target of this scene; nothing is left to capture",
                           fmt::join(edits.only, "', '")));
 }
 

@@ -24,7 +24,7 @@ Result<FurnitureCatalog> FurnitureCatalog::open(const fs::path& folder) {
     if (paths.empty()) {
         return fail(ErrorCode::BadInput,
                     "there is no furniture library (.sh3f) here; install Debian's package "
-                    "sweethome3d-furniture, or name a folder with --library",
+                    "sweethome3d-furniture, or give a folder with --library",
                     place.string());
     }
     FurnitureCatalog catalog;

@@ -233,8 +233,8 @@ Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
         covering.takeGiven(given);
         all.push_back(std::move(covering).run(job));
         if (all.back().surface.patches.empty()) {
-            log::warn("planning", "The region '" + region.name +
-                                      "' that must be seen holds no surface of the scene.");
+            log::warn("planning", "The must-see region '" + region.name +
+                                      "' contains no surface of the scene.");
         }
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         for (const int kept : all.back().kept) given[static_cast<std::size_t>(kept)].fixed = true;

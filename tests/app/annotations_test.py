@@ -188,7 +188,7 @@ class Annotations(FolderCase):
     def test_slips_are_said_with_file_and_place(self):
         name = "room.obj.objects.json"
         for said, words in [
-            ("[1, 2", [name, "no JSON"]),
+            ("[1, 2", [name, "not valid JSON"]),
             ("[]", [name, "an object"]),
             ({"version": 1}, [name, "format", "dollytrack-objects"]),
             (dict(self.said(), up_axis="up"), [name, "up_axis", "x, y, z, -x, -y or -z"]),

@@ -143,7 +143,7 @@ class Awkward(FolderCase):
     def test_one_mesh_is_taken_apart(self):
         info, plan, _ = self.plan(Obj().object("everything").furnished(named=False).text())
         self.assertAllSeen(plan, len(THINGS))
-        self.assertTrue(any("objects apart" in warning for warning in info["warnings"]))
+        self.assertTrue(any("separate its objects" in warning for warning in info["warnings"]))
 
     def test_a_dome_of_200_m_is_around_the_room(self):
         obj = Obj().furnished().object("dome")

@@ -299,7 +299,7 @@ class EvaluateTest(FolderCase):
         far = self.folder / "far.txt"
         bad.write_text("nothing of the kind\n")
         far.write_text("0 1e9 0 0 0 0 0 1\n")
-        for path, word in [(bad, "no trajectory"), (far, "1000 km")]:
+        for path, word in [(bad, "not a trajectory"), (far, "1000 km")]:
             refused = run("-q", "evaluate", dataset, "--estimated", path)
             self.assertFails(refused, 4, word, path.name)
             self.assertNotIn("--trajectory", refused.stderr)  # evaluate has no such options

@@ -352,7 +352,7 @@ class Program(FolderCase):
                                 capture_output=True, text=True)
         self.assertEqual(result.returncode, 1)
         self.assertIn("dollytrack-import", result.stderr)
-        self.assertIn("beside this program", result.stderr)
+        self.assertIn("in the folder of this program", result.stderr)
 
     def test_the_importer_alone_says_what_it_is(self):
         importer = pathlib.Path(PROGRAM).parent / "dollytrack-import"

@@ -120,7 +120,7 @@ TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
         std::count_if(scene.objects.begin(), scene.objects.end(),
                       [](const Object& object) { return object.role == Role::Target; });
     EXPECT_EQ(targets, 4);
-    EXPECT_TRUE(says(scene.report.warnings, "does not keep its objects apart"));
+    EXPECT_TRUE(says(scene.report.warnings, "does not separate its objects"));
 }
 
 TEST(AwkwardHouse, ThingsThatPassThroughEachOtherStayThemselves) {

@@ -56,8 +56,8 @@ TEST(BadInput, KindsAreToldByTheirContent) {
                                "{\"walls\":[{\"dimensions\":[1],\"confidence\":{},"
                                "\"transform\":[1]}]}"),
                   "RoomPlan");
-    expectRefused(folder.write("c.json", "{\"name\": \"a thing\"}"), "no scene that can be read");
-    expectRefused(folder.write("d.json", "[1, 2]"), "no scene that can be read");
+    expectRefused(folder.write("c.json", "{\"name\": \"a thing\"}"), "not a supported scene");
+    expectRefused(folder.write("d.json", "[1, 2]"), "not a supported scene");
 }
 
 // Files of the same name lie in many folders.
@@ -108,7 +108,7 @@ TEST(BadInput, NothingThatCanBeDrawn) {
     expectRefused(folder.write("far.obj", "v 1e30 0 0\nv 1e30 1 0\nv 1e30 0 1\nf 1 2 3\n"),
                   "further than 1e9 units");
     expectRefused(folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-                  "no finite number");
+                  "non-finite corner");
 }
 
 TEST(BadInput, GltfWithoutItsBuffer) {

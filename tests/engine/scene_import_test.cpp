@@ -222,7 +222,7 @@ TEST(SceneImport, DropsWhatIsBrokenAndSaysSo) {
             return line.find(part) != std::string::npos;
         });
     };
-    EXPECT_TRUE(says(scene.report.warnings, "no finite number"));
+    EXPECT_TRUE(says(scene.report.warnings, "non-finite corner"));
     EXPECT_TRUE(says(scene.report.notes, "without area"));
 }
 

@@ -221,7 +221,7 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
              Case{"g.json", "{\"frames\": [{\"transform_matrix\": [[1, 0]]}]}", "", "frames[0]",
                   "transforms.json"},
              Case{"h.json", "[{\"pos\": [0, 0, 0]}]", "", "[0]", "target"},
-             Case{"i.json", "[{\"pos\":", "", "i.json:1:9", "no JSON"},
+             Case{"i.json", "[{\"pos\":", "", "i.json:1:9", "not valid JSON"},
              Case{"j.txt", "0 0 0 0 1 1 1\n", "scenenet", "j.txt:1", "shutter"},
              Case{"k.txt", "0 0 0 0 0 1 0\n0 0 0 0 0 1 0\n", "scenenet", "k.txt:1", "up or down"},
              Case{"l.hdf5", "not HDF5", "", "camera_keyframe_positions.hdf5", "HDF5"},

@@ -343,8 +343,8 @@ void addCompareCommand(CLI::App& app, Session& session) {
         ->type_name("NAME");
     addOutcomeArguments(*command, arguments->outcomes);
     command->footer(
-        "Rates are in %. 'hit frames' have a surface inside the camera's sphere, 'hit moves' meet\n"
-        "one on the way to the next frame. Planners without motion have no path.\n"
+        "Rates are in %. In 'hit frames' a surface is inside the camera's sphere; 'hit moves'\n"
+        "touch one on the way to the next frame. Planners without motion have no path.\n"
         "Example: dollytrack compare room.glb --planners all --max-frames 300 --bound");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runCompare(*arguments, session); };

@@ -301,7 +301,7 @@ def _read_json(file: Path) -> Any:
     except OSError as error:
         raise failure(BadInput, f"It cannot be read ({error.strerror}).", str(file)) from None
     except (ValueError, RecursionError):
-        raise failure(BadInput, "It is no JSON; export the dataset again.", str(file)) from None
+        raise failure(BadInput, "It is not valid JSON; export the dataset again.", str(file)) from None
 
 
 def _read_jpeg(file: Path) -> npt.NDArray[np.uint8]:

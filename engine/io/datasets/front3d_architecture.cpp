@@ -114,11 +114,11 @@ class Architecture {
         }
         if (bad_normals_ > 0) {
             scene_.notes.push_back(counted(bad_normals_, "mesh has", "meshes have") +
-                                   " normals that are none; they were made anew");
+                                   " invalid normals; they were recomputed");
         }
         if (empty_ > 0) {
             scene_.notes.push_back(counted(empty_, "mesh", "meshes") +
-                                   " without a triangle that can be drawn were left out");
+                                   " without a drawable triangle were left out");
         }
         if (joined_ > 0) {
             scene_.notes.push_back(counted(joined_, "built-in piece was", "built-in pieces were") +

@@ -47,8 +47,8 @@ void noteRooms(const Front3dScene& source, const nlohmann::json& document, RawSc
          "rooms have placements of their own, which are not applied");
     if (source.bad_children > 0) {
         scene.warnings.push_back(counted(
-            source.bad_children, "entry of the rooms has a placement that is none; it was left out",
-            "entries of the rooms have placements that are none; they were left out"));
+            source.bad_children, "entry of the rooms has an invalid placement; it was left out",
+            "entries of the rooms have invalid placements; they were left out"));
     }
 }
 
@@ -100,7 +100,7 @@ Result<RawScene> readFront3dScene(const std::filesystem::path& path, const Impor
     }
     if (scene.materials.empty()) scene.materials.emplace_back();
     if (scene.objects.empty()) {
-        std::string message = "The 3D-FRONT scene holds nothing that can be drawn";
+        std::string message = "The 3D-FRONT scene contains nothing that can be drawn";
         for (const std::string& warning : scene.warnings) message += "; " + warning;
         return fail(ErrorCode::BadInput, message + ".", path.string());
     }

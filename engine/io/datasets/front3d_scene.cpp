@@ -96,7 +96,7 @@ Result<Front3dScene> parseFront3d(const json& document, const std::string& where
                            house->contains("room") && (*house)["room"].is_array();
     if (!has_rooms && listIn(document, "mesh").empty()) {
         return fail(ErrorCode::BadInput,
-                    "This JSON file is no 3D-FRONT scene: it has neither \"mesh\" nor "
+                    "This JSON file is not a 3D-FRONT scene: it has neither \"mesh\" nor "
                     "\"scene\" with \"room\".",
                     where);
     }

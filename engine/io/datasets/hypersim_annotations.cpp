@@ -100,7 +100,7 @@ Status readBoxes(HypersimAnnotations& scene) {
     if (extents->values.size() != 3 * count || positions->values.size() != 3 * count ||
         turns->values.size() != 9 * count) {
         return fail(ErrorCode::BadInput,
-                    "The boxes' extents, positions and orientations do not go together.",
+                    "The boxes' extents, positions and orientations have different lengths.",
                     file("extents").string());
     }
     for (std::size_t i = 1; i < count; ++i) {  // a row a semantic instance

@@ -82,9 +82,10 @@ void compareBoxes(const HypersimAnnotations& annotations, const std::map<int, st
                                         annotations.meters_per_unit ? " m" : " units"));
     }
     if (compared == 0) return;
-    scene.notes.push_back(fmt::format(
-        "annotated boxes that are as ours to 2 cm or 2 %: {} of {}{}", compared - different.size(),
-        compared, different.empty() ? "" : "; different: " + listOf(different)));
+    scene.notes.push_back(
+        fmt::format("annotated boxes that agree with the measured ones to 2 cm or 2 %: {} of {}{}",
+                    compared - different.size(), compared,
+                    different.empty() ? "" : "; different: " + listOf(different)));
 }
 
 struct Matches {

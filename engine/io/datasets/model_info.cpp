@@ -24,7 +24,7 @@ Result<std::map<std::string, ModelInfo>> readModelInfo(const std::filesystem::pa
     } else if (read->is_array()) {
         for (const nlohmann::json& entry : *read) models[textIn(entry, "model_id")] = infoOf(entry);
     } else {
-        return fail(ErrorCode::BadInput, "It is no list of models.", path.string());
+        return fail(ErrorCode::BadInput, "It is not a list of models.", path.string());
     }
     return models;
 }

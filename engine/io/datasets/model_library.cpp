@@ -91,7 +91,7 @@ Status ModelLibrary::read(const JobContext& job) {
             return;
         }
         models_[i] = std::move(*read);
-        if (countTriangles(models_[i]) == 0) reasons_[i] = "it holds no triangle";
+        if (countTriangles(models_[i]) == 0) reasons_[i] = "it contains no triangle";
         fs::path folder = paths_[i].parent_path();
         const bool around = textures_ == TexturePlace::AroundModelsFolder;
         if (around && folder.filename() == "models") folder = folder.parent_path();

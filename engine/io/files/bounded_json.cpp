@@ -66,11 +66,11 @@ Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
                               const JsonFilter<Json>& keep) {
     const JsonSize size = sizeOf(text);
     if (size.depth > kDeepestJson) {
-        return fail(ErrorCode::BadInput,
-                    fmt::format("The JSON is nested more than {} deep; no file that can be read "
-                                "here is.",
-                                kDeepestJson),
-                    where);
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("The JSON is nested more than {} deep, deeper than any supported file.",
+                        kDeepestJson),
+            where);
     }
     if (size.memory > kMostMemory) {
         return fail(ErrorCode::BadInput,
@@ -82,7 +82,8 @@ Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
     try {
         return Json::parse(text, keep);
     } catch (const nlohmann::json::parse_error& error) {
-        return fail(ErrorCode::BadInput, "This is no JSON; the file is damaged or was cut off.",
+        return fail(ErrorCode::BadInput,
+                    "This is not valid JSON; the file is damaged or truncated.",
                     where + placeIn(text, error.byte));
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::BadInput, "A number in the JSON is too large.", where);

@@ -66,7 +66,7 @@ Result<std::unique_ptr<const OpenDataset>> openDataset(const std::filesystem::pa
     const auto refused = [&](const std::string& why) {
         return fail(ErrorCode::BadInput, why, path.string());
     };
-    if (dataset->file < 0) return refused("The file is missing or is no HDF5 file.");
+    if (dataset->file < 0) return refused("The file is missing or is not an HDF5 file.");
     if (dataset->id < 0) return refused("There is no dataset named \"" + name + "\" in it.");
     if (!liesInFile(*library, dataset->file, dataset->id, name)) {
         return refused("The dataset \"" + name + "\" lies in another file.");
@@ -95,7 +95,7 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
     for (const hsize_t length : size) {
         // By division: the product of what a file claims may wrap around to a small number.
         if (length != 0 && count > most / length) {
-            return fail(ErrorCode::BadInput, "Its dataset is larger than any that belongs here.",
+            return fail(ErrorCode::BadInput, "Its dataset is larger than supported.",
                         path.string());
         }
         count *= length;

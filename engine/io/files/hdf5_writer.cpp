@@ -73,7 +73,7 @@ Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
         good = H5Fget_file_image(file, bytes.data(), bytes.size()) == size;
     }
     if (!good || size <= 0) {
-        return fail(ErrorCode::Failed, "HDF5 could not make the file; is the memory full?");
+        return fail(ErrorCode::Failed, "HDF5 could not create the file; check the free memory.");
     }
     return bytes;
 }

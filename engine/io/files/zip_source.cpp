@@ -38,7 +38,7 @@ class ZipSource : public Archive {
             if (!archive_) zip_source_free(source);
         }
         zip_error_fini(&error);
-        if (!archive_) return refuse("it is no whole zip archive; save or download it again");
+        if (!archive_) return refuse("it is not a complete zip archive; save or download it again");
         const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
         if (count > kMostEntries) return refuse("it holds more than 100,000 files");
         std::uint64_t total = 0;

@@ -52,7 +52,7 @@ std::vector<std::uint8_t> bytesOf(zip_source_t* buffer) {
 }  // namespace
 
 Result<std::vector<std::uint8_t>> makeArchive(const std::vector<ArchiveFile>& files) {
-    const auto failed = [] { return fail(ErrorCode::Failed, "the archive cannot be made"); };
+    const auto failed = [] { return fail(ErrorCode::Failed, "the archive cannot be created"); };
     const std::unique_ptr<zip_source_t, FreeSource> buffer(
         zip_source_buffer_create(nullptr, 0, 0, nullptr));
     if (!buffer) return failed();

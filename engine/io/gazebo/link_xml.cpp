@@ -33,7 +33,7 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
         const auto line = 1 + std::count(text->begin(), text->begin() + parsed.offset, '\n');
         return fail(ErrorCode::BadInput,
                     std::string("the XML cannot be read (") + parsed.description() +
-                        "); the file is damaged or was cut off",
+                        "); the file is damaged or truncated",
                     path.string() + ":" + std::to_string(line));
     }
     if (file.document.find_node(isMacro)) {

@@ -96,7 +96,7 @@ class SdfReader {
         const pugi::xml_node world = sdf.child("world");
         const pugi::xml_node model = sdf.child("model");
         if (!world && !model) {
-            return wrong("the file holds neither a <world> nor a <model>; name a world or model",
+            return wrong("the file has neither a <world> nor a <model>; give a world or model",
                          path);
         }
         scene_.path = path;
@@ -280,7 +280,7 @@ class SdfReader {
         const pugi::xml_node model = sdf.child("model");
         if (model) return openModel(model, *file, scope, frame);
         if (sdf.child("light") || sdf.child("actor")) return {};  // as model://sun
-        return wrong("the file is included as a model and holds no <model>; name another file",
+        return wrong("the file is included as a model but has no <model>; give another file",
                      *file);
     }
 
@@ -324,7 +324,7 @@ class SdfReader {
         const auto steps = locate(scope, name);
         if (steps.empty()) {
             return wrong("a <pose> is relative to '" + cleanText(name) +
-                             "', which is not there; correct the name",
+                             "', which does not exist; correct the name",
                          scope.path);
         }
         for (const auto& [around, frame] : steps) {
@@ -560,7 +560,7 @@ Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
     if (!sdf) sdf = xml->document.child("gazebo");
     if (!sdf) {
         return fail(ErrorCode::BadInput,
-                    "the XML holds no <sdf>, so it is no world of Gazebo; name a world or model",
+                    "the XML has no <sdf>, so it is not a Gazebo world; give a world or model",
                     path.string());
     }
     const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options)));

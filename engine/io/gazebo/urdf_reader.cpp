@@ -168,7 +168,7 @@ Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& f
     const pugi::xml_node robot = xml->document.child("robot");
     if (!robot) {
         return fail(ErrorCode::BadInput,
-                    "the XML holds no <robot>, so it is no URDF file; name a robot's file",
+                    "the XML has no <robot>, so it is not a URDF file; give a robot's file",
                     path.string());
     }
     UrdfReader reader(path, job);

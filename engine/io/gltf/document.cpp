@@ -65,7 +65,7 @@ Chunks findChunks(std::string_view file) {
     constexpr std::size_t kChunkHeader = 8;
     constexpr std::uint32_t kJson = 0x4E4F534A;
     constexpr std::uint32_t kBinary = 0x004E4942;
-    if (file.size() < kHeader) throw damaged("its header is not whole");
+    if (file.size() < kHeader) throw damaged("its header is truncated");
     if (wordAt(file, 4) != 2) {
         throw Fault(
             fmt::format("it is binary glTF of version {}; export it as glTF 2.0", wordAt(file, 4)));
@@ -77,8 +77,8 @@ Chunks findChunks(std::string_view file) {
         const std::uint32_t kind = wordAt(file, at + 4);
         at += kChunkHeader;
         if (length > file.size() - at) {
-            throw damaged(fmt::format("a chunk claims {} bytes, of which {} are there", length,
-                                      file.size() - at));
+            throw damaged(
+                fmt::format("a chunk claims {} bytes, but {} exist", length, file.size() - at));
         }
         if (kind == kJson && chunks.json.empty()) chunks.json = file.substr(at, length);
         if (kind == kBinary && !chunks.binary.data()) chunks.binary = file.substr(at, length);
@@ -96,17 +96,16 @@ Json parseJson(std::string_view text) {
         if (clean != text) json = io::parseBoundedJson(clean, {});
     }
     if (!json) throw damaged("its JSON " + describe(json.error()));
-    if (!json->is_object()) throw damaged("its JSON is no object");
+    if (!json->is_object()) throw damaged("its JSON is not an object");
     return std::move(*json);
 }
 
 void checkVersion(const Json& json) {
     const std::string version = textOr(objectAt(json, "asset"), "version");
     if (version.starts_with("2.")) return;
-    throw Fault(version.empty()
-                    ? std::string("it does not say that it is glTF 2.0 (asset.version); if it is "
-                                  "a glTF file, export it again")
-                    : "it is glTF " + cleanText(version) + "; export it as glTF 2.0");
+    throw Fault(version.empty() ? std::string("it is not marked as glTF 2.0 (asset.version); if it "
+                                              "is a glTF file, export it again")
+                                : "it is glTF " + cleanText(version) + "; export it as glTF 2.0");
 }
 
 void checkExtensions(const Json& json) {

@@ -577,7 +577,7 @@ class SceneReader {
         bool anything = false;
         for (const MeshPart& part : scene_.parts) anything = anything || !part.triangles.empty();
         if (!anything) {
-            std::string message = "the scene holds nothing that can be drawn";
+            std::string message = "the scene contains nothing that can be drawn";
             for (const std::string& warning : scene_.warnings) message += "; " + warning;
             return fail(ErrorCode::BadInput, message, path_.string());
         }

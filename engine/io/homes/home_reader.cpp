@@ -34,7 +34,7 @@ Result<Home> homeIn(const FileSource& archive, const std::string& where) {
                     "reads; open it with version 5.3 or later and save it again",
                     where);
     }
-    return fail(ErrorCode::BadInput, "the archive holds no Home.xml, so it is no home", where);
+    return fail(ErrorCode::BadInput, "the archive has no Home.xml, so it is not a home", where);
 }
 
 void addStructure(const Home& home, HomeMaterials& materials, RawScene& scene) {

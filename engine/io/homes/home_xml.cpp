@@ -252,21 +252,21 @@ Result<Home> parseHomeXml(std::string_view text, const std::string& where) {
         document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
     if (!parsed) {
         return fail(ErrorCode::BadInput,
-                    std::string("it is no whole XML (") + parsed.description() + " at byte " +
+                    std::string("it is not complete XML (") + parsed.description() + " at byte " +
                         std::to_string(parsed.offset) + "); save the home again",
                     where);
     }
     for (const pugi::xml_node& node : document.children()) {
         if (node.type() != pugi::node_doctype) continue;
-        return fail(ErrorCode::BadInput,
-                    "the XML declares a document type, which no home needs and is not read; take "
-                    "the <!DOCTYPE> out",
-                    where);
+        return fail(
+            ErrorCode::BadInput,
+            "the XML declares a document type, which is not supported; remove the <!DOCTYPE>",
+            where);
     }
     const pugi::xml_node root = document.document_element();
     if (std::strcmp(root.name(), "home") != 0) {
         return fail(ErrorCode::BadInput,
-                    "the XML is no home of Sweet Home 3D: its outermost element is <" +
+                    "the XML is not a home of Sweet Home 3D: its outermost element is <" +
                         cleanText(root.name()) + ">, not <home>",
                     where);
     }

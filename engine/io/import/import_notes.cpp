@@ -20,9 +20,8 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
         const char* one;
         const char* many;
     } lines[] = {
-        {repairs.bad_numbers, report.warnings,
-         "face with a corner that is no finite number was dropped",
-         "faces with a corner that is no finite number were dropped"},
+        {repairs.bad_numbers, report.warnings, "face with a non-finite corner was dropped",
+         "faces with a non-finite corner were dropped"},
         {repairs.too_far, report.warnings,
          "face reaches further than 1e9 units from the origin and was dropped",
          "faces reach further than 1e9 units from the origin and were dropped"},
@@ -37,8 +36,8 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
         {repairs.polygons, report.notes, "polygon was cut into triangles",
          "polygons were cut into triangles"},
         {repairs.made_normals, report.notes,
-         "mesh had no normals; they were made, smooth below 45 degrees",
-         "meshes had no normals; they were made, smooth below 45 degrees"},
+         "mesh had no normals; they were computed, smooth below 45 degrees",
+         "meshes had no normals; they were computed, smooth below 45 degrees"},
         {repairs.mirrored, report.notes, "mesh is mirrored; its faces were turned back",
          "meshes are mirrored; their faces were turned back"},
     };
@@ -93,7 +92,7 @@ void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportRepor
             report.warnings.push_back(
                 counted(found.unnamed, "of the regrouped objects has",
                         "of the regrouped objects have") +
-                " no class; set it (dollytrack edit, set_class), or exclude what is no object");
+                " no class; set it (dollytrack edit, set_class), or exclude it");
         }
     } else {
         report.warnings.push_back(
@@ -125,9 +124,9 @@ void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, Impo
                                list);
     }
     if (twice > 0) {
-        report.notes.push_back(
-            counted(twice, "mesh is there twice in one place and was left out once",
-                    "meshes are there twice in one place and were left out once"));
+        report.notes.push_back(counted(twice,
+                                       "mesh occurs twice in one place and was left out once",
+                                       "meshes occur twice in one place and were left out once"));
     }
 }
 
@@ -143,8 +142,8 @@ void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report) {
     const double step_m = unit_m * away * std::numeric_limits<float>::epsilon();
     if (step_m < kCoarsest_m) return;
     report.warnings.push_back(
-        fmt::format("the scene lies {:.3g} m from the origin, where corners are kept to {:.2g} m "
-                    "only; move it to the origin and export it again",
+        fmt::format("the scene lies {:.3g} m from the origin, where corners have a precision of "
+                    "{:.2g} m only; move it to the origin and export it again",
                     unit_m * away, step_m));
 }
 
@@ -164,15 +163,13 @@ Error nothingToDraw(const RawScene& raw, const std::filesystem::path& path) {
     }
     if (raw.repairs.bad_numbers + raw.repairs.bad_indices > 0) {
         return Error{ErrorCode::BadInput,
-                     fmt::format("none of its faces can be drawn: {} have a corner that is no "
-                                 "finite number, {} name a vertex that is not there; the file is "
-                                 "damaged, export it again",
+                     fmt::format("none of its faces can be drawn: {} have a non-finite corner, {} "
+                                 "name a missing vertex; the file is damaged, export it again",
                                  raw.repairs.bad_numbers, raw.repairs.bad_indices),
                      path.string()};
     }
     return Error{ErrorCode::BadInput,
-                 "the file holds no triangle that can be drawn; export its meshes too",
-                 path.string()};
+                 "the file contains no drawable triangle; export its meshes too", path.string()};
 }
 
 }  // namespace dollytrack

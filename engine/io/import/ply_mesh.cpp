@@ -118,8 +118,8 @@ class PlyReader {
   private:
     [[nodiscard]] tl::unexpected<Error> ends(const PlyElement& element, std::size_t at) const {
         return fail(ErrorCode::BadInput,
-                    fmt::format("The file ends within {} {} of {}, or a value there is no number; "
-                                "export or download it again.",
+                    fmt::format("The file ends within {} {} of {}, or a value there is not a "
+                                "number; export or download it again.",
                                 element.name, at, element.count),
                     path_.string());
     }

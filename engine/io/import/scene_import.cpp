@@ -76,7 +76,7 @@ void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         if (!drafts[i].front || scene.objects[i].front_source == FrontSource::Annotation) continue;
         scene.report.warnings.push_back("the front given for \"" + scene.objects[i].name +
-                                        "\" points up or down; it is judged by its shape");
+                                        "\" points up or down; the shape decides instead");
     }
 }
 
@@ -116,14 +116,14 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     const std::size_t scattered = splitScattered(raw, labels, drafts);
     if (scattered > 0) {
         report.notes.push_back(
-            counted(scattered, "node held things far apart, which were made objects of their own",
-                    "nodes held things far apart, which were made objects of their own"));
+            counted(scattered, "node contained distant parts, which became separate objects",
+                    "nodes contained distant parts, which became separate objects"));
     }
     const std::size_t split = splitMergedScenes(raw, labels, drafts);
     if (split > 0) {
         report.warnings.push_back(
-            "the file does not keep its objects apart; they were found as connected pieces, look "
-            "whether they are right");
+            "the file does not separate its objects; they were found as connected pieces; check "
+            "them");
     }
     std::erase_if(meshes.doubtful, [&](const std::string& name) {
         return std::ranges::find(drafts, name, &ObjectDraft::name) == drafts.end();
@@ -165,8 +165,8 @@ void setOutsideRoles(Scene& scene) {
     }
     if (outside.empty()) return;
     scene.report.notes.push_back(
-        counted(outside.size(), "object outside the building is no target; edit its role if it is",
-                "objects outside the building are no targets; edit their roles if they are"));
+        counted(outside.size(), "object outside the building is not a target; include it if needed",
+                "objects outside the building are not targets; include them if needed"));
 }
 
 Status checkOptions(const ImportOptions& options) {

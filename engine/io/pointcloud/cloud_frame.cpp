@@ -136,7 +136,7 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
     result.source = axis                             ? "given"
                     : camera && result.up.y() < -0.5 ? "a camera's axes: y points down"
                     : candidates[0].floor > 0.1      ? "judged from floors and ceilings"
-                                                     : "taken by habit: no floor was found";
+                                                     : "default: no floor was found";
     result.doubtful =
         !axis && candidates.size() > 1 && candidates[0].score - candidates[1].score < 0.3;
     if (const CloudPlane* floor = levelPlane(planes, result.up)) {

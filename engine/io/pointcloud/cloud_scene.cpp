@@ -31,8 +31,8 @@ tl::unexpected<Error> cancelled(const std::filesystem::path& path) {
 
 tl::unexpected<Error> noSurface(std::size_t points, const std::filesystem::path& path) {
     return fail(ErrorCode::BadInput,
-                fmt::format("Its {} points make no surface: they are too few or too far apart; set "
-                            "the cloud's voxel_m and gap_m higher.",
+                fmt::format("Its {} points form no surface: they are too few or too far apart; "
+                            "raise the cloud's voxel_m and gap_m.",
                             points),
                 path.string());
 }
@@ -279,9 +279,9 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         for (double& area : part.facing_area) area /= unit_m * unit_m;
     }
     if (cloud.left_out + strays + labels.specks > 0) {
-        raw.notes.push_back(
-            fmt::format("{} points without place, {} far away and {} in specks were left out",
-                        cloud.left_out, strays, labels.specks));
+        raw.notes.push_back(fmt::format(
+            "{} points without a position, {} far away and {} in small clusters were left out",
+            cloud.left_out, strays, labels.specks));
     }
     raw.notes.push_back(
         fmt::format("{} points became {} samples {:.0f} mm apart and {} triangles; {} holes were "
@@ -303,21 +303,21 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
             "scatter around the surfaces; a mesh of the same scene is more exact");
     }
     if (samples.spacing_m > 0.0) {
-        raw.warnings.push_back(fmt::format(
-            "the points lie {:.0f} mm apart, and what is smaller than a few times that is lost; "
-            "scan it again from nearer, or look whether the objects are right",
-            samples.spacing_m * 1e3));
+        raw.warnings.push_back(
+            fmt::format("the points are {:.0f} mm apart, and details below a few times that are "
+                        "lost; scan from closer, or check the objects",
+                        samples.spacing_m * 1e3));
     }
     if (samples.smoothed_m > 0.0) {
         auto& told = samples.scatter_m > kMuchScatter ? raw.warnings : raw.notes;
-        told.push_back(fmt::format(
-            "the points scatter by {:.0f} mm about their surfaces; they were moved onto planes "
-            "through what lies within {:.0f} mm, which rounds edges off",
-            samples.scatter_m * 1e3, samples.smoothed_m * 1e3));
+        told.push_back(
+            fmt::format("the points scatter by {:.0f} mm about their surfaces; they were moved "
+                        "onto planes through neighbours within {:.0f} mm, which rounds edges",
+                        samples.scatter_m * 1e3, samples.smoothed_m * 1e3));
     }
     raw.notes.push_back(
-        "a level floor was put under the scan, \"floor_unseen\": scans show none behind furniture "
-        "and where the scanner stood");
+        "a level floor, \"floor_unseen\", was added below the scan, which has gaps behind "
+        "furniture and where the scanner stood");
     if (!options.unit_m) {
         raw.notes.push_back(fmt::format("1 unit of the cloud is {} m, judged by its size", unit_m));
     }

@@ -92,8 +92,8 @@ std::string checkHeader(PcdHeader& header) {
                            header.height, header.points);
     }
     if (header.points == 0 || header.points > kMostCloudPoints) {
-        return fmt::format("It says that it holds {} points; between 1 and {} can be read.",
-                           header.points, kMostCloudPoints);
+        return fmt::format("It claims to contain {} points; 1 to {} can be read.", header.points,
+                           kMostCloudPoints);
     }
     return {};
 }
@@ -118,7 +118,7 @@ Result<PcdHeader> readPcdHeader(std::string_view bytes, const std::string& name)
         header.size = end + 1;
         if (words.empty() || words[0].starts_with('#')) continue;
         if (!takeLine(words, header)) {
-            return fail(ErrorCode::BadInput, "It is no line of a PCD header.",
+            return fail(ErrorCode::BadInput, "It is not a line of a PCD header.",
                         placeOf(name, header.lines));
         }
     }

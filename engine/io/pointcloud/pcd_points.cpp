@@ -85,10 +85,9 @@ void addPoint(const Wanted& wanted, const NumberOf& numberOf, const ColorOf& col
 Status readBinary(const PcdHeader& header, std::span<const std::uint8_t> data, bool by_field,
                   const std::string& name, PointCloud& cloud) {
     if (header.point_bytes == 0 || data.size() / header.point_bytes < header.points) {
-        return fail(
-            ErrorCode::BadInput,
-            fmt::format("It is too short for the {} points that it says it holds.", header.points),
-            name);
+        return fail(ErrorCode::BadInput,
+                    fmt::format("It is too short for the {} points of its header.", header.points),
+                    name);
     }
     const Wanted wanted(header);
     for (std::size_t i = 0; i < header.points; ++i) {
@@ -160,7 +159,7 @@ Status readText(const PcdHeader& header, std::string_view text, const std::strin
         if (words.empty()) continue;
         if (words.size() != columns) {
             return fail(ErrorCode::BadInput,
-                        fmt::format("Here are {} numbers, and its header says {} for each point.",
+                        fmt::format("There are {} numbers, but the header declares {} per point.",
                                     words.size(), columns),
                         placeOf(name, line_number));
         }

@@ -95,7 +95,8 @@ std::size_t bytesOfPly(PlyKind kind) {
 
 Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {
     if (!bytes.starts_with("ply"))
-        return plyFault("The file is no PLY file: it does not begin with \"ply\".", path.string());
+        return plyFault("The file is not a PLY file: it does not start with \"ply\".",
+                        path.string());
     PlyHeader header;
     int line = 0;
     while (true) {

@@ -122,7 +122,7 @@ Status readVertices(const PlyElement& element, PlyNumbers& numbers, const fs::pa
     for (std::size_t i = 0; i < element.count; ++i) {
         Slots values{};
         if (!readElement(element, slots, numbers, values)) {
-            return wrong(fmt::format("The file ends within {} {} of {}, or a value there is no "
+            return wrong(fmt::format("The file ends within {} {} of {}, or a value there is not a "
                                      "number; export or download it again.",
                                      element.name, i, element.count),
                          path.string());
@@ -148,11 +148,10 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
     for (const PlyElement& element : header->elements) {
         if (element.properties.empty() || element.count > bytes.size()) {
             if (element.count == 0) continue;
-            return wrong(
-                fmt::format("The header says {} elements of '{}', which the file is too short "
-                            "for; export or download it again.",
-                            element.count, element.name),
-                path.string());
+            return wrong(fmt::format("The file is too short for the {} elements of '{}' in its "
+                                     "header; export or download it again.",
+                                     element.count, element.name),
+                         path.string());
         }
         if (Status read = readVertices(element, numbers, path, cloud); !read) {
             return tl::unexpected<Error>(read.error());
@@ -160,7 +159,7 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
         if (element.name == "vertex") break;  // faces are of no interest
     }
     if (cloud.points.empty())
-        return wrong("The file holds no points with finite x, y and z.", path.string());
+        return wrong("The file contains no points with finite x, y and z.", path.string());
     return cloud;
 }
 

@@ -188,7 +188,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
             ++cloud.left_out;
             continue;
         }
-        if (cloud.points.size() >= kMostCloudPoints) return refuse("It holds too many points.");
+        if (cloud.points.size() >= kMostCloudPoints) return refuse("It contains too many points.");
         cloud.points.push_back(point);
         if ((*columns)[5] >= 0) {
             colors.push_back({static_cast<float>(values[3]), static_cast<float>(values[4]),
@@ -201,8 +201,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
     }
     if (!colors.empty()) settleColors(colors, cloud);
     if (cloud.points.empty()) {
-        return fail(ErrorCode::BadInput, "There is no point in it: no line begins with x y z.",
-                    name);
+        return fail(ErrorCode::BadInput, "It contains no point: no line starts with x y z.", name);
     }
     return cloud;
 }

@@ -122,7 +122,7 @@ std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs:
     if (WEXITSTATUS(status) == 0) return std::nullopt;
     if (WEXITSTATUS(status) == 2) {
         return Error{ErrorCode::Failed,
-                     "the program that reads scene files is of another version; build or install "
+                     "the program that reads scene files has another version; build or install "
                      "both together",
                      importerProgram().string()};
     }

@@ -70,8 +70,7 @@ Result<std::vector<std::string>> ReachableFiles::namesIn(const fs::path& folder)
         if (name.starts_with('.') || at->is_symlink(unknown)) continue;
         if (names.size() >= kMost) {
             return fail(ErrorCode::BadInput,
-                        "the folder holds more than 100,000 files; spread them over several",
-                        folder.string());
+                        "the folder contains more than 100,000 files; split it", folder.string());
         }
         names.push_back(name);
     }

@@ -103,9 +103,9 @@ Result<SpawnedImporter> SpawnedImporter::start(const std::vector<std::string>& a
         ::fcntl(read_end.get(), F_SETFL, O_NONBLOCK);
         return SpawnedImporter(process, std::move(read_end));
     }
-    const std::string hint = error == ENOENT
-                                 ? "it has to lie beside this program; build or install it again"
-                                 : std::strerror(error);
+    const std::string hint =
+        error == ENOENT ? "it must be in the folder of this program; build or install it again"
+                        : std::strerror(error);
     return fail(ErrorCode::Failed, "the program that reads scene files cannot be started: " + hint,
                 arguments[0]);
 }

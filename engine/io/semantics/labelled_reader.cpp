@@ -502,12 +502,11 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
         if (same_vertices) mesh->colors = std::move(textured->colors);
     }
     if (!names->segments.empty() && names->segments.size() != mesh->positions.size()) {
-        return fail(
-            ErrorCode::BadInput,
-            fmt::format("it lists segments of {} vertices, and the mesh has {} vertices; the two "
-                        "files do not belong together",
-                        names->segments.size(), mesh->positions.size()),
-            files.segments.string());
+        return fail(ErrorCode::BadInput,
+                    fmt::format("it lists segments of {} vertices, but the mesh has {}; the two "
+                                "files do not belong together",
+                                names->segments.size(), mesh->positions.size()),
+                    files.segments.string());
     }
     const std::optional<LabelledFaces> faces = labelFaces(*mesh, *names, files.nyu40);
     if (!faces) {
@@ -545,8 +544,8 @@ Result<RawScene> readPly(const fs::path& path, const JobContext& job) {
     if (Status few = checkCount(*faces, path); !few) return tl::unexpected(few.error());
     RawScene scene = sceneOf(*mesh, *faces, {});
     scene.notes.push_back(
-        "the file has numbers of objects or classes without names; name them by --annotations, or "
-        "put the set's file of names beside it");
+        "the file has object or class numbers without names; pass names with --annotations, or put "
+        "the data set's file of names beside it");
     return scene;
 }
 

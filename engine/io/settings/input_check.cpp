@@ -87,7 +87,7 @@ std::string_view adviceForJson(std::string_view head) {
         return "this is a scan of RoomPlan as boxes without meshes; export the scan's USDZ, and "
                "from that glTF with Blender 4";
     }
-    return "this JSON is no scene that can be read; JSON scenes are 3D-FRONT houses and Habitat's "
+    return "this JSON is not a supported scene; JSON scenes are 3D-FRONT houses and Habitat's "
            "scene instances and dataset configs";
 }
 
@@ -188,7 +188,7 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
     }
     return fail(
         ErrorCode::BadInput,
-        "the file does not begin like " + kinds + "; it is damaged or has the wrong extension",
+        "the file does not start like " + kinds + "; it is damaged or has the wrong extension",
         where);
 }
 
@@ -209,7 +209,7 @@ Result<const SceneFormat*> checkSceneFile(const Path& path) {
         const std::string hypersim = io::describeHypersimFolder(path);
         if (!hypersim.empty()) return fail(ErrorCode::Usage, hypersim, where);
         return fail(ErrorCode::BadInput,
-                    "this is a folder; name the scene file inside it (" + listOfExtensions() + ")",
+                    "this is a folder; give the scene file inside it (" + listOfExtensions() + ")",
                     where);
     }
     if (!std::filesystem::is_regular_file(status)) {

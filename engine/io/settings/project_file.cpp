@@ -47,7 +47,7 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     Result<nlohmann::json> json = parseBoundedJson(*text, path.string());
     if (!json) return tl::unexpected<Error>(std::move(json.error()));
     if (!json->is_object() || !json->contains("dollytrack_project")) {
-        return badProject(path, "This is JSON, but no Dollytrack project.");
+        return badProject(path, "This is JSON, but not a Dollytrack project.");
     }
     ProjectFile project;
     Status status;

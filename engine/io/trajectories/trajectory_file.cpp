@@ -118,12 +118,13 @@ Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format, bool 
     }
     if (!format) format = byContent(file);
     if (format) return format->read(file);
-    return fail(ErrorCode::BadInput,
-                has_options
-                    ? "It is no trajectory of a known format; name it with --trajectory-format (" +
-                          trajectoryFormatNames() + ")."
-                    : "It is no trajectory of a known format (" + trajectoryFormatNames() + ").",
-                file.path.string());
+    return fail(
+        ErrorCode::BadInput,
+        has_options
+            ? "It is not a trajectory of a known format; give it with --trajectory-format (" +
+                  trajectoryFormatNames() + ")."
+            : "It is not a trajectory of a known format (" + trajectoryFormatNames() + ").",
+        file.path.string());
 }
 
 /// Whether a frame can follow the one before it. No scene is as large as kFarthest: what is
@@ -134,9 +135,9 @@ Status checkFrame(const TrajectoryFrame& frame, const TrajectoryFrame* before, b
     if (!(frame.pose.position.cwiseAbs().maxCoeff() <= kFarthest) ||
         !frame.pose.position.allFinite() || !frame.pose.rotation.coeffs().allFinite()) {
         return fail(ErrorCode::BadInput,
-                    has_options ? "The position is more than 1000 km away or no number; are its "
-                                  "unit and --trajectory-world right?"
-                                : "The position is more than 1000 km away or no number.",
+                    has_options ? "The position is not a number or more than 1000 km away; check "
+                                  "its unit and --trajectory-world."
+                                : "The position is not a number or more than 1000 km away.",
                     where);
     }
     if (before && !(frame.time_s > before->time_s)) {

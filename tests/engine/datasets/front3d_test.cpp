@@ -208,9 +208,9 @@ TEST(Front3d, RefusesWhatIsNoSceneInOneSentence) {
         EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
         return scene.error().message;
     };
-    EXPECT_NE(messageOf(R"({"scene":3})").find("no 3D-FRONT scene"), std::string::npos);
-    EXPECT_NE(messageOf(R"({"mesh":[{)").find("no JSON"), std::string::npos);
-    EXPECT_NE(messageOf(R"({"shopping":["milk"]})").find("JSON is no scene that can be read"),
+    EXPECT_NE(messageOf(R"({"scene":3})").find("not a 3D-FRONT scene"), std::string::npos);
+    EXPECT_NE(messageOf(R"({"mesh":[{)").find("not valid JSON"), std::string::npos);
+    EXPECT_NE(messageOf(R"({"shopping":["milk"]})").find("JSON is not a supported scene"),
               std::string::npos);
     EXPECT_NE(messageOf(R"({"mesh":[3]})").find("nothing that can be drawn"), std::string::npos);
     const std::string deep = R"({"mesh":)" + std::string(1'000'000, '[');

@@ -376,7 +376,7 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
         {"<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
          "relative to itself"},
         {"<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
-         "which is not there"},
+         "which does not exist"},
         {"<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
          "relative to itself"},
         {"<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
@@ -395,7 +395,7 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     }
     const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
     ASSERT_FALSE(damaged);
-    EXPECT_NE(damaged.error().message.find("damaged or was cut off"), std::string::npos);
+    EXPECT_NE(damaged.error().message.find("damaged or truncated"), std::string::npos);
 }
 
 // A mesh that can be read, in a folder that the world may not name files of.

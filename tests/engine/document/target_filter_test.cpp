@@ -55,9 +55,10 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     EXPECT_EQ(warningFor({"floor"}, {}),
               "only 'floor' names no target of this scene; nothing is left to capture");
     EXPECT_EQ(warningFor({"sofa"}, {"sofa"}),
-              "ignore names all that only leaves; nothing is left to capture");
-    EXPECT_EQ(warningFor({}, {"*"}), "ignore names every target; nothing is left to capture");
-    EXPECT_NE(warningFor({"nosuch"}, {}).find("is neither a class nor an object"), std::string::npos);
+              "ignore excludes everything in only; nothing is left to capture");
+    EXPECT_EQ(warningFor({}, {"*"}), "ignore excludes every target; nothing is left to capture");
+    EXPECT_NE(warningFor({"nosuch"}, {}).find("is neither a class nor an object"),
+              std::string::npos);
 
     // An object that the lists leave out can be wanted by name all the same.
     ProjectState state;
