@@ -81,10 +81,8 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     }
     if (Status status = drain(); !status) return tl::unexpected(status.error());
     if (!folder->isThere()) {  // writing now would create it anew without the images
-        return fail(
-            ErrorCode::CannotWrite,
-            "the dataset cannot be finished: its folder was removed or replaced during the export",
-            settings.folder.string());
+        return fail(ErrorCode::CannotWrite, "the dataset cannot be finished without its folder",
+                    settings.folder.string());
     }
     DatasetContents& contents = order.contents;
     DatasetCard& card = order.card;
@@ -173,8 +171,7 @@ int DatasetJob::framesDone() const {
 Result<bool> DatasetJob::step() {
     if (framesDone() == frameCount()) return false;
     if (!folderIsThere()) {  // writing now would go to a deleted or moved folder
-        return fail(ErrorCode::CannotWrite,
-                    "the export cannot continue: its folder was removed or replaced",
+        return fail(ErrorCode::CannotWrite, "the export cannot continue without its folder",
                     impl_->settings.folder.string());
     }
     Status status = impl_->context->makeCurrent();

@@ -159,7 +159,7 @@ TEST(Hypersim, RefusesAnnotationsThatDoNotGoTogether) {
     EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
     EXPECT_NE(scene.error().message.find("3 numbers for the 5 objects"), std::string::npos);
     writeDetail(folder);
-    static_cast<void>(folder.write("_detail/mesh/mesh_objects_sii.hdf5", "not an HDF5"));
+    static_cast<void>(folder.write("_detail/mesh/mesh_objects_sii.hdf5", "no HDF5"));
     EXPECT_FALSE(importScene(path));
     writeDetail(folder);
     static_cast<void>(folder.write("_detail/metadata_scene.csv", "a,b\nmeters_per_asset_unit,0\n"));

@@ -188,8 +188,8 @@ void drawRoadmap(const LayersView& view, LayerSettings& settings, Switches& swit
     ImGui::Indent();
     RoadmapOverlayOptions& options = settings.roadmap_options;
     switches.check("accepted", "roadmap.accepted", options.accepted);
-    flowToSwitch("refused");
-    switches.check("refused", "roadmap.refused", options.refused,
+    flowToSwitch("colliding");
+    switches.check("colliding", "roadmap.refused", options.refused,
                    "Moves in which the camera would collide");
     flowToSwitch("links");
     switches.check("links", "roadmap.links", options.links, "Moves found by RRT*");
