@@ -6,8 +6,8 @@ int main(int argc, char** argv) {
     const int code = dollytrack::io::runImporter(argc, argv);
     if (code == 2) {
         std::fputs(
-            "dollytrack-import: dollytrack and dollytrack-editor start this program, of the same "
-            "version, to read a scene file apart from themselves; it does nothing by itself.\n",
+            "dollytrack-import: dollytrack and dollytrack-editor start this program to read a "
+            "scene file in a separate process; it does nothing by itself.\n",
             stderr);
     }
     return code;

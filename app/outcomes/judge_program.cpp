@@ -97,12 +97,11 @@ class WatchedProcess {
         }
         if (job.cancelled()) {
             return fail(ErrorCode::Cancelled,
-                        "The judges were stopped; the same command goes on from there.");
+                        "The judges were stopped; the same command resumes them.");
         }
         if (timed_out) {
             return JudgeEnd{JudgeEnd::How::TimedOut,
-                            fmt::format("it took longer than {:g} s; a further run goes on with "
-                                        "what is not measured yet",
+                            fmt::format("it took longer than {:g} s; another run measures the rest",
                                         timeout_s)};
         }
         return howItEnded(*end);
@@ -185,7 +184,7 @@ Result<std::vector<JudgeProgram>> chooseJudges(const std::vector<JudgeProgram>& 
         const std::string closest = closestName(name, known);
         return fail(ErrorCode::Usage,
                     closest.empty()
-                        ? fmt::format("There is no judge of that name; there are {}.",
+                        ? fmt::format("There is no judge of that name; the judges are {}.",
                                       fmt::join(known, ", "))
                         : fmt::format("There is no judge of that name; did you mean {}?", closest),
                     "--outcomes " + name);

@@ -175,7 +175,7 @@ class Measurement {
         const std::vector<batch::JobResult> results = batch::runJobs(jobs, settings, job);
         if (job.cancelled()) {
             return fail(ErrorCode::Cancelled,
-                        "The exports were stopped; the same command goes on from there.");
+                        "The exports were stopped; the same command resumes them.");
         }
         for (std::size_t i = 0; i < results.size(); ++i) takeFrames(results[i], sets_[i]);
         const bool any = std::ranges::any_of(

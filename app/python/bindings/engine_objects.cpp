@@ -40,7 +40,7 @@ std::timed_mutex& drawing() {
 Result<std::unique_lock<std::timed_mutex>> turnToDraw(const JobContext& job) {
     std::unique_lock lock(drawing(), std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(20))) {
-        if (job.cancelled()) return fail(ErrorCode::Cancelled, "the drawing was cancelled");
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "rendering was cancelled");
     }
     return lock;
 }
@@ -220,7 +220,7 @@ py::tuple ScenePlan::intrinsics() const {
 Status ScenePlan::checkOwn() const {
     if (planned_.plan) return {};
     return fail(ErrorCode::Usage,
-                "A project keeps the result of a plan, not the search; plan the scene again.");
+                "A project stores the result of a plan without its search; plan the scene again.");
 }
 
 std::string ScenePlan::explain(const std::vector<int>& ids, const py::object& progress) const {
@@ -412,7 +412,7 @@ PlanFrames::~PlanFrames() {
 }
 
 py::object PlanFrames::next() {
-    if (busy_) raise({ErrorCode::Usage, "Another thread is drawing with this.", {}});
+    if (busy_) raise({ErrorCode::Usage, "Another thread is rendering with this.", {}});
     if (!thread_) return py::none();
     std::optional<render::FrameRecord> frame;
     busy_ = true;
