@@ -1,3 +1,4 @@
+#include "engine/core/disjoint_sets.h"
 #include "engine/document/change_words.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/regroup.h"
@@ -158,7 +159,6 @@ std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
     struct Part {
         std::vector<SurfaceView> surfaces;
         Eigen::AlignedBox3f bounds;
-        std::size_t group;
     };
     const auto gap = static_cast<float>(gap_m);
     std::vector<Part> parts;
@@ -166,16 +166,13 @@ std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
         const Object& object = scene.object(ref.id);
         const std::span triangles(scene.triangles.begin() + object.first_triangle,
                                   static_cast<std::size_t>(object.triangle_count));
-        Part part{{{scene.positions, triangles}}, {}, parts.size()};
+        Part part{{{scene.positions, triangles}}, {}};
         for (const Triangle& triangle : triangles) {
             for (const std::uint32_t corner : triangle) part.bounds.extend(scene.positions[corner]);
         }
         parts.push_back(std::move(part));
     }
-    const auto groupOf = [&](std::size_t i) {
-        while (parts[i].group != i) i = parts[i].group = parts[parts[i].group].group;
-        return i;
-    };
+    DisjointSets connected(parts.size());
     // Only objects whose extents along x overlap are compared.
     std::vector<std::size_t> by_x(parts.size());
     std::iota(by_x.begin(), by_x.end(), std::size_t{0});
@@ -185,14 +182,14 @@ std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
         for (std::size_t m = k + 1; m < by_x.size(); ++m) {
             const Part& b = parts[by_x[m]];
             if (b.bounds.min().x() > a.bounds.max().x() + gap) break;
-            const std::size_t one = groupOf(by_x[k]), other = groupOf(by_x[m]);
-            if (one == other || a.bounds.exteriorDistance(b.bounds) > gap) continue;
+            if (connected.find(by_x[k]) == connected.find(by_x[m])) continue;
+            if (a.bounds.exteriorDistance(b.bounds) > gap) continue;
             if (findContact(a.surfaces, b.surfaces, gap).empty()) continue;
-            parts[std::max(one, other)].group = std::min(one, other);
+            connected.join(by_x[k], by_x[m]);
         }
     }
     std::map<std::size_t, std::vector<ObjectRef>> by_first;
-    for (std::size_t i = 0; i < parts.size(); ++i) by_first[groupOf(i)].push_back(objects[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) by_first[connected.find(i)].push_back(objects[i]);
     std::vector<std::vector<ObjectRef>> groups;
     for (auto& [first, group] : by_first) {
         if (group.size() > 1) groups.push_back(std::move(group));

@@ -1,7 +1,8 @@
 #include "engine/scene/room_bounds.h"
 
+#include "engine/core/disjoint_sets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace dollytrack {
 namespace {
@@ -18,23 +19,18 @@ struct Item {
 /// The box around the group with most objects, groups being chains of nearby boxes.
 Eigen::AlignedBox3d largestGroup(const std::vector<Item>& items, std::size_t first,
                                  std::vector<bool>* in_group = nullptr) {
-    std::vector<std::size_t> root(items.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets groups(items.size());
     for (std::size_t i = first; i < items.size(); ++i) {
         for (std::size_t j = i + 1; j < items.size(); ++j) {
             if (items[i].box.exteriorDistance(items[j].box) > kNearby) continue;
-            root[find(i)] = find(j);
+            groups.joinTo(i, j);
         }
     }
     std::vector<Eigen::AlignedBox3d> boxes(items.size());
     std::vector<std::size_t> sizes(items.size(), 0);
     for (std::size_t i = first; i < items.size(); ++i) {
-        boxes[find(i)].extend(items[i].box);
-        ++sizes[find(i)];
+        boxes[groups.find(i)].extend(items[i].box);
+        ++sizes[groups.find(i)];
     }
     std::size_t best = first;
     for (std::size_t i = first; i < items.size(); ++i) {
@@ -45,7 +41,7 @@ Eigen::AlignedBox3d largestGroup(const std::vector<Item>& items, std::size_t fir
     }
     if (in_group) {
         in_group->assign(items.size(), false);
-        for (std::size_t i = first; i < items.size(); ++i) (*in_group)[i] = find(i) == best;
+        for (std::size_t i = first; i < items.size(); ++i) (*in_group)[i] = groups.find(i) == best;
     }
     return boxes[best];
 }

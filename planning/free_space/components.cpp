@@ -1,5 +1,6 @@
 #include "planning/free_space/components.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/jobs/parallel.h"
 
 #include <numeric>
@@ -7,30 +8,11 @@
 namespace dollytrack::planning {
 namespace {
 
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    // The smaller number stays, so a root is its component's first run.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        if (a < b) parent_[b] = a;
-        if (b < a) parent_[a] = b;
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
+using RunSets = DisjointSets<std::uint32_t>;
 
 /// Joins the runs of two neighbouring rows, each given as a range of run numbers.
 void joinRows(const std::vector<CellRun>& runs, std::size_t a, std::size_t a_end, std::size_t b,
-              std::size_t b_end, DisjointSets& sets) {
+              std::size_t b_end, RunSets& sets) {
     while (a < a_end && b < b_end) {
         if (runs[a].x_begin < runs[b].x_end && runs[b].x_begin < runs[a].x_end) {
             sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
@@ -79,7 +61,7 @@ CellComponents findComponents(const VoxelGrid& grid, const std::vector<std::uint
     }
     std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
 
-    DisjointSets sets(total);
+    RunSets sets(total);
     const auto step_z = static_cast<std::size_t>(ny);
     for (std::size_t row = 0; row < rows; ++row) {
         if (row % step_z != 0) {
@@ -93,6 +75,7 @@ CellComponents findComponents(const VoxelGrid& grid, const std::vector<std::uint
     }
     for (std::size_t i = 0; i < total; ++i) {
         CellRun& run = result.runs[i];
+        // A root is its component's first run, so the components are numbered in order.
         const std::uint32_t root = sets.find(static_cast<std::uint32_t>(i));
         if (root == i) {
             run.component = static_cast<int>(result.cells.size());

@@ -1,5 +1,6 @@
 #include "planning/roadmap/roadmap_search.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
@@ -178,23 +179,14 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
 
 void findGroups(Roadmap& roadmap, std::size_t position_point_count,
                 const std::vector<int>& key_frames) {
-    std::vector<int> parent(position_point_count);
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int i) {
-        while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
-        return i;
-    };
-    for (const RoadmapEdge& edge : roadmap.edges) {
-        const int a = root(edge.a);
-        const int b = root(edge.b);
-        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
+    DisjointSets<int> connected(position_point_count);
+    for (const RoadmapEdge& edge : roadmap.edges) connected.join(edge.a, edge.b);
     std::vector<int> keys = key_frames;
     std::sort(keys.begin(), keys.end());
     roadmap.group.assign(position_point_count, -1);
     roadmap.group_count = 0;
     for (const int key : keys) {
-        int& first = roadmap.group[static_cast<std::size_t>(root(key))];
+        int& first = roadmap.group[static_cast<std::size_t>(connected.find(key))];
         if (first < 0) first = roadmap.group_count++;
         roadmap.group[static_cast<std::size_t>(key)] = first;
     }

@@ -1,5 +1,6 @@
 #include "planning/rooms/room_plan.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "planning/free_space/column_flood.h"
 #include "planning/free_space/floor_heights.h"
 #include "planning/free_space/floor_plan.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace dollytrack::planning {
 namespace {
@@ -21,25 +21,6 @@ constexpr double kWidestLintel_m = 3.0;
 constexpr double kLeastRoom_m2 = 0.8;  // area to walk in
 constexpr double kCorridorWidth_m = 1.8;
 constexpr double kCorridorShape = 2.5;  // length over width
-
-/// Disjoint sets of parts.
-class Joined {
-  public:
-    explicit Joined(int count) : parent_(static_cast<std::size_t>(count)) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    int root(int i) {
-        while (parent_[static_cast<std::size_t>(i)] != i) i = parent_[static_cast<std::size_t>(i)];
-        return i;
-    }
-    void join(int a, int b) {
-        const auto [low, high] = std::minmax({root(a), root(b)});
-        parent_[static_cast<std::size_t>(high)] = low;
-    }
-
-  private:
-    std::vector<int> parent_;
-};
 
 /// Area over which the camera can move, by part, m2.
 std::vector<double> walkedAreas(const VoxelGrid& plane, const FloorPlan& plan,
@@ -102,7 +83,7 @@ bool isUnderLintel(const Border& border, const std::vector<int>& drawn) {
 std::vector<Border> joinRooms(const VoxelGrid& plane, const AirColumns& air,
                               const std::vector<int>& drawn, FloorPlan& plan) {
     while (true) {
-        Joined joined(plan.parts);
+        DisjointSets<int> joined(static_cast<std::size_t>(plan.parts));
         std::vector<Border> doorways;
         bool done = true;
         for (Border& border : findBorders(plane, plan.part_of_column, air)) {
@@ -117,7 +98,7 @@ std::vector<Border> joinRooms(const VoxelGrid& plane, const AirColumns& air,
         if (done) return doorways;
         // Two separate borders may become one when their parts are merged.
         for (int& part : plan.part_of_column) {
-            if (part != kNoPart) part = joined.root(part);
+            if (part != kNoPart) part = joined.find(part);
         }
     }
 }

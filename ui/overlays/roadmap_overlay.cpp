@@ -1,11 +1,11 @@
 #include "ui/overlays/roadmap_overlay.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "ui/overlays/edge_shape.h"
 #include "ui/overlays/palette.h"
 #include "ui/overlays/pick_tag.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace dollytrack::ui {
 namespace {
@@ -20,23 +20,13 @@ struct Parts {
     int count = 0;
 
     explicit Parts(const Plan& plan) : of_point(plan.position_points.size(), -1) {
-        std::vector<int> parent(of_point.size());
-        std::iota(parent.begin(), parent.end(), 0);
-        const auto root = [&](int i) {
-            while (parent[static_cast<std::size_t>(i)] != i) {
-                i = parent[static_cast<std::size_t>(i)];
-            }
-            return i;
-        };
+        DisjointSets<int> connected(of_point.size());
         for (const RoadmapEdge& edge : plan.roadmap.edges) {
-            if (edge.is_link) continue;
-            const int a = root(edge.a);
-            const int b = root(edge.b);
-            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+            if (!edge.is_link) connected.join(edge.a, edge.b);
         }
         std::vector<std::pair<int, int>> sizes;  // negative size, root
         for (const int key : plan.key_frames) {
-            const int top = root(key);
+            const int top = connected.find(key);
             const auto known = std::find_if(sizes.begin(), sizes.end(),
                                             [&](const auto& one) { return one.second == top; });
             if (known == sizes.end()) {
@@ -49,7 +39,7 @@ struct Parts {
         count = static_cast<int>(sizes.size());
         for (int part = 0; part < count; ++part) {
             for (const int key : plan.key_frames) {
-                if (root(key) == sizes[static_cast<std::size_t>(part)].second) {
+                if (connected.find(key) == sizes[static_cast<std::size_t>(part)].second) {
                     of_point[static_cast<std::size_t>(key)] = part;
                 }
             }

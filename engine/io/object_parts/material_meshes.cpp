@@ -1,5 +1,6 @@
 #include "engine/io/object_parts/material_meshes.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/geometry/contact.h"
 #include "engine/io/object_parts/draft_pieces.h"
 #include "engine/io/object_parts/piece_merge.h"
@@ -216,16 +217,6 @@ class MaterialMeshSearch {
         return true;
     }
 
-    std::size_t find(std::size_t i) {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        root_[std::max(a, b)] = std::min(a, b);
-    }
-
     [[nodiscard]] bool counts(std::size_t piece) const { return suspect_[pieces_[piece].draft]; }
 
     void gather() {
@@ -233,11 +224,11 @@ class MaterialMeshSearch {
         wholes_.clear();
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
             if (!counts(i)) continue;
-            if (find(i) == i) {
+            if (joined_.find(i) == i) {
                 whole_of[i] = wholes_.size();
                 wholes_.emplace_back();
             }
-            FoundObject& whole = wholes_[whole_of[find(i)]];
+            FoundObject& whole = wholes_[whole_of[joined_.find(i)]];
             whole.pieces.push_back(i);
             whole.box.extend(pieces_[i].piece.box);
             whole.area += pieces_[i].area;
@@ -245,17 +236,16 @@ class MaterialMeshSearch {
     }
 
     void findWholes() {
-        root_.resize(pieces_.size());
-        std::iota(root_.begin(), root_.end(), std::size_t{0});
+        joined_ = DisjointSets(pieces_.size());
         std::vector<bool> touched(pieces_.size(), false);
         for (const Pair& pair : pairs_) {
             if (!counts(pair.a) || !counts(pair.b)) continue;
-            if (pair.joins) join(pair.a, pair.b);
+            if (pair.joins) joined_.join(pair.a, pair.b);
             if (pair.touches) touched[pair.a] = touched[pair.b] = true;
         }
         for (const Pair& pair : pairs_) {
             if (!counts(pair.a) || !counts(pair.b) || !pair.near || pair.touches) continue;
-            if (!touched[pair.a] || !touched[pair.b]) join(pair.a, pair.b);
+            if (!touched[pair.a] || !touched[pair.b]) joined_.join(pair.a, pair.b);
         }
         gather();
         joinCrumbs();
@@ -279,7 +269,7 @@ class MaterialMeshSearch {
                 best = gap;
                 nearest = &other;
             }
-            if (nearest != nullptr) join(crumb.pieces.front(), nearest->pieces.front());
+            if (nearest != nullptr) joined_.join(crumb.pieces.front(), nearest->pieces.front());
         }
     }
 
@@ -379,7 +369,7 @@ class MaterialMeshSearch {
     std::vector<std::size_t> doubtful_;
     std::vector<LooseSurface> pieces_;
     std::vector<Pair> pairs_;
-    std::vector<std::size_t> root_;
+    DisjointSets<> joined_;
     std::vector<FoundObject> wholes_;
 };
 

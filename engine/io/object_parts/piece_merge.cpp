@@ -1,11 +1,11 @@
 #include "engine/io/object_parts/piece_merge.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -94,17 +94,13 @@ bool mayJoin(const Piece& a, const ObjectDraft& draft_a, const Piece& b,
 class Groups {
   public:
     Groups(const std::vector<Piece>& pieces, const std::vector<ObjectDraft>& drafts)
-        : pieces_(pieces), drafts_(drafts), root_(pieces.size()), classed_(pieces.size()) {
-        std::iota(root_.begin(), root_.end(), std::size_t{0});
+        : pieces_(pieces), drafts_(drafts), groups_(pieces.size()), classed_(pieces.size()) {
         for (const Piece& piece : pieces) boxes_.push_back(piece.box);
         for (std::size_t i = 0; i < drafts.size(); ++i) {
             if (drafts[i].label.kind == LabelKind::Target) classed_[i] = i;
         }
     }
-    std::size_t find(std::size_t i) {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
+    std::size_t find(std::size_t i) { return groups_.find(i); }
     void join(std::size_t a, std::size_t b, bool certain = false) {
         a = find(a);
         b = find(b);
@@ -114,7 +110,7 @@ class Groups {
         const float largest = std::max(boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm());
         if (together.diagonal().norm() > std::max(kLargestThing, 1.05F * largest)) return;
         const auto [first, second] = std::minmax(a, b);
-        root_[second] = first;
+        groups_.join(first, second);
         boxes_[first] = together;
         if (!classed_[first] ||
             (classed_[second] && sizeOf(*classed_[second]) > sizeOf(*classed_[first]))) {
@@ -150,7 +146,7 @@ class Groups {
 
     const std::vector<Piece>& pieces_;
     const std::vector<ObjectDraft>& drafts_;
-    std::vector<std::size_t> root_;
+    DisjointSets<> groups_;
     std::vector<Eigen::AlignedBox3f> boxes_;
     std::vector<std::optional<std::size_t>> classed_;  // each group's largest piece with a class
 };

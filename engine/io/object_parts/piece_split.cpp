@@ -1,11 +1,11 @@
 #include "engine/io/object_parts/piece_split.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/io/object_parts/draft_pieces.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace dollytrack {
 namespace {
@@ -97,30 +97,23 @@ bool hasGap(const RawScene& raw, const ObjectDraft& draft) {
 
 /// Joins pieces whose boxes are near each other.
 std::vector<ObjectDraft> clusterPieces(const RawScene& raw, std::vector<ObjectDraft> pieces) {
-    std::vector<std::size_t> root(pieces.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
+    DisjointSets near(pieces.size());
     std::vector<Eigen::AlignedBox3f> boxes;
     for (const ObjectDraft& piece : pieces) boxes.push_back(boundsOf(raw, piece));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
             if (boxes[i].exteriorDistance(boxes[j]) > kFarApart) continue;
-            const std::size_t a = find(i);
-            const std::size_t b = find(j);
-            root[std::max(a, b)] = std::min(a, b);
+            near.join(i, j);
         }
     }
     std::vector<ObjectDraft> clusters;
     std::vector<std::size_t> cluster_of(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (find(i) == i) {
+        if (near.find(i) == i) {
             cluster_of[i] = clusters.size();
             clusters.push_back(std::move(pieces[i]));
         } else {
-            auto& parts = clusters[cluster_of[find(i)]].parts;
+            auto& parts = clusters[cluster_of[near.find(i)]].parts;
             parts.insert(parts.end(), pieces[i].parts.begin(), pieces[i].parts.end());
         }
     }

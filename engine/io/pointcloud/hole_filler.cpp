@@ -1,11 +1,12 @@
 #include "engine/io/pointcloud/hole_filler.h"
 
+#include "engine/core/disjoint_sets.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -64,23 +65,14 @@ double lengthOf(std::span<const Eigen::Vector3d> points, const Rim& rim) {
     return length;
 }
 
-/// Of each connected piece of the surface, by its corners.
-class Pieces {
-  public:
-    Pieces(std::size_t corners, std::span<const Triangle> triangles) : root_(corners) {
-        std::iota(root_.begin(), root_.end(), 0U);
-        for (const Triangle& t : triangles) {
-            for (std::size_t i = 1; i < 3; ++i) root_[find(t[i])] = find(t[0]);
-        }
+/// The connected pieces of a surface, as sets of corners.
+DisjointSets<std::uint32_t> joinCorners(std::size_t corners, std::span<const Triangle> triangles) {
+    DisjointSets<std::uint32_t> pieces(corners);
+    for (const Triangle& t : triangles) {
+        for (std::size_t i = 1; i < 3; ++i) pieces.join(t[i], t[0]);
     }
-    std::uint32_t find(std::uint32_t i) {
-        while (root_[i] != i) i = root_[i] = root_[root_[i]];
-        return i;
-    }
-
-  private:
-    std::vector<std::uint32_t> root_;
-};
+    return pieces;
+}
 
 /// The triangles of least area over a closed rim, by dynamic programming (Barequet and Sharir
 /// 1995).
@@ -127,7 +119,7 @@ std::vector<Triangle> fillHoles(std::span<const Eigen::Vector3d> points,
     std::vector<Triangle> filling;
     if (!(widest_m > 0.0)) return filling;
     const std::vector<Rim> rims = findRims(triangles);
-    Pieces pieces(points.size(), triangles);
+    DisjointSets<std::uint32_t> pieces = joinCorners(points.size(), triangles);
     std::map<std::uint32_t, std::pair<double, std::size_t>> outline;  // by piece: longest rim
     for (std::size_t i = 0; i < rims.size(); ++i) {
         auto& longest = outline[pieces.find(rims[i].front())];
