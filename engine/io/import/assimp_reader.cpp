@@ -363,7 +363,8 @@ Result<RawScene> convert(const aiScene& scene, Assimp::IOSystem& files, const Pa
     return raw;
 }
 
-void noteRepairs(ModelTextRepairs& repairs, const Path& path, std::vector<std::string>& notes) {
+void noteRepairs(const ModelTextRepairs& repairs, const Path& path,
+                 std::vector<std::string>& notes) {
     if (const std::size_t faces = repairs.mended_faces; faces > 0) {
         notes.push_back(
             fmt::format("{} texture coordinates that are not in the file; without them "
@@ -371,7 +372,7 @@ void noteRepairs(ModelTextRepairs& repairs, const Path& path, std::vector<std::s
                         faces == 1 ? "1 face names" : fmt::format("{} faces name", faces),
                         faces == 1 ? "it has" : "they have"));
     }
-    std::set<std::string>& missing = repairs.missing_materials;
+    std::set<std::string> missing = repairs.missingMaterials();
     // assimp tries the file of the model's own name in place of each that is missing.
     if (missing.size() > 1) missing.erase(path.stem().string() + ".mtl");
     constexpr std::ptrdiff_t kMostNamed = 10;

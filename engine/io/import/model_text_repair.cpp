@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -20,7 +21,8 @@ bool isDigit(std::uint8_t c) {
     return c >= '0' && c <= '9';
 }
 
-/// Of a number: after a blank or a sign, before a digit. Names of files have neither.
+/// Whether this is the decimal point of a number without leading zero: after a blank or a sign, and
+/// before a digit. Points in file names are not.
 bool isBarePoint(const std::vector<std::uint8_t>& text, std::size_t at) {
     if (at == 0 || at + 1 >= text.size() || !isDigit(text[at + 1])) return false;
     std::size_t before = at - 1;
@@ -118,6 +120,19 @@ void appendWithoutCoordinates(std::string_view face, std::string& text) {
 
 }  // namespace
 
+void ModelTextRepairs::noteMaterial(const std::filesystem::path& file, bool opened) {
+    const std::string name = file.filename().string();
+    sought_materials.insert(name);
+    if (opened) opened_materials.insert(name);
+}
+
+std::set<std::string> ModelTextRepairs::missingMaterials() const {
+    std::set<std::string> missing;
+    std::ranges::set_difference(sought_materials, opened_materials,
+                                std::inserter(missing, missing.end()));
+    return missing;
+}
+
 bool hasBarePoints(const std::vector<std::uint8_t>& text) {
     return nextBarePoint(text, 0) < text.size();
 }
@@ -204,7 +219,7 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
         } else {
             changed = hasBarePoints(text);
             if (changed) text = withLeadingZeros(text);
-            mended_faces = 0;  // assimp may open the scene's file more than once
+            mended_faces = 0;  // assimp may open the file again; its faces count once
             changed = mendObjLines(text, mended_faces) || changed;
         }
     }

@@ -11,24 +11,17 @@
 
 namespace dollytrack {
 
-/// What was repaired in the text files of a model, and what was missing.
+/// Repairs of a model's text files, and the material files that could not be found.
 struct ModelTextRepairs {
-    std::size_t mended_faces = 0;             // see mendObjLines()
-    std::set<std::string> missing_materials;  // names of .mtl files that could not be opened
+    std::size_t mended_faces = 0;            // of the OBJ file; see mendText()
+    std::set<std::string> sought_materials;  // names of the .mtl files that assimp asked for
+    std::set<std::string> opened_materials;  // those of them that were opened
 
-    /// assimp looks for one file in several folders; it is missing when it is in none.
-    void noteMaterial(const std::filesystem::path& file, bool opened) {
-        const std::string name = file.filename().string();
-        if (opened) {
-            opened_.insert(name);
-            missing_materials.erase(name);
-        } else if (!opened_.contains(name)) {
-            missing_materials.insert(name);
-        }
-    }
+    /// Notes that assimp asked for a .mtl file. It asks for one name in several folders.
+    void noteMaterial(const std::filesystem::path& file, bool opened);
 
-  private:
-    std::set<std::string> opened_;
+    /// The names that were opened in no folder.
+    [[nodiscard]] std::set<std::string> missingMaterials() const;
 };
 
 /// Whether a text has numbers without a digit before the point, ".5" or "-.5".
@@ -37,9 +30,10 @@ struct ModelTextRepairs {
 /// The same text with a zero before each such point.
 [[nodiscard]] std::vector<std::uint8_t> withLeadingZeros(const std::vector<std::uint8_t>& text);
 
-/// Mends lines of an OBJ text that assimp reads wrongly: it skips those that begin with blanks, and
-/// one face that names texture coordinates which are not there costs the whole mesh its own or, as
-/// number 0, the file. Such faces lose theirs and are added to `mended_faces`. Returns whether
+/// Mends two kinds of lines in an OBJ text that assimp reads wrongly. It skips lines that begin
+/// with blanks: the blanks are removed. One face that names missing texture coordinates costs the
+/// whole mesh its coordinates, or with number 0 the whole file: the texture coordinates of such
+/// faces are removed, and the number of these faces is added to `mended_faces`. Returns whether
 /// anything was changed.
 bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 
@@ -47,10 +41,10 @@ bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 /// whether there were any.
 bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
 
-/// The stream of an OBJ or Collada file as assimp can read it, by the file's extension: assimp
-/// takes ".5" for no number and drops the corner. Takes the stream over and returns it from its
-/// beginning, or one of the mended text where something has to be mended. Adds the faces that lost
-/// their texture coordinates to `mended_faces`.
+/// Mends an OBJ or Collada file before assimp reads it; `extension` says which of them it is.
+/// assimp does not read ".5" as a number and drops the vertex. Takes ownership of the stream and
+/// returns it rewound, or returns a stream of the mended text. If the file is OBJ, sets
+/// `mended_faces` to the number of faces that lost their texture coordinates.
 [[nodiscard]] Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
                                          std::size_t& mended_faces);
 

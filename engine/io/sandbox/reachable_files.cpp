@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace dollytrack::io {
 namespace {
@@ -41,27 +42,33 @@ std::optional<fs::path> ReachableFiles::find(const fs::path& folder,
     return std::nullopt;
 }
 
-bool ReachableFiles::reaches(const fs::path& path) const {
+std::vector<ReachableFiles::Place> ReachableFiles::placesOf(const fs::path& path) const {
     const fs::path normal = absoluteNormal(path);
-    return std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
-        const auto below = pathBelow(root, normal);
-        if (!below) return false;
-        const Result<GuardedFolder> folder = GuardedFolder::open(root);
-        if (!folder || *below == ".") return folder.has_value();
-        const auto found = folder->find(below->string());
-        return found && !S_ISLNK(found->st_mode);
-    });
+    std::vector<Place> places;
+    for (const fs::path& root : folders_) {
+        if (auto below = pathBelow(root, normal)) places.push_back({root, std::move(*below)});
+    }
+    return places;
+}
+
+bool ReachableFiles::exists(const Place& place) {
+    const Result<GuardedFolder> folder = GuardedFolder::open(place.root);
+    if (!folder || place.below == ".") return folder.has_value();
+    const auto found = folder->find(place.below.string());
+    return found && !S_ISLNK(found->st_mode);
+}
+
+bool ReachableFiles::reaches(const fs::path& path) const {
+    return std::ranges::any_of(placesOf(path), exists);
 }
 
 Result<std::vector<std::string>> ReachableFiles::namesIn(const fs::path& folder) const {
     constexpr std::size_t kMost = 100'000;
     std::vector<std::string> names;
-    // One that is missing is noted, too: the scene depends on whether it is there.
-    const bool named = std::any_of(folders_.begin(), folders_.end(), [&](const fs::path& root) {
-        return pathBelow(root, folder.lexically_normal()).has_value();
-    });
-    if (named) InputRecord::note(InputUse::Listing, folder);
-    if (!reaches(folder)) return names;
+    const std::vector<Place> places = placesOf(folder);
+    // A missing folder is noted, too: the scene depends on whether it is there.
+    if (!places.empty()) InputRecord::note(InputUse::Listing, folder);
+    if (std::ranges::none_of(places, exists)) return names;
     std::error_code error;
     fs::directory_iterator at(folder, error);
     for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
