@@ -7,7 +7,7 @@
 
 #include <array>
 #include <cmath>
-#include <string>
+#include <utility>
 
 namespace dollytrack::render {
 namespace {
@@ -21,13 +21,8 @@ gl::Framebuffer frameOver(const gl::Texture& texture) {
 }  // namespace
 
 Result<RenderTarget> RenderTarget::create(int width, int height) {
-    int largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (width < 1 || height < 1 || width > largest || height > largest) {
-        return fail(ErrorCode::Usage, "an image of " + std::to_string(width) + " x " +
-                                          std::to_string(height) +
-                                          " px cannot be rendered; this driver's limit is " +
-                                          std::to_string(largest) + " px");
+    if (Status status = gl::checkImageSize("a picture", width, height); !status) {
+        return tl::unexpected(std::move(status.error()));
     }
     RenderTarget target;
     target.width_ = width;

@@ -20,24 +20,25 @@ struct DatasetFile {
 /// An annotation or pose format; a row of the table from which the command line, the editor's check
 /// boxes, the files and dataset.json are derived. A new format is a file with its writer and a row.
 struct Format {
-    const char* name;  // name on the command line, and key in dataset.json
-    const char* text;  // description for users
-    bool standard;     // written if no format is named
-    unsigned needs;    // bits of FrameNeeds
-    // Names it may write, so that they can be removed again: files, and folders of files whose
-    // names begin with the frame's six digits.
-    std::span<const char* const> files;
-    std::span<const char* const> folders;
+    const char* name;       // its name in options, and its key in dataset.json
+    const char* text;       // one line for people
+    bool standard = false;  // written if no format is named
+    unsigned needs = 0;     // bits of FrameNeeds
+    // What it writes, so that it can be removed again: files beside the images, and folders of
+    // files whose names begin with the frame's six digits.
+    std::span<const char* const> files = {};
+    std::span<const char* const> folders = {};
 
-    /// Writes files after all frames are written. Null: there are none.
-    Result<std::vector<DatasetFile>> (*write)(const DatasetContents& contents);
-    /// Encodes a frame's own files; called once per frame, on many threads. Null: there are none.
-    Result<std::vector<FrameFile>> (*encode)(const FrameContext& context, const FrameRecord& frame);
-    /// Description of the files for dataset.json.
-    nlohmann::ordered_json (*convention)(const DatasetContents& contents);
-    const char* modality = nullptr;  // required modality; null: none
-    double bytes_per_pixel = 0.0;    // estimate for a frame's files, on the high side
-    bool outlines_things = false;    // gives object positions in the undistorted pictures
+    /// Writes the files that need all frames. Null: there are none.
+    Result<std::vector<DatasetFile>> (*write)(const DatasetContents& contents) = nullptr;
+    /// Makes a frame's own files; called once a frame, on many threads. Null: there are none.
+    Result<std::vector<FrameFile>> (*encode)(const FrameContext& context,
+                                             const FrameRecord& frame) = nullptr;
+    /// What dataset.json says of the files.
+    nlohmann::ordered_json (*convention)(const DatasetContents& contents) = nullptr;
+    const char* modality = nullptr;  // the one without which there is nothing to write
+    double bytes_per_pixel = 0.0;    // of a frame's share of its files, on the high side
+    bool outlines_things = false;    // its files have boxes or outlines in the undistorted images
 };
 
 /// The whole table. dataset.json is always written and not part of it.

@@ -5,17 +5,12 @@
 
 #include <GL/glew.h>
 
-#include <string>
+#include <utility>
 
 namespace dollytrack::render {
 Result<OverlayCanvas> OverlayCanvas::create(int width, int height) {
-    int largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (width < 1 || height < 1 || width > largest || height > largest) {
-        return fail(ErrorCode::Usage, "overlays of " + std::to_string(width) + " x " +
-                                          std::to_string(height) +
-                                          " px cannot be rendered; this driver's limit is " +
-                                          std::to_string(largest) + " px");
+    if (Status status = gl::checkImageSize("overlays", width, height); !status) {
+        return tl::unexpected(std::move(status.error()));
     }
     OverlayCanvas canvas;
     canvas.width_ = width;

@@ -114,7 +114,6 @@ Json convention(const DatasetContents& /*contents*/) {
 const Format kBopFormat = {
     .name = "bop",
     .text = "poses, visibility and masks of things as BOP's, in scene_gt.json, mask ...",
-    .standard = false,
     .needs = kNeedsWhole,
     .files = kFiles,
     .folders = kFolders,

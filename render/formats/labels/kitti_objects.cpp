@@ -76,11 +76,8 @@ nlohmann::ordered_json convention(const DatasetContents& contents) {
 const Format kKittiObjectsFormat = {
     .name = "kitti_objects",
     .text = "boxes of things in the image and in space as KITTI's, in label_2",
-    .standard = false,
     .needs = kNeedsWhole,
-    .files = {},
     .folders = kFolders,
-    .write = nullptr,
     .encode = encode,
     .convention = convention,
     .outlines_things = true,

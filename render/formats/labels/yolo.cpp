@@ -160,8 +160,6 @@ PictureLinks yoloPictures(const DatasetContents& contents) {
 const Format kYoloFormat = {
     .name = "yolo",
     .text = "boxes and outlines of the targets as YOLO's, in labels and labels_seg",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
     .folders = kFolders,
     .write = write,

@@ -73,12 +73,8 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
 const Format kVideoFormat = {
     .name = "video",
     .text = "the pictures as a film, in preview.mp4",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
-    .folders = {},
     .write = write,
-    .encode = nullptr,
     .convention = convention,
     .modality = "rgb",
     .bytes_per_pixel = 0.15,

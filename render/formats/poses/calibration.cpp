@@ -63,12 +63,8 @@ LensDistortion pictureDistortion(const DatasetContents& contents) {
 const Format kCalibrationFormat = {
     .name = "calibration",
     .text = "the camera for OpenCV and ROS, with rgb_sensor's distortion, in calibration.yaml",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
-    .folders = {},
     .write = write,
-    .encode = nullptr,
     .convention = convention,
 };
 

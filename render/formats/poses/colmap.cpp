@@ -71,7 +71,7 @@ bool isSeen(const DatasetContents& contents, const Intrinsics& lens, const RayCa
     return false;
 }
 
-/// Samples `count` surface points and keeps those that frames show.
+/// Samples `count` points on all surfaces of the scene and keeps those that frames show.
 std::vector<SurfacePoint> seenPoints(const DatasetContents& contents, const Intrinsics& lens,
                                      const RayCaster& rays, int count) {
     std::vector<SurfacePoint> points = sampleSurface(contents.scene, count, 1);
@@ -119,12 +119,8 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
 const Format kColmapFormat = {
     .name = "colmap",
     .text = "a COLMAP text model, in sparse/0",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
-    .folders = {},
     .write = write,
-    .encode = nullptr,
     .convention = convention,
 };
 

@@ -34,7 +34,7 @@ std::int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
 
-/// 19 digits, like EuRoC's times since 1970.
+/// The time stamp of an image with 19 digits, as EuRoC's nanoseconds since 1970 have.
 std::string pictureStamp(const DatasetContents& contents, std::size_t frame) {
     return fmt::format("{:019}", nanoseconds(contents.frames[frame].camera.time_s));
 }
@@ -159,12 +159,9 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
 const Format kEurocFormat = {
     .name = "euroc",
     .text = "pictures, inertial measurements and poses in the layout of EuRoC, in mav0",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
     .folders = kFolders,
     .write = write,
-    .encode = nullptr,
     .convention = convention,
     .modality = "rgb",
 };

@@ -58,12 +58,8 @@ Json convention(const DatasetContents& /*contents*/) {
 const Format kInstantNgpFormat = {
     .name = "instant_ngp",
     .text = "poses for instant-ngp, in transforms_ngp.json",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
-    .folders = {},
     .write = write,
-    .encode = nullptr,
     .convention = convention,
 };
 

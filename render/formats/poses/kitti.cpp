@@ -88,7 +88,6 @@ std::vector<std::uint16_t> kittiFlow(const std::vector<Eigen::Vector2f>& motion)
 const Format kKittiFormat = {
     .name = "kitti",
     .text = "poses, times and projections as KITTI odometry's, in poses.txt ...",
-    .standard = false,
     .needs = kNeedsDepth,
     .files = kFiles,
     .folders = kFolders,

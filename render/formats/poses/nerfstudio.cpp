@@ -32,12 +32,8 @@ Json convention(const DatasetContents& /*contents*/) {
 const Format kNerfstudioFormat = {
     .name = "nerfstudio",
     .text = "poses for nerfstudio, in transforms.json",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
-    .folders = {},
     .write = write,
-    .encode = nullptr,
     .convention = convention,
 };
 

@@ -110,7 +110,6 @@ nlohmann::ordered_json convention(const DatasetContents& contents) {
 const Format kTartanAirFormat = {
     .name = "tartanair",
     .text = "poses, images, depth and flow as TartanAir's, in pose_left.txt, image_left ...",
-    .standard = false,
     .needs = kNeedsRgb | kNeedsDepth,
     .files = kFiles,
     .folders = kFolders,

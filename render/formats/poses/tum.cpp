@@ -81,7 +81,6 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
 const Format kTumFormat = {
     .name = "tum",
     .text = "poses and lists of pictures as TUM RGB-D's, in groundtruth.txt, rgb.txt ...",
-    .standard = false,
     .needs = kNeedsDepth,
     .files = kFiles,
     .folders = kFolders,

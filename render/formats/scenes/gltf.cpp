@@ -60,7 +60,7 @@ Keys cameraKeys(const std::vector<DatasetFrame>& frames) {
     return keys;
 }
 
-/// Keys of a moving object; its node's origin is the centre of its box.
+/// Animation keys of a moving object, whose node stands at the centre of its box.
 Keys objectKeys(const DatasetContents& contents, const ObjectMotion& motion) {
     const Eigen::Quaterniond turn = gltfFromWorld();
     const Eigen::Vector3d center = contents.scene.object(motion.object_id).box.center;
@@ -133,12 +133,8 @@ Json convention(const DatasetContents& /*contents*/) {
 const Format kGltfFormat = {
     .name = "gltf",
     .text = "the scene with the moving camera, for Blender, Unity ..., in trajectory.glb",
-    .standard = false,
-    .needs = 0,
     .files = kFiles,
-    .folders = {},
     .write = write,
-    .encode = nullptr,
     .convention = convention,
 };
 

@@ -65,11 +65,8 @@ nlohmann::ordered_json convention(const DatasetContents& contents) {
 const Format kHdf5FramesFormat = {
     .name = "hdf5",
     .text = "a file a frame with its images and pose as BlenderProc's, in hdf5",
-    .standard = false,
     .needs = kNeedsRgb | kNeedsDepth,
-    .files = {},
     .folders = kFolders,
-    .write = nullptr,
     .encode = encode,
     .convention = convention,
     .bytes_per_pixel = 4.0,
