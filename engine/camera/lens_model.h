@@ -28,7 +28,7 @@ struct LensRay {
 /// - orthographic: x = s X + w/2, y = s Y + h/2, with s px a metre.
 class LensModel {
   public:
-    /// Of a camera that validate() lets pass.
+    /// `camera` must pass validate().
     explicit LensModel(const RigCamera& camera);
 
     [[nodiscard]] Lens lens() const { return lens_; }

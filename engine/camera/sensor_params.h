@@ -89,7 +89,7 @@ void visitSensorParams(Params& p, Visitor&& visit) {
     visit("sensor_seed", p.sensor_seed, FieldInfo{0, 2e9, "", "Random seed of the sensor noise"});
 }
 
-/// Of the sensor's picture files.
+/// File extension of the sensor's images.
 [[nodiscard]] inline const char* pictureEnding(const SensorParams& params) {
     return params.jpeg_quality < 100 ? ".jpg" : ".png";
 }
@@ -98,7 +98,8 @@ void visitSensorParams(Params& p, Visitor&& visit) {
 /// default.
 [[nodiscard]] SensorParams sensorPreset(SensorPreset preset);
 
-/// Where sensor_preset is set in the list, from now on all is set in `params` that belongs to it.
+/// Makes the field sensor_preset of the list, when it is set, also set all values of the preset in
+/// `params`.
 void letSensorPresetSetOthers(FieldList& fields, SensorParams& params);
 
 /// The fields, for files. Points into `params`.

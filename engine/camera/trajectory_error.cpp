@@ -19,7 +19,7 @@ Similarity align(const Trajectory& truth, const Trajectory& estimate,
     return alignPoints(from, onto, alignment == Alignment::Similarity);
 }
 
-/// From the second camera to the first, lengths times `scale`.
+/// The transform from the second camera to the first, with lengths multiplied by `scale`.
 Eigen::Isometry3d motionBetween(const Pose& first, const Pose& second, double scale) {
     Eigen::Isometry3d motion = first.worldFromCamera().inverse() * second.worldFromCamera();
     motion.translation() *= scale;

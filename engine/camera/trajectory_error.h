@@ -55,7 +55,8 @@ struct TrajectoryError {
                                                            const Trajectory& estimate,
                                                            double max_dt_s);
 
-/// Absolute and relative pose errors. Motions between two paths of the truth are none.
+/// Absolute and relative pose errors. Relative errors are not measured between two separate paths
+/// of the ground truth.
 [[nodiscard]] TrajectoryError trajectoryError(const Trajectory& truth, const Trajectory& estimate,
                                               const TrajectoryErrorSettings& settings);
 

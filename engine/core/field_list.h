@@ -72,8 +72,8 @@ class FieldCollector {
     FieldList fields_;
 };
 
-/// From now on `set_others` runs whenever the choice of this name is set: what a preset stands for.
-/// Fields that are set later change single ones.
+/// Makes `set_others` run whenever the preset with this name is set: it sets all fields that the
+/// preset stands for. Fields that are set later override it.
 void letPresetSetOthers(FieldList& fields, std::string_view name,
                         const std::function<void()>& set_others);
 

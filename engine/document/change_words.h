@@ -7,20 +7,23 @@
 #include <string_view>
 #include <vector>
 
-// How the history names what was done.
+// Names of edits in the undo history.
 
 namespace dollytrack {
 
-/// "Move", "Turn" or "Move and turn": what was done to a view.
+/// "Move", "Turn" or "Move and turn": how the second pose differs from the first.
 std::string_view changeOf(const Pose& before, const Pose& after);
-/// The same of a box, or "Resize". One side drawn out moves the centre as well.
+/// The same for a box, or "Resize", "Resize and turn". A resized box is not called moved: dragging
+/// one side of it moves its centre as well.
 std::string_view changeOf(const OrientedBox& before, const OrientedBox& after);
 
-/// "lamp_3, mug and book": all of them, or the first eight and how many more there are.
+/// "lamp_3, mug and book": the names of the objects. Of ten or more, the first eight and a count of
+/// the rest.
 std::string listInWords(const std::vector<ObjectRef>& objects);
 
-/// "the pinned view of sofa": a point, which has the name of its object, and not the object. One
-/// placed from a view stands for none and is called by its name, "view 2".
+/// "the pinned view of sofa": a pinned point is named like the object that it captures, so this
+/// tells it from the object. A point that was placed from a view captures no given object; its own
+/// name is returned, such as "view 2".
 std::string viewInWords(const PinnedPoint& point);
 
 }  // namespace dollytrack

@@ -10,8 +10,8 @@
 
 namespace dollytrack {
 
-/// Undo and redo as snapshots: each step holds the whole state, so that going back cannot differ
-/// from what was there. States are shared, never copied when stepping.
+/// Undo and redo by snapshots: each step holds the whole state, so undoing restores exactly what
+/// was there. Steps share their states; none is copied when stepping.
 class CommandStack {
   public:
     using State = std::shared_ptr<const ProjectState>;
@@ -19,7 +19,8 @@ class CommandStack {
         std::string name;
         State state;
     };
-    /// All steps, the first that of the initial state, and where in them one is. Cheap to copy.
+    /// All steps, beginning with the initial state, and the index of the current one. Cheap to
+    /// copy.
     struct History {
         std::vector<Step> steps;
         std::size_t position = 0;
@@ -27,9 +28,9 @@ class CommandStack {
 
     explicit CommandStack(ProjectState initial = {});
 
-    /// The state after a new step; what could be redone is forgotten. Equal states make no step. A
-    /// step with the same non-empty merge key as the last one replaces it, so that the drag of a
-    /// slider is one step; endMerge() ends the drag.
+    /// Appends a step with a new state. Steps that were undone are discarded. A state equal to the
+    /// current one adds no step. A step with the same non-empty merge key as the last step replaces
+    /// it, so that dragging a slider makes one step; endMerge() ends the drag.
     void push(std::string name, ProjectState next, std::string merge_key = {});
     void endMerge() { merge_key_.clear(); }
 
@@ -39,31 +40,32 @@ class CommandStack {
     [[nodiscard]] std::string undoName() const;  // empty when there is nothing to undo
     [[nodiscard]] std::string redoName() const;
 
-    /// The state afterwards; the same one when there is nothing to undo or redo.
+    /// Returns the new current state; the unchanged one if there is nothing to undo or redo.
     const State& undo();
     const State& redo();
 
-    /// For a history panel: names of all steps, the first that of the initial state; where we are
-    /// in it; and going anywhere in it.
+    /// For a history panel: the names of all steps, beginning with the initial state; the index of
+    /// the current step; and a jump to any step.
     [[nodiscard]] std::vector<std::string> names() const;
     [[nodiscard]] std::size_t position() const { return history_.position; }
     const State& goTo(std::size_t position);
 
-    /// Remembers that this state is on disk; isSaved() compares states, so that undoing back to
-    /// the saved one counts.
+    /// Marks the current state as saved. isSaved() compares states, so it is true again after
+    /// undoing back to the saved state.
     void markSaved() { saved_ = state(); }
-    /// The same for an earlier state: what was handed to the disk while editing went on.
+    /// Marks an earlier state as saved: the one that was handed to the writer while editing went
+    /// on.
     void markSaved(State state) { saved_ = std::move(state); }
-    /// No state is on disk.
+    /// Marks no state as saved.
     void markUnsaved() { saved_.reset(); }
     [[nodiscard]] bool isSaved() const;
 
-    /// Forgets all steps and begins with another project's state, which counts as saved.
+    /// Discards all steps and starts with the state of another project, which counts as saved.
     void reset(ProjectState initial);
 
     [[nodiscard]] const History& history() const { return history_; }
-    /// Takes up where an earlier program was: at least one step, the position in it. No state
-    /// counts as saved.
+    /// Replaces all steps by those of an earlier run of the program: at least one step, and an
+    /// index within them. No state counts as saved.
     void restore(History history);
 
   private:

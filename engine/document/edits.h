@@ -10,15 +10,15 @@
 
 namespace dollytrack {
 
-/// An object as an edit names it. The name finds it again when the scene file has changed and its
-/// number with it.
+/// How an edit refers to an object. If the scene file has changed and the object has another
+/// number, it is found by its name.
 struct ObjectRef {
     int id = 0;  // in the scene that the edit was made in; 0: only the name is known
     std::string name;
     bool operator==(const ObjectRef&) const = default;
 };
 
-/// A new object made of others, or an object taken apart.
+/// Objects merged into a new one, or one object split into its pieces.
 struct ObjectDefinition {
     enum class Kind {
         Merge,  // all objects become one, at the place of the first
@@ -32,7 +32,8 @@ struct ObjectDefinition {
     bool operator==(const ObjectDefinition&) const = default;
 };
 
-/// Where an object was put: turned about the vertical through the middle of its box, then moved.
+/// An object's displacement: a turn about the vertical axis through the centre of its box, then a
+/// translation.
 struct ObjectMove {
     Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
     double turn_rad = 0.0;  // counter-clockwise seen from above
@@ -41,14 +42,14 @@ struct ObjectMove {
     [[nodiscard]] bool isNone() const { return offset_m.isZero(0.0) && turn_rad == 0.0; }
 };
 
-/// Where an object is at one time of its track.
+/// A key of an object's track: its displacement at one time.
 struct TrackKey {
     double time_s = 0.0;
     ObjectMove move;  // from where the file has it
     bool operator==(const TrackKey&) const = default;
 };
 
-/// What a person says of one object; what they do not say stays as import found it.
+/// A user's changes to one object. Fields that are not set keep what the import found.
 struct ObjectChange {
     ObjectRef object;                      // in the scene with all definitions applied
     std::optional<Role> role;              // Target or Excluded
@@ -64,18 +65,18 @@ struct ObjectChange {
     }
 };
 
-/// Everything changed by hand in a scene. Definitions come first, in order, then the lists, then
-/// the changes: what is said of one object comes before what is said of many.
+/// Everything that the user changed in a scene. Applied in this order: definitions; the lists
+/// `ignore` and `only`; changes of single objects, which therefore override the lists.
 struct SceneEdits {
     std::vector<ObjectDefinition> definitions;
-    std::vector<std::string> ignore;    // classes and names that are no targets; see isNamedBy()
-    std::vector<std::string> only;      // where there are any, all others are none
-    std::vector<ObjectChange> changes;  // by rising id, one an object
+    std::vector<std::string> ignore;    // classes and names of non-targets; see isNamedBy()
+    std::vector<std::string> only;      // if not empty: classes and names of the only targets
+    std::vector<ObjectChange> changes;  // by rising id, one for each object
     bool operator==(const SceneEdits&) const = default;
 };
 
-/// A position point placed, moved, turned or locked by hand. Planning keeps its pose to the last
-/// bit and visits it whenever it is legal.
+/// A position point that the user placed, moved, turned or locked. Planning keeps its pose
+/// unchanged, to the last bit, and visits it unless the pose is inadmissible.
 struct PinnedPoint {
     std::string name;                // unique among the pinned points
     Pose pose;                       // world_from_camera, roll 0
@@ -90,7 +91,7 @@ struct RemovedPoint {
     bool operator==(const RemovedPoint&) const = default;
 };
 
-/// A place that no part of the camera's sphere may enter.
+/// A box that no part of the camera's sphere may enter.
 struct NoGoBox {
     std::string name;  // unique among the boxes
     OrientedBox box;
@@ -100,16 +101,16 @@ struct NoGoBox {
 constexpr double kSmallestWeight = 0.01;
 constexpr double kLargestWeight = 1000.0;
 
-/// A place of more or less interest. Where regions overlap the largest weight counts.
+/// A box that weights the objects in it. Where regions overlap the largest weight counts.
 struct Region {
     std::string name;  // unique among the regions
     OrientedBox box;
-    double weight = 1.0;    // of objects whose box's centre is inside; those outside have 1
-    bool must_see = false;  // the surface inside is to be seen, whatever it belongs to
+    double weight = 1.0;    // of objects whose box centre is inside; those outside have 1
+    bool must_see = false;  // all surface inside must be seen, whichever object it belongs to
     bool operator==(const Region&) const = default;
 };
 
-/// Everything changed by hand in a plan. Objects are those of the edited scene.
+/// Everything that the user changed in a plan. Objects are those of the edited scene.
 struct PlanEdits {
     std::vector<PinnedPoint> pinned;
     std::vector<RemovedPoint> removed;
@@ -120,7 +121,7 @@ struct PlanEdits {
     bool operator==(const PlanEdits&) const = default;
 };
 
-/// All that a project keeps of what a person changed by hand.
+/// All changes by the user that a project stores.
 struct Edits {
     SceneEdits scene;
     PlanEdits plan;

@@ -237,7 +237,7 @@ Region readRegion(const JsonReader& from) {
     return region;
 }
 
-/// Reads a list; entries have names of their own as far as `nameOf` gives them.
+/// Reads a list. Names of pinned points, no-go boxes and regions must be unique.
 template <class T, class Read>
 std::vector<T> readList(const JsonReader& from, Read&& read) {
     std::vector<T> list;

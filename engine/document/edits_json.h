@@ -8,8 +8,8 @@
 
 namespace dollytrack {
 
-/// The section `edits` of a project file. Keys of `loaded`, the section as it was read, that this
-/// version does not know are kept. No edits give an empty object.
+/// The section `edits` of a project file; an empty object for no edits. `loaded` is the section as
+/// it was read: its keys that this version does not know are kept.
 nlohmann::json editsJson(const Edits& edits, const nlohmann::json& loaded);
 nlohmann::json editsJson(const Edits& edits);
 
@@ -18,8 +18,7 @@ nlohmann::json editsJson(const Edits& edits);
 /// later version.
 Result<Edits> editsFromJson(const nlohmann::json& section);
 
-/// The members of an object that are named like the fields of a split's limits; what is absent is
-/// off.
+/// Reads the members named in visitSplitLimits(). A missing one means no limit.
 SplitLimits readSplitLimits(const JsonReader& from);
 
 }  // namespace dollytrack

@@ -9,12 +9,12 @@
 
 namespace dollytrack {
 
-/// Undo's steps as JSON, for a copy of unsaved work: the first state whole, of each later one what
-/// it changes, so that a hundred steps take little more room than one. Of more than `most` steps
-/// the oldest are left away, but never the one at which one is.
+/// The undo steps as JSON, for the autosave of unsaved work: the first state in full, then the
+/// difference made by each step, so that a hundred steps take little more room than one. If there
+/// are more than `most` steps, the oldest are dropped, but never the current one.
 nlohmann::json historyJson(const CommandStack::History& history, std::size_t most = 200);
 
-/// Error: BadInput with the step that does not fit.
+/// Error: BadInput, naming the step that cannot be applied.
 Result<CommandStack::History> historyFromJson(const nlohmann::json& json);
 
 }  // namespace dollytrack

@@ -10,14 +10,15 @@
 
 namespace dollytrack {
 
-/// Reads values out of JSON that people may have written, and remembers the first thing wrong: one
-/// sentence and its place. After that it gives empty values, so that callers ask once, at the end.
+/// Reads values from JSON that may have been written by hand, and records the first error: one
+/// sentence and its place. After an error all values read are empty, so a caller checks good()
+/// once, at the end.
 class JsonReader {
   public:
     JsonReader(const nlohmann::json& value, std::string where, Status& status)
         : value_(value), where_(std::move(where)), status_(status) {}
 
-    /// A member of an object, an absent one as null; an entry of a list.
+    /// A member of an object (null if it is missing), or an entry of a list.
     [[nodiscard]] JsonReader at(const std::string& key) const;
     [[nodiscard]] JsonReader at(std::size_t index) const;
 

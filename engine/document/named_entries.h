@@ -11,11 +11,12 @@
 #include <string_view>
 #include <vector>
 
-// What operations on lists of named entries share.
+// Shared by operations on lists of named entries.
 
 namespace dollytrack {
 
-/// An entry of a list by its name; the end, with the closest name said, when there is none.
+/// Finds an entry by its name. If there is none, returns end() and records an error that suggests
+/// the closest name.
 template <class Entry>
 auto findNamed(std::vector<Entry>& entries, const JsonReader& from, std::string_view what) {
     const std::string name = from.text();
@@ -37,7 +38,8 @@ bool isTaken(const std::vector<Entry>& entries, const std::string& name) {
                        [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// The name given, which must be free, or `base` with a number where it is not.
+/// The name in the field "name", which no entry may have yet. Without this field: `base`, followed
+/// by a number if it is taken.
 template <class Entry>
 std::string freeName(const std::vector<Entry>& entries, const OperationReader& fields,
                      const std::string& base) {

@@ -8,8 +8,8 @@
 
 namespace dollytrack {
 
-/// What an operation (operation.h) calls an object: its name where that is unique (it holds while
-/// the numbers change), else its number.
+/// How an operation (operation.h) refers to an object: by its name if that is unique, because names
+/// stay valid when numbers change; else by its number.
 nlohmann::json objectKey(const Scene& scene, int id);
 nlohmann::json objectKeys(const Scene& scene, const std::vector<int>& ids);
 

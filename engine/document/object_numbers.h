@@ -9,9 +9,9 @@
 
 namespace dollytrack {
 
-/// Edits that a person wrote with names alone, with the numbers that the objects have in this
-/// scene, in the order that edits are kept in. What names no object, or several, is left out and
-/// said in `warnings`; of two changes of one object the first stays. Error: as applySceneEdits().
+/// Completes edits that were written with names only: fills in the object numbers of this scene and
+/// sorts the edits as they are stored. An edit whose name fits no object, or several, is left out
+/// with a warning. Of two changes of one object the first is kept. Errors: as applySceneEdits().
 Result<Edits> numberObjects(Edits edits, const Scene& imported, std::vector<std::string>& warnings);
 
 }  // namespace dollytrack

@@ -7,19 +7,20 @@
 
 namespace dollytrack {
 
-/// For each triangle of an imported scene the number of the object that has it, once objects are
-/// merged and split. Numbers are dealt out anew with every definition; triangles stay what they
-/// are, so two traces of one scene say what became of an object.
+/// For each triangle of the imported scene, the number of the object that it belongs to after
+/// objects were merged and split. Definitions renumber objects but leave triangles alone, so the
+/// traces before and after a change show what became of each object.
 using ObjectTrace = std::vector<int>;
 
 ObjectTrace traceObjects(const Scene& imported, const std::vector<ObjectDefinition>& definitions);
 
-/// The numbers in `after` of everything that these objects of `before` are made of, by rising
-/// number: one for each, more where an object was split, fewer where several were merged.
+/// The numbers in `after` of all objects that hold triangles of these objects of `before`, rising.
+/// A split object gives several numbers; merged objects give one.
 std::vector<int> followObjects(const std::vector<int>& ids, const ObjectTrace& before,
                                const ObjectTrace& after);
 
-/// A flag for each object by number, as it is after: set where every part of it had it set.
+/// Carries flags of objects over, indexed by object number: an object of `after` has the flag if
+/// all objects of `before` that it consists of had it.
 std::vector<bool> followFlags(const std::vector<bool>& flags, const ObjectTrace& before,
                               const ObjectTrace& after);
 

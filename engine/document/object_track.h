@@ -7,21 +7,22 @@
 
 namespace dollytrack {
 
-/// Where a track has its object at a time: straight on from key to key, offset and turn alike; at
-/// rest before the first and after the last. The track has at least one key.
+/// The displacement at a time: linear interpolation of offset and turn between the keys; constant
+/// before the first and after the last key. The track must have at least one key.
 ObjectMove moveAt(const std::vector<TrackKey>& track, double time_s);
 
-/// Moves every object that has a track to where that has it at the time. Returns how many have one.
+/// Moves every object that has a track to its displacement at this time. Returns the number of such
+/// objects.
 int putAtTime(SceneEdits& edits, double time_s);
 
-/// The time at which all objects that have a track stand where that has them: `near_s` where that
-/// is one, else the nearest to it. Nothing where there is none, or no track.
+/// A time at which every tracked object's displacement equals that of its track; of several such
+/// times the one closest to `near_s`. Empty if there is none, or no track.
 std::optional<double> timeOfMoves(const SceneEdits& edits, double near_s);
 
-/// The track with this key, in place of one of the same time.
+/// Adds a key to a track; it replaces a key of the same time.
 std::vector<TrackKey> withKey(std::vector<TrackKey> track, const TrackKey& key);
 
-/// When the last key of all tracks is; nothing without a track.
+/// Time of the last key of all tracks; empty if there is no track.
 std::optional<double> lastKeyTime(const SceneEdits& edits);
 
 }  // namespace dollytrack

@@ -16,7 +16,7 @@ namespace dollytrack {
 using SetParameter = std::function<Status(nlohmann::json& parameters, const std::string& name,
                                           const nlohmann::json& value)>;
 
-/// What an operation is understood in.
+/// What an operation refers to.
 struct OperationContext {
     const Scene& scene;  // with the state's own edits applied
     SetParameter set_parameter;
@@ -28,9 +28,9 @@ struct OperationContext {
 Result<std::string> applyOperation(ProjectState& state, const OperationContext& context,
                                    const nlohmann::json& operation);
 
-/// Applies a list of them in order, all or none, and follows what definitions do to the scene.
-/// Returns their names. An error's place begins with the operation's number, "operation 3" for
-/// the third.
+/// Applies several operations in order, all or none. Each one sees the scene as the ones before it
+/// left it. Returns their names. The place of an error begins with the operation's number:
+/// "operation 3" is the third.
 Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scene& imported,
                                                  const SetParameter& set_parameter,
                                                  const nlohmann::json& operations,
@@ -46,12 +46,13 @@ struct OperationField {
 
 class OperationReader;
 
-/// What applying an operation returns: its name for people. The first thing wrong is in the
-/// reader; the state may then be half changed, and the caller drops it.
+/// Applies an operation to the state and returns its name for people. Errors are recorded in the
+/// reader; the caller must then discard the state, which may be half changed.
 using ApplyOperation = std::string (*)(ProjectState& state, const OperationContext& context,
                                        const OperationReader& fields);
 
-/// One kind of operation: validation, `dollytrack edit --list` and the manual come from this.
+/// One kind of operation. Validation, `dollytrack edit --list` and the manual are generated from
+/// this.
 struct OperationInfo {
     std::string_view op;
     ApplyOperation apply;
@@ -59,7 +60,7 @@ struct OperationInfo {
     std::vector<OperationField> fields;
 };
 
-/// All kinds of operations, in the order in which people meet them.
+/// All kinds of operations, in the order of the manual.
 std::span<const OperationInfo> listOperations();
 
 }  // namespace dollytrack

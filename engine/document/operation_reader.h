@@ -11,8 +11,8 @@
 
 namespace dollytrack {
 
-/// Reads the fields of one operation against the scene it is meant for. The first thing wrong is
-/// kept in `status`, as with JsonReader.
+/// Reads the fields of one operation and looks up objects in the scene. Records the first error in
+/// `status`, as JsonReader does.
 class OperationReader {
   public:
     OperationReader(const nlohmann::json& operation, const Scene& scene, Status& status)
@@ -23,23 +23,25 @@ class OperationReader {
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] bool good() const { return fields_.good(); }
 
-    /// By number or by a name that only one object has.
+    /// The object named by its number or by a unique name.
     [[nodiscard]] ObjectRef object(const std::string& name) const;
-    /// One or a list of them, by rising id. An entry that no object has as its name may be a class
-    /// or a name with * and ? (isNamedBy()), and stands for all objects that it names.
+    /// One object or a list of objects, by rising id. An entry that is no object's name may be a
+    /// class, or a pattern with * and ? (see isNamedBy()): it stands for all objects that match.
     [[nodiscard]] std::vector<ObjectRef> objects(const std::string& name) const;
-    /// The same, or all objects of the class in the field "class"; one of the two must be given.
+    /// The objects in this field, or all objects of the class in the field "class". One of the two
+    /// must be given.
     [[nodiscard]] std::vector<ObjectRef> objectsOrClass(const std::string& name) const;
-    /// 1..40, from a name or a number.
+    /// An NYU40 class, 1..40, given as its name or number.
     [[nodiscard]] int nyu40(const std::string& name) const;
-    /// Horizontal unit vector, from degrees (0: x, 90: y) or [x, y].
+    /// A horizontal unit vector, given as degrees (0: x, 90: y) or as [x, y].
     [[nodiscard]] Eigen::Vector3d front(const std::string& name) const;
-    /// From position and one of target, yaw_deg with pitch_deg, and quaternion_xyzw. What is not
-    /// given is taken from `before`; without it position and direction must be given.
+    /// A pose, given by position and one of: target; yaw_deg and pitch_deg; quaternion_xyzw.
+    /// Missing parts are taken from `before`; without `before` both position and direction are
+    /// required.
     [[nodiscard]] Pose pose(const std::optional<Pose>& before) const;
-    /// From center, size and yaw_deg, likewise.
+    /// A box, given by center, size and yaw_deg. Missing parts are taken from `before`, if given.
     [[nodiscard]] OrientedBox box(const std::optional<OrientedBox>& before) const;
-    /// Those of visitSplitLimits() that are given; the others are off.
+    /// The fields of visitSplitLimits(). A missing one means no limit.
     [[nodiscard]] SplitLimits splitLimits() const;
 
   private:

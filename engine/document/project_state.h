@@ -6,7 +6,7 @@
 
 namespace dollytrack {
 
-/// What undo works on: everything of a project that a person decides.
+/// The state that undo restores: everything in a project that the user decides.
 struct ProjectState {
     nlohmann::json parameters = nlohmann::json::object();  // sections of fields
     Edits edits;

@@ -16,29 +16,30 @@ using TriangleList = std::vector<std::uint32_t>;
 /// their first triangles.
 std::vector<TriangleList> findPieces(const Scene& scene, const Object& object);
 
-/// The pieces that a split with these limits makes: those that are kept, each with the triangles of
-/// the pieces that stay with it. One, where fewer than two would be kept.
+/// The pieces that a split with these limits makes. The triangles of a piece that is not kept join
+/// the nearest kept piece. A single piece if fewer than two would be kept.
 std::vector<TriangleList> findPieces(const Scene& scene, const Object& object,
                                      const SplitLimits& limits);
 
-/// Longest sides of the boxes of an object's connected pieces, m, the largest first.
+/// The longest side of each connected piece's box, m, the largest first.
 std::vector<double> pieceSizes(const Scene& scene, const Object& object);
 
-/// How many pieces of these sizes, the largest first, a split with these limits keeps.
+/// How many pieces a split with these limits keeps. Sizes as from pieceSizes().
 std::size_t keptPieces(const std::vector<double>& sizes_m, const SplitLimits& limits);
 
-/// Makes one object of several, at the place of the first. `ids` rise and are at least two. With
-/// `nyu40` 0 it has the class of the part with the largest box. It is a target, and a part of the
-/// building when all its parts are. Ids run 1..n afterwards; what else was measured stays.
+/// Merges objects into one, at the index of the first. `ids` are at least two and rising. If
+/// `nyu40` is 0 the new object gets the class of the part with the largest box. It is a target; it
+/// counts as part of the building if all its parts do. Ids run 1..n afterwards; other objects keep
+/// their measures.
 void mergeObjects(Scene& scene, const std::vector<int>& ids, const std::string& name, int nyu40);
 
-/// Puts pieces, as findPieces() gives them, in the place of the object; they are what it was and
-/// have the names given, one a piece.
+/// Replaces the object by pieces from findPieces(), with one name for each. The pieces inherit the
+/// object's class and role.
 void splitObject(Scene& scene, int id, const std::vector<TriangleList>& pieces,
                  const std::vector<std::string>& names);
 
-/// Names for the pieces of an object: `name` with the first numbers that no object of the scene
-/// has ("chair_1", "chair_2").
+/// Names for the pieces of an object: `name` with the lowest numbers that are free in the scene
+/// ("chair_1", "chair_2").
 std::vector<std::string> pieceNames(const Scene& scene, const std::string& name, std::size_t count);
 
 }  // namespace dollytrack

@@ -7,8 +7,8 @@
 
 namespace dollytrack {
 
-/// A list of operations (operation.h) that apply the remedy of an object, for `dollytrack edit
-/// --script`. Empty when a person has to do it: to find another place for an object.
+/// The operations (operation.h) that apply the remedy of an object, for `dollytrack edit --script`.
+/// Empty if the remedy is to move an object: where to, only the user can say.
 nlohmann::json remedyOperations(const Scene& scene, int object_id, const Remedy& remedy);
 
 }  // namespace dollytrack

@@ -4,8 +4,8 @@
 
 namespace dollytrack {
 
-/// How far a split takes an object apart. What is smaller, or more than wanted, stays with the
-/// nearest of the pieces that are kept. Saved with the project.
+/// Limits of a split. Pieces that are smaller, or more than wanted, are joined to the nearest kept
+/// piece. Saved with the project.
 struct SplitLimits {
     double min_size_m = 0.0;  // longest side of the box of a kept piece
     int max_pieces = 0;       // the largest ones; 0: all

@@ -9,23 +9,24 @@
 
 namespace dollytrack {
 
-/// The name of objects without a class, as reports print it, wherever a class may be named.
+/// The class name of objects without a class, in reports and wherever a class can be given.
 inline constexpr std::string_view kWithoutClass = "unknown";
 
-/// Whether a pattern names the object: its NYU40 class in any usual spelling, or a name (its
-/// own, or that of its class, NYU40's or of the scene's own table) in which `*` stands for any text
-/// and `?` for one character. Capital and small letters are alike.
+/// Whether a pattern matches the object. A pattern is its NYU40 class in any usual spelling, or a
+/// name in which `*` stands for any text and `?` for one character; it is compared with the
+/// object's name and with the names of its NYU40 class and of its class in the scene's own table.
+/// Case does not matter.
 bool isNamedBy(const Object& object, std::string_view pattern);
 
-/// Whether a pattern is the name of a class, of NYU40 or of the scene's own table, whether or not
-/// the scene has an object of it.
+/// Whether a pattern is the name of an NYU40 class or of a class in the scene's own table. The
+/// scene need not have an object of this class.
 bool isClassName(const Scene& scene, std::string_view pattern);
 
-/// Whether the lists make the object no target.
+/// Whether the lists `ignore` and `only` make the object a non-target.
 bool isFilteredOut(const Object& object, const SceneEdits& edits);
 
-/// Excludes the targets that `edits.ignore` names, and where `edits.only` names any, those that it
-/// does not. A pattern that names nothing in the scene is warned of.
+/// Excludes the targets that match `edits.ignore`, and, if `edits.only` is not empty, those that do
+/// not match it. Warns of patterns that match nothing in the scene.
 void filterTargets(Scene& scene, const SceneEdits& edits);
 
 }  // namespace dollytrack

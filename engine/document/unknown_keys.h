@@ -4,10 +4,10 @@
 
 namespace dollytrack {
 
-/// Copies into the entries of `section`, a section `edits`, what the same entries of an earlier one
-/// have and this version does not know: notes of people, keys of later versions. Entries are the
-/// same by what they are about: their name, or the objects they name. What has no entry any more is
-/// gone with its keys.
+/// Copies keys that this version does not know (notes of people, keys of later versions) from the
+/// entries of `earlier` to the same entries of `section`, both being sections `edits`. Entries are
+/// the same if they have the same name or refer to the same objects. Keys of entries that no longer
+/// exist are dropped.
 void keepUnknownKeys(const nlohmann::json& earlier, nlohmann::json& section);
 
 }  // namespace dollytrack

@@ -18,8 +18,9 @@ struct Furnisher {
     RoomLayout& layout;
     int most_alike = 2;  // so often may the same small thing be there
 
-    /// Of a few usable ones by chance that of which the room has least; null when there is none, or
-    /// the room has enough of each: of decorations one, of small things `most_alike`.
+    /// Picks a piece of furniture for this role: of a few random ones the one that the room has
+    /// fewest of. Null if none is usable, or if the room has enough of each: one of a decoration,
+    /// `most_alike` of small objects.
     const CatalogPiece* pick(FurnitureRole role) const;
     [[nodiscard]] bool tossCoin() const { return random.below(2) == 0; }
     int anyWall() const { return static_cast<int>(random.below(4)); }

@@ -9,7 +9,7 @@
 
 namespace dollytrack {
 
-/// How well a reconstructed cloud of points lies on the surfaces it is of.
+/// Errors of a reconstructed point cloud: distances of its points to the true surfaces.
 struct CloudError {
     int points = 0;
     double mean_m = 0.0;  // of the distances to the nearest surface
@@ -18,7 +18,7 @@ struct CloudError {
     double p95_m = 0.0;
 };
 
-/// Distances of the points, world, to the scene's triangles.
+/// Measures `cloud` (world frame) against the scene's triangles.
 [[nodiscard]] CloudError cloudError(std::span<const Eigen::Vector3d> cloud, const RayCaster& rays);
 
 /// The share of `surface` that has a point of the cloud within `radius_m`.

@@ -9,15 +9,15 @@
 
 namespace dollytrack {
 
-/// A surface to be tested: points and triangles between them.
+/// A triangle mesh: positions, and triangles as indices into them.
 struct SurfaceView {
     std::span<const Eigen::Vector3f> positions;
     std::span<const std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Where two surfaces touch, cross or come nearer than `gap`: some of the places, none when they
-/// do not. Looks at corners against triangles and edges through triangles; of very dense meshes it
-/// looks at a part.
+/// Points at which two surfaces touch, intersect or are nearer than `gap`; empty if they nowhere
+/// do. Not all such points: vertices are tested against triangles and edges for intersections with
+/// triangles, and of dense meshes only a subset is tested.
 std::vector<Eigen::Vector3f> findContact(const std::vector<SurfaceView>& a,
                                          const std::vector<SurfaceView>& b, float gap);
 

@@ -23,41 +23,43 @@ struct ClosestPoint {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
-/// Exact questions about a scene's triangles, answered through Embree's trees. Holds a copy of the
-/// geometry, so the scene may go. All questions are const and may be asked from many threads.
+/// Ray casts and closest-point queries on a scene's triangles, by Embree's bounding volume
+/// hierarchies. Keeps a copy of the geometry, so the scene may be destroyed. All queries are const
+/// and thread-safe.
 class RayCaster {
   public:
     explicit RayCaster(const Scene& scene);
-    /// The same as of the scene alone, made of an earlier one of which these objects (by rising id)
-    /// have moved; see movedObjects(). What it holds of the others is shared.
+    /// Builds the ray caster of a scene from that of an earlier scene, of which only the `moved`
+    /// objects (rising ids, see movedObjects()) are elsewhere. It answers as one built from the
+    /// scene alone; the unmoved objects' hierarchies are shared.
     RayCaster(const Scene& scene, const RayCaster& before, const std::vector<int>& moved);
     ~RayCaster();
     RayCaster(RayCaster&&) noexcept;
     RayCaster& operator=(RayCaster&&) noexcept;
 
-    /// First surface along origin + t * direction with min_distance < t < max_distance. Both
-    /// sides of a triangle count.
+    /// The first surface along origin + t * direction with min_distance < t < max_distance.
+    /// Triangles are hit from both sides.
     [[nodiscard]] RayHit cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                               double max_distance = std::numeric_limits<double>::infinity(),
                               double min_distance = 0.0) const;
 
-    /// A ray of a bundle, and how far it goes, in lengths of its direction.
+    /// A ray of a bundle. Its length is measured in lengths of its direction.
     struct BundleRay {
         Eigen::Vector3d direction;
         float max_distance = std::numeric_limits<float>::infinity();
     };
 
-    /// The same for many rays from one point, much faster when neighbours in the list point nearly
-    /// alike. hits[i] belongs to rays[i].
+    /// Casts many rays from one point, much faster than one by one if neighbours in the list have
+    /// similar directions. hits[i] belongs to rays[i].
     void castBundle(const Eigen::Vector3d& origin, std::span<const BundleRay> rays,
                     double min_distance, std::vector<RayHit>& hits) const;
 
-    /// Whether the ray would meet `object_id` if that stood alone in empty space.
+    /// Whether the ray hits this object, all other objects ignored.
     [[nodiscard]] bool meetsObject(
         int object_id, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
         double max_distance = std::numeric_limits<double>::infinity()) const;
 
-    /// Whether the open segment between two points is free of surfaces.
+    /// Whether no surface intersects the segment between two points, its ends excluded.
     [[nodiscard]] bool sees(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
     /// Closest surface point within `max_distance`.
@@ -65,12 +67,12 @@ class RayCaster {
         const Eigen::Vector3d& point,
         double max_distance = std::numeric_limits<double>::infinity()) const;
 
-    /// The same of one object's surface, whatever else is nearer.
+    /// The closest point on one object's surface, all other objects ignored.
     [[nodiscard]] ClosestPoint closestOn(
         int object_id, const Eigen::Vector3d& point,
         double max_distance = std::numeric_limits<double>::infinity()) const;
 
-    /// Whether no surface lies nearer than `distance`; quicker than to ask for the closest one.
+    /// Whether no surface lies nearer than `distance`. Faster than closest().
     [[nodiscard]] bool isClear(const Eigen::Vector3d& point, double distance) const;
 
   private:

@@ -7,8 +7,8 @@
 
 namespace dollytrack {
 
-/// Numbers equal vertices alike, in order of first appearance: an open-addressing hash set of
-/// `N` floats each. -0 and 0 are equal; NaN must not come here.
+/// Welds equal vertices: insert() returns the same number for equal ones, counted in order of first
+/// appearance. An open-addressing hash set of `N` floats each. -0 equals 0; NaN is not allowed.
 template <std::size_t N>
 class VertexJoin {
   public:
@@ -36,7 +36,7 @@ class VertexJoin {
   private:
     using Bits = std::array<std::uint32_t, N>;
 
-    /// Where the key is, or would go.
+    /// The slot of the key, or the free slot where it would be inserted.
     [[nodiscard]] std::size_t slotOf(const Bits& bits) const {
         // Each word by an odd factor of its own: the products do not wait for each other.
         std::uint64_t hash = 0;

@@ -43,7 +43,7 @@ void BackgroundWorker::start(Work work) {
     work_arrived_.notify_one();
 }
 
-/// With the mutex held: cancels an outdated piece that has had its time.
+/// Cancels an outdated task whose grace period is over. The mutex must be held.
 void BackgroundWorker::cancelImpatiently() {
     if (!cancel_running_ || !next_) return;
     const auto run_for = clock_() - begun_;

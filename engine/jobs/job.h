@@ -14,7 +14,7 @@ class JobContext {
   public:
     using Progress = std::function<void(double fraction, std::string_view stage)>;
 
-    /// For work that has countable pieces; called before `progress` with the same news.
+    /// Progress of work with countable items. Called before `progress`, for the same step.
     using Items = std::function<void(int done, int total)>;
 
     JobContext() = default;

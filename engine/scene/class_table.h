@@ -15,7 +15,7 @@ namespace dollytrack {
 
 struct Scene;
 
-/// A class as datasets name and number it.
+/// A class as it is named and numbered in datasets.
 struct DatasetClass {
     int id = 0;  // the value in class masks and the category of annotations
     std::string name;
@@ -23,14 +23,15 @@ struct DatasetClass {
     std::string supercategory;                      // empty: none
 };
 
-/// A class of a user's own table, and which objects belong to it.
+/// A class of a user-defined table, and the patterns of the objects that belong to it.
 struct ClassRule {
     DatasetClass made;
     std::vector<std::string> patterns;  // see ClassTable::classFor()
 };
 
-/// The classes of a dataset: NYU40, or those of a label file. Planning and import know NYU40 alone;
-/// a table maps its classes and the objects' names to the classes that the dataset is written with.
+/// The classes of a dataset: NYU40, or those of a label file. Planning and import always work with
+/// NYU40; a user-defined table maps NYU40 classes and object names to the classes that the dataset
+/// is written with.
 class ClassTable {
   public:
     static constexpr int kLargestId = 65'535;
@@ -38,35 +39,36 @@ class ClassTable {
 
     static const ClassTable& nyu40();
 
-    /// A table of one's own. Names and ids are unique, ids lie in 0 .. kLargestId.
-    /// @param other    index of the class of all objects that fit no pattern; without one they have
-    ///                 none: their pixels are void and they get no boxes
-    /// @param void_id  of pixels without a class; an id that no class has
+    /// A user-defined table. Names and ids are unique, ids lie in 0 .. kLargestId.
+    /// @param other    index of the class of objects that match no pattern; if empty they have no
+    ///                 class: their pixels are void and they get no boxes
+    /// @param void_id  id of pixels without a class; no class may have it
     ClassTable(std::vector<ClassRule> rules, std::optional<std::size_t> other, int void_id);
 
-    /// Whether it is the built-in one.
+    /// Whether this is the built-in NYU40 table.
     [[nodiscard]] bool isNyu40() const { return is_nyu40_; }
-    /// By their order in the table, void not among them.
+    /// In the order of the table, without void.
     [[nodiscard]] std::span<const DatasetClass> classes() const { return classes_; }
     [[nodiscard]] const DatasetClass& voidClass() const { return void_; }
-    /// Null for an id that is neither a class's nor that of void.
+    /// The class with this id, or void; null if there is none.
     [[nodiscard]] const DatasetClass* find(int id) const;
-    /// Whether class masks need 16 bits a pixel, not 8.
+    /// Whether class masks need 16 bits per pixel instead of 8.
     [[nodiscard]] bool isWide() const { return is_wide_; }
-    /// Position in classes(), which is the number YOLO gives it.
+    /// Index in classes(); YOLO files number classes by it.
     [[nodiscard]] int indexOf(const DatasetClass& one) const {
         return static_cast<int>(&one - classes_.data());
     }
 
-    /// The class of an object's pixels. In a table of one's own the first class counts that has a
-    /// fitting pattern: the name of an NYU40 class stands for all objects of that class, whatever
-    /// they are called; any other pattern, with `*` and `?`, fits the object's whole name, this
-    /// name without numbers and with blanks between its words ("SofaBed_02": "sofa bed"), or that
-    /// of its NYU40 class. Case does not count.
+    /// The class of an object's pixels. In a user-defined table this is the first class with a
+    /// matching pattern. A pattern that is the name of an NYU40 class matches all objects of that
+    /// class, whatever their names. Any other pattern, in which `*` and `?` are wildcards, must
+    /// match one of these entirely: the object's name; the name without numbers and with spaces
+    /// between words ("SofaBed_02" becomes "sofa bed"); the name of its NYU40 class. Case does not
+    /// matter.
     [[nodiscard]] const DatasetClass& classFor(std::string_view object_name, int nyu40) const;
     [[nodiscard]] const DatasetClass& classOf(const Object& object) const;
-    /// The class of an object's boxes and outlines: as above, but null for void; NYU40 has
-    /// "otherprop" for unknown things.
+    /// The class of an object's boxes and outlines: as classFor(), but null instead of void. With
+    /// NYU40, objects of unknown class are "otherprop".
     [[nodiscard]] const DatasetClass* boxClassFor(std::string_view object_name, int nyu40) const;
     [[nodiscard]] const DatasetClass* boxClassOf(const Object& object) const;
 
@@ -85,12 +87,13 @@ class ClassTable {
     bool is_wide_ = false;
 };
 
-/// The color of the class at this place of a table: hues a golden angle apart, none of those taken.
+/// A colour for the class with this index: hues spaced by the golden angle, different from all
+/// colours in `taken`.
 [[nodiscard]] std::array<std::uint8_t, 3> distinctColor(
     std::size_t index, std::span<const std::array<std::uint8_t, 3>> taken);
 
 /// Sets Object::dataset_class of every object by the scene's own table; does nothing for NYU40.
-/// To be called again when names or NYU40 classes have changed.
+/// Must be called again after names or NYU40 classes have changed.
 void assignDatasetClasses(Scene& scene);
 
 }  // namespace dollytrack

@@ -4,8 +4,9 @@
 
 namespace dollytrack {
 
-/// Gives every object a front: away from the wall it stands or hangs at; else across its longer
-/// side, towards the open; else towards the open around it.
+/// Sets the front direction of every object that has no annotated one: away from the wall that it
+/// stands or hangs at. Without a wall an elongated object faces across its longer side, to where
+/// the view is open farther; others face the open space around them.
 void findFronts(Scene& scene);
 
 }  // namespace dollytrack

@@ -4,16 +4,17 @@
 
 namespace dollytrack {
 
-/// Usual longest side of a class of furniture, m.
+/// The usual range of the longest side of a class of furniture, m.
 struct FurnitureSize {
     int nyu40;
     double low;
     double high;
 };
 
-/// Generous ranges around what handbooks of interior design recommend (Panero and Zelnik, Human
-/// Dimension and Interior Space, 1979; Neufert, Architects' Data, 4th edition, 2012): children's
-/// furniture and the largest models on sale lie inside. A class without a usual size is not here.
+/// Wide ranges around the recommendations of interior design handbooks (Panero and Zelnik, Human
+/// Dimension and Interior Space, 1979; Neufert, Architects' Data, 4th edition, 2012), so that
+/// children's furniture and the largest models on sale fit in. Classes without a usual size are
+/// left out.
 inline constexpr std::array<FurnitureSize, 20> kFurnitureSizes = {{{3, 0.4, 3.0},    // cabinet
                                                                    {4, 1.1, 2.4},    // bed
                                                                    {5, 0.4, 1.4},    // chair

@@ -8,22 +8,22 @@
 
 namespace dollytrack {
 
-/// How a scene file should likely be read instead: what `--unit` and `--up` would say.
+/// A proposed unit and upward axis of a scene file, as values for `--unit` and `--up`.
 struct ImportProposal {
     std::optional<double> unit_m;   // metres per unit
     std::optional<UpAxis> up_axis;  // in the file
-    std::string unit_doubt;         // why, without a full stop; empty: the unit is believed
+    std::string unit_doubt;         // why, without a full stop; empty: no doubt
     std::string up_doubt;
 
     [[nodiscard]] bool isEmpty() const { return unit_doubt.empty() && up_doubt.empty(); }
-    /// Whether there is anything to apply: a doubt may know no better.
+    /// Whether it has values to apply. There can be a doubt without a better value.
     [[nodiscard]] bool hasSettings() const { return unit_m || up_axis; }
 };
 
-/// "1 unit = 4.1 m, z up": what is proposed, for people.
+/// The proposed values as text: "1 unit = 4.1 m, z up".
 [[nodiscard]] std::string settingsText(const ImportProposal& proposal);
 
-/// One sentence a doubt, each with the options of the command line that follow from it.
+/// One sentence for each doubt, with the command-line options that apply the proposal.
 [[nodiscard]] std::vector<std::string> describe(const ImportProposal& proposal);
 
 }  // namespace dollytrack

@@ -8,7 +8,7 @@ namespace dollytrack {
 
 constexpr int kNyu40Count = 40;
 
-/// The classes whose numbers the code itself needs; every other is reached by name.
+/// The classes that the code refers to by number; all others are looked up by name.
 enum Nyu40 : int {
     kNyuUnknown = 0,
     kNyuWall = 1,

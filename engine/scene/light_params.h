@@ -4,16 +4,17 @@
 
 namespace dollytrack {
 
-/// Sets of settings that belong together. Neutral is lamps and a little daylight without a sun, in
-/// any room the same.
+/// Predefined light settings. Neutral has lamps and a little daylight but no sun, and looks the
+/// same in any room.
 enum class LightPreset { Neutral, Day, Evening, Night, Overcast };
 
-/// What a variation is drawn for: once, or again for each frame what needs no other shadows.
+/// How often the random variation is drawn: once for the scene, or anew for each frame. Per frame,
+/// only values that leave shadows unchanged vary.
 enum class LightVaries { Scene, Frame };
 
-/// The light that colour pictures are made in; depth, labels and all else are the same. Strengths
-/// are shares of what the neutral light has, the sun's of a clear noon. How bright a picture comes
-/// out follows the light in the rooms and exposure_ev.
+/// The light of colour images; depth and labels do not depend on it. Strengths are relative to the
+/// neutral light, that of the sun to a clear noon. The exposure adapts to the light in the rooms;
+/// exposure_ev is added to it.
 struct LightParams {
     LightPreset light_preset = LightPreset::Neutral;
     double time_of_day_h = 12.0;
@@ -78,13 +79,15 @@ void visitLightParams(Params& p, Visitor&& visit) {
     visit("light_seed", p.light_seed, FieldInfo{0, 2e9, "", "Random seed of the light variation"});
 }
 
-/// The values of a preset; what it does not set (azimuth, variation, seed) is as by default.
+/// The values of a preset. Values that presets do not set (azimuth, variation, seed) are the
+/// defaults.
 [[nodiscard]] LightParams lightPreset(LightPreset preset);
 
-/// Where light_preset is set in the list, from now on all is set in `params` that belongs to it.
+/// Makes the field light_preset of the list, when it is set, also set all values of the preset in
+/// `params`.
 void letLightPresetSetOthers(FieldList& fields, LightParams& params);
 
-/// The fields, for files. Points into `params`.
+/// The list of all fields, for reading and writing. It points into `params`.
 [[nodiscard]] FieldList listLightFields(LightParams& params);
 
 }  // namespace dollytrack

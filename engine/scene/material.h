@@ -8,8 +8,8 @@
 
 namespace dollytrack {
 
-/// An 8-bit RGBA picture, rows from the top. Colours are sRGB encoded; what is no colour (normals,
-/// roughness, metallic) is as it is.
+/// An 8-bit RGBA image, rows from the top. Colours are sRGB encoded; other data (normals,
+/// roughness, metallic) is linear.
 struct Texture {
     std::string name;  // as the scene names it, clean text (core/clean_text.h)
     int width = 0;     // 0 when the file was not found or not readable
@@ -28,8 +28,8 @@ struct Material {
     int texture = -1;  // index into Scene::textures, multiplies base_color; -1: none
 
     // Maps, as glTF 2.0 has them: indices into Scene::textures; -1: none.
-    int normal_map = -1;     // of the tangent frame: u, v upwards, normal
-    float normal_scale = 1;  // of its u and v
+    int normal_map = -1;     // in tangent space: u, v (upwards), normal
+    float normal_scale = 1;  // scales its u and v components
     int roughness_map = -1;  // green, multiplies roughness
     int metallic_map = -1;   // blue, multiplies metallic
     int emission_map = -1;   // multiplies emission
@@ -39,7 +39,7 @@ struct Material {
     }
 };
 
-/// Every index of a material's textures, to be changed or looked at.
+/// Calls `visit` with each of the material's texture indices, which it may change.
 template <class AnyMaterial, class Visitor>
 void visitTextures(AnyMaterial& material, Visitor&& visit) {
     visit(material.texture);

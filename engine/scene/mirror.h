@@ -6,14 +6,15 @@ struct Material;
 struct Object;
 struct Scene;
 
-/// What is rougher blurs single things beyond recognition.
+/// Surfaces rougher than this blur reflected objects beyond recognition.
 inline constexpr float kMirrorRoughness = 0.3F;
-/// What is less of a metal reflects too little to be looked into.
+/// Surfaces less metallic than this reflect too little to show objects.
 inline constexpr float kMirrorMetal = 0.5F;
 
-/// Whether it reflects single things somewhere: a map may make parts of it smooth.
+/// Whether reflections in it show objects, at least in places: a roughness map may make parts
+/// smooth.
 [[nodiscard]] bool isSmooth(const Material& material);
-/// And so much that one looks at them: smooth metal.
+/// Whether it is a mirror: smooth and metallic.
 [[nodiscard]] bool isMirror(const Material& material);
 
 [[nodiscard]] bool hasMaterial(const Scene& scene, const Object& object,

@@ -28,35 +28,35 @@ struct OrientedBox {
     bool operator==(const OrientedBox&) const = default;
 };
 
-/// Why an object is no target, or that it is one.
+/// Whether an object is a target, or why it is none.
 enum class Role {
     Target,     // to be captured
     Structure,  // wall, floor, ceiling, door, window, ground, sky: obstacle and label only
-    Excluded,   // the user's choice: obstacle and label only
+    Excluded,   // by the user: obstacle and label only
 };
 
 /// Where an object's front direction comes from.
 enum class FrontSource {
     Annotation,  // given by the scene or the user
     Wall,        // away from the wall it stands or hangs at
-    ShortSide,   // across its longer horizontal side, towards the room
-    RoomCentre,  // nothing better: towards the middle of the room
+    ShortSide,   // across its longer horizontal side, where the view is open farther
+    RoomCentre,  // none of these: towards the open space around it
 };
 
-/// One thing in the scene. Its triangles and vertices are contiguous in the scene's arrays.
+/// One object in the scene. Its triangles and vertices are contiguous in the scene's arrays.
 struct Object {
     int id = 0;  // 1.., also the value in instance images; index in Scene::objects is id - 1
     std::string name;
     int nyu40 = 0;                                      // 1..40, 0 when unknown
     std::shared_ptr<const DatasetClass> dataset_class;  // of the scene's own table; else null
     Role role = Role::Target;
-    bool structure = false;  // part of the building, whatever its role: says what is inside
+    bool structure = false;  // part of the building, whatever its role
     OrientedBox box;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // area-weighted, m
     Eigen::Vector3d front = Eigen::Vector3d::UnitX();    // horizontal unit vector
     FrontSource front_source = FrontSource::RoomCentre;
     bool large = true;
-    bool size_given = false;  // `large` is the user's word, not measured
+    bool size_given = false;  // `large` was set by the user, not measured
     std::uint32_t first_triangle = 0;
     std::uint32_t triangle_count = 0;
     std::uint32_t first_vertex = 0;

@@ -4,7 +4,7 @@
 
 namespace dollytrack {
 
-/// Sets box and centroid of an object from its own vertices and triangles in the scene.
+/// Computes the box and centroid of an object from its vertices and triangles.
 void measureObject(const Scene& scene, Object& object);
 
 }  // namespace dollytrack

@@ -6,9 +6,10 @@
 
 namespace dollytrack {
 
-/// Marks objects small that have less than `small_volume_m3`, or `size_ratio` times less volume
-/// than the object they stand on, hang at or lie in; all others are large. Leaves those alone of
-/// which the user said it.
+/// Sets Object::large. An object is small if its box has less than `small_volume_m3`, or if it
+/// stands on or lies inside an object with at least `size_ratio` times its volume. Parts of the
+/// building are compared with no other object. Objects whose size the user has set are left
+/// unchanged.
 void sortBySize(std::vector<Object>& objects, double small_volume_m3, double size_ratio);
 
 }  // namespace dollytrack

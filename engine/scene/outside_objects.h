@@ -6,9 +6,9 @@
 
 namespace dollytrack {
 
-/// Targets that lie outside the building by their boxes: beside or above all its walls and
-/// ceilings, such as garden chairs, cars and what stands on a roof. By rising id. Empty where the
-/// scene has no building, or where most targets would be outside it.
+/// Targets whose boxes lie outside the building, beside or above all its walls and ceilings: garden
+/// chairs, cars, objects on a roof. By rising id. Empty if the scene has no building, or if most
+/// targets would be outside.
 [[nodiscard]] std::vector<int> findOutsideObjects(const Scene& scene);
 
 }  // namespace dollytrack

@@ -17,7 +17,7 @@ constexpr double kRadians = std::numbers::pi / 180.0;
 /// it and the rooms' light, pictures must still show both.
 constexpr float kSunAboveAir = 16.0F;
 
-/// About that of the neutral light's lamps, to vary around.
+/// About the colour temperature of the neutral light's lamps; the variation is drawn around it.
 constexpr double kUsualLamp_K = 5500.0;
 constexpr double kWarmest_K = 1000.0;
 

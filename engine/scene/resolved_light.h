@@ -9,42 +9,42 @@
 
 namespace dollytrack {
 
-/// The light that pictures are really made in: what was set, what the variation drew, and what
-/// follows from both. Colours are linear. The default is the neutral light.
+/// The light that images are rendered with: the settings, the values drawn by the random variation,
+/// and values derived from both. Colours are linear. The default is the neutral light.
 struct ResolvedLight {
-    LightParams drawn;                // as set, but for what the variation changed
-    double sun_elevation_deg = 45.0;  // below 0 it has set
+    LightParams drawn;                // the settings, with varied values replaced
+    double sun_elevation_deg = 45.0;  // below 0: below the horizon
     Eigen::Vector3d to_sun = {-0.5, -0.5, 0.70710678118654752};  // unit vector, world
-    /// What falls on a surface that faces the sun, in units of a lamp's light at 1 m below it.
+    /// Irradiance of a surface that faces the sun, relative to that 1 m below a lamp.
     Eigen::Vector3f sun_irradiance = Eigen::Vector3f::Zero();
     Eigen::Vector3f sky_factor = Eigen::Vector3f::Ones();  // times the neutral light's sky
-    float lamp_factor = 1.0F;                              // times its lamps
-    float own_lamps = 1.0F;                     // times the scene's own lamps, beside lamp_factor
-    std::optional<Eigen::Vector3f> lamp_color;  // in the place of theirs
-    /// Times the sky that cameras see where nothing else is.
+    float lamp_factor = 1.0F;                              // times the neutral light's lamps
+    float own_lamps = 1.0F;  // times the lamps modelled in the scene, besides lamp_factor
+    std::optional<Eigen::Vector3f> lamp_color;  // replaces the lamps' own colour
+    /// Times the sky that cameras see as the background.
     Eigen::Vector3f backdrop_factor = Eigen::Vector3f::Ones();
-    float backdrop_grey = 0.0F;  // its colour is gone at 1, as behind clouds
+    float backdrop_grey = 0.0F;  // desaturation of the background: 1 is grey, as behind clouds
     double exposure_ev = 0.0;
 };
 
-/// The same for the same parameters, whatever else happens.
+/// Computes the light of the scene. It depends on the parameters alone.
 [[nodiscard]] ResolvedLight resolved(const LightParams& params);
 
-/// Whether frames have light of their own, see LightParams::light_varies.
+/// Whether the light differs from frame to frame; see LightParams::light_varies.
 [[nodiscard]] bool variesByFrame(const LightParams& params);
 
-/// The light of a frame, by its number in the whole trajectory: the scene's, but for what varies by
-/// frame. Each frame draws of its own around what is set.
+/// The light of a frame, given its index in the whole trajectory: that of the scene, except for the
+/// values that vary by frame, which are drawn independently for each frame.
 [[nodiscard]] ResolvedLight resolvedAt(const LightParams& params, int trajectory_frame);
 
-/// Height of the sun at the equinox at 45 degrees of latitude.
+/// Elevation of the sun at the equinox at 45 degrees of latitude.
 [[nodiscard]] double sunElevationDeg(double time_of_day_h);
 
-/// Linear RGB of a black body, as bright as white (luminance 1); 1000 K and more. After Krystek's
-/// approximation of its chromaticity (1985).
+/// Linear RGB of a black body of at least 1000 K, scaled to the luminance of white. Chromaticity
+/// after Krystek (1985).
 [[nodiscard]] Eigen::Vector3f blackBodyColor(double temperature_K);
 
-/// What was drawn and what follows from it, for dataset.json.
+/// The light as dataset.json states it.
 [[nodiscard]] nlohmann::ordered_json toJson(const ResolvedLight& light);
 
 }  // namespace dollytrack

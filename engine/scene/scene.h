@@ -18,10 +18,10 @@ namespace dollytrack {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What import found, repaired, guessed or doubts: one sentence each, for `info` and the log.
+/// What the import found, repaired, guessed or doubts: one sentence each, for `info` and the log.
 struct ImportReport {
     std::vector<std::string> notes;     // choices and repairs worth knowing
-    std::vector<std::string> warnings;  // doubtful: the user should look
+    std::vector<std::string> warnings;  // doubts that the user should check
     int textures_found = 0;
     std::vector<std::string> textures_missing;
     double unit_m = 1.0;      // metres per source unit

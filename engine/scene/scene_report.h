@@ -9,11 +9,11 @@
 
 namespace dollytrack {
 
-/// What `info` says of a scene, for programs: sizes, objects, classes, triangles, textures, and
-/// everything repaired or doubtful. Rooms are not known here; the caller adds them.
+/// What `info` reports, as JSON: sizes, objects, classes, triangles, textures, repairs and doubts.
+/// The caller adds the rooms, which are not known here.
 nlohmann::json toJson(const Scene& scene);
 
-/// The same for people: a summary, one line an object, then notes and warnings.
+/// What `info` reports, as text: a summary, one line per object, then notes and warnings.
 std::string describeScene(const Scene& scene);
 
 /// "target", "structure" or "excluded".

@@ -4,7 +4,7 @@
 
 namespace dollytrack {
 
-/// The linear value of an sRGB encoded one, both 0..1.
+/// Converts an sRGB encoded value to a linear one, both 0..1.
 inline float linearFromSrgb(float srgb) {
     return srgb <= 0.04045F ? srgb / 12.92F : std::pow((srgb + 0.055F) / 1.055F, 2.4F);
 }

@@ -9,22 +9,24 @@
 
 namespace dollytrack {
 
-/// A level on which people walk. Heights in the world, m.
+/// A floor of the building. Heights in the world frame, m.
 struct FloorLevel {
-    double underside_m = 0.0;  // of its slab, as far as that has one
+    double underside_m = 0.0;  // of its slab; equal to top_m if it has no thickness
     double top_m = 0.0;
 };
 
-/// The floors one above the other, rising: large level surfaces labelled as floors.
+/// The floors of the building from the lowest up: large horizontal surfaces of objects with the
+/// class floor.
 [[nodiscard]] std::vector<FloorLevel> labelledFloors(const Scene& scene);
 
-/// The same from all structure but ceilings, where a room's air is above: many files have floors
-/// and walls in one piece. `rooms` are boxes of places where a camera can be.
+/// As labelledFloors(), but from all parts of the building except ceilings, because many files have
+/// floors and walls in one mesh. A surface counts if 1 m above it lies within the height of one of
+/// `rooms`, the boxes of places where a camera can be.
 [[nodiscard]] std::vector<FloorLevel> floorsBelow(const Scene& scene,
                                                   std::span<const Eigen::AlignedBox3d> rooms);
 
-/// The lowest large level surface of structure, whatever its label; the scene's lowest place where
-/// there is none.
+/// Height of the lowest large horizontal surface of the building, whatever its class except
+/// ceiling; without one, the lowest height of the room bounds.
 [[nodiscard]] double lowestFloor(const Scene& scene);
 
 }  // namespace dollytrack

@@ -5,8 +5,8 @@
 
 namespace dollytrack {
 
-/// Changes colours by at most a fifth and roughness by at most 0.15 (where light_variation is 1),
-/// each material's by its index and the seed; nothing where light_variation is 0.
+/// Varies materials at random: base colours by at most a fifth and roughness by at most 0.15 at
+/// light_variation 1, nothing at 0. The values depend on light_seed and the material's index.
 void varyMaterials(Scene& scene, const LightParams& params);
 
 }  // namespace dollytrack

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// "https://host/i/<id>/wallfloor.jpg" names its picture's folder last but one.
+/// The id of a texture: "https://host/i/<id>/wallfloor.jpg" has it as the last but one part.
 std::string idOfUrl(const std::string& url) {
     const auto last = url.rfind('/');
     if (last == std::string::npos || last == 0) return {};

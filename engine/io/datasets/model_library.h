@@ -88,7 +88,7 @@ class TriangleBudget {
   public:
     /// Error: BadInput, beyond 6e7 in all.
     Status take(const RawScene& model, const std::string& where);
-    /// The same for some of the model's parts, by their indices.
+    /// Counts only the parts of the model with these indices.
     Status take(const RawScene& model, const std::vector<std::size_t>& parts,
                 const std::string& where);
 

@@ -43,7 +43,7 @@ class GuardedFolder {
     [[nodiscard]] Result<GuardedFolder> makeWithin(const std::string& name) const;
     [[nodiscard]] Result<GuardedFolder> openWithin(const std::string& name) const;
 
-    /// For messages, and for programs that know only paths.
+    /// The path of the folder, for messages and for programs that take only paths.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
     /// Whether a name is relative, without "..", "." and empty parts.
@@ -85,12 +85,12 @@ class GuardedFolder {
     /// Gives a file a second name within this folder (a hard link), in the place of the file that
     /// has that name; a copy where the file system has no hard links. Folders are made.
     [[nodiscard]] Status link(const std::string& name, const std::string& new_name) const;
-    /// Of a link the link itself. Nothing happens where there is no such file.
+    /// Removes a file; of a symbolic link, the link itself. Does nothing if there is no such file.
     [[nodiscard]] Status remove(const std::string& name) const;
-    /// Removes a folder if it is empty, and then those around it that have become empty.
+    /// Removes a folder if it is empty, then its parent folders as far as they have become empty.
     void removeEmpty(const std::string& name) const;
 
-    /// Brings to the disk which names the folder has.
+    /// Flushes the folder's entries to the disk.
     [[nodiscard]] Status syncNames() const;
     /// Brings everything written so far on the folder's file system to the disk.
     [[nodiscard]] Status syncAll() const;

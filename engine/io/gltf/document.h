@@ -18,14 +18,14 @@ namespace dollytrack::gltf {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// All of a file that lies beside the glTF file, by the name that the glTF file gives it.
+/// Reads a whole file that the glTF file refers to, by the name used there.
 using ReadBeside = std::function<Result<std::string>(const std::string& name)>;
 
-/// A glTF 2.0 file, .gltf or .glb: its JSON, and the bytes of its buffer views, which are read and
-/// decompressed when they are first asked for. Throws Fault.
+/// A glTF 2.0 file, .gltf or .glb: its JSON and the bytes of its buffer views. A buffer is read,
+/// and a view decompressed, when it is first asked for. Throws Fault.
 class Document {
   public:
-    /// Checks the version and that everything the file requires can be read.
+    /// Checks that the version and all required extensions are supported.
     Document(std::string file, ReadBeside read_beside);
 
     [[nodiscard]] const Json& json() const { return json_; }
@@ -52,7 +52,7 @@ class Document {
     mutable std::map<std::size_t, std::vector<std::uint8_t>> unpacked_;  // views, by index
 };
 
-/// The bytes of a "data:" URI; nothing where it is none. Fault: it is one that cannot be decoded.
+/// The decoded bytes of a "data:" URI; empty if it is no such URI. Fault: it cannot be decoded.
 [[nodiscard]] std::optional<std::string> decodeDataUri(std::string_view uri);
 
 }  // namespace dollytrack::gltf

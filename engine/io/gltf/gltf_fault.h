@@ -5,8 +5,8 @@
 
 namespace dollytrack::gltf {
 
-/// Why a glTF file cannot be read: one sentence that says what to do. Thrown within this folder
-/// only; readGltf() makes an Error of it.
+/// Thrown when a glTF file cannot be read; the text is one sentence that says what to do. It does
+/// not leave this folder: readGltf() turns it into an Error.
 class Fault : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -10,7 +10,7 @@
 
 namespace dollytrack::gltf {
 
-/// Where the pictures of a material lie on a surface.
+/// How a material's textures are mapped onto a surface.
 struct PictureCoordinates {
     int set = 0;                                              // TEXCOORD_0, TEXCOORD_1 ...
     Eigen::Affine2d transform = Eigen::Affine2d::Identity();  // KHR_texture_transform
@@ -20,9 +20,9 @@ struct PictureCoordinates {
     }
 };
 
-/// Fills the scene's materials, the default material of the specification last, and its textures;
-/// returns each material's coordinates. Pictures of kinds that cannot be decoded are left out with
-/// one warning for all of them.
+/// Fills the scene's materials and textures. glTF's default material is appended as the last one.
+/// Returns the texture mapping of each material. Textures in formats that cannot be decoded are
+/// left out, with one warning for all of them.
 [[nodiscard]] std::vector<PictureCoordinates> readMaterials(const Document& document,
                                                             RawScene& raw);
 

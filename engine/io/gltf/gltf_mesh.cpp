@@ -97,7 +97,8 @@ std::size_t linesOf(std::size_t mode, std::size_t vertices) {
     return vertices;
 }
 
-/// From glTF's picture coordinates, whose v points down, to ours.
+/// Converts texture coordinates from glTF, where v points down, to v upwards, and applies their
+/// transform.
 void placePictures(const PictureCoordinates& coordinates, std::vector<Eigen::Vector3f>& uvs) {
     const bool moves = !(coordinates == PictureCoordinates{coordinates.set, {}}) &&
                        !coordinates.transform.isApprox(Eigen::Affine2d::Identity(), 0.0);

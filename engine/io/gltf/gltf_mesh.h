@@ -13,7 +13,8 @@
 
 namespace dollytrack::gltf {
 
-/// One primitive of a mesh, as triangles; nothing checked yet but that it is within the file.
+/// One primitive of a mesh, as triangles. Only checked to lie within the file: indices may be out
+/// of range.
 struct Primitive {
     std::string name;            // of its mesh, with its number where the mesh has several
     std::uint32_t material = 0;  // index into RawScene::materials
@@ -22,13 +23,13 @@ struct Primitive {
     std::vector<Eigen::Vector3f> uvs;  // v upwards
     std::vector<std::uint32_t> indices;
     std::size_t lines = 0;                // points and lines, which are left out
-    std::vector<Eigen::Vector3f> colors;  // of its vertices, as the file has them; see readMesh
-    std::optional<Eigen::Vector3f> mean_color;  // linear, of its vertices; multiplies the material
+    std::vector<Eigen::Vector3f> colors;  // of each vertex, as in the file; may be empty
+    std::optional<Eigen::Vector3f> mean_color;  // of all vertices, linear; multiplies base_color
 };
 
-/// The primitives of a mesh. `coordinates` says of each material where its pictures lie; the last
-/// material is the one of primitives that name none. Colours of vertices are kept only where
-/// `keep_colors` says so; else primitives have but their mean.
+/// Reads the primitives of a mesh. `coordinates` has the texture mapping of each material; the last
+/// material is used by primitives that name none. If `keep_colors` is set, Primitive::colors keeps
+/// the colour of each vertex; otherwise only their mean, mean_color, is kept.
 [[nodiscard]] std::vector<Primitive> readMesh(const Document& document, std::size_t mesh,
                                               const std::vector<PictureCoordinates>& coordinates,
                                               bool keep_colors);

@@ -15,10 +15,11 @@ namespace dollytrack::gltf {
 namespace {
 
 constexpr int kDeepest = 1000;
-/// Of a whole file. A node takes some bytes of the file, an instance may take none.
+/// Limit for a whole file: a node takes some bytes of the file, but an instance may take none.
 constexpr std::size_t kMostInstances = std::size_t{1} << 16U;
 
-/// Of a quaternion x, y, z, w. One that is clearly not of length 1 is brought to it.
+/// The rotation matrix of a quaternion x, y, z, w, which is normalised if its length clearly
+/// differs from 1.
 Eigen::Matrix3f rotationOf(Eigen::Vector4f q) {
     constexpr float kRounding = 1e-3F;
     const float length = q.norm();

@@ -10,17 +10,16 @@
 
 namespace dollytrack::gltf {
 
-/// A mesh in one place of the scene.
+/// One placement of a mesh in the scene.
 struct MeshPlacement {
     std::size_t mesh = 0;  // index into the file's meshes
     int node = 0;          // index into RawScene::nodes
     Eigen::Affine3d source_from_mesh;
 };
 
-/// Walks the nodes of the file's default scene, or of the whole file where it has no scenes, and
-/// fills the scene's nodes. Each instance of EXT_mesh_gpu_instancing becomes a node of its own.
-/// Fault: nodes that lie within themselves or in two places, that nest too deep; too many
-/// instances.
+/// Walks the nodes of the default scene (of the whole file if it has no scenes) and fills the
+/// scene's nodes. Each instance of EXT_mesh_gpu_instancing becomes a node. Fault: a node is its own
+/// ancestor or has two parents; nodes are nested too deeply; there are too many instances.
 [[nodiscard]] std::vector<MeshPlacement> placeMeshes(const Document& document, RawScene& raw);
 
 }  // namespace dollytrack::gltf

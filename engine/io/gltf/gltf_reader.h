@@ -12,18 +12,19 @@
 
 namespace dollytrack::gltf {
 
-/// Reads the bytes of a glTF 2.0 file, .gltf or .glb. `where` names it in errors. Error: BadInput.
+/// Reads a glTF 2.0 file, .gltf or .glb, from its bytes. `where` names it in errors. Error:
+/// BadInput.
 [[nodiscard]] Result<RawScene> readGltf(std::string file, const ReadBeside& read_beside,
                                         const std::string& where, const JobContext& job);
 
-/// The meshes of a file with the colours of their vertices, each once, and their placements.
+/// The meshes of a file with vertex colours, and where they are placed.
 struct ColoredMeshes {
     RawScene scene;                              // materials and textures alone
     std::vector<std::vector<Primitive>> meshes;  // of the file; empty where they are not placed
     std::vector<MeshPlacement> placements;
 };
 
-/// The same for readers that need the colours of vertices. Errors: BadInput, Cancelled.
+/// As readGltf(), for readers that need the colour of each vertex. Errors: BadInput, Cancelled.
 [[nodiscard]] Result<ColoredMeshes> readColoredMeshes(std::string file,
                                                       const ReadBeside& read_beside,
                                                       const std::string& where,

@@ -21,10 +21,10 @@ using Json = nlohmann::json;
 /// The list under this key; empty where there is none. Fault: it is something else.
 [[nodiscard]] const Json::array_t& listAt(const Json& object, const char* key);
 
-/// What an extension adds to this object; null where it adds nothing. Fault: it is no object.
+/// The object of an extension; null if the extension is not used. Fault: it is no object.
 [[nodiscard]] const Json& extensionOf(const Json& object, const char* extension);
 
-/// A whole number of zero or more; nothing where there is no value. Fault: it is something else.
+/// A non-negative integer; empty if there is no value. Fault: it is something else.
 [[nodiscard]] std::optional<std::size_t> findCount(const Json& object, const char* key);
 [[nodiscard]] std::size_t countOr(const Json& object, const char* key, std::size_t otherwise);
 /// Fault: it is missing.
@@ -33,7 +33,7 @@ using Json = nlohmann::json;
 /// A finite number; `otherwise` where there is none. Fault: it is something else.
 [[nodiscard]] double numberOr(const Json& object, const char* key, double otherwise);
 
-/// Fills as many numbers as the list under this key has to have; leaves them where there is none.
+/// Reads a list of as many numbers as `into` has; leaves `into` unchanged if there is no value.
 /// Fault: the list has another length, or holds something else.
 template <class Vector>
 void readNumbers(const Json& object, const char* key, Vector& into) {

@@ -8,8 +8,8 @@
 
 namespace dollytrack::gltf {
 
-/// The bytes of a buffer view that EXT_meshopt_compression packed; `description` is what the
-/// extension says of it. Fault: the bytes cannot hold what it claims, or are damaged.
+/// Decodes a buffer view that is packed with EXT_meshopt_compression; `description` is the
+/// extension's JSON object. Fault: the data is damaged, or shorter than the description says.
 [[nodiscard]] std::vector<std::uint8_t> unpackMeshopt(std::span<const std::uint8_t> packed,
                                                       const Json& description);
 

@@ -107,7 +107,8 @@ class PathReader {
         handle_ = a;
     }
 
-    /// From end points to a centre: SVG 1.1, appendix F.6.5.
+    /// Adds an elliptical arc; converts it from end points to centre parameters (SVG 1.1, appendix
+    /// F.6.5).
     void arc(double rx, double ry, double turn, bool large, bool sweep, const Vector2d& end) {
         rx = std::abs(rx);
         ry = std::abs(ry);

@@ -171,7 +171,7 @@ class Taker {
     std::map<std::size_t, std::vector<bool>> left_;  // by part: triangles that nobody has asked for
 };
 
-/// Of the class said, else of the object's name, else of what it is made of.
+/// The label of an annotated object: by its class, else by its name, else by what it consists of.
 Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
               std::vector<std::string>& warnings) {
     if (!object.category.empty()) {

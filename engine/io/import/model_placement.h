@@ -20,7 +20,7 @@ class ModelPlacement {
     /// a mirroring transform turns the faces back. Returns the new parts' indices.
     std::vector<std::size_t> place(const std::string& name,
                                    const Eigen::Affine3d& scene_from_model);
-    /// The same for some of the model's parts, by their indices.
+    /// Places only the parts of the model with these indices.
     std::vector<std::size_t> place(const std::string& name, const Eigen::Affine3d& scene_from_model,
                                    const std::vector<std::size_t>& parts);
 

@@ -23,7 +23,8 @@ struct PlyMesh {
     std::vector<Eigen::Vector3f> colors;   // empty, or one per position; sRGB, 0 to 1
     std::vector<std::uint32_t> face_sizes;
     std::vector<std::uint32_t> face_indices;
-    /// Of each face, or of each position: empty where the file has none; -1 for what is no number.
+    /// Object and class numbers of each face, or of each position; empty if the file has none; -1
+    /// for a value that is no number.
     std::vector<std::int64_t> face_objects;
     std::vector<std::int64_t> face_classes;
     std::vector<std::int64_t> position_objects;

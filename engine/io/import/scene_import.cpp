@@ -109,7 +109,7 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
     noteMaterialSplit(*found, objects, report);
 }
 
-/// From one draft a node to one draft an object.
+/// Turns drafts of nodes into drafts of objects.
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);

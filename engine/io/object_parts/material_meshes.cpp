@@ -89,7 +89,8 @@ bool isLarge(const RawScene& raw, const ObjectDraft& draft) {
     return boxOf(raw, draft).sizes().maxCoeff() > most;
 }
 
-/// Whether names let two pieces be of one object: what nobody named may be part of anything.
+/// Whether the labels allow two pieces to belong to one object. A piece without a class may be part
+/// of any object.
 bool mayBeOne(const ObjectDraft& a, const ObjectDraft& b) {
     const auto isOfClass = [](const Label& label) {
         return label.nyu40 != 0 &&
@@ -131,8 +132,8 @@ class MaterialMeshSearch {
         }
     }
 
-    /// Of each draft: whether its name speaks of chairs and of tables ("chair_tables") and it has
-    /// objects of both shapes, several times each. Chairs are higher than wide.
+    /// Whether each draft holds both chairs and tables: its name mentions both ("chair_tables"),
+    /// and it has several equal objects of either shape. Chairs are higher than wide.
     [[nodiscard]] std::vector<bool> holdChairsAndOthers(const LabelTable& labels) const {
         std::vector<bool> both(drafts_.size(), false);
         for (std::size_t i = 0; i < drafts_.size(); ++i) {

@@ -117,7 +117,8 @@ bool liesWithin(const MeasuredThing& small, const MeasuredThing& large, int axis
     return share > 0.7;
 }
 
-/// Of the things that touch a larger one from above or from below, how many lie upon it.
+/// Compares the objects that rest on a larger one with those that hang from one: 1 if all rest, -1
+/// if all hang, and closer to 0 if few objects touch another at all.
 double judgeResting(const std::vector<Upright>& all, int axis, double tolerance) {
     std::vector<const Upright*> by_high;
     std::vector<const Upright*> by_low;
@@ -148,8 +149,8 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
            std::min(1.0, 4.0 * ballot.count() / static_cast<double>(by_low.size() + 1));
 }
 
-/// Of the things that are no part of the building, the share that rests on others, less half of
-/// those that would rest upside down.
+/// The share of objects (without parts of the building) that rest on others, minus half the share
+/// that would rest if the scene were upside down.
 double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     double rests = 0.0;
     int count = 0;

@@ -17,7 +17,8 @@ struct UnpackedPicture {
     std::vector<std::uint8_t> data;
 };
 
-/// Sizes the data for what a file's head tells; false for sides that are none, and too many pixels.
+/// Allocates the pixel data for the size in a file's header; false if a side is invalid or there
+/// are too many pixels.
 bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
               UnpackedPicture& picture);
 

@@ -18,7 +18,7 @@ constexpr double kBeside = 0.5;    // m around whoever scanned, and beside what 
 constexpr double kBefore = 1.5;    // m before surfaces, from where depth cameras see them well
 constexpr double kOneSided = 0.5;  // length of the mean normal where all face one way
 
-/// Of the lowest points 2 % may be strays.
+/// The lowest height; 2 % of the points, the lowest, may be outliers.
 double lowest(std::vector<double> heights) {
     const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 50);
     std::nth_element(heights.begin(), at, heights.end());

@@ -10,10 +10,10 @@
 
 namespace dollytrack::io {
 
-/// Puts a level, grey floor under a scan: just below the floor that was scanned, else below all of
-/// it; as far as the scan and whoever made it (the viewpoint, else a metre and a half before
-/// surfaces that all face one way). Scans show no floor behind furniture and none where the scanner
-/// stood, and without a floor nothing is inside. Metres.
+/// Adds a horizontal grey floor below a scan: just below the scanned floor, else below all points.
+/// It extends over the scan and the scanner's position (`viewpoint`; if unknown, about a metre and
+/// a half in front of surfaces that all face one way). Scans show no floor behind furniture and
+/// where the scanner stood, and without a floor no place would count as inside. Metres.
 void addFloor(const CloudSamples& samples, const CloudLabels& labels,
               const std::optional<Eigen::Vector3d>& viewpoint, UpAxis up, RawScene& raw);
 

@@ -51,7 +51,7 @@ constexpr double kSparse = 1.5;  // voxels; points that lie further apart need l
 constexpr double kVoxelsOfScatter = 1.5;
 constexpr double kRough = 0.25;  // of the voxel asked for: less scatter is left as it is
 
-/// Of the plane through the neighbours; without direction where there are too few.
+/// The normal of the plane through the neighbours; zero if there are too few.
 Eigen::Vector3d normalAt(const PointGrid& grid, const std::vector<Eigen::Vector3d>& points,
                          std::size_t i, double radius) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();

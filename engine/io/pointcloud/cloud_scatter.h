@@ -8,8 +8,9 @@
 
 namespace dollytrack::io {
 
-/// How far apart the points of a cloud lie, m: the side of the square that each has of the surface,
-/// by its sixth neighbour, the median over the cloud; as on a regular grid and as at random.
+/// Spacing of the points of a cloud, m: the side of the square of surface that each point has,
+/// estimated from its sixth neighbour; the median over the cloud. The estimate holds for regular
+/// grids and for random points.
 double spacingOf(const std::vector<Eigen::Vector3d>& points, double at_least);
 
 /// How points lie about the surface that they were scanned from.

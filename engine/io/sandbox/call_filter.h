@@ -2,10 +2,10 @@
 
 namespace dollytrack::io {
 
-/// seccomp: from now on this process can read files, use its memory, make threads and end; every
-/// other system call fails with EPERM. No programs, processes, sockets, no code made at run time,
-/// no file opened for writing. `openat2`: whether that call is allowed. False where it cannot be
-/// had.
+/// Installs a seccomp filter: from now on this process can only read files, use memory, create
+/// threads and exit; every other system call fails with EPERM. It can start no program or process,
+/// use no socket, open no file for writing and execute no generated code. `openat2`: whether that
+/// call is allowed. Returns false if the filter cannot be installed.
 [[nodiscard]] bool filterCalls(bool openat2);
 
 }  // namespace dollytrack::io

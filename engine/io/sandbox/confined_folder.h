@@ -9,27 +9,28 @@
 
 namespace dollytrack::io {
 
-/// The one door through which readers open the files that a scene names: only regular files
-/// beneath one folder. Names that lead out of it, absolute ones and links included, are refused,
-/// and so are /proc's links, pipes and devices. What goes through it is noted in the InputRecord.
+/// Opens the files that a scene names: only regular files below one folder. All readers use it.
+/// Names that lead out of the folder, also by absolute paths or links, are refused, and so are
+/// links in /proc, pipes and devices. Every access is noted in the InputRecord.
 class ConfinedFolder {
   public:
-    /// An empty path is the working directory. A folder that is not there holds no files.
+    /// An empty path means the working directory. A missing folder is treated as empty.
     explicit ConfinedFolder(std::filesystem::path folder);
 
-    /// `file` counts from the folder. Errors: BadInput.
+    /// Opens a file, given by its path relative to the folder. Errors: BadInput.
     [[nodiscard]] Result<InputFile> open(const std::filesystem::path& file) const;
 
-    /// Whether open() would succeed; nothing is noted but that a file is missing.
+    /// Whether open() would succeed. Only a missing file is noted in the InputRecord.
     [[nodiscard]] bool has(const std::filesystem::path& file) const;
 
-    /// The regular files beneath it, as paths from it, in order of depth and name: five levels,
-    /// at most 20,000 entries, links left out.
+    /// The regular files below the folder, as relative paths, by depth and then by name. At most
+    /// five levels and 20,000 entries are searched; links are left out.
     [[nodiscard]] std::vector<std::filesystem::path> list() const;
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
-    /// What counts from the folder of a path that begins with the folder's own; others as they are.
+    /// The path relative to the folder, if it begins with the folder's path; otherwise the path
+    /// itself.
     [[nodiscard]] std::string relative(const std::filesystem::path& file) const;
 
   private:
@@ -38,7 +39,8 @@ class ConfinedFolder {
     std::filesystem::path folder_;
 };
 
-/// Whether there is this regular file, and no link that leads out of the file's own folder.
+/// Whether this regular file exists. A link counts only if its target lies below the file's own
+/// folder.
 [[nodiscard]] bool hasFile(const std::filesystem::path& file);
 
 }  // namespace dollytrack::io

@@ -5,9 +5,9 @@
 
 namespace dollytrack::io {
 
-/// Landlock: from now on this process reads files and folders beneath `readable` (which may be
-/// files, too), and can neither write, create, remove, run nor connect anything. False where the
-/// kernel has no Landlock or it is switched off.
+/// Applies Landlock rules: from now on this process can read only files and folders below
+/// `readable` (folders or files), and can neither write, create, remove, execute nor connect to
+/// anything. Returns false if the kernel has no Landlock or it is disabled.
 [[nodiscard]] bool lockIntoFolders(const std::vector<std::filesystem::path>& readable);
 
 }  // namespace dollytrack::io

@@ -13,12 +13,12 @@
 
 namespace dollytrack::io {
 
-/// A sum over bytes that tells accidents: each step can be undone, so that two runs of bytes of
-/// one length that differ in one word never have the same. It is no protection against intent.
+/// A checksum that detects accidental damage: two byte strings of one length that differ in a
+/// single word never have the same sum. It gives no protection against deliberate changes.
 [[nodiscard]] std::uint64_t frameSum(std::span<const std::uint8_t> bytes);
 
-/// Writes values one after the other; without a place to write it only counts the bytes. The
-/// same function that lists a struct's members can be handed a FrameReader.
+/// Serializes values one after the other. Without an output it only counts the bytes. A function
+/// that passes a struct's members to it also works with FrameReader.
 class FrameWriter {
   public:
     static constexpr bool kReads = false;
@@ -58,14 +58,15 @@ class FrameWriter {
     std::size_t size_ = 0;
 };
 
-/// Reads them back. No count is believed before the bytes for it are there; after the first thing
-/// that is wrong everything comes empty and good() is false.
+/// Reads what FrameWriter wrote. Before memory is taken for a list or text, its count is checked
+/// against the bytes that are left. After the first error all values read are empty and good() is
+/// false.
 class FrameReader {
   public:
     static constexpr bool kReads = true;
 
-    /// `most_bytes` are what the entries of all its lists may take in memory: an entry can be ten
-    /// times as large as the bytes that it is read from.
+    /// `most_bytes` limits the memory that the entries of all lists may take: an entry can be ten
+    /// times as large as its serialized bytes.
     explicit FrameReader(std::span<const std::uint8_t> from,
                          std::size_t most_bytes = std::size_t{1} << 30U)
         : from_(from), most_bytes_(most_bytes) {}
@@ -87,7 +88,7 @@ class FrameReader {
     void array(std::vector<T>& values) {
         fill(values);
     }
-    /// `least_bytes`: that each entry takes at least.
+    /// `least_bytes`: the smallest number of bytes that an entry is serialized to.
     template <class T, class Members>
     void list(std::vector<T>& values, std::size_t least_bytes, Members members) {
         std::size_t count = takeCount(least_bytes);
@@ -97,7 +98,8 @@ class FrameReader {
             count = 0;
         }
         most_bytes_ -= count * sizeof(T);
-        // Growing would copy, but nothing large is made for entries that may be empty.
+        // Growing copies, but a large reserve for entries that turn out to be missing would cost
+        // more.
         values.reserve(std::min<std::size_t>(count, 1U << 16U));
         for (std::size_t i = 0; i < count && good_; ++i) members(*this, values.emplace_back());
     }
@@ -118,7 +120,7 @@ class FrameReader {
         from_ = from_.subspan(size);
     }
     [[nodiscard]] bool good() const { return good_; }
-    /// Good, and nothing is left over.
+    /// Whether everything was read without an error.
     [[nodiscard]] bool finished() const { return good_ && from_.empty(); }
 
   private:
@@ -145,7 +147,7 @@ class FrameReader {
     bool good_ = true;
 };
 
-/// A list alone, as text; `members` as for FrameWriter::list().
+/// Serializes one list; `members` as for FrameWriter::list().
 template <class T, class Members>
 [[nodiscard]] std::string listText(const std::vector<T>& values, Members members) {
     FrameWriter counter;
@@ -156,7 +158,7 @@ template <class T, class Members>
     return text;
 }
 
-/// Its opposite; nothing unless all of the text is such a list.
+/// Reads what listText() wrote. Empty unless the whole text is such a list.
 template <class T, class Members>
 [[nodiscard]] std::optional<std::vector<T>> parseListText(std::string_view text,
                                                           std::size_t least_bytes,

@@ -11,15 +11,16 @@
 
 namespace dollytrack::io {
 
-/// Memory without a name that another process fills: of a fixed size, so that it cannot be cut
-/// under whoever reads it, and closed to all writers before it is read.
+/// Anonymous shared memory that another process fills. Its size is fixed, so it cannot be truncated
+/// while it is read, and it is sealed against writing before it is read.
 class FrameMemory {
   public:
-    /// `size` bytes, or as many as the limit on file sizes leaves; none takes memory before it is
-    /// written.
+    /// Creates memory of `size` bytes, or of as many as the limit on file sizes allows. Pages take
+    /// memory only once they are written.
     [[nodiscard]] static Result<FrameMemory> make(std::size_t size);
 
-    /// The first `used` bytes, for good as they are. Error: BadInput while somebody can write.
+    /// Seals the memory and returns its first `used` bytes, which nobody can change any more.
+    /// Error: BadInput if another process still has it mapped for writing.
     [[nodiscard]] Result<std::span<const std::uint8_t>> close(std::size_t used);
 
     [[nodiscard]] int descriptor() const { return memory_.get(); }

@@ -13,22 +13,22 @@
 
 namespace dollytrack::io {
 
-/// What an importer handed back; nothing in it is checked yet.
+/// What an importer handed back, unchecked.
 struct HandBack {
     FrameMemory memory;
     std::span<const std::uint8_t> frame;  // within the memory
-    // As the importer says; nothing when they are more than can be kept.
+    // As reported by the importer; empty if there are more than the cache keeps.
     std::optional<std::vector<InputUse>> inputs;
 };
 
-/// The importer, `dollytrack-import`; see siblingProgram().
+/// Path of the program `dollytrack-import`; see siblingProgram().
 [[nodiscard]] std::filesystem::path importerProgram();
 
-/// Reads a scene file in a process of its own, which can open what lies beneath the scene's folder
-/// and `more_inputs` (folders or files), and waits for it. It gets the time of a
-/// ReadingClock with the `work` of the scene's format.
-/// Cancelling kills it. Errors: BadInput when it crashes, takes too long or ends with nothing;
-/// Cancelled; Failed when there is no importer or it cannot be started.
+/// Reads a scene file in a separate process, which can open only what lies below the scene's folder
+/// and `more_inputs` (folders or files), and waits for it. Its time is limited by a ReadingClock;
+/// `work` is that of the scene's format. Cancelling kills the process. Errors: BadInput if it
+/// crashes, takes too long or returns nothing; Cancelled; Failed if the importer is missing or
+/// cannot be started.
 [[nodiscard]] Result<HandBack> runImporterProcess(
     const std::filesystem::path& scene, const ImportOptions& options, const JobContext& job,
     const std::vector<std::filesystem::path>& more_inputs = {}, double work = 1.0);

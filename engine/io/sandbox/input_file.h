@@ -12,7 +12,7 @@
 
 namespace dollytrack::io {
 
-/// Which file it is, and which state of it: equal as long as nobody wrote to it or replaced it.
+/// Identifies a file and its content: equal as long as nobody wrote to the file or replaced it.
 struct FileIdentity {
     std::uint64_t device = 0;
     std::uint64_t inode = 0;
@@ -22,16 +22,16 @@ struct FileIdentity {
     auto operator<=>(const FileIdentity&) const = default;
 };
 
-/// A regular file that is open for reading; closed with this object.
+/// A regular file open for reading; the destructor closes it.
 class InputFile {
   public:
-    /// Takes over a descriptor. BadInput when it is no regular file: a pipe would block for ever,
-    /// a device has no end.
+    /// Takes ownership of a descriptor. BadInput unless it is a regular file: a pipe could block
+    /// for ever, a device may have no end.
     [[nodiscard]] static Result<InputFile> adopt(FileDescriptor file, const std::string& where);
 
-    /// Up to `size` bytes from `offset` on; fewer at the end of the file and after an error.
+    /// Reads up to `size` bytes from `offset`; fewer at the end of the file or after an error.
     [[nodiscard]] std::size_t read(std::uint64_t offset, void* into, std::size_t size) const;
-    /// All of it. BadInput when it is larger than `most` bytes or cannot be read.
+    /// Reads the whole file. BadInput if it is larger than `most` bytes or cannot be read.
     [[nodiscard]] Result<std::string> readAll(std::uint64_t most) const;
 
     [[nodiscard]] const FileIdentity& identity() const { return identity_; }
@@ -47,11 +47,11 @@ class InputFile {
     std::string where_;
 };
 
-/// Opens a file for reading, as all programs do: links are followed, wherever they lead; a pipe or
-/// device is refused, never waited for. Noted in the InputRecord. Error: BadInput.
+/// Opens a file that the user named. Links are followed wherever they lead; a pipe or device is
+/// refused without blocking. Noted in the InputRecord. Error: BadInput.
 [[nodiscard]] Result<InputFile> openNamedFile(const std::filesystem::path& path);
 
-/// All of such a file. Errors: BadInput.
+/// Reads the whole of such a file. Errors: BadInput.
 [[nodiscard]] Result<std::string> readNamedFile(const std::filesystem::path& path,
                                                 std::uint64_t most);
 

@@ -9,10 +9,10 @@
 
 namespace dollytrack::io {
 
-/// What a reading depends on, as bytes for another process; empty when it is more than is kept.
+/// Serializes the inputs of a reading for another process; empty if there are more than are kept.
 [[nodiscard]] std::string inputListText(const std::vector<InputUse>& uses);
 
-/// Reads them back; nothing when they are not whole, or more than a scene can have.
+/// Reads what inputListText() wrote. Empty if it is incomplete, or longer than a scene's can be.
 [[nodiscard]] std::optional<std::vector<InputUse>> parseInputList(std::string_view text);
 
 }  // namespace dollytrack::io

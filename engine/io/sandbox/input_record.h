@@ -11,13 +11,13 @@
 
 namespace dollytrack::io {
 
-/// One thing that a reader asked the file system.
+/// One access of a reader to the file system.
 struct InputUse {
     enum Kind : std::uint32_t {
-        File,     // it was opened
-        Missing,  // it was looked for, and is not there
-        Listing,  // a folder, for the names of the files beneath it
-        Refused,  // it lies outside
+        File,     // was opened
+        Missing,  // was looked for but does not exist
+        Listing,  // folder whose file names were listed
+        Refused,  // lies outside the folders that may be read
     };
     Kind kind = File;
     std::filesystem::path path;
@@ -26,20 +26,20 @@ struct InputUse {
     bool operator<(const InputUse& other) const;
 };
 
-/// What a reading depends on. The program that reads one scene keeps one; elsewhere nothing is
-/// noted. Any thread may note.
+/// Collects the files that the reading of a scene depends on. While an object of this class exists,
+/// accesses are noted in it; otherwise nowhere. Thread-safe.
 class InputRecord {
   public:
-    /// `opened` hears of each file when it is opened for the first time.
+    /// `opened` is called when a file is opened for the first time.
     explicit InputRecord(std::function<void(const FileIdentity&)> opened = {});
     ~InputRecord();
     InputRecord(const InputRecord&) = delete;
     InputRecord& operator=(const InputRecord&) = delete;
 
-    /// What was asked so far, each once, in the order of kind and path.
+    /// The accesses so far, each once, ordered by kind and path.
     [[nodiscard]] std::vector<InputUse> uses() const;
 
-    /// Notes it in the record that is alive, if one is.
+    /// Notes an access in the record that exists, if any.
     static void note(InputUse::Kind kind, const std::filesystem::path& path,
                      const FileIdentity& identity = {});
 

@@ -8,16 +8,17 @@
 
 namespace dollytrack::io {
 
-/// How long a process was ready to run while all processors were taken by others, as the kernel
-/// counts it (proc/PID/task/*/schedstat). Zero where it does not count.
+/// Measures how long a process was ready to run while all processors were busy with other work, by
+/// the kernel's statistics (/proc/PID/task/*/schedstat). Zero if the kernel does not count it.
 class ProcessorWait {
   public:
     using Seconds = std::chrono::duration<double>;
 
-    /// The process has to be the caller's child, not yet waited for.
+    /// The process must be a child of the caller that was not waited for yet.
     explicit ProcessorWait(pid_t process);
-    /// Looks again, and gives the sum so far: of all looks what the thread that waited longest
-    /// since the last has waited, from when this was made on; never more than the time that passed.
+    /// Measures again and returns the total wait since construction. Each measurement adds the wait
+    /// of the thread that waited longest since the last one; the total never exceeds the elapsed
+    /// time.
     Seconds update();
 
   private:

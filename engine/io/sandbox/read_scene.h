@@ -9,8 +9,8 @@
 
 namespace dollytrack::io {
 
-/// The file by its format's reader, and the pictures that it asks for where the options want them.
-/// Nothing is checked yet.
+/// Reads a file by its format's reader, and decodes the textures that it refers to if the options
+/// ask for them. The result is unchecked.
 [[nodiscard]] Result<ReadScene> readScene(const SceneFormat& format,
                                           const std::filesystem::path& path,
                                           const ImportOptions& options, const JobContext& job);

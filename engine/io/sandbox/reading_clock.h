@@ -6,9 +6,9 @@
 
 namespace dollytrack::io {
 
-/// How long a reading may take: a damaged file shall be given up soon, and a large sound one on a
-/// slow machine be waited for. The importer's own start is no fault of the file and has a time of
-/// its own, which ends with the first file that is opened.
+/// Time limit of a reading. A damaged file is given up early, while a large intact file has time
+/// even on a slow machine. Starting the importer has a limit of its own, which ends when the first
+/// file is opened.
 class ReadingClock {
   public:
     using Seconds = std::chrono::duration<double>;
@@ -19,7 +19,7 @@ class ReadingClock {
     static constexpr Seconds kFurtherMebibyte{2.0};
     static constexpr Seconds kMost{900.0};
 
-    /// `work` is that of the scene's format.
+    /// `work` multiplies the time; each scene format has its own.
     explicit ReadingClock(double work = 1.0) : work_(work) {}
 
     void opened(std::uint64_t bytes) {
@@ -30,7 +30,7 @@ class ReadingClock {
         }
         mebibytes_ += static_cast<double>(bytes) / 1048576.0;
     }
-    /// Whether a file was opened: what takes long before that is not the file.
+    /// Whether a file was opened. Time before that is not the file's fault.
     [[nodiscard]] bool reads() const { return reads_; }
     [[nodiscard]] Seconds allowed() const {
         if (!reads_) return kStart;
@@ -38,7 +38,8 @@ class ReadingClock {
         return std::min(kMost, work_ * (kLeast + first * kFirstMebibyte +
                                         (mebibytes_ - first) * kFurtherMebibyte));
     }
-    /// For so long in all others had the processors: a busy machine is no fault of the file.
+    /// Sets the total time for which other programs kept the processors busy; the limit is extended
+    /// by it.
     void waited(Seconds sum) { waited_ = std::max(waited_, sum); }
     [[nodiscard]] Seconds left() const {
         return allowed() + waited_ - waited_before_ - (Clock::now() - begin_);

@@ -17,41 +17,43 @@
 
 namespace dollytrack::io {
 
-/// Keeps what importers read, an entry a file. An entry counts as long as every file that the
-/// reading opened has the same content, those it missed are still missing, and the folders it
-/// searched hold the same names. Whatever is damaged, cut off or somebody else's is passed over.
+/// A cache of importers' readings, one file for each. An entry is valid as long as every file that
+/// was opened has the same content, files that were missing are still missing, and folders that
+/// were searched hold the same names. Entries that are damaged, truncated or owned by another user
+/// are ignored.
 class SceneCache {
   public:
-    /// The user's, in the folder `scenes`, see userCache().
+    /// The user's cache, in the folder `scenes` of userCache().
     [[nodiscard]] static std::optional<SceneCache> ofUser();
 
-    /// So long a file has to have lain when it is hashed for its digest to be known from then on.
+    /// A file that was not changed for this long before it was hashed need not be hashed again.
     static constexpr std::chrono::seconds kSettled{120};
 
     SceneCache(GuardedFolder folder, std::uint64_t most_bytes,
                std::chrono::seconds settled = kSettled)
         : folder_(std::move(folder)), most_bytes_(most_bytes), settled_(settled) {}
 
-    /// The SHA-256 of a scene file. Large files are not hashed each time: a file that is the same
-    /// by device, inode, size and both times has the digest that it had, provided that it had
-    /// settled then, so that no write can have come within the same tick of the clock.
+    /// The SHA-256 of a scene file. To avoid hashing large files each time, digests are stored: a
+    /// stored digest is reused if device, inode, size and both times of the file are the same and
+    /// the file was old enough when it was hashed (kSettled). A younger file could change again
+    /// without a change of its time stamps.
     [[nodiscard]] Result<std::string> digestOf(const std::filesystem::path& scene,
                                                const JobContext& job = {}) const;
 
-    /// Names an entry by the content of the scene file, its extension, the options that matter to
-    /// readers, the roots besides the scene's folder, and the readers themselves: the frame's
-    /// version and the importer's file.
+    /// The name of an entry. It depends on everything that decides a reading: the scene file's
+    /// content and extension, the options that matter to readers, the roots besides the scene's
+    /// folder, the frame version and the importer's program file.
     [[nodiscard]] static std::string keyOf(const std::filesystem::path& scene,
                                            const std::string& sha256, const ImportOptions& options,
                                            const InputRoots& roots);
 
-    /// The kept reading, checked like one that is handed back.
+    /// The cached reading, checked like one that an importer hands back.
     [[nodiscard]] std::optional<ReadScene> find(const std::string& key,
                                                 const InputRoots& roots) const;
 
-    /// Keeps a frame, durably and whole or not at all; the oldest entries make room. False when
-    /// it was not kept: too large, no room on the disk, an input that has changed since it was
-    /// read or lies beneath none of the roots.
+    /// Stores a frame, durably and completely or not at all; the oldest entries are removed to make
+    /// room. Returns false if it was not stored: it is too large, the disk is full, or an input was
+    /// changed since it was read or lies below none of the roots.
     bool keep(const std::string& key, const std::filesystem::path& scene, const std::string& sha256,
               const InputRoots& roots, const std::vector<InputUse>& inputs,
               std::span<const std::uint8_t> frame) const;

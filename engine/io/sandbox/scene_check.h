@@ -5,9 +5,9 @@
 
 namespace dollytrack::io {
 
-/// Makes what another process read safe to work with: every index points at something that is
-/// there, every number is finite and within its range, every part of the scene belongs to at most
-/// one object; texts are made clean, bounds and areas measured. Error: BadInput, what is wrong.
+/// Checks a scene that another process read, so that it is safe to work with: every index is in
+/// range, every number is finite and within its limits, and every part belongs to at most one
+/// object. Cleans texts and measures bounds and areas. Error: BadInput, saying what is wrong.
 [[nodiscard]] Status checkScene(ReadScene& scene);
 
 }  // namespace dollytrack::io

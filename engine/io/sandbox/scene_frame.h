@@ -10,30 +10,30 @@
 
 namespace dollytrack::io {
 
-/// What a scene file holds, pictures decoded.
+/// The content of a scene file, with decoded textures.
 struct ReadScene {
-    RawScene raw;  // its texture requests have names only
+    RawScene raw;  // texture requests hold only names
     TextureSet textures;
 };
 
-/// The version of the frames and of what readers put into them. To be raised whenever the same
-/// file is read differently: frames of other versions are neither read nor kept.
+/// Version of the frame format and of the readers' results. It must be raised whenever the same
+/// file is read differently: frames of other versions are neither read nor cached.
 inline constexpr std::uint32_t kFrameVersion = 10;
 
-/// Bytes that a frame of this outcome takes.
+/// The size of this outcome's frame in bytes.
 [[nodiscard]] std::size_t frameSize(const Result<ReadScene>& outcome);
 
-/// Writes the outcome of a reading as one frame: magic, version, length, sum, and then the values
-/// in the machine's own byte order (it never leaves it). `out` has frameSize() bytes.
+/// Writes the outcome of a reading as a frame: magic, version, length, checksum, then the values in
+/// the machine's native byte order, because a frame never leaves the machine. `out` has frameSize()
+/// bytes.
 void writeFrame(const Result<ReadScene>& outcome, std::span<std::uint8_t> out);
 
-/// Reads a frame that may come from anywhere: nothing in it is believed. Every count is held
-/// against the bytes that are there, the values are checked by checkScene(); texts come back
-/// clean. An outcome that was an error comes back as that error. `damaged` tells which it was:
-/// true when the frame is none, with the reason as error.
+/// Reads a frame of untrusted origin. Counts are checked against the size of the frame, values by
+/// checkScene(); texts are cleaned. If the outcome was an error, that error is returned. `damaged`
+/// is set if the frame itself is invalid; the error then gives the reason.
 [[nodiscard]] Result<ReadScene> readFrame(std::span<const std::uint8_t> frame, bool& damaged);
 
-/// Makes the sum right again after the bytes were changed; a test's way past the first check.
+/// Updates the checksum after the bytes were changed, so that tests can reach the checks behind it.
 void sealFrame(std::span<std::uint8_t> frame);
 
 }  // namespace dollytrack::io

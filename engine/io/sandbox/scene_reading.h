@@ -11,14 +11,14 @@
 
 namespace dollytrack::io {
 
-/// A scene file's content, and which bytes it had.
+/// A scene file's content and digest.
 struct SceneReading {
     ReadScene scene;
     std::string sha256;  // of the scene file
 };
 
-/// Reads a scene file of this format: in a process of its own (importer_process.h), out of the
-/// cache (scene_cache.h) or here, as the options say. What comes back is checked in any case.
+/// Reads a scene file of this format: in a separate process (importer_process.h), from the cache
+/// (scene_cache.h) or in this process, as the options say. The result is always checked.
 [[nodiscard]] Result<SceneReading> readSceneFile(const SceneFormat& format,
                                                  const std::filesystem::path& path,
                                                  const ImportOptions& options,

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLowestDescriptor = 10;
 
-/// Both ends above those that the child is given.
+/// Makes a pipe whose descriptors are above those that the child is given.
 bool makePipe(FileDescriptor& read_end, FileDescriptor& write_end) {
     std::array<int, 2> low{};
     if (::pipe2(low.data(), O_CLOEXEC) != 0) return false;
@@ -58,7 +58,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& lines) {
     return pointers;
 }
 
-/// Nothing but the two descriptors, a process group and no signal of the parent's.
+/// Starts the importer with only the two descriptors open, in a process group of its own and
+/// without the parent's signal mask.
 int spawn(std::vector<std::string> arguments, int frame, int pipe, pid_t& process) {
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);

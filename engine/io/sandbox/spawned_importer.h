@@ -14,8 +14,7 @@
 
 namespace dollytrack::io {
 
-/// A running importer and the pipe that its messages come through. Killed and waited for, at the
-/// latest, by the destructor.
+/// A running importer and the pipe for its messages. The destructor kills it and waits for it.
 class SpawnedImporter {
   public:
     /// `arguments[0]` is the program. Error: Failed.
@@ -25,10 +24,10 @@ class SpawnedImporter {
     SpawnedImporter(SpawnedImporter&& other) noexcept;
     SpawnedImporter& operator=(SpawnedImporter&&) = delete;
 
-    /// Waits for messages, no longer than told. False when none will come any more.
+    /// Waits for messages for at most this time. Returns false if no more will come.
     [[nodiscard]] bool receive(std::chrono::milliseconds wait,
                                std::vector<ImporterMessage>& messages);
-    /// The status as waitpid() tells it, once it has ended.
+    /// The exit status, as from waitpid(); empty while it is running.
     [[nodiscard]] std::optional<int> end();
     void limitProcessorTime(std::uint64_t seconds) const;
     [[nodiscard]] pid_t process() const { return process_; }
