@@ -77,10 +77,6 @@ std::string lastName(const std::string& name) {
     return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-std::string withoutEnding(const std::string& name, std::string_view ending) {
-    return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
-}
-
 /// The values of `changes` in place of those of the same name in `defaults`.
 json merged(json defaults, const json& changes) {
     if (!defaults.is_object()) defaults = json::object();
@@ -121,8 +117,8 @@ std::vector<fs::path> configsIn(const fs::path& folder) {
 /// where a config leads into too many.
 class Dataset::FolderSearch {
   public:
-    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where,
-                 JobContext job, std::size_t most_names)
+    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where, JobContext job,
+                 std::size_t most_names)
         : files_(files),
           root_(std::move(root)),
           where_(std::move(where)),
@@ -293,7 +289,8 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
         std::string name = io::textIn(section.configs[i], "template_handle");
         if (name.empty()) {
             const std::string original = io::textIn(section.configs[i], "original_file");
-            name = withoutEnding(lastName(original), words.ending);
+            name = lastName(original);
+            name = withoutEnding(name, words.ending).value_or(name);
         }
         section.config_of.try_emplace(std::move(name), i);
     }
@@ -346,8 +343,8 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
 Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path& file) const {
     const auto known = by_file_.find({kind, file});
     if (known != by_file_.end()) return known->second;
-    auto found = std::make_shared<Template>(
-        Template{sections_.at(kind).defaults, file.parent_path(), file});
+    auto found =
+        std::make_shared<Template>(Template{sections_.at(kind).defaults, file.parent_path(), file});
     if (file.extension() == ".json") {
         const Result<json> read = readConfig(file, kMostTemplateBytes);
         if (!read) return tl::unexpected(read.error());
@@ -389,7 +386,9 @@ Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& s
 
 Result<std::shared_ptr<const Template>> Dataset::find(Kind kind, const std::string& name) const {
     const Section& section = sections_.at(kind);
-    for (const std::string& handle : {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
+    const std::string last = lastName(name);
+    for (const std::string& handle :
+         {name, withoutEnding(last, wordsOf(kind).ending).value_or(last)}) {
         auto configured = findConfigured(section, kind, handle);
         if (!configured || *configured) return configured;
     }
@@ -409,8 +408,8 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
     if (words.models) endings.insert(endings.end(), {".glb", ".gltf", ".ply", ".obj"});
     std::string stem = lastName(name);
     for (const std::string& ending : endings) {
-        if (stem.ends_with(ending)) {
-            stem = withoutEnding(stem, ending);
+        if (auto before = withoutEnding(stem, ending)) {
+            stem = std::move(*before);
             break;
         }
     }
@@ -442,7 +441,7 @@ std::vector<DatasetScene> Dataset::scenes() const {
         const std::string ending = wordsOf(kind).ending;
         for (const fs::path& file : sections_.at(kind).files) {
             const std::string name = file.filename().string();
-            if (name.ends_with(ending)) scenes.push_back({withoutEnding(name, ending), file});
+            if (auto scene = withoutEnding(name, ending)) scenes.push_back({*scene, file});
         }
         for (const fs::path& file : sections_.at(kind).named_models) {
             scenes.push_back({file.stem().string(), file});
@@ -470,7 +469,8 @@ std::optional<fs::path> Dataset::findLexicon(const std::string& name) const {
         if (auto file = files_.find(folder_, written)) return file;
     }
     const Section& section = sections_.at(Kind::SemanticScene);
-    const auto at = section.file_of.find(withoutEnding(lastName(name), ".json") + ".json");
+    const std::string last = lastName(name);
+    const auto at = section.file_of.find(withoutEnding(last, ".json").value_or(last) + ".json");
     if (at != section.file_of.end())
         return files_.find(folder_, section.files[at->second].string());
     return files_.find(folder_, name);

@@ -10,6 +10,7 @@
 #include "engine/io/import/import_labels.h"
 #include "engine/io/import/model_placement.h"
 #include "engine/io/import/model_reader.h"
+#include "engine/io/import/scene_format.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/sandbox/input_record.h"
 #include "engine/io/semantics/labelled_reader.h"
@@ -693,8 +694,7 @@ bool holdsAny(std::string_view head, std::initializer_list<std::string_view> key
 }  // namespace
 
 bool likeHabitat(std::string_view head) {
-    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (first == std::string_view::npos || head[first] != '{') return false;
+    if (firstLetter(head) != '{') return false;
     if (holdsAny(head, {"\"stage_instance\"", "\"object_instances\"", "\"render_asset\"",
                         "\"articulated_object_instances\""})) {
         return true;

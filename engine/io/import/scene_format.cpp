@@ -209,9 +209,14 @@ void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& op
     if (folder && !folder->empty()) io::hdf5Functions();
 }
 
-char firstLetter(std::string_view head) {
+std::string_view fromFirstLetter(std::string_view head) {
     const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return at == std::string_view::npos ? '\0' : head[at];
+    return at == std::string_view::npos ? std::string_view() : head.substr(at);
+}
+
+char firstLetter(std::string_view head) {
+    const std::string_view text = fromFirstLetter(head);
+    return text.empty() ? '\0' : text.front();
 }
 
 std::string lowerExtension(const std::filesystem::path& path) {

@@ -18,28 +18,11 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::expectBox;
 using test::find;
 using test::imported;
 using test::says;
 using test::TempFolder;
-
-Eigen::AlignedBox3d boxAround(const Scene& scene, const std::string& name) {
-    Eigen::AlignedBox3d box;
-    const Object* object = find(scene, name);
-    if (object == nullptr) return box;
-    for (std::uint32_t i = 0; i < object->vertex_count; ++i) {
-        box.extend(scene.positions[object->first_vertex + i].cast<double>());
-    }
-    return box;
-}
-
-void expectAround(const Scene& scene, const std::string& name, const Vector3d& low,
-                  const Vector3d& high) {
-    const Eigen::AlignedBox3d box = boxAround(scene, name);
-    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 &&
-                (box.max() - high).norm() < 1e-4)
-        << name << ": " << box.min().transpose() << " to " << box.max().transpose();
-}
 
 void writeSofa(const TempFolder& folder, const std::string& models) {
     static_cast<void>(folder.write(models + "/sofa/model.config",
@@ -79,13 +62,13 @@ TEST(Gazebo, PlacesIncludedModelsAndShapes) {
   <joint name="hinge" type="revolute"><parent>body</parent><child>door</child></joint></model>
  <include><uri>model://lamp</uri></include>)")));
     // An <include> without a pose of its own keeps the model's.
-    expectAround(scene, "couch", {4.0, -1.0, 0.5}, {5.0, 1.0, 2.5});
-    expectAround(scene, "sofa_1", {-1.0, 6.0, 10.5}, {0.0, 8.0, 12.5});
-    expectAround(scene, "floor", {-10, -10, -0.1}, {10, 10, 0.1});
+    expectBox(scene, "couch", {4.0, -1.0, 0.5}, {5.0, 1.0, 2.5});
+    expectBox(scene, "sofa_1", {-1.0, 6.0, 10.5}, {0.0, 8.0, 12.5});
+    expectBox(scene, "floor", {-10, -10, -0.1}, {10, 10, 0.1});
     EXPECT_EQ(find(scene, "floor")->nyu40, kNyuFloor);
-    expectAround(scene, "column", {1.5, 1.5, 2.0}, {2.5, 2.5, 4.0});
-    expectAround(scene, "ball", {1.75, 1.75, 4.75}, {2.25, 2.25, 5.25});
-    expectAround(scene, "cabinet", {-0.5, -0.6, -0.5}, {0.5, 0.5, 0.5});
+    expectBox(scene, "column", {1.5, 1.5, 2.0}, {2.5, 2.5, 4.0});
+    expectBox(scene, "ball", {1.75, 1.75, 4.75}, {2.25, 2.25, 5.25});
+    expectBox(scene, "cabinet", {-0.5, -0.6, -0.5}, {0.5, 0.5, 0.5});
     EXPECT_EQ(find(scene, "door"), nullptr) << "a joint holds it to the cabinet";
     EXPECT_TRUE(says(scene.report.warnings, "model://lamp"));
     const Object* floor = find(scene, "floor");
@@ -102,7 +85,7 @@ TEST(Gazebo, ModelsComeFromTheFoldersThatAreGiven) {
     ASSERT_FALSE(alone);
     EXPECT_NE(alone.error().message.find("model://sofa"), std::string::npos);
     const Scene scene = imported(path, {.model_folders = {folder.path() / "elsewhere/shared"}});
-    expectAround(scene, "sofa", {-1, 0, 10.5}, {1, 1, 12.5});
+    expectBox(scene, "sofa", {-1, 0, 10.5}, {1, 1, 12.5});
     // A model's own file is a scene, too, and finds itself.
     EXPECT_NE(find(imported(folder.path() / "elsewhere/shared/sofa/model.sdf"), "sofa"), nullptr);
 }
@@ -133,13 +116,13 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
                                                                   R"(</link></model>
  <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
     // The wrist holds the palm, which stands turned at x = 10, to the base.
-    expectAround(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
+    expectBox(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
     EXPECT_EQ(find(scene, "palm"), nullptr);
-    expectAround(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
+    expectBox(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
     // The shelf's top is at its pose, and the board's visual one above.
-    expectAround(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
-    expectAround(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
-    expectAround(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
+    expectBox(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
+    expectBox(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
+    expectBox(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
     EXPECT_TRUE(says(scene.report.warnings, "<state>"));
 }
 
@@ -186,8 +169,8 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
         "room.world", world(model("placed", "<name>seat</name>") +
                             model("centred", "<name>back</name><center>true</center>") +
                             model("none", "<name>leg</name>"))));
-    expectAround(scene, "placed", {4, 0, 0}, {5, 1, 1});
-    expectAround(scene, "centred", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    expectBox(scene, "placed", {4, 0, 0}, {5, 1, 1});
+    expectBox(scene, "centred", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
     EXPECT_EQ(find(scene, "none"), nullptr);
     EXPECT_TRUE(says(scene.report.warnings, "chair.obj: leg"));
 }
@@ -434,7 +417,7 @@ TEST(Gazebo, PosesMayBeRelativeToANestedModel) {
                                          "<model name='cup'><pose relative_to='arm::__model__'>"
                                          "0 5 0 0 0 0</pose><link name='l'>" +
                                          kBall + "</link></model>")));
-    expectAround(scene, "cup", {6, 4, -1}, {8, 6, 1});
+    expectBox(scene, "cup", {6, 4, -1}, {8, 6, 1});
 }
 
 // Before SDF 1.7 the links of included models were stored with such names.
@@ -448,7 +431,7 @@ TEST(Gazebo, LinksMayHaveColonsInTheirNames) {
                                         "</joint></model>",
                                         kBall))));
     EXPECT_EQ(scene.objects.size(), 1U);
-    expectAround(scene, "robot", {-1, -1, -1}, {6, 1, 1});
+    expectBox(scene, "robot", {-1, -1, -1}, {6, 1, 1});
 }
 
 // The mesh is red. A transparency of 0.25 leaves an opacity of 0.75.
@@ -518,10 +501,10 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
  <joint name="b" type="revolute"><origin xyz="2 0 0"/><parent link="arm"/><child link="sofa"/></joint>
  <link name="sofa"><visual><geometry><mesh filename="package://other_name/meshes/l.obj" scale="1 1 2"/></geometry></visual></link>
 </robot>)"));
-    expectAround(scene, "base", {-1, -1, -0.1}, {1, 1, 0.1});
-    expectAround(scene, "arm", {-0.5, 0.5, 0.5}, {0.5, 1.5, 1.5});
+    expectBox(scene, "base", {-1, -1, -0.1}, {1, 1, 0.1});
+    expectBox(scene, "arm", {-0.5, 0.5, 0.5}, {0.5, 1.5, 1.5});
     // Turned by 90 degrees, (x, y, z) becomes (-y, x, z); z is doubled.
-    expectAround(scene, "sofa", {-0.5, 1.0, 0.0}, {0.0, 3.0, 4.0});
+    expectBox(scene, "sofa", {-0.5, 1.0, 0.0}, {0.0, 3.0, 4.0});
     const Object* base = find(scene, "base");
     EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
         Eigen::Vector3f(0, 0, 1)));
@@ -552,7 +535,7 @@ TEST(Urdf, LongChainsAddUp) {
     }
     const Scene long_chain =
         imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
-    expectAround(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
+    expectBox(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
 }
 
 TEST(Urdf, MaterialsWithoutANameAreTheirVisualsAlone) {

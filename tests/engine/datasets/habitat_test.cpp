@@ -12,29 +12,11 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::expectBox;
 using test::find;
 using test::imported;
 using test::says;
 using test::TempFolder;
-
-/// The box around an object's own vertices.
-Eigen::AlignedBox3d boundsOf(const Scene& scene, const std::string& name) {
-    Eigen::AlignedBox3d box;
-    const Object* object = find(scene, name);
-    if (object == nullptr) return box;
-    for (std::uint32_t i = 0; i < object->vertex_count; ++i) {
-        box.extend(scene.positions[object->first_vertex + i].cast<double>());
-    }
-    return box;
-}
-
-void expectBox(const Scene& scene, const std::string& name, const Vector3d& low,
-               const Vector3d& high) {
-    const Eigen::AlignedBox3d box = boundsOf(scene, name);
-    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 &&
-                (box.max() - high).norm() < 1e-4)
-        << name << ": " << box.min().transpose() << " to " << box.max().transpose();
-}
 
 /// A dataset in the layout of ReplicaCAD: configs, models and a lexicon, and one scene.
 std::filesystem::path writeDataset(const TempFolder& folder, const std::string& instance) {
@@ -319,8 +301,8 @@ TEST(Habitat, NamesThatAreNotSearchedForAreSaid) {
         objects += R"(, {"template_name": "none_)" + std::to_string(i) + R"("})";
     }
     const Scene scene = imported(writeDataset(
-        folder, R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)" +
-                    objects + "]}"));
+        folder,
+        R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)" + objects + "]}"));
     EXPECT_TRUE(says(scene.report.warnings, "more than 2,000 names of templates"));
 }
 
