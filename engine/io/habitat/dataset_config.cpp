@@ -3,6 +3,7 @@
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/habitat/folder_search.h"
 #include "engine/io/sandbox/input_file.h"
 
 #include <algorithm>
@@ -21,9 +22,6 @@ using nlohmann::json;
 constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
 constexpr std::size_t kMostConfigs = 16;  // in one folder
 constexpr std::uint64_t kMostTemplateBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
-constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
-constexpr std::size_t kMostFiles = 100'000;       // of one kind
 constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
 
 struct KindWords {
@@ -61,10 +59,6 @@ const KindWords& wordsOf(Kind kind) {
 bool isModel(const std::string& name) {
     return name.ends_with(".glb") || name.ends_with(".gltf") || name.ends_with(".ply") ||
            name.ends_with(".obj");
-}
-
-bool isPattern(const std::string& text) {
-    return text.find_first_of("*?") != std::string::npos;
 }
 
 bool isOfKind(const std::string& name, const KindWords& words) {
@@ -112,90 +106,6 @@ std::vector<fs::path> configsIn(const fs::path& folder) {
 }
 
 }  // namespace
-
-/// Finds what the patterns of a config stand for. Lists each folder once, and stops with an error
-/// where a config leads into too many.
-class Dataset::FolderSearch {
-  public:
-    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where, JobContext job,
-                 std::size_t most_names)
-        : files_(files),
-          root_(std::move(root)),
-          where_(std::move(where)),
-          job_(std::move(job)),
-          most_names_(most_names) {}
-
-    /// The folders and files that a path with wildcards stands for.
-    Result<std::vector<fs::path>> expand(const std::string& pattern) {
-        std::vector<fs::path> level = {root_};
-        for (const fs::path& step : fs::path(pattern)) {
-            const std::string part = step.string();
-            if (part.empty()) continue;
-            std::vector<fs::path> next;
-            work_ += level.size();
-            for (const fs::path& folder : level) {
-                if (!isPattern(part)) {
-                    next.push_back((folder / part).lexically_normal());
-                    continue;
-                }
-                const auto names = list(folder);
-                if (!names) return tl::unexpected(names.error());
-                work_ += (*names)->size();
-                for (const std::string& name : **names) {
-                    if (next.size() <= kMostFiles && fitsPattern(part, name)) {
-                        next.push_back(folder / name);
-                    }
-                }
-            }
-            if (next.size() > kMostFiles || work_ > most_names_) return tooMany("files");
-            level = std::move(next);
-        }
-        return level;
-    }
-
-    /// The names in a folder; none of a file.
-    Result<const std::vector<std::string>*> list(const fs::path& folder) {
-        const auto [at, is_new] = listings_.try_emplace(folder);
-        if (!is_new) return &at->second;
-        if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
-        if (listings_.size() > kMostFolders) return tooMany("folders");
-        std::error_code error;
-        const fs::file_status status =
-            files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
-        // A folder that is missing is listed, too: the scene depends on whether it is there.
-        if (!fs::exists(status) || fs::is_directory(status)) {
-            Result<std::vector<std::string>> names = files_.namesIn(folder);
-            if (!names) return tl::unexpected(names.error());
-            at->second = std::move(*names);
-        }
-        work_ += at->second.size();
-        if (work_ > most_names_) return tooMany("files");
-        return &at->second;
-    }
-
-    [[nodiscard]] tl::unexpected<Error> tooManyPatterns(const std::string& section) const {
-        return fail(ErrorCode::BadInput,
-                    "the dataset config has more than " + std::to_string(kMostPatterns) +
-                        " paths of " + section + "; write folders or wildcards instead",
-                    where_);
-    }
-
-    [[nodiscard]] tl::unexpected<Error> tooMany(const char* what) const {
-        return fail(ErrorCode::BadInput,
-                    std::string("the paths of the dataset config lead to too many ") + what +
-                        "; write paths that lead to fewer",
-                    where_);
-    }
-
-  private:
-    const io::ReachableFiles& files_;
-    fs::path root_;
-    std::string where_;
-    JobContext job_;
-    std::size_t most_names_;
-    std::map<fs::path, std::vector<std::string>> listings_;
-    std::size_t work_ = 0;
-};
 
 bool isDatasetConfig(const fs::path& path) {
     return path.filename().string().ends_with(kConfigEnding);
@@ -307,7 +217,8 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
             if (!entry.is_string()) continue;
             const auto& pattern = entry.get_ref<const std::string&>();
             if (pattern.size() > kLongestPattern) continue;
-            if (++patterns > kMostPatterns) return search.tooManyPatterns(words.section);
+            if (++patterns > FolderSearch::kMostPatterns)
+                return search.tooManyPatterns(words.section);
             auto found = search.expand(pattern);
             if (!found) return tl::unexpected(found.error());
             for (const fs::path& path : *found) {
@@ -318,12 +229,13 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
                 }
             }
             // A template's name may be that of another file beside those that the last part fits.
-            if (isPattern(lastName(pattern))) {
+            if (FolderSearch::isPattern(lastName(pattern))) {
                 found = search.expand(fs::path(pattern).parent_path().string());
                 if (!found) return tl::unexpected(found.error());
                 for (const fs::path& path : *found) folders.emplace_back(path, ".json");
             }
-            if (folders.size() + section.files.size() > kMostFiles) return search.tooMany("files");
+            if (folders.size() + section.files.size() > FolderSearch::kMostFiles)
+                return search.tooMany("files");
         }
     }
     for (const auto& [folder, ending] : folders) {
@@ -332,7 +244,7 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
         for (const std::string& name : **names) {
             if (isOfKind(name, words)) add(folder / name, ending);
         }
-        if (section.files.size() > kMostFiles) return search.tooMany("files");
+        if (section.files.size() > FolderSearch::kMostFiles) return search.tooMany("files");
     }
     for (std::size_t i = 0; i < section.files.size(); ++i) {
         section.file_of.try_emplace(section.files[i].filename().string(), i);

@@ -19,6 +19,8 @@
 
 namespace dollytrack::habitat {
 
+class FolderSearch;
+
 /// What a dataset config lists under one of its keys.
 enum class Kind { Stage, Object, ArticulatedObject, SceneInstance, SemanticScene };
 
@@ -126,7 +128,6 @@ class Dataset {
         std::map<std::string, std::size_t> file_of;       // by file name; the first of several
         std::vector<std::filesystem::path> named_models;  // of `files`: the paths ask for models
     };
-    class FolderSearch;
     Status readSection(const nlohmann::json& values, Kind kind, FolderSearch& search);
     [[nodiscard]] Result<std::shared_ptr<const Template>> findConfigured(
         const Section& section, Kind kind, const std::string& handle) const;
