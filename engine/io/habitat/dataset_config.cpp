@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
+constexpr const char* kSemanticDescriptor = "semantic_descriptor_filename";
 constexpr std::size_t kMostConfigs = 16;  // in one folder
 constexpr std::uint64_t kMostTemplateBytes = std::uint64_t{64} << 20U;
 constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
@@ -62,6 +63,8 @@ bool isModel(const std::string& name) {
 }
 
 bool isOfKind(const std::string& name, const KindWords& words) {
+    // HSSD's semantics are a lexicon, and a table of its models.
+    if (words.kind == Kind::SemanticScene && name.ends_with(".csv")) return true;
     return name.ends_with(words.ending) || (words.models && isModel(name));
 }
 
@@ -375,17 +378,63 @@ std::vector<DatasetScene> Dataset::scenes() const {
     return scenes;
 }
 
-std::optional<fs::path> Dataset::findLexicon(const std::string& name) const {
-    const std::string written = io::textIn(lexicons_, name.c_str());
+std::string Dataset::semanticPathOf(const std::string& handle) const {
+    const Section& section = sections_.at(Kind::SemanticScene);
+    const auto at = section.config_of.find(handle);
+    if (at == section.config_of.end()) return io::textIn(lexicons_, handle.c_str());
+    const json& config = section.configs[at->second];
+    std::string written = io::textIn(config, "original_file");
+    if (!written.empty()) return written;
+    return io::textIn(sectionOf(config, "attributes"), kSemanticDescriptor);
+}
+
+std::optional<fs::path> Dataset::findSemanticFile(const std::string& name) const {
+    const Section& section = sections_.at(Kind::SemanticScene);
+    const std::string written = semanticPathOf(name);
     if (!written.empty()) {
         if (auto file = files_.find(folder_, written)) return file;
     }
-    const Section& section = sections_.at(Kind::SemanticScene);
-    const std::string last = lastName(name);
-    const auto at = section.file_of.find(withoutEnding(last, ".json").value_or(last) + ".json");
-    if (at != section.file_of.end())
-        return files_.find(folder_, section.files[at->second].string());
-    return files_.find(folder_, name);
+    constexpr std::array<const char*, 3> kEndings = {"", ".json", ".semantic_config.json"};
+    for (const char* ending : kEndings) {
+        const auto at = section.file_of.find(lastName(name) + ending);
+        if (at == section.file_of.end()) continue;
+        if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
+    }
+    for (const char* ending : kEndings) {
+        if (auto file = files_.find(folder_, name + ending)) return file;
+    }
+    return std::nullopt;
+}
+
+std::vector<fs::path> Dataset::semanticFiles() const {
+    std::set<fs::path> files;
+    for (const auto& [handle, written] : lexicons_.items()) {
+        if (!written.is_string()) continue;
+        if (const auto file = files_.find(folder_, written.get<std::string>())) files.insert(*file);
+    }
+    for (const fs::path& file : sections_.at(Kind::SemanticScene).files) {
+        if (files_.find(folder_, file.string())) files.insert(file);
+    }
+    return {files.begin(), files.end()};
+}
+
+const json& Dataset::semanticDefaults() const {
+    return sections_.at(Kind::SemanticScene).defaults;
+}
+
+std::optional<fs::path> Dataset::defaultLexicon() const {
+    const std::string named = io::textIn(semanticDefaults(), kSemanticDescriptor);
+    if (named.empty()) return std::nullopt;
+    std::set<fs::path> folders;
+    for (const fs::path& file : semanticFiles()) folders.insert(file.parent_path());
+    for (const char* usual : {"semantics/scenes", "semantics", "ssd", "configs/ssd"}) {
+        folders.insert(folder_ / usual);
+    }
+    folders.insert(folder_);
+    for (const fs::path& folder : folders) {
+        if (auto file = files_.find(folder, named)) return file;
+    }
+    return std::nullopt;
 }
 
 }  // namespace dollytrack::habitat

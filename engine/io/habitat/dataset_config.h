@@ -109,8 +109,22 @@ class Dataset {
     /// Every scene that is there, in natural order of name.
     [[nodiscard]] std::vector<DatasetScene> scenes() const;
 
-    /// The file that the config gives a semantic lexicon's handle, else of that name.
-    [[nodiscard]] std::optional<std::filesystem::path> findLexicon(const std::string& name) const;
+    /// The semantic file (a lexicon, a semantic config) that the config gives this handle, else of
+    /// that name, also without its ending.
+    [[nodiscard]] std::optional<std::filesystem::path> findSemanticFile(
+        const std::string& name) const;
+
+    /// The path that the config writes for a semantic file's handle; empty without one.
+    [[nodiscard]] std::string semanticPathOf(const std::string& handle) const;
+
+    /// The semantic files that the config lists by handle or that its paths lead to.
+    [[nodiscard]] std::vector<std::filesystem::path> semanticFiles() const;
+
+    /// The default attributes of semantic configs.
+    [[nodiscard]] const nlohmann::json& semanticDefaults() const;
+
+    /// The lexicon that the default attributes name, looked up where semantic configs lie.
+    [[nodiscard]] std::optional<std::filesystem::path> defaultLexicon() const;
 
     [[nodiscard]] const io::ReachableFiles& files() const { return files_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -137,7 +151,7 @@ class Dataset {
     std::filesystem::path folder_;
     io::ReachableFiles files_;
     std::map<Kind, Section> sections_;
-    nlohmann::json lexicons_;
+    nlohmann::json lexicons_;  // files by handle
     /// Read so far: by file, and by handle of the config's own list (null: its file is missing).
     mutable std::map<std::pair<Kind, std::filesystem::path>, std::shared_ptr<const Template>>
         by_file_;

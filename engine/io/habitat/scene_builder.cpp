@@ -7,6 +7,7 @@
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/gazebo/urdf_reader.h"
 #include "engine/io/habitat/attributes.h"
+#include "engine/io/habitat/semantic_classes.h"
 #include "engine/io/import/model_placement.h"
 #include "engine/io/import/model_reader.h"
 #include "engine/io/object_parts/object_grouping.h"
@@ -26,19 +27,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostInstances = 100'000;
-
-/// {"classes": [{"id": 5, "name": "chair"}]}.
-std::map<std::int64_t, std::string> readLexicon(const json& document) {
-    std::map<std::int64_t, std::string> names;
-    for (const json& entry : io::listIn(document, "classes")) {
-        if (!entry.is_object()) continue;
-        const std::optional<double> id = numberAt(entry, "id");
-        if (id && std::abs(*id) < 1e9) {
-            names[static_cast<std::int64_t>(*id)] = io::textIn(entry, "name");
-        }
-    }
-    return names;
-}
 
 Eigen::AlignedBox3d boxOf(const RawScene& model, const Eigen::Affine3d& moved) {
     Eigen::AlignedBox3d box;
@@ -60,7 +48,7 @@ class SceneReader {
 
     Result<RawScene> readInstance(const json& instance) {
         com_by_default_ = !isLocal(io::textIn(instance, "translation_origin"));
-        if (Status read = readLexiconOf(instance); !read) return tl::unexpected(read.error());
+        classes_ = SemanticClasses::read(dataset_, instance, path_);
         const auto stage = instance.find("stage_instance");
         if (stage != instance.end() && stage->is_object()) {
             const std::string name = io::textIn(*stage, "template_name");
@@ -103,22 +91,6 @@ class SceneReader {
     static bool isLocal(const std::string& origin) {
         const std::string small = inSmallLetters(origin);
         return small == "asset_local" || small == "as_local";
-    }
-
-    Status readLexiconOf(const json& instance) {
-        const std::string name =
-            withConfigName(io::textIn(instance, "semantic_scene_instance"), path_);
-        if (name.empty()) return {};
-        const auto file = dataset_.findLexicon(name);
-        if (!file) {
-            scene_.notes.push_back("the semantic lexicon " + name +
-                                   " is missing; classes are found by name");
-            return {};
-        }
-        const Result<json> document = io::readBoundedJson(*file);
-        if (!document) return tl::unexpected(document.error());
-        lexicon_ = readLexicon(*document);
-        return {};
     }
 
     Status addStage(const Template& found, const json& instance) {
@@ -286,7 +258,7 @@ class SceneReader {
             if (Status fits = budget_.take(*model, path_.string()); !fits) return fits;
             const auto [at, is_new] = placements.try_emplace(one.model, *model, scene_);
             if (is_new) remarks_.add(*model, shortName(one.name));
-            SourceObject object = describe(one.name, *one.found, *one.instance);
+            SourceObject object = describe(one.name, one.found->attributes, *one.instance);
             object.parts = at->second.place(object.name, sceneFromObject(one, *model, *placement));
             scene_.objects.push_back(std::move(object));
         }
@@ -319,16 +291,11 @@ class SceneReader {
                Eigen::Translation3d(-center) * scaled;
     }
 
-    SourceObject describe(const std::string& template_name, const Template& found,
+    SourceObject describe(const std::string& template_name, const json& attributes,
                           const json& instance) {
         SourceObject object;
         std::string name = shortName(template_name);
-        std::optional<double> id = numberAt(instance, "semantic_id");
-        if (!id) id = numberAt(found.attributes, "semantic_id");
-        if (id && std::abs(*id) < 1e9) {
-            const auto known = lexicon_.find(static_cast<std::int64_t>(*id));
-            if (known != lexicon_.end()) object.category = known->second;
-        }
+        object.category = classes_.classOf(instance, attributes, name);
         if (isNumberName(name)) name = object.category.empty() ? "object" : object.category;
         object.name = names_.next(name);
         return object;
@@ -346,13 +313,23 @@ class SceneReader {
         Result<RawScene> model = gazebo::readUrdfModel(file, dataset_.files(), job_);
         if (!model) {
             if (model.error().code == ErrorCode::Cancelled) return tl::unexpected(model.error());
-            read.reason = model.error().message;
+            read.reason =
+                fs::path(model.error().where).filename().string() + ": " + model.error().message;
             return read;
         }
         read.model = std::make_unique<RawScene>(std::move(*model));
         read.placement = std::make_unique<ModelPlacement>(*read.model, scene_);
         remarks_.add(*read.model, shortName(name));
         return read;
+    }
+
+    /// The description beside a URDF, NAME.ao_config.json, with its class and size; null without.
+    [[nodiscard]] Result<std::shared_ptr<const Template>> articulatedConfig(
+        const fs::path& urdf) const {
+        const auto file =
+            dataset_.files().find(urdf.parent_path(), urdf.stem().string() + ".ao_config.json");
+        if (!file) return std::shared_ptr<const Template>();
+        return dataset_.load(Kind::ArticulatedObject, *file);
     }
 
     Status addArticulated(const json& instance) {
@@ -372,17 +349,21 @@ class SceneReader {
             at = articulated_.emplace((*found)->file, std::move(*read)).first;
         }
         const ArticulatedModel& known = at->second;
+        const auto described = articulatedConfig((*found)->file);
+        if (!described) return tl::unexpected(described.error());
+        const json& attributes = *described ? (*described)->attributes : (*found)->attributes;
         const auto placement = instanceTransform(instance);
+        const double size = numberAt(attributes, "uniform_scale").value_or(1.0);
         if (!known.model) {
             unreadable_.push_back(name + " (" + known.reason + ")");
         } else if (!placement) {
             bad_.push_back(name);
         } else {
             if (Status fits = budget_.take(*known.model, path_.string()); !fits) return fits;
-            SourceObject object = describe(name, **found, instance);
+            SourceObject object = describe(name, attributes, instance);
             object.parts = known.placement->place(
                 object.name, Eigen::Translation3d(placement->translation) * placement->rotation *
-                                 scaling(placement->scale));
+                                 scaling((size > 0.0 ? size : 1.0) * placement->scale));
             scene_.objects.push_back(std::move(object));
         }
         return {};
@@ -431,6 +412,8 @@ class SceneReader {
                 "more than 2,000 names of templates are no file's name; the rest were not looked "
                 "up by parts of names, so name their files");
         }
+        for (std::string& line : classes_.warnings()) scene_.warnings.push_back(std::move(line));
+        scene_.notes.insert(scene_.notes.end(), classes_.notes().begin(), classes_.notes().end());
         remarks_.addTo(scene_);
         if (hidden_ > 0) {
             scene_.notes.push_back(io::counted(hidden_, "object is marked as invisible",
@@ -453,7 +436,7 @@ class SceneReader {
     JobContext job_;
     RawScene scene_;
     std::map<fs::path, ArticulatedModel> articulated_;  // by file
-    std::map<std::int64_t, std::string> lexicon_;
+    SemanticClasses classes_;
     io::ModelRemarks remarks_;
     io::TriangleBudget budget_;
     io::ObjectNames names_;
