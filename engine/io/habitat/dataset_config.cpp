@@ -1,10 +1,15 @@
 #include "engine/io/habitat/dataset_config.h"
 
+#include "engine/core/clean_text.h"
+#include "engine/core/field_list.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
+#include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/habitat/folder_search.h"
 #include "engine/io/sandbox/input_file.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -19,10 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
 constexpr const char* kSemanticDescriptor = "semantic_descriptor_filename";
-constexpr std::size_t kMostConfigs = 16;  // in one folder
 constexpr std::uint64_t kMostTemplateBytes = std::uint64_t{64} << 20U;
+constexpr std::size_t kMostFitting = 10;          // files that are counted for one name
 constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
 
 struct KindWords {
@@ -93,69 +97,7 @@ const json& sectionOf(const json& document, const char* key) {
     return found != document.end() && found->is_object() ? *found : nothing;
 }
 
-std::vector<fs::path> configsIn(const fs::path& folder) {
-    std::vector<fs::path> configs;
-    std::error_code error;
-    fs::directory_iterator at(folder, error);
-    for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
-        std::error_code unknown;
-        if (isDatasetConfig(at->path()) && !at->is_symlink(unknown)) {
-            configs.push_back(at->path());
-        }
-    }
-    std::sort(configs.begin(), configs.end());
-    if (configs.size() > kMostConfigs) configs.resize(kMostConfigs);
-    return configs;
-}
-
 }  // namespace
-
-bool isDatasetConfig(const fs::path& path) {
-    return path.filename().string().ends_with(kConfigEnding);
-}
-
-std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
-    constexpr int kMostFoldersUp = 4;
-    fs::path folder = io::absoluteNormal(scene).parent_path();
-    for (int up = 0; up <= kMostFoldersUp && folder.has_relative_path(); ++up) {
-        std::vector<fs::path> configs = configsIn(folder);
-        if (!configs.empty()) return configs;
-        folder = folder.parent_path();
-    }
-    return {};
-}
-
-ConfigChoice::ConfigChoice(DatasetScope scope, JobContext job)
-    : scope_(scope), job_(std::move(job)) {
-    scope_.scenes_only = true;
-}
-
-const ConfigChoice::Listed& ConfigChoice::listedBy(const fs::path& config) {
-    const auto [at, is_new] = listed_.try_emplace(config);
-    if (!is_new) return at->second;
-    const fs::path folder = config.parent_path();
-    const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job_, scope_);
-    if (!dataset) return at->second;
-    for (const DatasetScene& scene : dataset->scenes()) {
-        at->second.scenes.insert(scene.file);
-        at->second.folders.insert(scene.file.parent_path());
-    }
-    return at->second;
-}
-
-fs::path ConfigChoice::choose(const std::vector<fs::path>& configs, const fs::path& scene) {
-    if (configs.empty()) return {};
-    if (configs.size() == 1) return configs.front();
-    const fs::path own = io::absoluteNormal(scene).parent_path();
-    for (const fs::path& config : configs) {
-        if (listedBy(config).folders.contains(own)) return config;
-    }
-    return configs.front();
-}
-
-bool ConfigChoice::lists(const fs::path& config, const fs::path& scene) {
-    return listedBy(config).scenes.contains(io::absoluteNormal(scene));
-}
 
 Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
                               io::ReachableFiles files, const JobContext& job,
@@ -172,6 +114,8 @@ Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
                         config.string());
         }
         document = std::move(*read);
+        dataset.config_name_ = config.filename().string();
+        dataset.keys_.check(document, KeyCheck::Place::DatasetConfig, dataset.config_name_);
     }
     FolderSearch search(dataset.files_, folder, config.empty() ? folder.string() : config.string(),
                         job, scope.most_names);
@@ -198,6 +142,11 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     Section& section = sections_[kind];
     section.defaults = sectionOf(values, "default_attributes");
     section.configs = io::listIn(values, "configs");
+    checkKeys(section.defaults, kind, config_name_);
+    // Other keys of semantic files are their handles.
+    if (kind != Kind::SemanticScene) {
+        keys_.check(values, KeyCheck::Place::Section, config_name_);
+    }
     for (std::size_t i = 0; i < section.configs.size(); ++i) {
         std::string name = io::textIn(section.configs[i], "template_handle");
         if (name.empty()) {
@@ -212,45 +161,64 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
         section.files.push_back(file);
         if (isModel(name) && name.ends_with(ending)) section.named_models.push_back(file);
     };
-    std::vector<std::pair<fs::path, std::string>> folders;  // and the ending that is asked for
-    std::size_t patterns = 0;
+    struct Asked {
+        fs::path folder;
+        std::string ending;  // that is asked for
+        std::size_t pattern;
+    };
+    std::vector<Asked> folders;
+    std::vector<std::pair<std::string, bool>> patterns;  // and whether they lead to a file
     for (const auto& [ending, list] : sectionOf(values, "paths").items()) {
         if (!list.is_array()) continue;
         for (const json& entry : list) {
             if (!entry.is_string()) continue;
             const auto& pattern = entry.get_ref<const std::string&>();
             if (pattern.size() > kLongestPattern) continue;
-            if (++patterns > FolderSearch::kMostPatterns)
+            if (patterns.size() >= FolderSearch::kMostPatterns) {
                 return search.tooManyPatterns(words.section);
+            }
+            patterns.emplace_back(pattern, false);
             auto found = search.expand(pattern);
             if (!found) return tl::unexpected(found.error());
             for (const fs::path& path : *found) {
                 if (isOfKind(path.filename().string(), words)) {
                     add(path, ending);
+                    bool& useful = patterns.back().second;
+                    useful = useful || files_.find(folder_, path.string()).has_value();
                 } else {
-                    folders.emplace_back(path, ending);
+                    folders.push_back({path, ending, patterns.size() - 1});
                 }
             }
             // A template's name may be that of another file beside those that the last part fits.
             if (FolderSearch::isPattern(lastName(pattern))) {
                 found = search.expand(fs::path(pattern).parent_path().string());
                 if (!found) return tl::unexpected(found.error());
-                for (const fs::path& path : *found) folders.emplace_back(path, ".json");
+                for (const fs::path& path : *found) {
+                    folders.push_back({path, ".json", patterns.size() - 1});
+                }
             }
             if (folders.size() + section.files.size() > FolderSearch::kMostFiles)
                 return search.tooMany("files");
         }
     }
-    for (const auto& [folder, ending] : folders) {
+    for (const auto& [folder, ending, pattern] : folders) {
         const auto names = search.list(folder);
         if (!names) return tl::unexpected(names.error());
         for (const std::string& name : **names) {
-            if (isOfKind(name, words)) add(folder / name, ending);
+            if (!isOfKind(name, words)) continue;
+            add(folder / name, ending);
+            patterns[pattern].second = true;
         }
         if (section.files.size() > FolderSearch::kMostFiles) return search.tooMany("files");
     }
     for (std::size_t i = 0; i < section.files.size(); ++i) {
-        section.file_of.try_emplace(section.files[i].filename().string(), i);
+        const std::string name = section.files[i].filename().string();
+        const auto [at, is_new] = section.file_of.try_emplace(name, i);
+        if (!is_new && section.files[at->second] != section.files[i]) section.doubled.insert(name);
+    }
+    section.patterns = patterns.size();
+    for (auto& [pattern, useful] : patterns) {
+        if (!useful) section.useless_patterns.push_back(std::move(pattern));
     }
     return {};
 }
@@ -268,6 +236,7 @@ Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path&
                         "the file is not a JSON object; it is damaged or of another program",
                         file.string());
         }
+        checkKeys(*read, kind, file.filename().string());
         found->attributes = merged(std::move(found->attributes), *read);
     } else {
         found->attributes["render_asset"] = file.filename().string();
@@ -293,6 +262,7 @@ Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& s
         found = **loaded;
     }
     const json& changes = sectionOf(config, "attributes");
+    checkKeys(changes, kind, config_name_);
     // Names of files that the config itself gives count from the config.
     if (changes.contains("render_asset")) found.folder = folder_;
     found.attributes = merged(std::move(found.attributes), changes);
@@ -310,6 +280,18 @@ Result<std::shared_ptr<const Template>> Dataset::find(Kind kind, const std::stri
     const auto file = findFile(kind, name);
     if (!file) return std::shared_ptr<const Template>();
     return load(kind, *file);
+}
+
+std::string Dataset::closestTemplate(Kind kind, const std::string& name) const {
+    const KindWords& words = wordsOf(kind);
+    const Section& section = sections_.at(kind);
+    std::vector<std::string> names;
+    for (const auto& [file_name, index] : section.file_of) {
+        names.push_back(withoutEnding(file_name, words.ending)
+                            .value_or(std::filesystem::path(file_name).stem().string()));
+    }
+    for (const auto& [handle, index] : section.config_of) names.push_back(handle);
+    return closestName(lastName(name), names);
 }
 
 bool Dataset::searchesWereCut() const {
@@ -332,6 +314,7 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
     for (const std::string& ending : endings) {
         const auto at = section.file_of.find(stem + ending);
         if (at == section.file_of.end()) continue;
+        noteSeveral(name, section, stem + ending);
         if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
     }
     if (++slow_searches_ > kMostSlowSearches) return std::nullopt;
@@ -341,13 +324,81 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
         if (auto file = files_.find(folder_, path)) return file;
     }
     // Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
+    std::optional<fs::path> first;
+    std::vector<std::string> fitting;
     for (const auto& [file_name, index] : section.file_of) {
         if (!file_name.ends_with(words.ending) || file_name.find(stem) == std::string::npos) {
             continue;
         }
-        if (auto file = files_.find(folder_, section.files[index].string())) return file;
+        auto file = files_.find(folder_, section.files[index].string());
+        if (!file) continue;
+        if (!first) first = std::move(file);
+        fitting.push_back(file_name);
+        if (fitting.size() > kMostFitting) break;
     }
-    return std::nullopt;
+    if (fitting.size() > 1) several_.try_emplace(name, std::move(fitting));
+    return first;
+}
+
+/// Files of one name in several folders.
+void Dataset::noteSeveral(const std::string& name, const Section& section,
+                          const std::string& file_name) const {
+    if (!section.doubled.contains(file_name) || several_.contains(name)) return;
+    std::vector<std::string>& fitting = several_[name];
+    for (const fs::path& file : section.files) {
+        if (file.filename() != file_name) continue;
+        const std::string shown = file.lexically_relative(folder_).string();
+        if (std::ranges::find(fitting, shown) == fitting.end()) fitting.push_back(shown);
+        if (fitting.size() > kMostFitting) return;
+    }
+}
+
+void Dataset::checkKeys(const json& attributes, Kind kind, const std::string& file) const {
+    if (kind == Kind::SemanticScene) return;
+    const bool scene = kind == Kind::SceneInstance;
+    keys_.check(attributes, scene ? KeyCheck::Place::SceneInstance : KeyCheck::Place::Description,
+                file);
+}
+
+std::string Dataset::uselessPaths(Kind kind) const {
+    const auto at = sections_.find(kind);
+    if (config_name_.empty() || at == sections_.end()) return {};
+    const Section& section = at->second;
+    if (section.patterns == 0 || section.useless_patterns.size() < section.patterns) return {};
+    return fmt::format("the paths of {} in {} lead to no file ({}); correct them",
+                       wordsOf(kind).section, cleanText(config_name_),
+                       cleanText(io::listOf(section.useless_patterns, 5)));
+}
+
+std::vector<std::string> Dataset::warnings(bool something_missing) const {
+    constexpr std::size_t kMostNames = 20;
+    std::vector<std::string> lines;
+    for (const auto& [kind, section] : sections_) {
+        if (kind == Kind::SemanticScene || config_name_.empty()) continue;
+        const bool matters = something_missing || kind == Kind::SceneInstance;
+        std::string line = matters ? uselessPaths(kind) : std::string();
+        if (line.empty() && something_missing && !section.useless_patterns.empty()) {
+            line = fmt::format("some paths of {} in {} lead to no file: {}", wordsOf(kind).section,
+                               cleanText(config_name_),
+                               cleanText(io::listOf(section.useless_patterns, 5)));
+        }
+        if (!line.empty()) lines.push_back(std::move(line));
+    }
+    std::size_t names = 0;
+    for (const auto& [name, files] : several_) {
+        if (++names > kMostNames) break;
+        lines.push_back(cleanText(fmt::format(
+            "the template name \"{}\" fits several files ({}), of which the first is used; name "
+            "one",
+            name, io::listOf(files, 3))));
+    }
+    if (several_.size() > kMostNames) {
+        lines.push_back(
+            fmt::format("{} more template names fit several files", several_.size() - kMostNames));
+    }
+    const std::vector<std::string> slips = keys_.warnings();
+    lines.insert(lines.end(), slips.begin(), slips.end());
+    return lines;
 }
 
 std::vector<DatasetScene> Dataset::scenes() const {

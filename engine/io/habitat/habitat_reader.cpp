@@ -1,8 +1,10 @@
 #include "engine/io/habitat/habitat_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/log.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/habitat/attributes.h"
+#include "engine/io/habitat/config_choice.h"
 #include "engine/io/habitat/dataset_config.h"
 #include "engine/io/habitat/scene_builder.h"
 #include "engine/io/import/import_labels.h"
@@ -66,20 +68,28 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options,
                          io::ReachableFiles(folders), job);
 }
 
-tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, const fs::path& path) {
+/// A sentence on paths of scene instances that lead nowhere, to follow another one.
+std::string uselessScenePaths(const Dataset& dataset) {
+    const std::string line = dataset.uselessPaths(Kind::SceneInstance);
+    return line.empty() ? line : "; " + line;
+}
+
+tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, const fs::path& path,
+                                    const Dataset& dataset) {
     if (scenes.empty()) {
-        return fail(
-            ErrorCode::BadInput,
-            "no scene instance and no stage that the dataset config lists exists; check its "
-            "paths",
-            path.string());
+        return fail(ErrorCode::BadInput,
+                    "no scene instance and no stage that the dataset config lists exists; check "
+                    "its paths" +
+                        uselessScenePaths(dataset),
+                    path.string());
     }
     std::vector<std::string> names;
     for (const DatasetScene& scene : scenes) names.push_back(cleanText(scene.name));
     return fail(ErrorCode::BadInput,
                 fmt::format("the dataset has {} scenes ({}); name the file of one, such as {}, or "
-                            "plan all of them with 'dollytrack batch'",
-                            scenes.size(), io::listOf(names, 5), scenes.front().file.string()),
+                            "plan all of them with 'dollytrack batch'{}",
+                            scenes.size(), io::listOf(names, 5), scenes.front().file.string(),
+                            uselessScenePaths(dataset)),
                 path.string());
 }
 
@@ -132,7 +142,7 @@ Result<RawScene> readHabitat(const fs::path& path, const ImportOptions& options,
     fs::path scene = io::absoluteNormal(path);
     if (isDatasetConfig(path)) {
         const std::vector<DatasetScene> scenes = dataset->scenes();
-        if (scenes.size() != 1) return severalScenes(scenes, path);
+        if (scenes.size() != 1) return severalScenes(scenes, path, *dataset);
         scene = scenes.front().file;
     }
     const std::string name = scene.filename().string();
@@ -184,7 +194,12 @@ Result<std::vector<fs::path>> scenesOfDataset(const fs::path& given,
         }
         files.push_back(scene.file);
     }
-    if (files.empty()) return severalScenes({}, config);
+    if (files.empty()) return severalScenes({}, config, *dataset);
+    const std::string useless = dataset->uselessPaths(Kind::SceneInstance);
+    if (!useless.empty()) {
+        log::warn("import", fmt::format("{}; without scene instances each of {} stages is a scene",
+                                        useless, files.size()));
+    }
     return files;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/gazebo/urdf_reader.h"
 #include "engine/io/habitat/attributes.h"
+#include "engine/io/habitat/key_check.h"
 #include "engine/io/habitat/semantic_classes.h"
 #include "engine/io/import/model_placement.h"
 #include "engine/io/import/model_reader.h"
@@ -14,8 +15,11 @@
 #include "engine/io/semantics/labelled_reader.h"
 #include "engine/scene/labels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,11 +55,12 @@ class SceneReader {
         classes_ = SemanticClasses::read(dataset_, instance, path_);
         const auto stage = instance.find("stage_instance");
         if (stage != instance.end() && stage->is_object()) {
+            keys_.check(*stage, KeyCheck::Place::Instance, path_.filename().string());
             const std::string name = io::textIn(*stage, "template_name");
             auto found = dataset_.find(Kind::Stage, name);
             if (!found) return tl::unexpected(found.error());
             if (!*found) {
-                missing_.push_back("stage " + name);
+                missing_.push_back("stage " + withoutDescription(Kind::Stage, name));
             } else if (Status added = addStage(**found, *stage); !added) {
                 return tl::unexpected(added.error());
             }
@@ -195,10 +200,11 @@ class SceneReader {
         return Placement{*translation, *rotation, uniform * *scale};
     }
 
-    /// A template of objects with its model's file.
+    /// A template of objects with its model's file, or what is missing.
     struct ObjectTemplate {
         std::shared_ptr<const Template> found;
         fs::path model;
+        std::string missing;
     };
 
     struct Wanted {
@@ -208,22 +214,34 @@ class SceneReader {
         std::string name;
     };
 
-    Result<std::optional<ObjectTemplate>> findObject(const std::string& name) const {
+    /// A name that no file of the dataset has, and which was likely meant.
+    std::string withoutDescription(Kind kind, const std::string& name) {
+        constexpr int kMostHints = 20;
+        const std::string close =
+            ++hints_ <= kMostHints ? dataset_.closestTemplate(kind, name) : std::string();
+        if (close.empty()) return name + " (no file has this name)";
+        return fmt::format("{} (no file has this name; did you mean \"{}\"?)", name, close);
+    }
+
+    Result<ObjectTemplate> findObject(const std::string& name) {
         auto found = dataset_.find(Kind::Object, name);
         if (!found) return tl::unexpected(found.error());
-        if (!*found) return std::optional<ObjectTemplate>();
+        if (!*found) return ObjectTemplate{nullptr, {}, withoutDescription(Kind::Object, name)};
         const auto asset = assetOf(**found, "render_asset", dataset_.files());
-        if (!asset) return std::optional<ObjectTemplate>();
-        return ObjectTemplate{std::move(*found), *asset};
+        if (asset) return ObjectTemplate{std::move(*found), *asset, {}};
+        const std::string named = io::textIn((*found)->attributes, "render_asset");
+        return ObjectTemplate{
+            nullptr, {}, fmt::format("{} ({})", name, named.empty() ? "no render_asset" : named)};
     }
 
     Status addObjects(const json::array_t& instances) {
         io::ModelLibrary library;
         std::vector<Wanted> wanted;
-        std::map<std::string, std::optional<ObjectTemplate>> known;
+        std::map<std::string, ObjectTemplate> known;
         for (const json& instance : instances) {
             if (job_.cancelled()) return cancelled();
             if (!instance.is_object()) continue;
+            keys_.check(instance, KeyCheck::Place::Instance, path_.filename().string());
             if (isOff(instance, "is_instance_visible")) {
                 ++hidden_;
                 continue;
@@ -235,11 +253,12 @@ class SceneReader {
                 if (!found) return tl::unexpected(found.error());
                 at = known.emplace(name, std::move(*found)).first;
             }
-            if (!at->second) {
-                missing_.push_back(name);
+            const ObjectTemplate& known_as = at->second;
+            if (!known_as.found) {
+                missing_.push_back(known_as.missing);
                 continue;
             }
-            wanted.push_back({&instance, at->second->found, library.add(at->second->model), name});
+            wanted.push_back({&instance, known_as.found, library.add(known_as.model), name});
         }
         if (Status read = library.read(job_); !read) return read;
         std::map<std::size_t, ModelPlacement> placements;
@@ -334,12 +353,13 @@ class SceneReader {
 
     Status addArticulated(const json& instance) {
         if (!instance.is_object()) return {};
+        keys_.check(instance, KeyCheck::Place::Instance, path_.filename().string());
         const std::string name = io::textIn(instance, "template_name");
         if (job_.cancelled()) return cancelled();
         const auto found = dataset_.find(Kind::ArticulatedObject, name);
         if (!found) return tl::unexpected(found.error());
         if (!*found) {
-            missing_.push_back(name);
+            missing_.push_back(withoutDescription(Kind::ArticulatedObject, name));
             return {};
         }
         auto at = articulated_.find((*found)->file);
@@ -414,6 +434,10 @@ class SceneReader {
         }
         for (std::string& line : classes_.warnings()) scene_.warnings.push_back(std::move(line));
         scene_.notes.insert(scene_.notes.end(), classes_.notes().begin(), classes_.notes().end());
+        for (std::vector<std::string> lines :
+             {keys_.warnings(), dataset_.warnings(!missing_.empty())}) {
+            std::ranges::move(lines, std::back_inserter(scene_.warnings));
+        }
         remarks_.addTo(scene_);
         if (hidden_ > 0) {
             scene_.notes.push_back(io::counted(hidden_, "object is marked as invisible",
@@ -437,6 +461,7 @@ class SceneReader {
     RawScene scene_;
     std::map<fs::path, ArticulatedModel> articulated_;  // by file
     SemanticClasses classes_;
+    KeyCheck keys_;  // of instances
     io::ModelRemarks remarks_;
     io::TriangleBudget budget_;
     io::ObjectNames names_;
@@ -444,6 +469,7 @@ class SceneReader {
     bool stage_labelled_ = false;
     UpAxis stage_up_axis_;  // of the stage's file
     std::size_t hidden_ = 0;
+    int hints_ = 0;  // that were looked for
     std::vector<std::string> missing_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> bad_;
