@@ -13,6 +13,7 @@
 #include "engine/io/sandbox/input_file.h"
 #include "engine/io/semantics/labelled_faces.h"
 #include "engine/io/semantics/labelled_surface.h"
+#include "engine/io/semantics/name_list.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
@@ -476,6 +477,14 @@ void noteBoxes(const fs::path& mesh, RawScene& scene) {
                           " are not read; objects are found by their shape");
 }
 
+/// Labels under a name that is not known would be lost without a word.
+void noteUnreadNumbers(const PlyMesh& mesh, RawScene& scene) {
+    if (mesh.unread_numbers.empty()) return;
+    scene.notes.push_back(
+        "whole numbers that were not read as labels: " + io::listOf(mesh.unread_numbers, 5) +
+        "; call the property object_id if they number objects, label if classes");
+}
+
 }  // namespace
 
 Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job) {
@@ -536,17 +545,34 @@ Result<RawScene> readPly(const fs::path& path, const JobContext& job) {
     const Result<PlyMesh> mesh = readPlyMesh(path);
     if (!mesh) return tl::unexpected(mesh.error());
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
-    const std::optional<LabelledFaces> faces = labelFaces(*mesh, {}, false);
+    LabelNames names;
+    std::optional<fs::path> list = findNameList(path);
+    std::string list_fault;
+    if (list) {
+        auto read = readNameList(*list);
+        if (read) {
+            names.categories = std::move(*read);
+        } else {
+            list_fault = "the names in " + cleanText(list->filename().string()) +
+                         " were not read: " + read.error().message;
+            list.reset();
+        }
+    }
+    const std::optional<LabelledFaces> faces = labelFaces(*mesh, names, false);
     if (!faces || faces->objects.size() < 2) {
         RawScene scene = sceneOfPly(*mesh);
         noteBoxes(path, scene);
+        noteUnreadNumbers(*mesh, scene);
         return scene;
     }
     if (Status few = checkCount(*faces, path); !few) return tl::unexpected(few.error());
-    RawScene scene = sceneOf(*mesh, *faces, {});
-    scene.notes.push_back(
-        "the file has numbers of objects or classes without names; name them by --annotations, or "
-        "put the set's file of names beside it");
+    RawScene scene = sceneOf(*mesh, *faces, list.value_or(fs::path()));
+    if (!list_fault.empty()) scene.warnings.push_back(list_fault);
+    if (!list) {
+        scene.notes.push_back(
+            "the file has numbers of objects or classes without names; name them in " +
+            cleanText(path.stem().string()) + ".labels.json ({\"3\": \"chair\"}) beside it");
+    }
     return scene;
 }
 

@@ -166,16 +166,12 @@ TEST(Urdf, JointsOfMissingLinksAreNamedWithTheirLine) {
                      "2 links are left out, since a joint above names a "
                      "parent that does not exist: door, handle"));
     EXPECT_EQ(scene.objects.size(), 1U);
-    const Result<Scene> twice = importScene([&] {
-        static const TempFolder folder;
-        return folder.write("twice.urdf",
-                            "<robot name='r'>\n" + boxLink("a", "1 1 1") + boxLink("b", "1 1 1") +
-                                joint("one", "fixed", "a", "b", "1 0 0") +
-                                joint("two", "fixed", "a", "b", "2 0 0") + "</robot>");
-    }());
-    ASSERT_TRUE(twice);
-    EXPECT_TRUE(
-        says(twice->report.warnings, "the link 'b' hangs on two joints; 'two' is left out"));
+    const Scene twice =
+        test::importedText("<robot name='r'>\n" + boxLink("a", "1 1 1") + boxLink("b", "1 1 1") +
+                               joint("one", "fixed", "a", "b", "1 0 0") +
+                               joint("two", "fixed", "a", "b", "2 0 0") + "</robot>",
+                           "twice.urdf");
+    EXPECT_TRUE(says(twice.report.warnings, "the link 'b' hangs on two joints; 'two' is left out"));
 }
 
 TEST(Urdf, FaultsAreNamedWithTheirLine) {
