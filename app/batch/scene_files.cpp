@@ -3,7 +3,7 @@
 #include "app/batch/name_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
-#include "engine/io/habitat/dataset_config.h"
+#include "engine/io/habitat/config_choice.h"
 #include "engine/io/habitat/habitat_reader.h"
 #include "engine/io/sandbox/reachable_files.h"
 #include "engine/io/import/scene_format.h"

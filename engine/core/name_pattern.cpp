@@ -12,6 +12,11 @@ std::string inSmallLetters(std::string_view text) {
     return small;
 }
 
+std::optional<std::string> withoutEnding(std::string_view name, std::string_view ending) {
+    if (!name.ends_with(ending)) return std::nullopt;
+    return std::string(name.substr(0, name.size() - ending.size()));
+}
+
 // Keeps the last `*` and what it stood for, to let it stand for one character more.
 bool fitsPattern(std::string_view pattern, std::string_view text) {
     std::size_t p = 0;

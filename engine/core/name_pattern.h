@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,5 +12,10 @@ namespace dollytrack {
 
 /// The text with the letters A to Z in lower case.
 [[nodiscard]] std::string inSmallLetters(std::string_view text);
+
+/// "room" of "room.semantic.txt" and the ending ".semantic.txt"; nothing where the name ends
+/// otherwise.
+[[nodiscard]] std::optional<std::string> withoutEnding(std::string_view name,
+                                                       std::string_view ending);
 
 }  // namespace dollytrack

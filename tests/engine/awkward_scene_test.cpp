@@ -1,5 +1,5 @@
+#include "engine/io/assimp/model_text_repair.h"
 #include "engine/io/import/model_reader.h"
-#include "engine/io/import/model_text_repair.h"
 #include "engine/io/import/scene_import.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"

@@ -43,6 +43,22 @@ TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     expectRefused(folder.write("room.3ds", "x"), "assimp export");
     expectRefused(folder.write("room.wrl", "x"), "open it in Blender and export glTF");
     expectRefused(folder.write("room.abc", "x"), "lacks Alembic");
+    expectRefused(folder.write("room.rvt", "x"), "export FBX or glTF from Revit");
+    expectRefused(folder.write("room.STEP", "x"), "FreeCAD");
+}
+
+// Files that lie beside a scene are taken for it.
+TEST(BadInput, PartsOfScenesSayWhatToName) {
+    const TempFolder folder;
+    expectRefused(folder.write("room.mtl", "newmtl a"), "name the .obj beside it");
+    expectRefused(folder.write("room.bin", "x"), "name the .gltf beside it");
+    expectRefused(folder.write("room.zip", "PK"), "unpack it");
+    expectRefused(folder.write("wood.PNG", "x"), "name the scene that uses it");
+    expectRefused(folder.write("a.navmesh", "x"), "name the scene instance");
+    expectRefused(folder.write("house.semantic.txt", "HM3D"), "name its .glb");
+    expectRefused(folder.write("info_semantic.json", "{}"), "mesh_semantic.ply");
+    expectRefused(folder.write("scene0000_00.aggregation.json", "{}"), "_vh_clean_2.ply");
+    expectRefused(folder.write("a.semantic_config.json", "{}"), "name a .scene_instance.json");
 }
 
 TEST(BadInput, KindsAreToldByTheirContent) {
@@ -114,9 +130,8 @@ TEST(BadInput, NothingThatCanBeDrawn) {
 TEST(BadInput, GltfWithoutItsBuffer) {
     const TempFolder folder;
     expectRefused(
-        folder.write(
-            "room.gltf",
-            R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        folder.write("room.gltf",
+                     R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
                 "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
                 "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],
                 "bufferViews":[{"buffer":0,"byteLength":36}],

@@ -2,6 +2,8 @@
 
 #include "engine/io/import/scene_import.h"
 
+#include <Eigen/Core>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +17,10 @@ namespace dollytrack::test {
 
 /// The first object with this name; null if there is none.
 [[nodiscard]] const Object* find(const Scene& scene, const std::string& name);
+
+/// Expects the box around an object's own vertices to have these corners, within 0.1 mm.
+void expectBox(const Scene& scene, const std::string& name, const Eigen::Vector3d& low,
+               const Eigen::Vector3d& high);
 
 [[nodiscard]] int countTargets(const Scene& scene);
 

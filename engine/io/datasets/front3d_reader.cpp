@@ -8,6 +8,7 @@
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/import/import_labels.h"
+#include "engine/io/import/scene_format.h"
 
 #include <algorithm>
 #include <array>
@@ -67,8 +68,7 @@ std::vector<std::filesystem::path> front3dModelFolders(const std::filesystem::pa
 }  // namespace
 
 bool likeFront3d(std::string_view head) {
-    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (first == std::string_view::npos || head[first] != '{') return false;
+    if (firstLetter(head) != '{') return false;
     static constexpr std::array<std::string_view, 8> kKeys = {
         "\"uid\"",          "\"jobid\"",     "\"design_version\"", "\"code_version\"",
         "\"north_vector\"", "\"furniture\"", "\"mesh\"",           "\"scene\""};

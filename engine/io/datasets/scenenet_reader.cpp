@@ -4,9 +4,10 @@
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/datasets/scenenet_description.h"
-#include "engine/io/import/model_reader.h"
 #include "engine/io/import/import_labels.h"
 #include "engine/io/import/model_placement.h"
+#include "engine/io/import/model_reader.h"
+#include "engine/io/import/scene_format.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/scene/labels.h"
@@ -192,8 +193,7 @@ class SceneNetImport {
 }  // namespace
 
 bool likeSceneNet(std::string_view head) {
-    const auto first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return first != std::string_view::npos && head.substr(first).starts_with("layout_file:");
+    return fromFirstLetter(head).starts_with("layout_file:");
 }
 
 Result<RawScene> readSceneNetScene(const fs::path& path, const ImportOptions& options,

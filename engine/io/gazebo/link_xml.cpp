@@ -3,9 +3,11 @@
 #include "engine/core/clean_text.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/io/trajectories/number_lines.h"
+#include "engine/scene/label_table.h"
 #include "engine/scene/srgb.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dollytrack::gazebo {
@@ -18,6 +20,16 @@ bool isMacro(const pugi::xml_node& node) {
 
 }  // namespace
 
+std::string XmlFile::placeOf(const std::filesystem::path& path,
+                             const pugi::xml_node& element) const {
+    const std::ptrdiff_t offset = element.offset_debug();
+    if (offset < 0) return path.string();
+    const auto line =
+        std::lower_bound(line_ends.begin(), line_ends.end(), static_cast<std::size_t>(offset)) -
+        line_ends.begin() + 1;
+    return io::placeOf(path, static_cast<int>(line));
+}
+
 Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
     const Result<std::string> text = io::readNamedFile(path, kMostXmlBytes);
     if (!text) return tl::unexpected(text.error());
@@ -28,6 +40,9 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
     }
     XmlFile file;
     file.bytes = text->size();
+    for (auto at = text->find('\n'); at != std::string::npos; at = text->find('\n', at + 1)) {
+        file.line_ends.push_back(at);
+    }
     const pugi::xml_parse_result parsed = file.document.load_buffer(text->data(), text->size());
     if (!parsed) {
         const auto line = 1 + std::count(text->begin(), text->begin() + parsed.offset, '\n');
@@ -77,6 +92,15 @@ Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_ya
     return Eigen::AngleAxisd(roll_pitch_yaw.z(), Eigen::Vector3d::UnitZ()) *
            Eigen::AngleAxisd(roll_pitch_yaw.y(), Eigen::Vector3d::UnitY()) *
            Eigen::AngleAxisd(roll_pitch_yaw.x(), Eigen::Vector3d::UnitX());
+}
+
+bool isPlainLinkName(std::string_view name) {
+    static constexpr std::array<std::string_view, 10> kPlain = {
+        "link", "base", "body", "part", "root", "visual", "mesh", "object", "node", "child"};
+    const std::vector<std::string> words = splitWords(name);
+    return std::ranges::all_of(words, [](const std::string& word) {
+        return word.size() < 2 || std::ranges::find(kPlain, word) != kPlain.end();
+    });
 }
 
 void noteUnknownShape(const pugi::xml_node& geometry, UnknownShapes& shapes) {

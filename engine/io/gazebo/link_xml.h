@@ -26,6 +26,11 @@ constexpr std::uint64_t kMostXmlBytes = std::uint64_t{64} << 20U;
 struct XmlFile {
     pugi::xml_document document;
     std::uint64_t bytes = 0;
+    std::vector<std::size_t> line_ends;  // places of the line feeds in the file
+
+    /// "room.world:12": where an element stands, of the file at `path`.
+    [[nodiscard]] std::string placeOf(const std::filesystem::path& path,
+                                      const pugi::xml_node& element) const;
 };
 
 /// Reads an XML file of at most `most` bytes. Errors: BadInput, with the place: damaged, too large,
@@ -44,6 +49,9 @@ struct XmlFile {
 
 /// Rotation about the fixed axes x, y and z, in this order; radians.
 [[nodiscard]] Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_yaw);
+
+/// Whether a link's name says nothing of what it is: "link", "link_3", "base_link", "body".
+[[nodiscard]] bool isPlainLinkName(std::string_view name);
 
 /// Counts the shape of a <geometry> that is not read, as <heightmap> or <capsule>, by its element.
 void noteUnknownShape(const pugi::xml_node& geometry, UnknownShapes& shapes);

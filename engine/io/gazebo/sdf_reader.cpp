@@ -2,8 +2,11 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/gazebo/link_xml.h"
+#include "engine/io/gazebo/sdf_frames.h"
+#include "engine/io/gazebo/sdf_material.h"
 #include "engine/io/gazebo/visuals.h"
-#include "engine/scene/srgb.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -24,82 +27,25 @@ constexpr int kDeepestModel = 16;
 constexpr std::size_t kMostIncludes = 20'000;
 constexpr std::size_t kMostFrames = 1'000'000;
 constexpr std::uint64_t kMostExpandedBytes = std::uint64_t{1} << 30U;
-constexpr int kDeepestFrames = 200;
 
 /// Elements that poses may be relative to. Of those with the same name, the first kind is meant.
 constexpr std::array<std::string_view, 5> kKinds = {"link", "frame", "model", "include", "joint"};
-
-/// Gazebo's own materials, as sRGB.
-std::optional<Eigen::Vector4f> namedColor(std::string_view name) {
-    struct Row {
-        std::string_view name;
-        std::array<float, 3> color;
-    };
-    static constexpr std::array<Row, 17> kRows = {{{"Gazebo/Grey", {0.7F, 0.7F, 0.7F}},
-                                                   {"Gazebo/Gray", {0.7F, 0.7F, 0.7F}},
-                                                   {"Gazebo/DarkGrey", {0.175F, 0.175F, 0.175F}},
-                                                   {"Gazebo/DarkGray", {0.175F, 0.175F, 0.175F}},
-                                                   {"Gazebo/White", {1, 1, 1}},
-                                                   {"Gazebo/FlatBlack", {0.1F, 0.1F, 0.1F}},
-                                                   {"Gazebo/Black", {0, 0, 0}},
-                                                   {"Gazebo/Red", {1, 0, 0}},
-                                                   {"Gazebo/Green", {0, 1, 0}},
-                                                   {"Gazebo/Blue", {0, 0, 1}},
-                                                   {"Gazebo/Yellow", {1, 1, 0}},
-                                                   {"Gazebo/Orange", {1, 0.5088F, 0.0468F}},
-                                                   {"Gazebo/Purple", {1, 0, 1}},
-                                                   {"Gazebo/Turquoise", {0, 1, 1}},
-                                                   {"Gazebo/Wood", {0.6F, 0.45F, 0.3F}},
-                                                   {"Gazebo/Bricks", {0.55F, 0.3F, 0.25F}},
-                                                   {"Gazebo/Residential", {0.8F, 0.8F, 0.78F}}}};
-    for (const Row& row : kRows) {
-        if (name != row.name) continue;
-        return Eigen::Vector4f(linearFromSrgb(row.color[0]), linearFromSrgb(row.color[1]),
-                               linearFromSrgb(row.color[2]), 1.0F);
-    }
-    return std::nullopt;
-}
-
-/// A model or world with the links, frames, joints and models in it.
-struct Scope;
-
-/// Anything that has a pose and that other poses may be relative to.
-struct Frame {
-    explicit Frame(const pugi::xml_node& xml) : node(xml) {}
-
-    [[nodiscard]] bool is(std::string_view kind) const { return kind == node.name(); }
-
-    pugi::xml_node node;              // <link>, <frame>, <joint>, <model>, <include>
-    std::unique_ptr<Scope> model;     // of models, and of includes that were found
-    std::optional<std::size_t> link;  // of links: index into SdfReader::links_
-    enum class State { New, Busy, Known } state = State::New;
-    Eigen::Affine3d scope_from_frame = Eigen::Affine3d::Identity();
-};
-
-struct Scope {
-    pugi::xml_node node;  // <model> or <world>
-    fs::path path;        // of the file that it is written in
-    std::string name;     // clean text; empty: the world
-    const Scope* parent = nullptr;
-    int depth = 0;
-    std::vector<Frame> frames;
-    std::map<std::string, std::size_t, std::less<>> by_name;  // indices into `frames`
-};
 
 class SdfReader {
   public:
     SdfReader(const ModelPath& files, const JobContext& job) : files_(files), job_(job) {}
 
-    /// `bytes`: of the file at `path`.
-    Status read(const pugi::xml_node& sdf, const fs::path& path, std::uint64_t bytes) {
-        xml_bytes_ = expanded_bytes_ = bytes;
+    /// `xml` is the file at `path`, and has to outlive this object.
+    Status read(const pugi::xml_node& sdf, const fs::path& path, const XmlFile& xml) {
+        xml_bytes_ = expanded_bytes_ = xml.bytes;
+        scene_.path = path;
+        scene_.xml = &xml;
         const pugi::xml_node world = sdf.child("world");
         const pugi::xml_node model = sdf.child("model");
         if (!world && !model) {
-            return wrong("the file has neither a <world> nor a <model>; give a world or model",
-                         path);
+            return wrongAt("the file holds neither a <world> nor a <model>; name a world or model",
+                           scene_, sdf);
         }
-        scene_.path = path;
         scene_.node = world ? world : sdf;
         if (Status opened = openChildren(scene_, !world); !opened) return opened;
         if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
@@ -132,55 +78,32 @@ class SdfReader {
             into.insert(into.end(), links_[i].visuals.begin(), links_[i].visuals.end());
         }
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            if (objects_in[scopes[i]] == 1) objects[i].name = scopes[i]->name;
+            const std::string& model = scopes[i]->name;
+            if (objects_in[scopes[i]] == 1) {
+                objects[i].name = model;
+            } else if (!model.empty() && isPlainLinkName(objects[i].name)) {
+                objects[i].name = fmt::format("{}::{}", model, objects[i].name);
+            }
         }
         return objects;
     }
 
     [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
     [[nodiscard]] const UnknownShapes& unknownShapes() const { return unknown_shapes_; }
+    [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    static tl::unexpected<Error> wrong(std::string message, const fs::path& path) {
-        return fail(ErrorCode::BadInput, std::move(message), path.string());
-    }
-
     static std::string nameOf(const pugi::xml_node& node) {
         return cleanText(node.attribute("name").value());
-    }
-
-    /// What a <pose> says, aside from what it is relative to.
-    static std::optional<Eigen::Affine3d> poseIn(const pugi::xml_node& node) {
-        const pugi::xml_node pose = node.child("pose");
-        const auto numbers = numbersOf(pose.child_value());
-        if (!numbers) return std::nullopt;
-        if (numbers->empty()) return Eigen::Affine3d::Identity();
-        const std::vector<double>& n = *numbers;
-        Eigen::Affine3d result = Eigen::Affine3d::Identity();
-        if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {
-            if (n.size() != 7) return std::nullopt;
-            const Eigen::Quaterniond rotation(n[6], n[3], n[4], n[5]);
-            if (!(rotation.norm() > 1e-9)) return std::nullopt;
-            result = Eigen::Translation3d(n[0], n[1], n[2]) * rotation.normalized();
-            return result;
-        }
-        if (n.size() != 6) return std::nullopt;
-        Eigen::Vector3d angles(n[3], n[4], n[5]);
-        if (pose.attribute("degrees").as_bool()) angles *= M_PI / 180.0;
-        result = Eigen::Translation3d(n[0], n[1], n[2]) * rotationFromRollPitchYaw(angles);
-        return result;
-    }
-
-    static tl::unexpected<Error> badPose(const std::string& of, const fs::path& path) {
-        return wrong("the <pose> of " + of + " is not six numbers; correct it", path);
     }
 
     /// Finds the frames of a world or model, and opens the models in it. `first_only`: of the
     /// models of a file without a world.
     Status openChildren(Scope& scope, bool first_only = false) {
         if (scope.depth > kDeepestModel) {
-            return wrong("models lie within models more than 16 deep; leave some out", scope.path);
+            return wrongAt("models lie within models more than 16 deep; leave some out", scope,
+                           scope.node);
         }
         for (const pugi::xml_node& child : scope.node.children()) {
             const std::string_view kind = child.name();
@@ -189,10 +112,10 @@ class SdfReader {
                 continue;
             }
             if (++frames_ > kMostFrames) {
-                return wrong(
+                return wrongAt(
                     "the world has more than 1,000,000 links, joints, frames and models; "
                     "leave some out",
-                    scope.path);
+                    scope, child);
             }
             scope.frames.emplace_back(child);
             if (first_only) break;
@@ -206,8 +129,9 @@ class SdfReader {
         for (Frame& frame : scope.frames) {
             if (!isModel(frame)) continue;
             if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
-            Status opened = frame.is("model") ? openModel(frame.node, scope.path, scope, frame)
-                                              : openInclude(scope, frame);
+            Status opened = frame.is("model")
+                                ? openModel(frame.node, scope.path, *scope.xml, scope, frame)
+                                : openInclude(scope, frame);
             if (!opened) return opened;
             if (!frame.model) continue;
             const std::string given = cleanText(textOf(frame.node.child("name")));
@@ -232,11 +156,12 @@ class SdfReader {
         return {};
     }
 
-    static Status openModel(const pugi::xml_node& model, const fs::path& path, const Scope& around,
-                            Frame& frame) {
+    static Status openModel(const pugi::xml_node& model, const fs::path& path, const XmlFile& xml,
+                            const Scope& around, Frame& frame) {
         frame.model = std::make_unique<Scope>();
         frame.model->node = model;
         frame.model->path = path;
+        frame.model->xml = &xml;
         frame.model->name = nameOf(model);
         frame.model->parent = &around;
         frame.model->depth = around.depth + 1;
@@ -246,7 +171,8 @@ class SdfReader {
     Status openInclude(const Scope& scope, Frame& frame) {
         const std::string uri = textOf(frame.node.child("uri"));
         if (++includes_ > kMostIncludes) {
-            return wrong("the world includes more than 20,000 models; leave some out", scope.path);
+            return wrongAt("the world includes more than 20,000 models; leave some out", scope,
+                           frame.node);
         }
         const fs::path folder = scope.path.parent_path();
         const auto [found, is_new] = found_models_.try_emplace({folder, uri});
@@ -258,9 +184,9 @@ class SdfReader {
         }
         for (const Scope* around = &scope; around != nullptr; around = around->parent) {
             if (around->path != *file) continue;
-            return wrong("the model '" + cleanText(uri) +
-                             "' includes itself, perhaps through others; remove that <include>",
-                         scope.path);
+            return wrongAt("the model '" + cleanText(uri) +
+                               "' includes itself, perhaps through others; remove that <include>",
+                           scope, frame.node);
         }
         auto at = documents_.find(*file);
         if (at == documents_.end()) {
@@ -271,104 +197,18 @@ class SdfReader {
         }
         expanded_bytes_ += at->second->bytes;
         if (expanded_bytes_ > kMostExpandedBytes) {
-            return wrong(
+            return wrongAt(
                 "the models that are included, counted each time, are more than 1 GiB of "
                 "XML; leave some out",
-                scope.path);
+                scope, frame.node);
         }
         const pugi::xml_node sdf = at->second->document.child("sdf");
         const pugi::xml_node model = sdf.child("model");
-        if (model) return openModel(model, *file, scope, frame);
+        if (model) return openModel(model, *file, *at->second, scope, frame);
         if (sdf.child("light") || sdf.child("actor")) return {};  // as model://sun
-        return wrong("the file is included as a model but has no <model>; give another file",
-                     *file);
-    }
-
-    /// A frame and the scope that it lies in; null: the scope itself, as "arm::__model__" names it.
-    struct Step {
-        Scope* scope;
-        Frame* frame;
-    };
-
-    /// The frames that a name as "gripper::finger" goes through, the last of which it means; none
-    /// where there is no such frame. The names of models end at the first "::"; only the last name
-    /// may hold one, as links of included models did before SDF 1.7.
-    static std::vector<Step> locate(Scope& scope, std::string_view name) {
-        std::vector<Step> steps;
-        Scope* around = &scope;
-        while (true) {
-            if (name == "__model__") {
-                steps.push_back({around, nullptr});
-                return steps;
-            }
-            if (const auto last = around->by_name.find(name); last != around->by_name.end()) {
-                steps.push_back({around, &around->frames[last->second]});
-                return steps;
-            }
-            const auto colons = name.find("::");
-            if (colons == name.npos) return {};
-            const auto at = around->by_name.find(name.substr(0, colons));
-            if (at == around->by_name.end()) return {};
-            Frame& frame = around->frames[at->second];
-            if (!frame.model) return {};
-            steps.push_back({around, &frame});
-            around = frame.model.get();
-            name.remove_prefix(colons + 2);
-        }
-    }
-
-    /// The pose of the frame that a name means, in the scope that names it.
-    static Result<Eigen::Affine3d> poseOfName(Scope& scope, const std::string& name, int depth) {
-        Eigen::Affine3d pose = Eigen::Affine3d::Identity();
-        if (name.empty() || name == "world") return pose;
-        const auto steps = locate(scope, name);
-        if (steps.empty()) {
-            return wrong("a <pose> is relative to '" + cleanText(name) +
-                             "', which does not exist; correct the name",
-                         scope.path);
-        }
-        for (const auto& [around, frame] : steps) {
-            if (frame == nullptr) break;
-            const auto step = poseOf(*around, *frame, depth + 1);
-            if (!step) return step;
-            pose = pose * *step;
-        }
-        return pose;
-    }
-
-    /// The pose of a frame in its scope. Each is computed once.
-    static Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth = 0) {
-        if (frame.state == Frame::State::Known) return frame.scope_from_frame;
-        if (frame.state == Frame::State::Busy || depth > kDeepestFrames) {
-            return wrong("the pose of '" + nameOf(frame.node) +
-                             "' is relative to itself, or to more than 200 others in a row; "
-                             "correct relative_to",
-                         scope.path);
-        }
-        frame.state = Frame::State::Busy;
-        // An <include> without a pose keeps that of the model.
-        pugi::xml_node node = frame.node;
-        if (frame.is("include") && frame.model && !node.child("pose")) node = frame.model->node;
-        const auto own = poseIn(node);
-        if (!own) return badPose("'" + nameOf(node) + "'", scope.path);
-        std::string from = node.child("pose").attribute("relative_to").value();
-        if (from.empty() && frame.is("frame")) from = node.attribute("attached_to").value();
-        if (from.empty() && frame.is("joint")) from = textOf(node.child("child"));
-        const auto base = poseOfName(scope, from, depth);
-        if (!base) return base;
-        frame.scope_from_frame = *base * *own;
-        if (frame.model) {
-            // The pose is that of this frame of the model instead of the model's own.
-            std::string placed = textOf(frame.node.child("placement_frame"));
-            if (placed.empty()) {
-                placed = frame.model->node.attribute("placement_frame").value();
-            }
-            const auto within = poseOfName(*frame.model, placed, depth);
-            if (!within) return within;
-            frame.scope_from_frame = frame.scope_from_frame * within->inverse(Eigen::Isometry);
-        }
-        frame.state = Frame::State::Known;
-        return frame.scope_from_frame;
+        return fail(ErrorCode::BadInput,
+                    "the file is included as a model and holds no <model>; name another file",
+                    file->string());
     }
 
     Status placeLinks(Scope& scope, const Eigen::Affine3d& scene_from_scope) {
@@ -380,8 +220,8 @@ class SdfReader {
             LinkObject object{nameOf(frame.node), {}};
             for (const pugi::xml_node& visual : frame.node.children("visual")) {
                 if (++visuals_ > kMostVisuals) {
-                    return wrong("the world has more than 100,000 visuals; leave some out",
-                                 scope.path);
+                    return wrongAt("the world has more than 100,000 visuals; leave some out", scope,
+                                   visual);
                 }
                 Status read = addVisual(visual, scope, scene_from_scope, *pose, object);
                 if (!read) return read;
@@ -424,6 +264,19 @@ class SdfReader {
         return link;
     }
 
+    /// Warns of a joint between links that are not there, which holds nothing together.
+    void doubtJoint(Scope& scope, const Frame& joint) {
+        for (const char* end : {"parent", "child"}) {
+            const std::string name = textOf(joint.node.child(end));
+            if (name == "world" || !locate(scope, name).empty()) continue;
+            doubts_.push_back(fmt::format(
+                "{}: the joint '{}' names the {} link '{}', which does not exist; the joint is "
+                "left out",
+                scope.xml->placeOf(scope.path.filename(), joint.node), nameOf(joint.node), end,
+                cleanText(name)));
+        }
+    }
+
     /// Links that joints hold together become one object, named by the first.
     Status joinLinks(Scope& scope) {
         for (Frame& frame : scope.frames) {
@@ -432,6 +285,7 @@ class SdfReader {
             }
             if (!frame.is("joint")) continue;
             if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
+            doubtJoint(scope, frame);
             const auto parent = linkOf(scope, textOf(frame.node.child("parent")));
             const auto child = linkOf(scope, textOf(frame.node.child("child")));
             if (!parent || !child) continue;
@@ -450,20 +304,20 @@ class SdfReader {
     Status addVisual(const pugi::xml_node& node, Scope& scope,
                      const Eigen::Affine3d& scene_from_scope, const Eigen::Affine3d& link,
                      LinkObject& object) {
-        const auto pose = poseIn(node);
-        if (!pose) return badPose("a visual of '" + object.name + "'", scope.path);
+        const auto pose = poseIn(node, "a visual of '" + object.name + "'", scope);
+        if (!pose) return tl::unexpected(pose.error());
         Eigen::Affine3d base = link;
         const std::string from = node.child("pose").attribute("relative_to").value();
         if (!from.empty()) {
-            const auto named = poseOfName(scope, from, 0);
+            const auto named = poseOfName(scope, from, node);
             if (!named) return tl::unexpected(named.error());
             base = *named;
         }
         Visual visual;
         visual.folder = scope.path.parent_path();
         visual.scene_from_visual = scene_from_scope * base * *pose;
-        visual.color = colorIn(node);
-        visual.opacity = opacityIn(node);
+        visual.color = visualColor(node);
+        visual.opacity = visualOpacity(node);
         if (!(visual.opacity > 0.0F)) return {};
         const pugi::xml_node geometry = node.child("geometry");
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
@@ -471,9 +325,9 @@ class SdfReader {
             const auto factors = scale ? vectorOf(scale.child_value())
                                        : std::optional<Eigen::Vector3d>(Eigen::Vector3d::Ones());
             if (!factors || !(std::abs(factors->prod()) > 0.0)) {
-                return wrong("the <scale> of a mesh of '" + object.name +
-                                 "' is not three numbers other than 0; correct it",
-                             scope.path);
+                return wrongAt("the <scale> of a mesh of '" + object.name +
+                                   "' is not three numbers other than 0; correct it",
+                               scope, mesh);
             }
             visual.scale = *factors;
             visual.uri = textOf(mesh.child("uri"));
@@ -510,25 +364,12 @@ class SdfReader {
             return {};
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
-            return wrong("the size of a visual of '" + object.name + "' is not above 0; correct it",
-                         scope.path);
+            return wrongAt(
+                "the size of a visual of '" + object.name + "' is not above 0; correct it", scope,
+                node);
         }
         object.visuals.push_back(std::move(visual));
         return {};
-    }
-
-    static std::optional<Eigen::Vector4f> colorIn(const pugi::xml_node& visual) {
-        const pugi::xml_node material = visual.child("material");
-        std::optional<Eigen::Vector4f> color = colorOf(material.child_value("diffuse"));
-        if (!color) color = namedColor(textOf(material.child("script").child("name")));
-        if (!color) color = colorOf(material.child_value("ambient"));
-        return color;
-    }
-
-    static float opacityIn(const pugi::xml_node& visual) {
-        const auto hidden = numbersOf(visual.child_value("transparency"));
-        if (!hidden || hidden->size() != 1) return 1.0F;
-        return static_cast<float>(1.0 - std::clamp(hidden->front(), 0.0, 1.0));
     }
 
     const ModelPath& files_;
@@ -539,6 +380,7 @@ class SdfReader {
     std::vector<std::size_t> first_;  // of the links that joints hold together, as a forest
     std::vector<std::string> missing_;
     UnknownShapes unknown_shapes_;
+    std::vector<std::string> doubts_;
     std::vector<std::string> warnings_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
     /// Descriptions of included models, by the including file's folder and the <uri>.
@@ -565,11 +407,12 @@ Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
     }
     const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options)));
     SdfReader reader(files, job);
-    if (Status read = reader.read(sdf, io::absoluteNormal(path), xml->bytes); !read) {
+    if (Status read = reader.read(sdf, io::absoluteNormal(path), *xml); !read) {
         return tl::unexpected(read.error());
     }
     Result<RawScene> scene = sceneOfLinks(
-        reader.objects(), files, {reader.missing(), reader.unknownShapes()}, path.string(), job);
+        reader.objects(), files, {reader.missing(), reader.unknownShapes(), reader.doubts()},
+        path.string(), job);
     if (scene) {
         scene->warnings.insert(scene->warnings.end(), reader.warnings().begin(),
                                reader.warnings().end());

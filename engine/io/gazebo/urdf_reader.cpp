@@ -1,13 +1,20 @@
 #include "engine/io/gazebo/urdf_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/field_list.h"
+#include "engine/io/datasets/object_names.h"
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/visuals.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack::gazebo {
 namespace {
@@ -18,46 +25,176 @@ constexpr std::size_t kMostLinks = 100'000;
 
 class UrdfReader {
   public:
-    UrdfReader(const fs::path& path, const JobContext& job) : path_(path), job_(job) {}
+    UrdfReader(const fs::path& path, const XmlFile& xml, const JobContext& job)
+        : path_(path), xml_(xml), job_(job) {}
 
     Result<std::vector<LinkObject>> read(const pugi::xml_node& robot) {
         for (const pugi::xml_node& material : robot.children("material")) {
             static_cast<void>(colorOfMaterial(material));
         }
-        for (const pugi::xml_node& joint : robot.children("joint")) {
-            const std::string child = joint.child("child").attribute("link").value();
-            joints_.try_emplace(child, joint);
-            if (joints_.size() > kMostLinks) return tooMany("joints");
+        for (const pugi::xml_node& link : robot.children("link")) {
+            if (links_.size() >= kMostLinks) return tooMany("links", link);
+            const std::string name = link.attribute("name").value();
+            if (!links_.try_emplace(name, link).second) {
+                doubt(link, fmt::format("there are two links '{}'; joints mean the first",
+                                        cleanText(name)));
+            }
         }
-        std::vector<LinkObject> links;
+        if (Status read = readJoints(robot); !read) return tl::unexpected(read.error());
+        std::vector<Placed> placed;
         std::size_t visuals = 0;
         for (const pugi::xml_node& link : robot.children("link")) {
             if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
-            if (links.size() >= kMostLinks) return tooMany("links");
             const std::string name = link.attribute("name").value();
             const auto pose = poseOf(name);
             if (!pose) return tl::unexpected(pose.error());
-            LinkObject object{cleanText(name), {}};
+            if (cut_off_.contains(name)) continue;
+            Placed one{name, {}};
             for (const pugi::xml_node& visual : link.children("visual")) {
-                if (++visuals > kMostVisuals) return tooMany("visuals");
+                if (++visuals > kMostVisuals) return tooMany("visuals", visual);
                 auto read = visualOf(visual, *pose);
                 if (!read) return tl::unexpected(read.error());
-                if (*read) object.visuals.push_back(std::move(**read));
+                if (*read) one.visuals.push_back(std::move(**read));
             }
-            links.push_back(std::move(object));
+            placed.push_back(std::move(one));
         }
-        return links;
+        doubtCutOff();
+        return objectsOf(std::move(placed), cleanText(robot.attribute("name").value()));
     }
 
     [[nodiscard]] const UnknownShapes& unknownShapes() const { return unknown_shapes_; }
+    [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
 
   private:
-    [[nodiscard]] tl::unexpected<Error> wrong(std::string message) const {
-        return fail(ErrorCode::BadInput, std::move(message), path_.string());
+    /// A link that has its pose.
+    struct Placed {
+        std::string name;
+        std::vector<Visual> visuals;
+    };
+
+    [[nodiscard]] tl::unexpected<Error> wrong(std::string message,
+                                              const pugi::xml_node& element) const {
+        return fail(ErrorCode::BadInput, std::move(message), xml_.placeOf(path_, element));
     }
 
-    [[nodiscard]] tl::unexpected<Error> tooMany(const std::string& what) const {
-        return wrong("the robot has more than 100,000 " + what + "; split it into several files");
+    [[nodiscard]] tl::unexpected<Error> tooMany(const std::string& what,
+                                                const pugi::xml_node& element) const {
+        return wrong("the robot has more than 100,000 " + what + "; split it into several files",
+                     element);
+    }
+
+    /// Notes what is left out because of an element.
+    void doubt(const pugi::xml_node& element, const std::string& sentence) {
+        doubts_.push_back(fmt::format("{}: {}", xml_.placeOf(path_.filename(), element), sentence));
+    }
+
+    /// Finds the joint that each link hangs on. Joints that name links which do not exist are left
+    /// out, and where the parent is missing, so is all that hangs on it.
+    Status readJoints(const pugi::xml_node& robot) {
+        std::size_t count = 0;
+        for (const pugi::xml_node& joint : robot.children("joint")) {
+            if (++count > kMostLinks) return tooMany("joints", joint);
+            const std::string child = joint.child("child").attribute("link").value();
+            const std::string parent = joint.child("parent").attribute("link").value();
+            const std::string name = cleanText(joint.attribute("name").value());
+            if (!links_.contains(child)) {
+                doubt(joint, fmt::format("the joint '{}' names the child link '{}', which does not "
+                                         "exist{}; the joint is left out",
+                                         name, cleanText(child), hintFor(child)));
+                continue;
+            }
+            if (!joints_.try_emplace(child, joint).second) {
+                doubt(joint, fmt::format("the link '{}' hangs on two joints; '{}' is left out",
+                                         cleanText(child), name));
+                continue;
+            }
+            if (links_.contains(parent)) continue;
+            cut_off_.insert(child);
+            doubt(joint, fmt::format("the joint '{}' names the parent link '{}', which does not "
+                                     "exist{}; the link '{}' and all that hangs on it are left out",
+                                     name, cleanText(parent), hintFor(parent), cleanText(child)));
+        }
+        return {};
+    }
+
+    /// " (perhaps 'door' is meant)", for the first wrong names.
+    std::string hintFor(const std::string& wrong_name) {
+        constexpr int kMostHints = 20;
+        if (++hints_ > kMostHints) return {};
+        std::vector<std::string> names;
+        for (const auto& [name, link] : links_) names.push_back(name);
+        const std::string close = closestName(wrong_name, names);
+        return close.empty() ? close : fmt::format(" (perhaps '{}' is meant)", cleanText(close));
+    }
+
+    void doubtCutOff() {
+        if (cut_off_.empty()) return;
+        std::vector<std::string> names;
+        for (const std::string& name : cut_off_) names.push_back(cleanText(name));
+        doubts_.push_back(
+            fmt::format("{} left out, since a joint above names a parent that does not exist: {}",
+                        io::counted(names.size(), "link is", "links are"), io::listOf(names)));
+    }
+
+    static bool isMovable(const pugi::xml_node& joint) {
+        const std::string_view type = joint.attribute("type").value();
+        return type == "revolute" || type == "continuous" || type == "prismatic";
+    }
+
+    /// The link whose object a link belongs to: the first one above that no joint moves, so that
+    /// drawers, doors and their handles are of their cabinet. What is fixed to a link that does not
+    /// move, as furniture to a room, is an object of its own.
+    const std::string& ownerOf(const std::string& link, const std::set<std::string>& shown) {
+        std::vector<std::string> chain;
+        std::string at = link;
+        while (!owners_.contains(at)) {
+            const auto joint = joints_.find(at);
+            const bool hangs = joint != joints_.end();
+            chain.push_back(at);
+            if (!hangs) break;
+            at = joint->second.child("parent").attribute("link").value();
+        }
+        std::reverse(chain.begin(), chain.end());
+        for (const std::string& name : chain) {
+            Owner owner{name, false};
+            const auto joint = joints_.find(name);
+            if (joint != joints_.end()) {
+                const std::string parent = joint->second.child("parent").attribute("link").value();
+                const auto above = owners_.find(parent);
+                const std::string_view type = joint->second.attribute("type").value();
+                const bool moved_above = above != owners_.end() && above->second.moves;
+                owner.moves = isMovable(joint->second) || (type == "fixed" && moved_above);
+                // What hangs on nothing that is shown, as doors on a world's origin, stays apart.
+                const bool joins =
+                    owner.moves && above != owners_.end() && shown.contains(above->second.link);
+                if (joins) owner.link = above->second.link;
+            }
+            owners_.emplace(name, std::move(owner));
+        }
+        return owners_.at(link).link;
+    }
+
+    std::vector<LinkObject> objectsOf(std::vector<Placed> placed, const std::string& robot) {
+        std::set<std::string> shown;
+        for (const Placed& one : placed) {
+            if (!one.visuals.empty()) shown.insert(one.name);
+        }
+        std::map<std::string, std::size_t> number;  // in `objects`, by the owner
+        std::vector<LinkObject> objects;
+        for (Placed& one : placed) {
+            if (one.visuals.empty()) continue;
+            const std::string owner = ownerOf(one.name, shown);
+            const auto [at, is_new] = number.try_emplace(owner, objects.size());
+            if (is_new) objects.push_back({cleanText(owner), {}});
+            std::ranges::move(one.visuals, std::back_inserter(objects[at->second].visuals));
+        }
+        if (robot.empty()) return objects;
+        const bool whole = objects.size() == 1 && shown.size() > 1;
+        for (LinkObject& object : objects) {
+            if (!whole && !isPlainLinkName(object.name)) continue;
+            object.name = objects.size() == 1 ? robot : fmt::format("{}::{}", robot, object.name);
+        }
+        return objects;
     }
 
     /// The colour of a <material>, its own or that of the first of its name.
@@ -75,7 +212,7 @@ class UrdfReader {
         const auto place = vectorOf(origin.attribute("xyz").as_string("0 0 0"));
         const auto rotation = vectorOf(origin.attribute("rpy").as_string("0 0 0"));
         if (!place || !rotation) {
-            return wrong("the xyz or rpy of an <origin> is not three numbers; correct it");
+            return wrong("the xyz or rpy of an <origin> is not three numbers; correct it", origin);
         }
         return Eigen::Affine3d(Eigen::Translation3d(*place) * rotationFromRollPitchYaw(*rotation));
     }
@@ -94,7 +231,8 @@ class UrdfReader {
             }
             if (!seen.insert(at).second) {
                 return wrong("the joints form a circle at link '" + cleanText(at) +
-                             "'; each link needs a path to the root");
+                                 "'; each link needs a path to the root",
+                             joint->second);
             }
             chain.emplace_back(at, joint->second);
             at = joint->second.child("parent").attribute("link").value();
@@ -102,6 +240,9 @@ class UrdfReader {
         Eigen::Affine3d pose = known->second;
         std::reverse(chain.begin(), chain.end());
         for (const auto& [name, joint] : chain) {
+            if (cut_off_.contains(joint.child("parent").attribute("link").value())) {
+                cut_off_.insert(name);
+            }
             const auto origin = originOf(joint);
             if (!origin) return origin;
             pose = pose * *origin;
@@ -127,7 +268,8 @@ class UrdfReader {
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
             const auto scale = vectorOf(mesh.attribute("scale").as_string("1 1 1"));
             if (!scale || !(std::abs(scale->prod()) > 0.0)) {
-                return wrong("the scale of a mesh is not three numbers other than 0; correct it");
+                return wrong("the scale of a mesh is not three numbers other than 0; correct it",
+                             mesh);
             }
             visual.scale = *scale;
             visual.uri = mesh.attribute("filename").value();
@@ -146,17 +288,30 @@ class UrdfReader {
             return std::optional<Visual>();
         }
         if (visual.shape != Visual::Shape::Mesh && !(visual.size.minCoeff() > 0.0)) {
-            return wrong("the size of a box, cylinder or sphere is not above 0; correct it");
+            return wrong("the size of a box, cylinder or sphere is not above 0; correct it",
+                         geometry);
         }
         return std::optional<Visual>(std::move(visual));
     }
 
+    /// The link that a link's object is named by, and whether a joint above moves the link.
+    struct Owner {
+        std::string link;
+        bool moves = false;
+    };
+
     const fs::path& path_;
+    const XmlFile& xml_;
     const JobContext& job_;
+    std::map<std::string, pugi::xml_node> links_;
     std::map<std::string, pugi::xml_node> joints_;  // by the link that hangs on it
+    std::set<std::string> cut_off_;                 // links below a parent that does not exist
+    std::map<std::string, Owner> owners_;           // of links
     std::map<std::string, Eigen::Affine3d> poses_;  // of links, in the root's frame
     std::map<std::string, Eigen::Vector4f> colors_;
     UnknownShapes unknown_shapes_;
+    std::vector<std::string> doubts_;
+    int hints_ = 0;  // that were looked for
 };
 
 }  // namespace
@@ -171,10 +326,11 @@ Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& f
                     "the XML has no <robot>, so it is not a URDF file; give a robot's file",
                     path.string());
     }
-    UrdfReader reader(path, job);
+    UrdfReader reader(path, *xml, job);
     const Result<std::vector<LinkObject>> links = reader.read(robot);
     if (!links) return tl::unexpected(links.error());
-    return sceneOfLinks(*links, ModelPath(files), {{}, reader.unknownShapes()}, path.string(), job);
+    return sceneOfLinks(*links, ModelPath(files), {{}, reader.unknownShapes(), reader.doubts()},
+                        path.string(), job);
 }
 
 Result<RawScene> readUrdf(const fs::path& path, const ImportOptions& options,

@@ -10,8 +10,9 @@
 
 namespace dollytrack::gazebo {
 
-/// Reads a URDF file, each link an object, its joints at zero: z up, metres. Errors: BadInput,
-/// Cancelled.
+/// Reads a URDF file, its joints at zero: z up, metres. A link is an object, together with the
+/// links that movable joints hang on it and what is fixed to those. Joints that name links which do
+/// not exist are warned of with their line. Errors: BadInput, with the line; Cancelled.
 Result<RawScene> readUrdf(const std::filesystem::path& path, const ImportOptions& options,
                           const JobContext& job);
 

@@ -4,6 +4,7 @@
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/object_names.h"
 #include "engine/io/files/percent_text.h"
+#include "engine/io/gazebo/fuel_uri.h"
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/import/model_placement.h"
@@ -184,6 +185,7 @@ class SceneOfLinks {
     Result<RawScene> build(const std::vector<LinkObject>& links, const LeftOut& left_out) {
         missing_ = left_out.models;
         unknown_shapes_ = left_out.shapes;
+        addDoubts(left_out.doubts);
         std::map<std::pair<fs::path, std::string>, std::optional<std::size_t>> found;
         std::map<const Visual*, std::size_t> wanted;
         for (const LinkObject& link : links) {
@@ -226,6 +228,15 @@ class SceneOfLinks {
     }
 
   private:
+    void addDoubts(const std::vector<std::string>& doubts) {
+        constexpr std::size_t kMostDoubts = 20;
+        const std::size_t shown = std::min(doubts.size(), kMostDoubts);
+        for (std::size_t i = 0; i < shown; ++i) scene_.warnings.push_back(doubts[i]);
+        if (shown == doubts.size()) return;
+        scene_.warnings.push_back(io::counted(doubts.size() - shown, "more fault of this kind",
+                                              "more faults of this kind"));
+    }
+
     Status placeMesh(const Visual& visual, std::size_t number, SourceObject& object) {
         const RawScene* model = library_.model(number);
         if (model == nullptr) {
@@ -321,6 +332,23 @@ class SceneOfLinks {
             names.erase(std::unique(names.begin(), names.end()), names.end());
             scene_.warnings.push_back(io::counted(count, one, many) + ": " + io::listOf(names));
         };
+        std::vector<std::string> fuel;
+        std::vector<std::string> web;
+        std::erase_if(missing_, [&](const std::string& uri) {
+            if (!isWebAddress(uri)) return false;
+            (fuelUriOf(uri) ? fuel : web).push_back(uri);
+            return true;
+        });
+        say(fuel,
+            "model is on Gazebo Fuel and is left out; download it with \"gz fuel download -u "
+            "URI\" and pass --models ~/.gz/fuel",
+            "models are on Gazebo Fuel and are left out; download each with \"gz fuel download -u "
+            "URI\" and pass --models ~/.gz/fuel");
+        say(web,
+            "model or mesh is on the web and is left out; download it and write its path in "
+            "place of the address",
+            "models or meshes are on the web and are left out; download them and write their "
+            "paths in place of the addresses");
         say(missing_,
             "model or mesh was not found and is left out; give the folder around it with --models",
             "models or meshes were not found and are left out; give the folder around them with "
@@ -369,6 +397,10 @@ class SceneOfLinks {
 }  // namespace
 
 std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::string& uri) const {
+    if (const auto fuel = fuelUriOf(uri)) {
+        const auto downloaded = findFuelModel(files_, *fuel);
+        return downloaded ? files_.find(*downloaded, fuel->file) : std::nullopt;
+    }
     std::string name = percentDecoded(uri);
     const bool package = takeScheme(name, "package://");
     const bool model = !package && takeScheme(name, "model://");
@@ -407,6 +439,14 @@ const std::string& ModelPath::nameOf(const fs::path& config) const {
 std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::string& uri) const {
     std::string name = uri;
     while (name.ends_with('/')) name.pop_back();
+    if (const auto fuel = fuelUriOf(name); fuel && fuel->file.empty()) {
+        const auto model = findFuelModel(files_, *fuel);
+        if (!model) return std::nullopt;
+        if (const auto config = files_.find(*model, "model.config")) {
+            if (auto found = files_.find(*model, nameOf(*config))) return found;
+        }
+        return files_.find(*model, "model.sdf");
+    }
     const std::string ending = lowerExtension(name);
     if (ending == ".sdf" || ending == ".urdf" || ending == ".world") return find(folder, name);
     if (const auto config = find(folder, name + "/model.config")) {

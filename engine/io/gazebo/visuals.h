@@ -39,6 +39,7 @@ using UnknownShapes = std::map<std::string, std::size_t>;
 struct LeftOut {
     std::vector<std::string> models;  // that were not found
     UnknownShapes shapes;
+    std::vector<std::string> doubts;  // a sentence each, with the place in its file
 };
 
 /// A link, or several that joints hold together.
@@ -61,7 +62,7 @@ class ModelPath {
         return files_.reaches(path);
     }
     /// The description of the model that an <include> names: a file, or a folder with a
-    /// model.config or model.sdf.
+    /// model.config or model.sdf. Addresses of Gazebo Fuel are looked up among downloaded models.
     [[nodiscard]] std::optional<std::filesystem::path> findModel(
         const std::filesystem::path& folder, const std::string& uri) const;
 

@@ -1,9 +1,15 @@
 #include "engine/io/habitat/dataset_config.h"
 
+#include "engine/core/clean_text.h"
+#include "engine/core/field_list.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
+#include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/habitat/folder_search.h"
 #include "engine/io/sandbox/input_file.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -18,12 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
-constexpr std::size_t kMostConfigs = 16;  // in one folder
+constexpr const char* kSemanticDescriptor = "semantic_descriptor_filename";
 constexpr std::uint64_t kMostTemplateBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostPatterns = 2'000;      // of one kind; HM3D lists about 1,000 stages
-constexpr std::size_t kMostFolders = 20'000;      // that all patterns lead into
-constexpr std::size_t kMostFiles = 100'000;       // of one kind
+constexpr std::size_t kMostFitting = 10;          // files that are counted for one name
 constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
 
 struct KindWords {
@@ -63,11 +66,9 @@ bool isModel(const std::string& name) {
            name.ends_with(".obj");
 }
 
-bool isPattern(const std::string& text) {
-    return text.find_first_of("*?") != std::string::npos;
-}
-
 bool isOfKind(const std::string& name, const KindWords& words) {
+    // HSSD's semantics are a lexicon, and a table of its models.
+    if (words.kind == Kind::SemanticScene && name.ends_with(".csv")) return true;
     return name.ends_with(words.ending) || (words.models && isModel(name));
 }
 
@@ -75,10 +76,6 @@ bool isOfKind(const std::string& name, const KindWords& words) {
 std::string lastName(const std::string& name) {
     const auto slash = name.find_last_of('/');
     return slash == std::string::npos ? name : name.substr(slash + 1);
-}
-
-std::string withoutEnding(const std::string& name, std::string_view ending) {
-    return name.ends_with(ending) ? name.substr(0, name.size() - ending.size()) : name;
 }
 
 /// The values of `changes` in place of those of the same name in `defaults`.
@@ -100,153 +97,7 @@ const json& sectionOf(const json& document, const char* key) {
     return found != document.end() && found->is_object() ? *found : nothing;
 }
 
-std::vector<fs::path> configsIn(const fs::path& folder) {
-    std::vector<fs::path> configs;
-    std::error_code error;
-    fs::directory_iterator at(folder, error);
-    for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
-        std::error_code unknown;
-        if (isDatasetConfig(at->path()) && !at->is_symlink(unknown)) {
-            configs.push_back(at->path());
-        }
-    }
-    std::sort(configs.begin(), configs.end());
-    if (configs.size() > kMostConfigs) configs.resize(kMostConfigs);
-    return configs;
-}
-
 }  // namespace
-
-/// Finds what the patterns of a config stand for. Lists each folder once, and stops with an error
-/// where a config leads into too many.
-class Dataset::FolderSearch {
-  public:
-    FolderSearch(const io::ReachableFiles& files, fs::path root, std::string where,
-                 JobContext job, std::size_t most_names)
-        : files_(files),
-          root_(std::move(root)),
-          where_(std::move(where)),
-          job_(std::move(job)),
-          most_names_(most_names) {}
-
-    /// The folders and files that a path with wildcards stands for.
-    Result<std::vector<fs::path>> expand(const std::string& pattern) {
-        std::vector<fs::path> level = {root_};
-        for (const fs::path& step : fs::path(pattern)) {
-            const std::string part = step.string();
-            if (part.empty()) continue;
-            std::vector<fs::path> next;
-            work_ += level.size();
-            for (const fs::path& folder : level) {
-                if (!isPattern(part)) {
-                    next.push_back((folder / part).lexically_normal());
-                    continue;
-                }
-                const auto names = list(folder);
-                if (!names) return tl::unexpected(names.error());
-                work_ += (*names)->size();
-                for (const std::string& name : **names) {
-                    if (next.size() <= kMostFiles && fitsPattern(part, name)) {
-                        next.push_back(folder / name);
-                    }
-                }
-            }
-            if (next.size() > kMostFiles || work_ > most_names_) return tooMany("files");
-            level = std::move(next);
-        }
-        return level;
-    }
-
-    /// The names in a folder; none of a file.
-    Result<const std::vector<std::string>*> list(const fs::path& folder) {
-        const auto [at, is_new] = listings_.try_emplace(folder);
-        if (!is_new) return &at->second;
-        if (job_.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");
-        if (listings_.size() > kMostFolders) return tooMany("folders");
-        std::error_code error;
-        const fs::file_status status =
-            files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
-        // A folder that is missing is listed, too: the scene depends on whether it is there.
-        if (!fs::exists(status) || fs::is_directory(status)) {
-            Result<std::vector<std::string>> names = files_.namesIn(folder);
-            if (!names) return tl::unexpected(names.error());
-            at->second = std::move(*names);
-        }
-        work_ += at->second.size();
-        if (work_ > most_names_) return tooMany("files");
-        return &at->second;
-    }
-
-    [[nodiscard]] tl::unexpected<Error> tooManyPatterns(const std::string& section) const {
-        return fail(ErrorCode::BadInput,
-                    "the dataset config has more than " + std::to_string(kMostPatterns) +
-                        " paths of " + section + "; write folders or wildcards instead",
-                    where_);
-    }
-
-    [[nodiscard]] tl::unexpected<Error> tooMany(const char* what) const {
-        return fail(ErrorCode::BadInput,
-                    std::string("the paths of the dataset config lead to too many ") + what +
-                        "; write paths that lead to fewer",
-                    where_);
-    }
-
-  private:
-    const io::ReachableFiles& files_;
-    fs::path root_;
-    std::string where_;
-    JobContext job_;
-    std::size_t most_names_;
-    std::map<fs::path, std::vector<std::string>> listings_;
-    std::size_t work_ = 0;
-};
-
-bool isDatasetConfig(const fs::path& path) {
-    return path.filename().string().ends_with(kConfigEnding);
-}
-
-std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
-    constexpr int kMostFoldersUp = 4;
-    fs::path folder = io::absoluteNormal(scene).parent_path();
-    for (int up = 0; up <= kMostFoldersUp && folder.has_relative_path(); ++up) {
-        std::vector<fs::path> configs = configsIn(folder);
-        if (!configs.empty()) return configs;
-        folder = folder.parent_path();
-    }
-    return {};
-}
-
-ConfigChoice::ConfigChoice(DatasetScope scope, JobContext job)
-    : scope_(scope), job_(std::move(job)) {
-    scope_.scenes_only = true;
-}
-
-const ConfigChoice::Listed& ConfigChoice::listedBy(const fs::path& config) {
-    const auto [at, is_new] = listed_.try_emplace(config);
-    if (!is_new) return at->second;
-    const fs::path folder = config.parent_path();
-    const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job_, scope_);
-    if (!dataset) return at->second;
-    for (const DatasetScene& scene : dataset->scenes()) {
-        at->second.scenes.insert(scene.file);
-        at->second.folders.insert(scene.file.parent_path());
-    }
-    return at->second;
-}
-
-fs::path ConfigChoice::choose(const std::vector<fs::path>& configs, const fs::path& scene) {
-    if (configs.empty()) return {};
-    if (configs.size() == 1) return configs.front();
-    const fs::path own = io::absoluteNormal(scene).parent_path();
-    for (const fs::path& config : configs) {
-        if (listedBy(config).folders.contains(own)) return config;
-    }
-    return configs.front();
-}
-
-bool ConfigChoice::lists(const fs::path& config, const fs::path& scene) {
-    return listedBy(config).scenes.contains(io::absoluteNormal(scene));
-}
 
 Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
                               io::ReachableFiles files, const JobContext& job,
@@ -263,6 +114,8 @@ Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
                         config.string());
         }
         document = std::move(*read);
+        dataset.config_name_ = config.filename().string();
+        dataset.keys_.check(document, KeyCheck::Place::DatasetConfig, dataset.config_name_);
     }
     FolderSearch search(dataset.files_, folder, config.empty() ? folder.string() : config.string(),
                         job, scope.most_names);
@@ -289,11 +142,17 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     Section& section = sections_[kind];
     section.defaults = sectionOf(values, "default_attributes");
     section.configs = io::listIn(values, "configs");
+    checkKeys(section.defaults, kind, config_name_);
+    // Other keys of semantic files are their handles.
+    if (kind != Kind::SemanticScene) {
+        keys_.check(values, KeyCheck::Place::Section, config_name_);
+    }
     for (std::size_t i = 0; i < section.configs.size(); ++i) {
         std::string name = io::textIn(section.configs[i], "template_handle");
         if (name.empty()) {
             const std::string original = io::textIn(section.configs[i], "original_file");
-            name = withoutEnding(lastName(original), words.ending);
+            name = lastName(original);
+            name = withoutEnding(name, words.ending).value_or(name);
         }
         section.config_of.try_emplace(std::move(name), i);
     }
@@ -302,43 +161,64 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
         section.files.push_back(file);
         if (isModel(name) && name.ends_with(ending)) section.named_models.push_back(file);
     };
-    std::vector<std::pair<fs::path, std::string>> folders;  // and the ending that is asked for
-    std::size_t patterns = 0;
+    struct Asked {
+        fs::path folder;
+        std::string ending;  // that is asked for
+        std::size_t pattern;
+    };
+    std::vector<Asked> folders;
+    std::vector<std::pair<std::string, bool>> patterns;  // and whether they lead to a file
     for (const auto& [ending, list] : sectionOf(values, "paths").items()) {
         if (!list.is_array()) continue;
         for (const json& entry : list) {
             if (!entry.is_string()) continue;
             const auto& pattern = entry.get_ref<const std::string&>();
             if (pattern.size() > kLongestPattern) continue;
-            if (++patterns > kMostPatterns) return search.tooManyPatterns(words.section);
+            if (patterns.size() >= FolderSearch::kMostPatterns) {
+                return search.tooManyPatterns(words.section);
+            }
+            patterns.emplace_back(pattern, false);
             auto found = search.expand(pattern);
             if (!found) return tl::unexpected(found.error());
             for (const fs::path& path : *found) {
                 if (isOfKind(path.filename().string(), words)) {
                     add(path, ending);
+                    bool& useful = patterns.back().second;
+                    useful = useful || files_.find(folder_, path.string()).has_value();
                 } else {
-                    folders.emplace_back(path, ending);
+                    folders.push_back({path, ending, patterns.size() - 1});
                 }
             }
             // A template's name may be that of another file beside those that the last part fits.
-            if (isPattern(lastName(pattern))) {
+            if (FolderSearch::isPattern(lastName(pattern))) {
                 found = search.expand(fs::path(pattern).parent_path().string());
                 if (!found) return tl::unexpected(found.error());
-                for (const fs::path& path : *found) folders.emplace_back(path, ".json");
+                for (const fs::path& path : *found) {
+                    folders.push_back({path, ".json", patterns.size() - 1});
+                }
             }
-            if (folders.size() + section.files.size() > kMostFiles) return search.tooMany("files");
+            if (folders.size() + section.files.size() > FolderSearch::kMostFiles)
+                return search.tooMany("files");
         }
     }
-    for (const auto& [folder, ending] : folders) {
+    for (const auto& [folder, ending, pattern] : folders) {
         const auto names = search.list(folder);
         if (!names) return tl::unexpected(names.error());
         for (const std::string& name : **names) {
-            if (isOfKind(name, words)) add(folder / name, ending);
+            if (!isOfKind(name, words)) continue;
+            add(folder / name, ending);
+            patterns[pattern].second = true;
         }
-        if (section.files.size() > kMostFiles) return search.tooMany("files");
+        if (section.files.size() > FolderSearch::kMostFiles) return search.tooMany("files");
     }
     for (std::size_t i = 0; i < section.files.size(); ++i) {
-        section.file_of.try_emplace(section.files[i].filename().string(), i);
+        const std::string name = section.files[i].filename().string();
+        const auto [at, is_new] = section.file_of.try_emplace(name, i);
+        if (!is_new && section.files[at->second] != section.files[i]) section.doubled.insert(name);
+    }
+    section.patterns = patterns.size();
+    for (auto& [pattern, useful] : patterns) {
+        if (!useful) section.useless_patterns.push_back(std::move(pattern));
     }
     return {};
 }
@@ -346,8 +226,8 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
 Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path& file) const {
     const auto known = by_file_.find({kind, file});
     if (known != by_file_.end()) return known->second;
-    auto found = std::make_shared<Template>(
-        Template{sections_.at(kind).defaults, file.parent_path(), file});
+    auto found =
+        std::make_shared<Template>(Template{sections_.at(kind).defaults, file.parent_path(), file});
     if (file.extension() == ".json") {
         const Result<json> read = readConfig(file, kMostTemplateBytes);
         if (!read) return tl::unexpected(read.error());
@@ -356,6 +236,7 @@ Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path&
                         "the file is not a JSON object; it is damaged or of another program",
                         file.string());
         }
+        checkKeys(*read, kind, file.filename().string());
         found->attributes = merged(std::move(found->attributes), *read);
     } else {
         found->attributes["render_asset"] = file.filename().string();
@@ -381,6 +262,7 @@ Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& s
         found = **loaded;
     }
     const json& changes = sectionOf(config, "attributes");
+    checkKeys(changes, kind, config_name_);
     // Names of files that the config itself gives count from the config.
     if (changes.contains("render_asset")) found.folder = folder_;
     found.attributes = merged(std::move(found.attributes), changes);
@@ -389,13 +271,27 @@ Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& s
 
 Result<std::shared_ptr<const Template>> Dataset::find(Kind kind, const std::string& name) const {
     const Section& section = sections_.at(kind);
-    for (const std::string& handle : {name, withoutEnding(lastName(name), wordsOf(kind).ending)}) {
+    const std::string last = lastName(name);
+    for (const std::string& handle :
+         {name, withoutEnding(last, wordsOf(kind).ending).value_or(last)}) {
         auto configured = findConfigured(section, kind, handle);
         if (!configured || *configured) return configured;
     }
     const auto file = findFile(kind, name);
     if (!file) return std::shared_ptr<const Template>();
     return load(kind, *file);
+}
+
+std::string Dataset::closestTemplate(Kind kind, const std::string& name) const {
+    const KindWords& words = wordsOf(kind);
+    const Section& section = sections_.at(kind);
+    std::vector<std::string> names;
+    for (const auto& [file_name, index] : section.file_of) {
+        names.push_back(withoutEnding(file_name, words.ending)
+                            .value_or(std::filesystem::path(file_name).stem().string()));
+    }
+    for (const auto& [handle, index] : section.config_of) names.push_back(handle);
+    return closestName(lastName(name), names);
 }
 
 bool Dataset::searchesWereCut() const {
@@ -409,8 +305,8 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
     if (words.models) endings.insert(endings.end(), {".glb", ".gltf", ".ply", ".obj"});
     std::string stem = lastName(name);
     for (const std::string& ending : endings) {
-        if (stem.ends_with(ending)) {
-            stem = withoutEnding(stem, ending);
+        if (auto before = withoutEnding(stem, ending)) {
+            stem = std::move(*before);
             break;
         }
     }
@@ -418,6 +314,7 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
     for (const std::string& ending : endings) {
         const auto at = section.file_of.find(stem + ending);
         if (at == section.file_of.end()) continue;
+        noteSeveral(name, section, stem + ending);
         if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
     }
     if (++slow_searches_ > kMostSlowSearches) return std::nullopt;
@@ -427,13 +324,81 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
         if (auto file = files_.find(folder_, path)) return file;
     }
     // Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
+    std::optional<fs::path> first;
+    std::vector<std::string> fitting;
     for (const auto& [file_name, index] : section.file_of) {
         if (!file_name.ends_with(words.ending) || file_name.find(stem) == std::string::npos) {
             continue;
         }
-        if (auto file = files_.find(folder_, section.files[index].string())) return file;
+        auto file = files_.find(folder_, section.files[index].string());
+        if (!file) continue;
+        if (!first) first = std::move(file);
+        fitting.push_back(file_name);
+        if (fitting.size() > kMostFitting) break;
     }
-    return std::nullopt;
+    if (fitting.size() > 1) several_.try_emplace(name, std::move(fitting));
+    return first;
+}
+
+/// Files of one name in several folders.
+void Dataset::noteSeveral(const std::string& name, const Section& section,
+                          const std::string& file_name) const {
+    if (!section.doubled.contains(file_name) || several_.contains(name)) return;
+    std::vector<std::string>& fitting = several_[name];
+    for (const fs::path& file : section.files) {
+        if (file.filename() != file_name) continue;
+        const std::string shown = file.lexically_relative(folder_).string();
+        if (std::ranges::find(fitting, shown) == fitting.end()) fitting.push_back(shown);
+        if (fitting.size() > kMostFitting) return;
+    }
+}
+
+void Dataset::checkKeys(const json& attributes, Kind kind, const std::string& file) const {
+    if (kind == Kind::SemanticScene) return;
+    const bool scene = kind == Kind::SceneInstance;
+    keys_.check(attributes, scene ? KeyCheck::Place::SceneInstance : KeyCheck::Place::Description,
+                file);
+}
+
+std::string Dataset::uselessPaths(Kind kind) const {
+    const auto at = sections_.find(kind);
+    if (config_name_.empty() || at == sections_.end()) return {};
+    const Section& section = at->second;
+    if (section.patterns == 0 || section.useless_patterns.size() < section.patterns) return {};
+    return fmt::format("the paths of {} in {} lead to no file ({}); correct them",
+                       wordsOf(kind).section, cleanText(config_name_),
+                       cleanText(io::listOf(section.useless_patterns, 5)));
+}
+
+std::vector<std::string> Dataset::warnings(bool something_missing) const {
+    constexpr std::size_t kMostNames = 20;
+    std::vector<std::string> lines;
+    for (const auto& [kind, section] : sections_) {
+        if (kind == Kind::SemanticScene || config_name_.empty()) continue;
+        const bool matters = something_missing || kind == Kind::SceneInstance;
+        std::string line = matters ? uselessPaths(kind) : std::string();
+        if (line.empty() && something_missing && !section.useless_patterns.empty()) {
+            line = fmt::format("some paths of {} in {} lead to no file: {}", wordsOf(kind).section,
+                               cleanText(config_name_),
+                               cleanText(io::listOf(section.useless_patterns, 5)));
+        }
+        if (!line.empty()) lines.push_back(std::move(line));
+    }
+    std::size_t names = 0;
+    for (const auto& [name, files] : several_) {
+        if (++names > kMostNames) break;
+        lines.push_back(cleanText(fmt::format(
+            "the template name \"{}\" fits several files ({}), of which the first is used; name "
+            "one",
+            name, io::listOf(files, 3))));
+    }
+    if (several_.size() > kMostNames) {
+        lines.push_back(
+            fmt::format("{} more template names fit several files", several_.size() - kMostNames));
+    }
+    const std::vector<std::string> slips = keys_.warnings();
+    lines.insert(lines.end(), slips.begin(), slips.end());
+    return lines;
 }
 
 std::vector<DatasetScene> Dataset::scenes() const {
@@ -442,7 +407,7 @@ std::vector<DatasetScene> Dataset::scenes() const {
         const std::string ending = wordsOf(kind).ending;
         for (const fs::path& file : sections_.at(kind).files) {
             const std::string name = file.filename().string();
-            if (name.ends_with(ending)) scenes.push_back({withoutEnding(name, ending), file});
+            if (auto scene = withoutEnding(name, ending)) scenes.push_back({*scene, file});
         }
         for (const fs::path& file : sections_.at(kind).named_models) {
             scenes.push_back({file.stem().string(), file});
@@ -464,16 +429,63 @@ std::vector<DatasetScene> Dataset::scenes() const {
     return scenes;
 }
 
-std::optional<fs::path> Dataset::findLexicon(const std::string& name) const {
-    const std::string written = io::textIn(lexicons_, name.c_str());
+std::string Dataset::semanticPathOf(const std::string& handle) const {
+    const Section& section = sections_.at(Kind::SemanticScene);
+    const auto at = section.config_of.find(handle);
+    if (at == section.config_of.end()) return io::textIn(lexicons_, handle.c_str());
+    const json& config = section.configs[at->second];
+    std::string written = io::textIn(config, "original_file");
+    if (!written.empty()) return written;
+    return io::textIn(sectionOf(config, "attributes"), kSemanticDescriptor);
+}
+
+std::optional<fs::path> Dataset::findSemanticFile(const std::string& name) const {
+    const Section& section = sections_.at(Kind::SemanticScene);
+    const std::string written = semanticPathOf(name);
     if (!written.empty()) {
         if (auto file = files_.find(folder_, written)) return file;
     }
-    const Section& section = sections_.at(Kind::SemanticScene);
-    const auto at = section.file_of.find(withoutEnding(lastName(name), ".json") + ".json");
-    if (at != section.file_of.end())
-        return files_.find(folder_, section.files[at->second].string());
-    return files_.find(folder_, name);
+    constexpr std::array<const char*, 3> kEndings = {"", ".json", ".semantic_config.json"};
+    for (const char* ending : kEndings) {
+        const auto at = section.file_of.find(lastName(name) + ending);
+        if (at == section.file_of.end()) continue;
+        if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
+    }
+    for (const char* ending : kEndings) {
+        if (auto file = files_.find(folder_, name + ending)) return file;
+    }
+    return std::nullopt;
+}
+
+std::vector<fs::path> Dataset::semanticFiles() const {
+    std::set<fs::path> files;
+    for (const auto& [handle, written] : lexicons_.items()) {
+        if (!written.is_string()) continue;
+        if (const auto file = files_.find(folder_, written.get<std::string>())) files.insert(*file);
+    }
+    for (const fs::path& file : sections_.at(Kind::SemanticScene).files) {
+        if (files_.find(folder_, file.string())) files.insert(file);
+    }
+    return {files.begin(), files.end()};
+}
+
+const json& Dataset::semanticDefaults() const {
+    return sections_.at(Kind::SemanticScene).defaults;
+}
+
+std::optional<fs::path> Dataset::defaultLexicon() const {
+    const std::string named = io::textIn(semanticDefaults(), kSemanticDescriptor);
+    if (named.empty()) return std::nullopt;
+    std::set<fs::path> folders;
+    for (const fs::path& file : semanticFiles()) folders.insert(file.parent_path());
+    for (const char* usual : {"semantics/scenes", "semantics", "ssd", "configs/ssd"}) {
+        folders.insert(folder_ / usual);
+    }
+    folders.insert(folder_);
+    for (const fs::path& folder : folders) {
+        if (auto file = files_.find(folder, named)) return file;
+    }
+    return std::nullopt;
 }
 
 }  // namespace dollytrack::habitat

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/habitat/key_check.h"
 #include "engine/io/sandbox/reachable_files.h"
 #include "engine/jobs/job.h"
 
@@ -18,6 +19,8 @@
 #include <vector>
 
 namespace dollytrack::habitat {
+
+class FolderSearch;
 
 /// What a dataset config lists under one of its keys.
 enum class Kind { Stage, Object, ArticulatedObject, SceneInstance, SemanticScene };
@@ -42,41 +45,6 @@ struct DatasetScope {
     std::size_t most_names = 10'000'000;  // listed and compared with patterns
 };
 
-/// Whether a file is a dataset config by its name: NAME.scene_dataset_config.json.
-[[nodiscard]] bool isDatasetConfig(const std::filesystem::path& path);
-
-/// The dataset configs of the dataset that a scene file belongs to, by name: those of the nearest
-/// folder that has any, which is the scene's own or one of the four above. No file is opened.
-/// Symbolic links are skipped; of more than 16 configs the first count.
-[[nodiscard]] std::vector<std::filesystem::path> findDatasetConfigs(
-    const std::filesystem::path& scene);
-
-/// Chooses the configs of scenes. Reads each config once; those that cannot be read list nothing.
-class ConfigChoice {
-  public:
-    ConfigChoice(DatasetScope scope, JobContext job);
-
-    /// The config to use: the first that lists a scene in the scene's folder, otherwise the first;
-    /// empty without configs.
-    [[nodiscard]] std::filesystem::path choose(const std::vector<std::filesystem::path>& configs,
-                                               const std::filesystem::path& scene);
-
-    /// Whether the config lists this scene file.
-    [[nodiscard]] bool lists(const std::filesystem::path& config,
-                             const std::filesystem::path& scene);
-
-  private:
-    struct Listed {
-        std::set<std::filesystem::path> scenes;
-        std::set<std::filesystem::path> folders;  // of the scenes
-    };
-    const Listed& listedBy(const std::filesystem::path& config);
-
-    DatasetScope scope_;
-    JobContext job_;
-    std::map<std::filesystem::path, Listed> listed_;  // by config
-};
-
 /// A dataset of Habitat: finds templates by the folders and the list of its config. Without a
 /// config they are looked up in the usual folders (stages, objects, urdf and the same in configs).
 /// Each template is read once. For one thread.
@@ -95,9 +63,20 @@ class Dataset {
     [[nodiscard]] Result<std::shared_ptr<const Template>> find(Kind kind,
                                                                const std::string& name) const;
 
+    /// The name of a template that this wrong name is close to; empty without one.
+    [[nodiscard]] std::string closestTemplate(Kind kind, const std::string& name) const;
+
     /// Whether more than 2,000 names were no file's own, so that find() did not look for the rest
     /// by paths and parts of names.
     [[nodiscard]] bool searchesWereCut() const;
+
+    /// A sentence on the paths of a kind, none of which leads to a file; empty where one does.
+    [[nodiscard]] std::string uselessPaths(Kind kind) const;
+
+    /// What is doubtful about the dataset, as far as it was used: paths that lead nowhere, names of
+    /// templates that fit several files, misspelt keys. With `something_missing` also single paths
+    /// that lead nowhere.
+    [[nodiscard]] std::vector<std::string> warnings(bool something_missing) const;
 
     /// The template in this file, a description or a model, with the dataset's default attributes.
     /// Error: BadInput.
@@ -107,8 +86,22 @@ class Dataset {
     /// Every scene that is there, in natural order of name.
     [[nodiscard]] std::vector<DatasetScene> scenes() const;
 
-    /// The file that the config gives a semantic lexicon's handle, else of that name.
-    [[nodiscard]] std::optional<std::filesystem::path> findLexicon(const std::string& name) const;
+    /// The semantic file (a lexicon, a semantic config) that the config gives this handle, else of
+    /// that name, also without its ending.
+    [[nodiscard]] std::optional<std::filesystem::path> findSemanticFile(
+        const std::string& name) const;
+
+    /// The path that the config writes for a semantic file's handle; empty without one.
+    [[nodiscard]] std::string semanticPathOf(const std::string& handle) const;
+
+    /// The semantic files that the config lists by handle or that its paths lead to.
+    [[nodiscard]] std::vector<std::filesystem::path> semanticFiles() const;
+
+    /// The default attributes of semantic configs.
+    [[nodiscard]] const nlohmann::json& semanticDefaults() const;
+
+    /// The lexicon that the default attributes name, looked up where semantic configs lie.
+    [[nodiscard]] std::optional<std::filesystem::path> defaultLexicon() const;
 
     [[nodiscard]] const io::ReachableFiles& files() const { return files_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
@@ -125,22 +118,31 @@ class Dataset {
         std::vector<std::filesystem::path> files;         // descriptions and models
         std::map<std::string, std::size_t> file_of;       // by file name; the first of several
         std::vector<std::filesystem::path> named_models;  // of `files`: the paths ask for models
+        std::set<std::string> doubled;  // names of files that lie in several folders
+        std::size_t patterns = 0;
+        std::vector<std::string> useless_patterns;  // that lead to no file
     };
-    class FolderSearch;
     Status readSection(const nlohmann::json& values, Kind kind, FolderSearch& search);
     [[nodiscard]] Result<std::shared_ptr<const Template>> findConfigured(
         const Section& section, Kind kind, const std::string& handle) const;
+    void checkKeys(const nlohmann::json& attributes, Kind kind, const std::string& file) const;
+    void noteSeveral(const std::string& name, const Section& section,
+                     const std::string& file_name) const;
     [[nodiscard]] std::optional<std::filesystem::path> findFile(Kind kind,
                                                                 const std::string& name) const;
 
     std::filesystem::path folder_;
     io::ReachableFiles files_;
     std::map<Kind, Section> sections_;
-    nlohmann::json lexicons_;
+    nlohmann::json lexicons_;  // files by handle
     /// Read so far: by file, and by handle of the config's own list (null: its file is missing).
     mutable std::map<std::pair<Kind, std::filesystem::path>, std::shared_ptr<const Template>>
         by_file_;
     mutable std::map<std::pair<Kind, std::string>, std::shared_ptr<const Template>> by_handle_;
+    std::string config_name_;  // of the config's file; empty without one
+    mutable KeyCheck keys_;
+    /// The files that the names of templates fit, where those are several.
+    mutable std::map<std::string, std::vector<std::string>> several_;
     mutable std::size_t slow_searches_ = 0;  // for names that are no file's own; limited
 };
 

@@ -36,7 +36,6 @@ std::vector<std::filesystem::path> habitatInputs(const std::filesystem::path& pa
 /// config gives axes or a size to models that it lists as scenes, and where a scene would be read
 /// with a config that is not named.
 Result<std::vector<std::filesystem::path>> scenesOfDataset(
-    const std::filesystem::path& config,
-    const std::vector<std::filesystem::path>& also_named = {});
+    const std::filesystem::path& config, const std::vector<std::filesystem::path>& also_named = {});
 
 }  // namespace dollytrack::habitat

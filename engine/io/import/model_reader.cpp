@@ -1,8 +1,8 @@
 #include "engine/io/import/model_reader.h"
 
+#include "engine/io/assimp/assimp_reader.h"
 #include "engine/io/files/percent_text.h"
 #include "engine/io/gltf/gltf_reader.h"
-#include "engine/io/import/assimp_reader.h"
 #include "engine/io/import/ply_mesh.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/confined_folder.h"

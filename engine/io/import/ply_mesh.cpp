@@ -1,5 +1,7 @@
 #include "engine/io/import/ply_mesh.h"
 
+#include "engine/core/clean_text.h"
+#include "engine/core/name_pattern.h"
 #include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/pointcloud/ply_file.h"
 #include "engine/scene/srgb.h"
@@ -28,7 +30,7 @@ struct SlotName {
 };
 
 /// Names of the properties that are read; of several for one slot the first of this list counts.
-constexpr std::array<SlotName, 32> kSlotNames = {{{"x", X},
+constexpr std::array<SlotName, 23> kSlotNames = {{{"x", X},
                                                   {"y", Y},
                                                   {"z", Z},
                                                   {"nx", Nx},
@@ -50,31 +52,59 @@ constexpr std::array<SlotName, 32> kSlotNames = {{{"x", X},
                                                   {"g", Green},
                                                   {"blue", Blue},
                                                   {"diffuse_blue", Blue},
-                                                  {"b", Blue},
-                                                  {"object_id", ObjectId},
-                                                  {"objectId", ObjectId},
-                                                  {"instance_id", ObjectId},
-                                                  {"instance", ObjectId},
-                                                  {"label", ClassId},
-                                                  {"category_id", ClassId},
-                                                  {"class_id", ClassId},
-                                                  {"semantic_id", ClassId},
-                                                  {"semantic", ClassId}}};
+                                                  {"b", Blue}}};
+
+/// Names of the properties with labels, in small letters and without CloudCompare's "scalar_"; of
+/// several for one slot the first of this list counts.
+constexpr std::array<SlotName, 28> kLabelNames = {
+    {{"object_id", ObjectId}, {"objectid", ObjectId},       {"obj_id", ObjectId},
+     {"object", ObjectId},    {"instance_id", ObjectId},    {"instanceid", ObjectId},
+     {"instance", ObjectId},  {"instance_label", ObjectId}, {"ins_label", ObjectId},
+     {"ins_id", ObjectId},    {"inst_id", ObjectId},        {"label", ClassId},
+     {"labels", ClassId},     {"label_id", ClassId},        {"category_id", ClassId},
+     {"class_id", ClassId},   {"semantic_id", ClassId},     {"semantic", ClassId},
+     {"semantics", ClassId},  {"semantic_label", ClassId},  {"sem_label", ClassId},
+     {"classid", ClassId},    {"class", ClassId},           {"category", ClassId},
+     {"nyu40", ClassId},      {"nyu40_id", ClassId},        {"nyu40id", ClassId},
+     {"nyu_label", ClassId}}};
 
 constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+
+std::string labelNameOf(const std::string& property) {
+    const std::string small = inSmallLetters(property);
+    constexpr std::string_view kScalar = "scalar_";
+    return small.starts_with(kScalar) ? small.substr(kScalar.size()) : small;
+}
 
 /// Which property of an element fills each slot; kNowhere: none does.
 std::array<std::size_t, kSlots> slotsOf(const PlyElement& element) {
     std::array<std::size_t, kSlots> properties{};
     properties.fill(kNowhere);
-    for (const SlotName& row : kSlotNames) {
-        if (properties[row.slot] != kNowhere) continue;
+    const auto fill = [&](const SlotName& row, const auto& nameOf) {
+        if (properties[row.slot] != kNowhere) return;
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
             const PlyProperty& property = element.properties[p];
-            if (!property.count && property.name == row.name) properties[row.slot] = p;
+            if (!property.count && nameOf(property.name) == row.name) properties[row.slot] = p;
         }
-    }
+    };
+    for (const SlotName& row : kSlotNames) fill(row, [](const std::string& name) { return name; });
+    for (const SlotName& row : kLabelNames) fill(row, labelNameOf);
     return properties;
+}
+
+/// Notes the properties of whole numbers that fill no slot, but for those that are no labels.
+void noteUnread(const PlyElement& element, const std::array<std::size_t, kSlots>& slots,
+                std::vector<std::string>& unread) {
+    constexpr std::array<std::string_view, 5> kNoLabels = {"alpha", "a", "flags", "quality",
+                                                           "material_index"};
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        const bool real = property.kind == PlyKind::Float || property.kind == PlyKind::Double;
+        if (property.count || real || std::ranges::find(slots, p) != slots.end()) continue;
+        if (std::ranges::find(kNoLabels, property.name) != kNoLabels.end()) continue;
+        unread.push_back(cleanText(property.name) +
+                         (element.name == "face" ? " of faces" : " of vertices"));
+    }
 }
 
 float scaleOfColor(PlyKind kind) {
@@ -172,6 +202,7 @@ class PlyReader {
                                    static_cast<float>(values_[slots[first + 2]]));
         };
         if (!has(X, Z)) return skip(element);
+        noteUnread(element, slots, mesh_.unread_numbers);
         const float color_scale =
             has(Red, Blue) ? scaleOfColor(element.properties[slots[Red]].kind) : 0.0F;
         for (at_ = 0; at_ < element.count; ++at_) {
@@ -212,6 +243,7 @@ class PlyReader {
         const std::size_t corners = listNamed(element, "vertex_indices", "vertex_index");
         const std::size_t places = listNamed(element, "texcoord", "texcoord");
         if (corners == kNowhere) return skip(element);
+        noteUnread(element, slots, mesh_.unread_numbers);
         for (at_ = 0; at_ < element.count; ++at_) {
             if (!readRecord(element)) return false;
             const std::vector<double>& face = lists_[corners];

@@ -30,6 +30,8 @@ struct PlyMesh {
     std::vector<std::int64_t> position_objects;
     std::vector<std::int64_t> position_classes;
     std::string texture;  // file name; empty: none
+    /// Properties with whole numbers that are none of these: "segment of faces".
+    std::vector<std::string> unread_numbers;
 };
 
 /// Reads text and binary files of either byte order. Error: BadInput, one sentence.

@@ -14,6 +14,7 @@
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/pointcloud/text_points.h"
 #include "engine/io/sandbox/input_file.h"
+#include "engine/io/semantics/label_gaps.h"
 #include "engine/io/semantics/labelled_reader.h"
 #include "engine/io/trajectories/number_lines.h"
 
@@ -47,11 +48,15 @@ Result<RawScene> readAnyModel(const std::filesystem::path& path, const ImportOpt
     if (folder->empty()) {
         const std::string extension = lowerExtension(path);
         if (extension == ".ply" || extension == ".glb") {
-            if (const auto labels = semantics::findLabelledFiles(path)) {
-                return semantics::readLabelled(*labels, job);
-            }
+            const auto labels = semantics::findLabelledFiles(path);
+            Result<RawScene> scene = labels                ? semantics::readLabelled(*labels, job)
+                                     : extension == ".ply" ? semantics::readPly(path, job)
+                                                           : readModel(path, job);
+            std::string gap = semantics::missingLabelFile(path);
+            if (scene && !gap.empty()) scene->warnings.push_back(std::move(gap));
+            return scene;
         }
-        return extension == ".ply" ? semantics::readPly(path, job) : readModel(path, job);
+        return readModel(path, job);
     }
     const Result<io::HypersimAnnotations> annotations = io::readHypersimAnnotations(*folder);
     if (!annotations) return tl::unexpected(annotations.error());
@@ -209,9 +214,14 @@ void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& op
     if (folder && !folder->empty()) io::hdf5Functions();
 }
 
-char firstLetter(std::string_view head) {
+std::string_view fromFirstLetter(std::string_view head) {
     const auto at = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    return at == std::string_view::npos ? '\0' : head[at];
+    return at == std::string_view::npos ? std::string_view() : head.substr(at);
+}
+
+char firstLetter(std::string_view head) {
+    const std::string_view text = fromFirstLetter(head);
+    return text.empty() ? '\0' : text.front();
 }
 
 std::string lowerExtension(const std::filesystem::path& path) {

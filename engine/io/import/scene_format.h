@@ -48,6 +48,9 @@ bool isSceneFile(const std::filesystem::path& path);
 /// about to give up opening files.
 void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options);
 
+/// A text without the blanks and the byte-order mark that it begins with.
+std::string_view fromFirstLetter(std::string_view head);
+
 /// The first character of a text behind blanks and a byte-order mark; 0 where there is none.
 char firstLetter(std::string_view head);
 

@@ -65,6 +65,12 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
         const bool list = is(1, "list") && words.size() == 5;
         const std::optional<PlyKind> kind = kindNamed(list ? words[3] : words[1]);
         if (list) property.count = kindNamed(words[2]);
+        if (!list && words[1] == "string") {
+            return plyFault(
+                "Labels as texts cannot be read; write numbers, and name them in "
+                "NAME.labels.json beside NAME.ply ({\"3\": \"chair\"}).",
+                where);
+        }
         if (!kind || (list && !property.count)) {
             return plyFault("The type of this property is unknown to PLY; export the file again.",
                             where);

@@ -1,6 +1,7 @@
 #include "engine/io/semantics/label_files.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/name_pattern.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/sandbox/confined_folder.h"
 #include "engine/io/sandbox/input_file.h"
@@ -18,11 +19,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::uint64_t kMostNameBytes = std::uint64_t{256} << 20U;
-
-std::optional<std::string> withoutEnding(const std::string& name, std::string_view ending) {
-    if (!name.ends_with(ending)) return std::nullopt;
-    return name.substr(0, name.size() - ending.size());
-}
 
 constexpr double kMostNumber = 1e15;  // whole numbers beyond are rounded somewhere
 

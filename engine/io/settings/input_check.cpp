@@ -1,5 +1,6 @@
 #include "engine/io/settings/input_check.h"
 
+#include "engine/core/name_pattern.h"
 #include "engine/io/datasets/hypersim_annotations.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/input_file.h"
@@ -91,36 +92,74 @@ std::string_view adviceForJson(std::string_view head) {
            "scene instances and dataset configs";
 }
 
-Status checkExtension(const Path& path, const std::string& where) {
+/// What to do with a file that belongs to a scene and is none itself, by its whole ending; empty
+/// for others.
+std::string_view adviceForPart(const Path& path) {
+    struct Part {
+        std::string_view ending;
+        std::string_view advice;
+    };
+    static constexpr std::array<Part, 29> kParts = {
+        {{".mtl", "this is the table of materials of an OBJ file; name the .obj beside it"},
+         {".bin", "this is likely the data of a glTF file; name the .gltf beside it"},
+         {".zip", "this is an archive; unpack it and name the scene file inside"},
+         {".tar", "this is an archive; unpack it and name the scene file inside"},
+         {".gz", "this is an archive; unpack it and name the scene file inside"},
+         {".tgz", "this is an archive; unpack it and name the scene file inside"},
+         {".7z", "this is an archive; unpack it and name the scene file inside"},
+         {".rar", "this is an archive; unpack it and name the scene file inside"},
+         {".sh3f", "this is a library of furniture, not a home; pass it as --library to generate"},
+         {".png", "this is a picture; name the scene that uses it"},
+         {".jpg", "this is a picture; name the scene that uses it"},
+         {".jpeg", "this is a picture; name the scene that uses it"},
+         {".hdr", "this is a picture; name the scene that uses it"},
+         {".exr", "this is a picture; name the scene that uses it"},
+         {".ktx2", "this is a picture; name the scene that uses it"},
+         {".dds", "this is a picture; name the scene that uses it"},
+         {".navmesh", "this is Habitat's navigation mesh; name the scene instance or the stage"},
+         {".semantic.txt", "this names the colours of an HM3D scene; name its .glb"},
+         {".house", "this names the objects of a Matterport3D scene; name its .glb"},
+         {"info_semantic.json",
+          "this names the objects of a Replica scene; name the mesh_semantic.ply beside it"},
+         {".aggregation.json",
+          "this lists the objects of a ScanNet scan; name its _vh_clean_2.ply"},
+         {".segs.json", "this lists the segments of a ScanNet scan; name its _vh_clean_2.ply"},
+         {"segments_anno.json",
+          "this lists the objects of a ScanNet++ scan; name its mesh_aligned_0.05.ply"},
+         {"_3dod_annotation.json",
+          "this holds boxes of an ARKitScenes scan; name its _3dod_mesh.ply"},
+         {".semantic_config.json",
+          "this is a part of a Habitat dataset; name a .scene_instance.json"},
+         {".ao_config.json", "this is a part of a Habitat dataset; name a .scene_instance.json"},
+         {".lighting_config.json",
+          "this is a part of a Habitat dataset; name a .scene_instance.json"},
+         {".physics_config.json",
+          "this is a part of a Habitat dataset; name a .scene_instance.json"},
+         {"semantic_lexicon.json",
+          "this is the semantic lexicon of a Habitat dataset; name a .scene_instance.json"}}};
+    const std::string name = inSmallLetters(path.filename().string());
+    for (const Part& part : kParts) {
+        if (name.ends_with(part.ending)) return part.advice;
+    }
+    return {};
+}
+
+/// What to do with the files of other programs, by their extension; empty for others.
+std::string adviceForProgram(const std::string& extension) {
     struct Program {
         std::string_view extension;
         std::string_view name;
     };
-    static constexpr std::array<Program, 6> kPrograms = {{{".c4d", "Cinema 4D"},
-                                                          {".max", "3ds Max"},
-                                                          {".ma", "Maya"},
-                                                          {".mb", "Maya"},
-                                                          {".3dm", "Rhino"},
-                                                          {".hip", "Houdini"}}};
-    const std::string ext = lowerExtension(path);
-    if (ext == ".e57" || ext == ".las" || ext == ".laz") {
-        return fail(ErrorCode::BadInput,
-                    "\"" + ext +
-                        "\" files cannot be read; save it as PLY with CloudCompare from "
-                        "cloudcompare.org (Debian's CloudCompare does not open it)",
-                    where);
-    }
-    if (ext == ".xacro") {
-        return fail(ErrorCode::BadInput,
-                    "xacro files are macros; expand it with ROS's \"xacro in.urdf.xacro -o "
-                    "out.urdf\", or without ROS by PyPI's \"xacrodoc\" with the same options",
-                    where);
-    }
-    const std::vector<std::string> known = sceneExtensions();
-    if (std::find(known.begin(), known.end(), ext) != known.end()) return {};
-    if (const std::string_view advice = adviceFor(ext, {}); !advice.empty()) {
-        return fail(ErrorCode::BadInput, std::string(advice), where);
-    }
+    static constexpr std::array<Program, 10> kPrograms = {{{".c4d", "Cinema 4D"},
+                                                           {".max", "3ds Max"},
+                                                           {".ma", "Maya"},
+                                                           {".mb", "Maya"},
+                                                           {".3dm", "Rhino"},
+                                                           {".hip", "Houdini"},
+                                                           {".rvt", "Revit"},
+                                                           {".rfa", "Revit"},
+                                                           {".pln", "Archicad"},
+                                                           {".lxo", "Modo"}}};
     struct Converted {
         std::string_view extension;
         std::string_view advice;
@@ -128,25 +167,52 @@ Status checkExtension(const Path& path, const std::string& where) {
     static constexpr std::string_view kAssimp =
         "convert it to OBJ with \"assimp export IN out.obj\" (Debian's assimp-utils)";
     static constexpr std::string_view kBlender = "open it in Blender and export glTF";
-    static constexpr std::array<Converted, 5> kConverted = {
+    static constexpr std::string_view kFreeCad = "open it in FreeCAD and export OBJ";
+    static constexpr std::string_view kCloudCompare =
+        "save it as PLY with CloudCompare from cloudcompare.org (Debian's CloudCompare does not "
+        "open it)";
+    static constexpr std::array<Converted, 13> kConverted = {
         {{".3ds", kAssimp},
          {".dxf", kAssimp},
          {".x3d", kBlender},
          {".wrl", kBlender},
-         {".abc",
-          "open it in Blender 4 from blender.org and export glTF; Debian's lacks Alembic"}}};
+         {".abc", "open it in Blender 4 from blender.org and export glTF; Debian's lacks Alembic"},
+         {".dwg", "export FBX or DXF from AutoCAD, and convert DXF with Debian's assimp-utils"},
+         {".step", kFreeCad},
+         {".stp", kFreeCad},
+         {".iges", kFreeCad},
+         {".igs", kFreeCad},
+         {".e57", kCloudCompare},
+         {".las", kCloudCompare},
+         {".laz", kCloudCompare}}};
     for (const Converted& kind : kConverted) {
-        if (ext != kind.extension) continue;
-        return fail(ErrorCode::BadInput,
-                    "\"" + ext + "\" files cannot be read; " + std::string(kind.advice), where);
+        if (extension != kind.extension) continue;
+        return "\"" + extension + "\" files cannot be read; " + std::string(kind.advice);
     }
     for (const Program& program : kPrograms) {
-        if (ext != program.extension) continue;
+        if (extension != program.extension) continue;
+        return std::string(program.name) + " files cannot be read; export FBX or glTF from " +
+               std::string(program.name);
+    }
+    return {};
+}
+
+Status checkExtension(const Path& path, const std::string& where) {
+    const std::string ext = lowerExtension(path);
+    if (ext == ".xacro") {
         return fail(ErrorCode::BadInput,
-                    std::string(program.name) + " files cannot be read; export FBX or glTF from " +
-                        std::string(program.name),
+                    "xacro files are macros; expand it with ROS's \"xacro in.urdf.xacro -o "
+                    "out.urdf\", or without ROS by PyPI's \"xacrodoc\" with the same options",
                     where);
     }
+    if (const std::string_view advice = adviceForPart(path); !advice.empty()) {
+        return fail(ErrorCode::BadInput, std::string(advice), where);
+    }
+    const std::vector<std::string> known = sceneExtensions();
+    if (std::find(known.begin(), known.end(), ext) != known.end()) return {};
+    std::string advice(adviceFor(ext, {}));
+    if (advice.empty()) advice = adviceForProgram(ext);
+    if (!advice.empty()) return fail(ErrorCode::BadInput, std::move(advice), where);
     return fail(ErrorCode::BadInput,
                 (ext.empty() ? std::string("the file has no extension")
                              : "\"" + ext + "\" files cannot be read") +

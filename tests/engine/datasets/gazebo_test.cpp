@@ -1,6 +1,7 @@
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/sandbox/reachable_files.h"
 #include "engine/scene/labels.h"
+#include "tests/engine/datasets/gazebo_worlds.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
 
@@ -18,46 +19,13 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::expectBox;
 using test::find;
 using test::imported;
 using test::says;
 using test::TempFolder;
-
-Eigen::AlignedBox3d boxAround(const Scene& scene, const std::string& name) {
-    Eigen::AlignedBox3d box;
-    const Object* object = find(scene, name);
-    if (object == nullptr) return box;
-    for (std::uint32_t i = 0; i < object->vertex_count; ++i) {
-        box.extend(scene.positions[object->first_vertex + i].cast<double>());
-    }
-    return box;
-}
-
-void expectAround(const Scene& scene, const std::string& name, const Vector3d& low,
-                  const Vector3d& high) {
-    const Eigen::AlignedBox3d box = boxAround(scene, name);
-    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 &&
-                (box.max() - high).norm() < 1e-4)
-        << name << ": " << box.min().transpose() << " to " << box.max().transpose();
-}
-
-void writeSofa(const TempFolder& folder, const std::string& models) {
-    static_cast<void>(folder.write(models + "/sofa/model.config",
-                                   "<model><name>sofa</name><sdf version='1.4'>old.sdf</sdf>"
-                                   "<sdf version='1.6'>model.sdf</sdf></model>"));
-    static_cast<void>(folder.write(models + "/sofa/meshes/l.obj", test::lShapedModel()));
-    static_cast<void>(
-        folder.write(models + "/sofa/model.sdf", R"(<sdf version="1.6"><model name="sofa">
- <pose>0 0 10 0 0 0</pose>
- <link name="link"><pose>0 0 1 0 0 0</pose>
-  <visual name="v"><geometry><mesh><uri>model://sofa/meshes/l.obj</uri><scale>1 2 1</scale></mesh></geometry></visual>
-  <collision name="c"><geometry><box><size>9 9 9</size></box></geometry></collision>
- </link></model></sdf>)"));
-}
-
-std::string world(const std::string& models) {
-    return "<?xml version='1.0'?><sdf version='1.7'><world name='w'>" + models + "</world></sdf>";
-}
+using test::world;
+using test::writeSofa;
 
 // The L is 2 x 0.5 x 2, x from -1 to 1, y from 0 to 0.5, z from -0.5 to 1.5; here y is doubled.
 TEST(Gazebo, PlacesIncludedModelsAndShapes) {
@@ -79,13 +47,13 @@ TEST(Gazebo, PlacesIncludedModelsAndShapes) {
   <joint name="hinge" type="revolute"><parent>body</parent><child>door</child></joint></model>
  <include><uri>model://lamp</uri></include>)")));
     // An <include> without a pose of its own keeps the model's.
-    expectAround(scene, "couch", {4.0, -1.0, 0.5}, {5.0, 1.0, 2.5});
-    expectAround(scene, "sofa_1", {-1.0, 6.0, 10.5}, {0.0, 8.0, 12.5});
-    expectAround(scene, "floor", {-10, -10, -0.1}, {10, 10, 0.1});
+    expectBox(scene, "couch", {4.0, -1.0, 0.5}, {5.0, 1.0, 2.5});
+    expectBox(scene, "sofa_1", {-1.0, 6.0, 10.5}, {0.0, 8.0, 12.5});
+    expectBox(scene, "floor", {-10, -10, -0.1}, {10, 10, 0.1});
     EXPECT_EQ(find(scene, "floor")->nyu40, kNyuFloor);
-    expectAround(scene, "column", {1.5, 1.5, 2.0}, {2.5, 2.5, 4.0});
-    expectAround(scene, "ball", {1.75, 1.75, 4.75}, {2.25, 2.25, 5.25});
-    expectAround(scene, "cabinet", {-0.5, -0.6, -0.5}, {0.5, 0.5, 0.5});
+    expectBox(scene, "column", {1.5, 1.5, 2.0}, {2.5, 2.5, 4.0});
+    expectBox(scene, "ball", {1.75, 1.75, 4.75}, {2.25, 2.25, 5.25});
+    expectBox(scene, "cabinet", {-0.5, -0.6, -0.5}, {0.5, 0.5, 0.5});
     EXPECT_EQ(find(scene, "door"), nullptr) << "a joint holds it to the cabinet";
     EXPECT_TRUE(says(scene.report.warnings, "model://lamp"));
     const Object* floor = find(scene, "floor");
@@ -102,7 +70,7 @@ TEST(Gazebo, ModelsComeFromTheFoldersThatAreGiven) {
     ASSERT_FALSE(alone);
     EXPECT_NE(alone.error().message.find("model://sofa"), std::string::npos);
     const Scene scene = imported(path, {.model_folders = {folder.path() / "elsewhere/shared"}});
-    expectAround(scene, "sofa", {-1, 0, 10.5}, {1, 1, 12.5});
+    expectBox(scene, "sofa", {-1, 0, 10.5}, {1, 1, 12.5});
     // A model's own file is a scene, too, and finds itself.
     EXPECT_NE(find(imported(folder.path() / "elsewhere/shared/sofa/model.sdf"), "sofa"), nullptr);
 }
@@ -133,13 +101,13 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
                                                                   R"(</link></model>
  <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
     // The wrist holds the palm, which stands turned at x = 10, to the base.
-    expectAround(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
+    expectBox(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
     EXPECT_EQ(find(scene, "palm"), nullptr);
-    expectAround(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
+    expectBox(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
     // The shelf's top is at its pose, and the board's visual one above.
-    expectAround(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
-    expectAround(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
-    expectAround(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
+    expectBox(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
+    expectBox(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
+    expectBox(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
     EXPECT_TRUE(says(scene.report.warnings, "<state>"));
 }
 
@@ -186,8 +154,8 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
         "room.world", world(model("placed", "<name>seat</name>") +
                             model("centred", "<name>back</name><center>true</center>") +
                             model("none", "<name>leg</name>"))));
-    expectAround(scene, "placed", {4, 0, 0}, {5, 1, 1});
-    expectAround(scene, "centred", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+    expectBox(scene, "placed", {4, 0, 0}, {5, 1, 1});
+    expectBox(scene, "centred", {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
     EXPECT_EQ(find(scene, "none"), nullptr);
     EXPECT_TRUE(says(scene.report.warnings, "chair.obj: leg"));
 }
@@ -335,260 +303,6 @@ TEST(Gazebo, AnglesTurnAboutFixedAxes) {
     const Eigen::Quaterniond other = gazebo::rotationFromRollPitchYaw({0.0, M_PI / 2, M_PI / 2});
     EXPECT_LT((other * Vector3d::UnitX() + Vector3d::UnitZ()).norm(), 1e-12);
     EXPECT_LT((other * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
-}
-
-constexpr const char* kBall =
-    "<visual name='v'><geometry><sphere><radius>1</radius></sphere></geometry></visual>";
-
-/// A visual of a mesh, with elements besides its geometry.
-std::string meshVisual(const std::string& uri, const std::string& others = "") {
-    return "<visual name='v'><geometry><mesh><uri>" + uri + "</uri></mesh></geometry>" + others +
-           "</visual>";
-}
-
-/// A model with one link, at x = `x`.
-std::string modelAt(double x, const std::string& name, const std::string& visuals) {
-    return fmt::format("<model name='{}'><pose>{} 0 0 0 0 0</pose><link name='l'>{}</link></model>",
-                       name, x, visuals);
-}
-
-// Each world shows a ball besides, so that it could be read but for the fault.
-TEST(Gazebo, CirclesAndNonsenseAreRefused) {
-    const TempFolder folder;
-    // a includes itself, b includes c, and c includes b.
-    for (const auto& [name, other] : {std::pair("a", "a"), {"b", "c"}, {"c", "b"}}) {
-        static_cast<void>(folder.write(
-            fmt::format("models/{}/model.sdf", name),
-            fmt::format("<sdf version='1.6'><model name='m'><include><uri>model://{}</uri>"
-                        "</include></model></sdf>",
-                        other)));
-    }
-    struct Case {
-        const char* text;
-        const char* message;
-    };
-    const Case kCases[] = {
-        {"<include><uri>model://a</uri></include>", "includes itself"},
-        {"<include><uri>model://b</uri></include>", "includes itself"},
-        {"<model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose "
-         "relative_to='f'/></frame><link name='l'><pose relative_to='f'/></link></model>",
-         "relative to itself"},
-        {"<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
-         "relative to itself"},
-        {"<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
-         "which does not exist"},
-        {"<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
-         "relative to itself"},
-        {"<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
-         "not six numbers"},
-        {"<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
-         "</sphere></geometry></visual></link></model>",
-         "not above 0"}};
-    const std::string ball = modelAt(9, "ball", kBall);
-    EXPECT_EQ(imported(folder.write("room.world", world(ball))).objects.size(), 1U);
-    for (const auto& [text, message] : kCases) {
-        const Result<Scene> scene = importScene(folder.write("room.world", world(ball + text)));
-        ASSERT_FALSE(scene) << text;
-        EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << text;
-        EXPECT_NE(scene.error().message.find(message), std::string::npos)
-            << text << ": " << scene.error().message;
-    }
-    const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
-    ASSERT_FALSE(damaged);
-    EXPECT_NE(damaged.error().message.find("damaged or truncated"), std::string::npos);
-}
-
-// A mesh that can be read, in a folder that the world may not name files of.
-TEST(Gazebo, MeshesOutsideAreLeftOut) {
-    const TempFolder folder;
-    const auto outside = folder.write("outside/l.obj", test::lShapedModel());
-    static_cast<void>(folder.write("room/meshes/l.obj", test::lShapedModel()));
-    for (const std::string& uri : {std::string("../outside/l.obj"), outside.string(),
-                                   fmt::format("file://{}", outside.string())}) {
-        const Scene scene =
-            imported(folder.write("room/room.world", world(modelAt(0, "ball", kBall) +
-                                                           modelAt(5, "l", meshVisual(uri)))));
-        EXPECT_EQ(find(scene, "l"), nullptr) << uri;
-        EXPECT_TRUE(says(scene.report.warnings, "was not found")) << uri;
-    }
-    EXPECT_NE(find(imported(folder.write("room/room.world",
-                                         world(modelAt(5, "l", meshVisual("meshes/l.obj"))))),
-                   "l"),
-              nullptr);
-}
-
-TEST(Gazebo, IncludesThatAreMissingCountToo) {
-    const TempFolder folder;
-    std::string text = modelAt(0, "ball", kBall);
-    for (int i = 0; i < 20'001; ++i) text += "<include><uri>model://none</uri></include>";
-    const Result<Scene> scene = importScene(folder.write("room.world", world(text)));
-    ASSERT_FALSE(scene);
-    EXPECT_NE(scene.error().message.find("more than 20,000"), std::string::npos)
-        << scene.error().message;
-}
-
-TEST(Gazebo, PosesMayBeRelativeToANestedModel) {
-    const TempFolder folder;
-    const Scene scene = imported(
-        folder.write("room.world", world(modelAt(7, "arm", kBall) +
-                                         "<model name='cup'><pose relative_to='arm::__model__'>"
-                                         "0 5 0 0 0 0</pose><link name='l'>" +
-                                         kBall + "</link></model>")));
-    expectAround(scene, "cup", {6, 4, -1}, {8, 6, 1});
-}
-
-// Before SDF 1.7 the links of included models were stored with such names.
-TEST(Gazebo, LinksMayHaveColonsInTheirNames) {
-    const TempFolder folder;
-    const Scene scene = imported(folder.write(
-        "room.world", world(fmt::format("<model name='robot'><link name='arm::base'>{0}</link>"
-                                        "<link name='arm::hand'><pose relative_to='arm::base'>"
-                                        "5 0 0 0 0 0</pose>{0}</link><joint name='j' type='fixed'>"
-                                        "<parent>arm::base</parent><child>arm::hand</child>"
-                                        "</joint></model>",
-                                        kBall))));
-    EXPECT_EQ(scene.objects.size(), 1U);
-    expectAround(scene, "robot", {-1, -1, -1}, {6, 1, 1});
-}
-
-// The mesh is red. A transparency of 0.25 leaves an opacity of 0.75.
-TEST(Gazebo, TransparencyKeepsTheColour) {
-    const TempFolder folder;
-    static_cast<void>(folder.write("red.mtl", "newmtl red\nKd 1 0 0\n"));
-    static_cast<void>(folder.write("l.obj", fmt::format("mtllib red.mtl\no model\nusemtl red\n{}",
-                                                        test::lShapedModel().substr(8))));
-    const auto sees = [](const char* transparency) {
-        return fmt::format("<transparency>{}</transparency>", transparency);
-    };
-    const auto diffuse = [](const char* color) {
-        return fmt::format("<material><diffuse>{}</diffuse></material>", color);
-    };
-    const Scene scene = imported(folder.write(
-        "room.world",
-        world(modelAt(0, "clear", meshVisual("l.obj", sees("0.25"))) +
-              modelAt(5, "both", meshVisual("l.obj", sees("0.25") + diffuse("0 0 1 0.5"))) +
-              modelAt(10, "plain", meshVisual("l.obj")) +
-              modelAt(15, "unseen", meshVisual("l.obj", sees("1"))) +
-              modelAt(20, "hidden", meshVisual("l.obj", diffuse("0 0 1 0"))))));
-    const auto expectMaterial = [&](const std::string& name, const Eigen::Vector3f& color,
-                                    float opacity) {
-        const Object* object = find(scene, name);
-        ASSERT_NE(object, nullptr) << name;
-        const Material& material = scene.materials[scene.triangle_material[object->first_triangle]];
-        EXPECT_LT((material.base_color - color).norm(), 1e-3F)
-            << name << ": " << material.base_color.transpose();
-        EXPECT_NEAR(material.opacity, opacity, 1e-3F) << name;
-    };
-    expectMaterial("clear", {1, 0, 0}, 0.75F);
-    expectMaterial("both", {0, 0, 1}, 0.375F);
-    expectMaterial("plain", {1, 0, 0}, 1.0F);
-    EXPECT_EQ(scene.objects.size(), 3U);
-}
-
-TEST(Gazebo, NamesWhatIsNotReadOfModelsAndShapes) {
-    const TempFolder folder;
-    static_cast<void>(
-        folder.write("l.obj", fmt::format("mtllib gone.mtl\n{}", test::lShapedModel())));
-    static_cast<void>(folder.write("empty.obj", "v 0 0 0\n"));
-    const auto shape = [](const char* name) {
-        return fmt::format("<visual name='v'><geometry><{0}/></geometry></visual>", name);
-    };
-    const Scene scene = imported(folder.write(
-        "room.world", world(modelAt(0, "l", meshVisual("l.obj") + shape("capsule")) +
-                            modelAt(5, "e", meshVisual("empty.obj") + shape("capsule")) +
-                            modelAt(9, "h", shape("heightmap") + shape("empty")))));
-    EXPECT_EQ(scene.objects.size(), 1U);
-    EXPECT_TRUE(says(scene.report.notes, "gone.mtl"));
-    EXPECT_TRUE(says(scene.report.warnings, "empty.obj ("));
-    EXPECT_TRUE(says(scene.report.warnings, "2 visuals are left out, since <capsule>"));
-    EXPECT_TRUE(says(scene.report.warnings, "1 visual is left out, since <heightmap>"));
-    EXPECT_FALSE(says(scene.report.warnings, "<empty>"));
-}
-
-// A chain of two joints: each child's origin counts from its parent's.
-TEST(Urdf, LinksStandWhereJointsPutThem) {
-    const TempFolder folder;
-    static_cast<void>(folder.write("pkg/package.xml", "<package/>"));
-    static_cast<void>(folder.write("pkg/meshes/l.obj", test::lShapedModel()));
-    const Scene scene = imported(folder.write("pkg/urdf/room.urdf", R"(<robot name="room">
- <material name="blue"><color rgba="0 0 1 1"/></material>
- <link name="base"><visual><geometry><box size="2 2 0.2"/></geometry><material name="blue"/></visual></link>
- <joint name="a" type="fixed"><origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/><parent link="base"/><child link="arm"/></joint>
- <link name="arm"><visual><origin xyz="1 0 0"/><geometry><cylinder radius="0.5" length="1"/></geometry></visual></link>
- <joint name="b" type="revolute"><origin xyz="2 0 0"/><parent link="arm"/><child link="sofa"/></joint>
- <link name="sofa"><visual><geometry><mesh filename="package://other_name/meshes/l.obj" scale="1 1 2"/></geometry></visual></link>
-</robot>)"));
-    expectAround(scene, "base", {-1, -1, -0.1}, {1, 1, 0.1});
-    expectAround(scene, "arm", {-0.5, 0.5, 0.5}, {0.5, 1.5, 1.5});
-    // Turned by 90 degrees, (x, y, z) becomes (-y, x, z); z is doubled.
-    expectAround(scene, "sofa", {-0.5, 1.0, 0.0}, {0.0, 3.0, 4.0});
-    const Object* base = find(scene, "base");
-    EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
-        Eigen::Vector3f(0, 0, 1)));
-}
-
-TEST(Urdf, JointsInACircleAreRefused) {
-    const TempFolder folder;
-    const Result<Scene> circle = importScene(folder.write("circle.urdf", R"(<robot name="r">
- <link name="a"/><link name="b"/>
- <joint name="1"><parent link="a"/><child link="b"/></joint>
- <joint name="2"><parent link="b"/><child link="a"/></joint></robot>)"));
-    ASSERT_FALSE(circle);
-    EXPECT_NE(circle.error().message.find("form a circle"), std::string::npos);
-}
-
-// The origins of the joints add up to 30 m.
-TEST(Urdf, LongChainsAddUp) {
-    const TempFolder folder;
-    std::string chain =
-        "<link name='0'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
-    constexpr int kLinks = 30'000;
-    for (int i = 1; i <= kLinks; ++i) {
-        const std::string number = std::to_string(i);
-        chain += "<joint><origin xyz='0.001 0 0'/><parent link='" + std::to_string(i - 1) +
-                 "'/><child link='" + number + "'/></joint><link name='" + number + "'";
-        chain +=
-            i < kLinks ? "/>" : "><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
-    }
-    const Scene long_chain =
-        imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
-    expectAround(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
-}
-
-TEST(Urdf, MaterialsWithoutANameAreTheirVisualsAlone) {
-    const TempFolder folder;
-    const Scene nameless = imported(folder.write("colors.urdf", R"(<robot name="r">
- <link name="green"><visual><geometry><box size="1 1 1"/></geometry>
-  <material name=""><color rgba="0 1 0 1"/></material></visual></link>
- <link name="plain"><visual><origin xyz="5 0 0"/><geometry><box size="1 1 1"/></geometry>
-  <material name=""/></visual></link></robot>)"));
-    const Object* plain = find(nameless, "plain");
-    ASSERT_NE(plain, nullptr);
-    EXPECT_GT(nameless.materials[nameless.triangle_material[plain->first_triangle]].base_color.x(),
-              0.1F);
-}
-
-// Expanded files may mention their macros in a comment.
-TEST(Urdf, MacrosAreRefusedButInComments) {
-    const TempFolder folder;
-    EXPECT_EQ(
-        imported(folder.write("expanded.urdf",
-                              "<robot name='r'><!-- <xacro:arm/> --><link name='l'><visual>"
-                              "<geometry><sphere radius='1'/></geometry></visual></link></robot>"))
-            .objects.size(),
-        1U);
-    const Result<Scene> macros = importScene(folder.write(
-        "m.urdf", "<robot xmlns:xacro='x' name='r'><xacro:include filename='y'/></robot>"));
-    ASSERT_FALSE(macros);
-    EXPECT_NE(macros.error().message.find("xacro"), std::string::npos);
-}
-
-TEST(Urdf, ShapesThatAreNotReadAreNamed) {
-    const Scene scene = test::importedText(
-        "<robot name='r'><link name='l'><visual><geometry><sphere radius='1'/></geometry></visual>"
-        "<visual><geometry><capsule radius='1' length='2'/></geometry></visual></link></robot>",
-        "robot.urdf");
-    EXPECT_TRUE(says(scene.report.warnings, "1 visual is left out, since <capsule>"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "engine/io/habitat/habitat_reader.h"
 #include "engine/scene/labels.h"
+#include "tests/engine/datasets/habitat_dataset.h"
 #include "tests/engine/datasets/tiny_datasets.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
@@ -12,63 +13,12 @@ namespace dollytrack {
 namespace {
 
 using Eigen::Vector3d;
+using test::expectBox;
 using test::find;
 using test::imported;
 using test::says;
 using test::TempFolder;
-
-/// The box around an object's own vertices.
-Eigen::AlignedBox3d boundsOf(const Scene& scene, const std::string& name) {
-    Eigen::AlignedBox3d box;
-    const Object* object = find(scene, name);
-    if (object == nullptr) return box;
-    for (std::uint32_t i = 0; i < object->vertex_count; ++i) {
-        box.extend(scene.positions[object->first_vertex + i].cast<double>());
-    }
-    return box;
-}
-
-void expectBox(const Scene& scene, const std::string& name, const Vector3d& low,
-               const Vector3d& high) {
-    const Eigen::AlignedBox3d box = boundsOf(scene, name);
-    EXPECT_TRUE(!box.isEmpty() && (box.min() - low).norm() < 1e-4 &&
-                (box.max() - high).norm() < 1e-4)
-        << name << ": " << box.min().transpose() << " to " << box.max().transpose();
-}
-
-/// A dataset in the layout of ReplicaCAD: configs, models and a lexicon, and one scene.
-std::filesystem::path writeDataset(const TempFolder& folder, const std::string& instance) {
-    const auto write = [&](const char* name, const std::string& text) {
-        return folder.write(std::string("set/") + name, text);
-    };
-    static_cast<void>(write("flat.scene_dataset_config.json", R"({
- "stages": {"paths": {".json": ["configs/stages"]}},
- "objects": {"paths": {".json": ["configs/objects/*"]}, "default_attributes": {"mass": 1},
-  "configs": [{"original_file": "configs/objects/sofa.object_config.json",
-               "template_handle": "small_sofa", "attributes": {"scale": [0.5, 0.5, 0.5]}}]},
- "articulated_objects": {"paths": {".urdf": ["urdf/*"]}},
- "scene_instances": {"paths": {".json": ["configs/scenes"]}},
- "semantic_scene_descriptor_instances": {"words": "configs/words_semantic_lexicon.json"}})"));
-    static_cast<void>(
-        write("configs/words_semantic_lexicon.json",
-              R"({"classes": [{"id": 5, "name": "sofa"}, {"id": 6, "name": "lamp"}]})"));
-    static_cast<void>(write("configs/stages/flat.stage_config.json",
-                            R"({"render_asset": "../../models/flat.obj"})"));
-    test::ObjWriter stage(1.0, true);
-    stage.room({6, 5, 2.5}, true);
-    static_cast<void>(write("models/flat.obj", stage.text()));
-    static_cast<void>(write("configs/objects/sofa.object_config.json",
-                            R"({"render_asset": "../../models/l.obj", "semantic_id": 5})"));
-    static_cast<void>(write("configs/objects/tipped.object_config.json", R"({
- "render_asset": "../../models/l.obj", "up": [0, 0, 1], "front": [0, 1, 0], "COM": [0, 0, 0]})"));
-    static_cast<void>(write("models/l.obj", test::lShapedModel()));
-    static_cast<void>(write("urdf/drawer/drawer.urdf", R"(<robot name="drawer">
- <link name="body"><visual><geometry><box size="1 2 3"/></geometry></visual></link>
- <link name="front"><visual><origin xyz="0 0 1"/><geometry><box size="1 1 1"/></geometry></visual></link>
- <joint name="rail" type="prismatic"><origin xyz="1 0 0"/><parent link="body"/><child link="front"/></joint>
-</robot>)"));
-    return write("configs/scenes/flat.scene_instance.json", instance);
-}
+using test::writeDataset;
 
 // The L is 2 x 0.5 x 2 with its middle at (0, 0.25, 0.5); the file's (x, y, z) is (x, -z, y) here.
 TEST(Habitat, PlacesObjectsAsTheSceneInstanceSays) {
@@ -319,8 +269,8 @@ TEST(Habitat, NamesThatAreNotSearchedForAreSaid) {
         objects += R"(, {"template_name": "none_)" + std::to_string(i) + R"("})";
     }
     const Scene scene = imported(writeDataset(
-        folder, R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)" +
-                    objects + "]}"));
+        folder,
+        R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)" + objects + "]}"));
     EXPECT_TRUE(says(scene.report.warnings, "more than 2,000 names of templates"));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/model_text_repair.h"
+#include "engine/io/assimp/model_text_repair.h"
 #include "engine/io/sandbox/confined_folder.h"
 
 #include <assimp/IOStream.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/io/assimp/model_text_repair.h"
 #include "engine/io/files/file_source.h"
-#include "engine/io/import/model_text_repair.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>

@@ -1,4 +1,4 @@
-#include "engine/io/import/collada_asset.h"
+#include "engine/io/assimp/collada_asset.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,9 +1,9 @@
-#include "engine/io/import/assimp_reader.h"
+#include "engine/io/assimp/assimp_reader.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/import/assimp_files.h"
-#include "engine/io/import/assimp_folder.h"
-#include "engine/io/import/collada_asset.h"
+#include "engine/io/assimp/assimp_files.h"
+#include "engine/io/assimp/assimp_folder.h"
+#include "engine/io/assimp/collada_asset.h"
 #include "engine/io/import/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"

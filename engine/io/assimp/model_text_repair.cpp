@@ -1,6 +1,6 @@
-#include "engine/io/import/model_text_repair.h"
+#include "engine/io/assimp/model_text_repair.h"
 
-#include "engine/io/import/assimp_files.h"
+#include "engine/io/assimp/assimp_files.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,0 +1,271 @@
+#include "tests/engine/datasets/gazebo_worlds.h"
+#include "tests/support/imported_scene.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace dollytrack {
+namespace {
+
+using test::expectBox;
+using test::find;
+using test::imported;
+using test::kBall;
+using test::meshVisual;
+using test::modelAt;
+using test::says;
+using test::TempFolder;
+using test::world;
+
+// Each world shows a ball besides, so that it could be read but for the fault.
+TEST(Gazebo, CirclesAndNonsenseAreRefused) {
+    const TempFolder folder;
+    // a includes itself, b includes c, and c includes b.
+    for (const auto& [name, other] : {std::pair("a", "a"), {"b", "c"}, {"c", "b"}}) {
+        static_cast<void>(folder.write(
+            fmt::format("models/{}/model.sdf", name),
+            fmt::format("<sdf version='1.6'><model name='m'><include><uri>model://{}</uri>"
+                        "</include></model></sdf>",
+                        other)));
+    }
+    struct Case {
+        const char* text;
+        const char* message;
+    };
+    const Case kCases[] = {
+        {"<include><uri>model://a</uri></include>", "includes itself"},
+        {"<include><uri>model://b</uri></include>", "includes itself"},
+        {"<model name='m'><frame name='f'><pose relative_to='g'/></frame><frame name='g'><pose "
+         "relative_to='f'/></frame><link name='l'><pose relative_to='f'/></link></model>",
+         "relative to itself"},
+        {"<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
+         "relative to itself"},
+        {"<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
+         "which is not there"},
+        {"<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
+         "relative to itself"},
+        {"<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",
+         "not six numbers"},
+        {"<model name='m'><link name='l'><visual name='v'><geometry><sphere><radius>-1</radius>"
+         "</sphere></geometry></visual></link></model>",
+         "not above 0"}};
+    const std::string ball = modelAt(9, "ball", kBall);
+    EXPECT_EQ(imported(folder.write("room.world", world(ball))).objects.size(), 1U);
+    for (const auto& [text, message] : kCases) {
+        const Result<Scene> scene = importScene(folder.write("room.world", world(ball + text)));
+        ASSERT_FALSE(scene) << text;
+        EXPECT_EQ(scene.error().code, ErrorCode::BadInput) << text;
+        EXPECT_NE(scene.error().message.find(message), std::string::npos)
+            << text << ": " << scene.error().message;
+    }
+    const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
+    ASSERT_FALSE(damaged);
+    EXPECT_NE(damaged.error().message.find("damaged or was cut off"), std::string::npos);
+}
+
+// A mesh that can be read, in a folder that the world may not name files of.
+TEST(Gazebo, MeshesOutsideAreLeftOut) {
+    const TempFolder folder;
+    const auto outside = folder.write("outside/l.obj", test::lShapedModel());
+    static_cast<void>(folder.write("room/meshes/l.obj", test::lShapedModel()));
+    for (const std::string& uri : {std::string("../outside/l.obj"), outside.string(),
+                                   fmt::format("file://{}", outside.string())}) {
+        const Scene scene =
+            imported(folder.write("room/room.world", world(modelAt(0, "ball", kBall) +
+                                                           modelAt(5, "l", meshVisual(uri)))));
+        EXPECT_EQ(find(scene, "l"), nullptr) << uri;
+        EXPECT_TRUE(says(scene.report.warnings, "was not found")) << uri;
+    }
+    EXPECT_NE(find(imported(folder.write("room/room.world",
+                                         world(modelAt(5, "l", meshVisual("meshes/l.obj"))))),
+                   "l"),
+              nullptr);
+}
+
+TEST(Gazebo, IncludesThatAreMissingCountToo) {
+    const TempFolder folder;
+    std::string text = modelAt(0, "ball", kBall);
+    for (int i = 0; i < 20'001; ++i) text += "<include><uri>model://none</uri></include>";
+    const Result<Scene> scene = importScene(folder.write("room.world", world(text)));
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().message.find("more than 20,000"), std::string::npos)
+        << scene.error().message;
+}
+
+TEST(Gazebo, PosesMayBeRelativeToANestedModel) {
+    const TempFolder folder;
+    const Scene scene = imported(
+        folder.write("room.world", world(modelAt(7, "arm", kBall) +
+                                         "<model name='cup'><pose relative_to='arm::__model__'>"
+                                         "0 5 0 0 0 0</pose><link name='l'>" +
+                                         kBall + "</link></model>")));
+    expectBox(scene, "cup", {6, 4, -1}, {8, 6, 1});
+}
+
+// Before SDF 1.7 the links of included models were stored with such names.
+TEST(Gazebo, LinksMayHaveColonsInTheirNames) {
+    const TempFolder folder;
+    const Scene scene = imported(folder.write(
+        "room.world", world(fmt::format("<model name='robot'><link name='arm::base'>{0}</link>"
+                                        "<link name='arm::hand'><pose relative_to='arm::base'>"
+                                        "5 0 0 0 0 0</pose>{0}</link><joint name='j' type='fixed'>"
+                                        "<parent>arm::base</parent><child>arm::hand</child>"
+                                        "</joint></model>",
+                                        kBall))));
+    EXPECT_EQ(scene.objects.size(), 1U);
+    expectBox(scene, "robot", {-1, -1, -1}, {6, 1, 1});
+}
+
+// The mesh is red. A transparency of 0.25 leaves an opacity of 0.75.
+TEST(Gazebo, TransparencyKeepsTheColour) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("red.mtl", "newmtl red\nKd 1 0 0\n"));
+    static_cast<void>(folder.write("l.obj", fmt::format("mtllib red.mtl\no model\nusemtl red\n{}",
+                                                        test::lShapedModel().substr(8))));
+    const auto sees = [](const char* transparency) {
+        return fmt::format("<transparency>{}</transparency>", transparency);
+    };
+    const auto diffuse = [](const char* color) {
+        return fmt::format("<material><diffuse>{}</diffuse></material>", color);
+    };
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world(modelAt(0, "clear", meshVisual("l.obj", sees("0.25"))) +
+              modelAt(5, "both", meshVisual("l.obj", sees("0.25") + diffuse("0 0 1 0.5"))) +
+              modelAt(10, "plain", meshVisual("l.obj")) +
+              modelAt(15, "unseen", meshVisual("l.obj", sees("1"))) +
+              modelAt(20, "hidden", meshVisual("l.obj", diffuse("0 0 1 0"))))));
+    const auto expectMaterial = [&](const std::string& name, const Eigen::Vector3f& color,
+                                    float opacity) {
+        const Object* object = find(scene, name);
+        ASSERT_NE(object, nullptr) << name;
+        const Material& material = scene.materials[scene.triangle_material[object->first_triangle]];
+        EXPECT_LT((material.base_color - color).norm(), 1e-3F)
+            << name << ": " << material.base_color.transpose();
+        EXPECT_NEAR(material.opacity, opacity, 1e-3F) << name;
+    };
+    expectMaterial("clear", {1, 0, 0}, 0.75F);
+    expectMaterial("both", {0, 0, 1}, 0.375F);
+    expectMaterial("plain", {1, 0, 0}, 1.0F);
+    EXPECT_EQ(scene.objects.size(), 3U);
+}
+
+TEST(Gazebo, NamesWhatIsNotReadOfModelsAndShapes) {
+    const TempFolder folder;
+    static_cast<void>(
+        folder.write("l.obj", fmt::format("mtllib gone.mtl\n{}", test::lShapedModel())));
+    static_cast<void>(folder.write("empty.obj", "v 0 0 0\n"));
+    const auto shape = [](const char* name) {
+        return fmt::format("<visual name='v'><geometry><{0}/></geometry></visual>", name);
+    };
+    const Scene scene = imported(folder.write(
+        "room.world", world(modelAt(0, "l", meshVisual("l.obj") + shape("capsule")) +
+                            modelAt(5, "e", meshVisual("empty.obj") + shape("capsule")) +
+                            modelAt(9, "h", shape("heightmap") + shape("empty")))));
+    EXPECT_EQ(scene.objects.size(), 1U);
+    EXPECT_TRUE(says(scene.report.notes, "gone.mtl"));
+    EXPECT_TRUE(says(scene.report.warnings, "empty.obj ("));
+    EXPECT_TRUE(says(scene.report.warnings, "2 visuals are left out, since <capsule>"));
+    EXPECT_TRUE(says(scene.report.warnings, "1 visual is left out, since <heightmap>"));
+    EXPECT_FALSE(says(scene.report.warnings, "<empty>"));
+}
+
+TEST(Gazebo, FaultsAreNamedWithTheirLine) {
+    const TempFolder folder;
+    const auto place = [&](const std::string& models) {
+        const auto path = folder.write("room.world", world("\n" + models));
+        const Result<Scene> scene = importScene(path);
+        EXPECT_FALSE(scene) << models;
+        const std::string where = scene ? "" : scene.error().where;
+        EXPECT_TRUE(where.starts_with(path.string() + ":")) << where;
+        return where.substr(where.rfind(':') + 1);
+    };
+    EXPECT_EQ(place("<model name='m'>\n<link name='l'>\n<pose>0 0 x 0 0 0</pose></link></model>"),
+              "4");
+    EXPECT_EQ(place("<model name='m'>\n<link name='l'><visual name='v'><geometry>\n<mesh><scale>0 "
+                    "1 1</scale></mesh></geometry></visual></link></model>"),
+              "4");
+    EXPECT_EQ(place("<model name='m'>\n<pose relative_to='n'/></model>\n<model name='n'>\n<pose "
+                    "relative_to='m'/><link name='l'/></model>"),
+              "2");
+    // A pose that an <include> keeps is written in the included file.
+    const auto sofa = folder.write("models/sofa/model.sdf",
+                                   "<sdf version='1.6'>\n<model name='sofa'>\n<pose>no</pose>\n"
+                                   "<link name='l'/></model></sdf>");
+    const Result<Scene> included = importScene(
+        folder.write("room.world", world("<include><uri>model://sofa</uri></include>")));
+    ASSERT_FALSE(included);
+    EXPECT_EQ(included.error().where, sofa.string() + ":3");
+}
+
+TEST(Gazebo, JointsOfMissingLinksAreNamed) {
+    const TempFolder folder;
+    const Scene scene = imported(folder.write(
+        "room.world", world(fmt::format("<model name='m'><link name='a'>{}</link>\n"
+                                        "<joint name='j' type='fixed'><parent>a</parent>"
+                                        "<child>b</child></joint>\n<joint name='held' "
+                                        "type='fixed'><parent>world</parent><child>a</child>"
+                                        "</joint></model>",
+                                        kBall))));
+    EXPECT_TRUE(says(scene.report.warnings,
+                     "room.world:2: the joint 'j' names the child link 'b', which does not exist; "
+                     "the joint is left out"));
+    EXPECT_FALSE(says(scene.report.warnings, "'held'"));
+}
+
+// Several links that no joint holds together: plain names come with their model's.
+TEST(Gazebo, PlainNamesOfLinksComeWithTheirModel) {
+    const TempFolder folder;
+    const Scene scene = imported(folder.write(
+        "room.world",
+        world(fmt::format("<model name='cabinet'><link name='link_0'>{0}</link><link name='handle'>"
+                          "<pose>5 0 0 0 0 0</pose>{0}</link></model>",
+                          kBall))));
+    EXPECT_NE(find(scene, "cabinet::link_0"), nullptr);
+    EXPECT_NE(find(scene, "handle"), nullptr);
+}
+
+TEST(Gazebo, ModelsOnFuelAreLookedUpAmongDownloadedOnes) {
+    const TempFolder folder;
+    const std::string chair = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/Office%20Chair";
+    const auto path = folder.write(
+        "here/room.world",
+        world(modelAt(0, "ball", kBall) + "<include><uri>" + chair +
+              "</uri><name>chair</name></include><include>"
+              "<uri>https://example.org/models/lamp</uri></include>" +
+              modelAt(5, "desk",
+                      meshVisual("https://fuel.ignitionrobotics.org/1.0/o/models/desk/2/files/"
+                                 "meshes/desk.obj"))));
+    const Scene without = imported(path);
+    EXPECT_TRUE(says(without.report.warnings,
+                     "2 models are on Gazebo Fuel and are left out; "
+                     "download each with \"gz fuel download -u URI\""));
+    EXPECT_TRUE(says(without.report.warnings, chair));
+    EXPECT_TRUE(says(without.report.warnings,
+                     "1 model or mesh is on the web and is left out; download it and write its "
+                     "path in place of the address: https://example.org/models/lamp"));
+    // As `gz fuel download` keeps them: small letters, a folder for each version.
+    const std::string kept = "fuel/fuel.gazebosim.org/openrobotics/models/office chair/";
+    for (const auto& [version, radius] : {std::pair("2", "1"), {"10", "3"}}) {
+        static_cast<void>(folder.write(
+            kept + version + "/model.sdf",
+            fmt::format("<sdf version='1.6'><model name='c'><link name='l'><visual name='v'>"
+                        "<geometry><sphere><radius>{}</radius></sphere></geometry></visual></link>"
+                        "</model></sdf>",
+                        radius)));
+    }
+    static_cast<void>(folder.write("fuel/fuel.ignitionrobotics.org/o/models/desk/2/model.sdf", ""));
+    static_cast<void>(folder.write("fuel/fuel.ignitionrobotics.org/o/models/desk/2/meshes/desk.obj",
+                                   test::lShapedModel()));
+    const Scene scene = imported(path, {.model_folders = {folder.path() / "fuel"}});
+    expectBox(scene, "chair", {-3, -3, -3}, {3, 3, 3});
+    EXPECT_NE(find(scene, "desk"), nullptr);
+    EXPECT_FALSE(says(scene.report.warnings, "Fuel"));
+}
+
+}  // namespace
+}  // namespace dollytrack
