@@ -54,6 +54,7 @@ void addExportCommand(CLI::App& app, Session& session);
 void addVerifyCommand(CLI::App& app, Session& session);
 void addEvaluateCommand(CLI::App& app, Session& session);
 void addBatchCommand(CLI::App& app, Session& session);
+void addGatherCommand(CLI::App& app, Session& session);
 void addGenerateCommand(CLI::App& app, Session& session);
 void addParamsCommand(CLI::App& app, Session& session);
 

@@ -138,6 +138,7 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
     cli::addCompareCommand(app, session);
     cli::addSweepCommand(app, session);
     cli::addBatchCommand(app, session);
+    cli::addGatherCommand(app, session);
     cli::addGenerateCommand(app, session);
     cli::addParamsCommand(app, session);
 

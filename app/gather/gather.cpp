@@ -1,0 +1,342 @@
+#include "app/gather/gather.h"
+
+#include "app/gather/class_union.h"
+#include "app/gather/gather_card.h"
+#include "app/gather/open_source.h"
+#include "app/gather/output_files.h"
+#include "app/gather/output_folder.h"
+#include "app/gather/source_search.h"
+#include "engine/core/log.h"
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/sha256.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace dollytrack::gather {
+namespace {
+
+namespace fs = std::filesystem;
+using render::DatasetIdentity;
+
+constexpr std::string_view kSubsystem = "gather";
+
+tl::unexpected<Error> stopped() {
+    return fail(ErrorCode::Cancelled,
+                "the gathering was stopped; the same command with --resume goes on from there");
+}
+
+/// The datasets, and what they have in common.
+struct Gathered {
+    std::vector<Source> sources;
+    std::vector<SkippedDataset> skipped;
+    std::set<std::string> modalities;  // that all of them have
+    nlohmann::ordered_json conventions;
+};
+
+/// Whether a folder is another one or lies in it.
+bool isWithin(const fs::path& folder, const fs::path& around) {
+    std::error_code error;
+    const fs::path inner = fs::weakly_canonical(fs::absolute(folder, error), error);
+    const fs::path outer = fs::weakly_canonical(fs::absolute(around, error), error);
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first ==
+           outer.end();
+}
+
+Status checkOut(const GatherOrder& order, const std::vector<FoundDataset>& found) {
+    for (const FoundDataset& one : found) {
+        if (!isWithin(order.out, one.folder)) continue;
+        return fail(ErrorCode::Usage,
+                    fmt::format("The folder lies in the dataset {}, which is gathered; choose "
+                                "another one.",
+                                one.folder.string()),
+                    fmt::format("--out {}", order.out.string()));
+    }
+    return {};
+}
+
+/// Of the image kinds that a layout takes, those that all datasets have.
+void chooseModalities(const GatherOrder& order, Gathered& all) {
+    all.modalities = {kPicture};
+    if (!order.layout->every_modality) return;
+    for (const char* modality : {kDepth, kInstance, kSemantic}) {
+        const auto lacking = std::ranges::find_if(
+            all.sources, [&](const Source& one) { return !one.modalities.contains(modality); });
+        const bool any = std::ranges::any_of(
+            all.sources, [&](const Source& one) { return one.modalities.contains(modality); });
+        if (!any) continue;
+        if (lacking != all.sources.end()) {
+            log::warn(kSubsystem, fmt::format("{} is left out: {} has none", modality,
+                                              lacking->folder.string()));
+        } else if (modality == std::string_view(kSemantic) && order.class_map) {
+            log::warn(kSubsystem,
+                      "semantic is left out: its pixels have the datasets' own class ids, which "
+                      "the class map replaces");
+        } else {
+            all.modalities.insert(modality);
+        }
+    }
+}
+
+void warnOfCopies(const std::vector<Source>& sources) {
+    std::map<std::string, const Source*> known;  // by the hash of dataset.json
+    for (const Source& one : sources) {
+        const Source* first = known.emplace(one.card_sha256, &one).first->second;
+        if (first == &one) continue;
+        log::warn(kSubsystem, fmt::format("{} is a copy of {}: its frames are there twice",
+                                          one.folder.string(), first->folder.string()));
+    }
+}
+
+void warnOfMissingClasses(const std::vector<Source>& sources, const ClassUnion& classes) {
+    std::set<const ClassTable*> told;
+    for (const Source& one : sources) {
+        const std::vector<std::string> missing = classes.missingIn(one);
+        if (missing.empty() || !told.insert(&one.classes()).second) continue;
+        log::warn(kSubsystem,
+                  fmt::format("{} has no boxes of {}, which other datasets have a class for",
+                              one.folder.string(), fmt::join(missing, ", ")));
+    }
+}
+
+Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDataset>& found,
+                             const JobContext& job) {
+    SourceNeeds needs;
+    needs.modalities = {kPicture};
+    if (order.layout->every_modality) {
+        needs.modalities = {kPicture, kDepth, kInstance, kSemantic};
+    }
+    needs.mixed_lenses = order.mixed_lenses;
+    needs.prove = order.skip_damaged;
+    SourceReader reader(needs);
+    Gathered all;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        Result<Source> source = reader.read(found[i].folder, job);
+        job.report(static_cast<double>(i + 1) / static_cast<double>(found.size()));
+        if (job.cancelled()) return stopped();
+        if (source) {
+            source->name = found[i].name;
+            all.sources.push_back(std::move(*source));
+            continue;
+        }
+        const bool is_damage = source.error().code == ErrorCode::BadInput && reader.wasDamaged();
+        if (!order.skip_damaged || !is_damage) return tl::unexpected(source.error());
+        log::warn(kSubsystem, fmt::format("left out: {}", describe(source.error())));
+        all.skipped.push_back({found[i].name, found[i].folder.string(), describe(source.error())});
+    }
+    if (all.sources.empty()) {
+        return fail(ErrorCode::BadInput, "All datasets are unfinished or damaged.",
+                    order.datasets.front());
+    }
+    chooseModalities(order, all);
+    all.conventions = reader.conventions();
+    for (const char* modality : {kDepth, kInstance}) {
+        if (!all.modalities.contains(modality)) all.conventions.erase(modality);
+    }
+    return all;
+}
+
+DatasetIdentity identityOf(const GatherOrder& order, const Gathered& all,
+                           const std::vector<PartIndex>& part_of) {
+    std::string sources;
+    for (std::size_t i = 0; i < all.sources.size(); ++i) {
+        sources +=
+            fmt::format("{} {} {}\n", all.sources[i].name, all.sources[i].card_sha256, part_of[i]);
+    }
+    for (const SkippedDataset& one : all.skipped) sources += one.name + "\n";
+    const nlohmann::json map = order.class_map.value_or(ClassMap());
+    return {{"the datasets", io::sha256Of(std::string_view(sources))},
+            {"the format", order.layout->name},
+            {"the images", fmt::format("{}", fmt::join(all.modalities, ","))},
+            {"the split", fmt::format("{} {} {}", order.split.by_room,
+                                      fmt::join(order.split.shares, "/"), order.split.seed)},
+            {"the class map", map.dump()},
+            {"the shards", fmt::format("{} {}", order.shards.bytes, order.shards.frames)},
+            {"the title", order.title},
+            {"the licence", order.license},
+            {"the program's version", order.product_version}};
+}
+
+/// Whether a complete dataset is the one that is wanted, and whole. Errors: Usage, BadInput.
+Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
+                    const DatasetIdentity& identity, const JobContext& job) {
+    const Result<nlohmann::json> card = io::readBoundedJson(out.folder(), kGatherCard);
+    DatasetIdentity found;
+    std::string sums_sha256;
+    try {
+        if (card) found = card->at("identity").get<DatasetIdentity>();
+        if (card) sums_sha256 = card->at("files").at("sha256").get<std::string>();
+    } catch (const nlohmann::json::exception&) {
+        found.clear();  // of another version, or damaged
+    }
+    const std::string differing = render::differences(found, identity);
+    if (!differing.empty() && order.overwrite) return false;
+    if (!differing.empty()) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("the folder holds a complete dataset of something else: {} "
+                                "differ; choose another folder, or give --overwrite",
+                                differing),
+                    out.path().string());
+    }
+    const auto check = [&](std::string_view sha256, const std::string& name) -> Status {
+        if (job.cancelled()) return stopped();
+        if (sha256Within(out.folder(), name, job) == sha256) return {};
+        return fail(ErrorCode::BadInput,
+                    "the file is missing or damaged; gather again with --overwrite",
+                    (out.path() / name).string());
+    };
+    if (Status sound = check(sums_sha256, kSumsFile); !sound) return tl::unexpected(sound.error());
+    if (Status sound = forEachSum(out.folder(), kSumsFile, check); !sound) {
+        return tl::unexpected(sound.error());
+    }
+    return true;
+}
+
+Status checkSpace(const GatherOrder& order, const OutputFolder& out, const Gathered& all) {
+    const std::optional<std::uint64_t> free = out.folder().freeBytes();
+    if (!free || order.resume || order.hard_links) return {};
+    std::uint64_t bytes = 0;
+    for (const Source& one : all.sources) bytes += one.bytes;
+    if (bytes <= *free) return {};
+    return fail(ErrorCode::CannotWrite,
+                fmt::format("about {} MB are needed and {} MB are free; free some space or choose "
+                            "another folder",
+                            bytes / 1'000'000 + 1, *free / 1'000'000),
+                out.path().string());
+}
+
+/// How many frames are handled at once: many small ones, few large ones.
+std::size_t stepOf(const Source& source) {
+    constexpr std::uint64_t kBytes = 32'000'000;
+    constexpr std::uint64_t kMost = 64;
+    const std::uint64_t per_frame = source.bytes / std::max<std::size_t>(source.frames, 1) + 1;
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(kBytes / per_frame, 1, kMost));
+}
+
+/// Writes the frames of all parts, and sums them up.
+class PartWriter {
+  public:
+    PartWriter(const Gathered& all, const std::vector<PartIndex>& part_of,
+               const ClassUnion& classes, GatherSummary& summary, JobContext job)
+        : all_(all), part_of_(part_of), classes_(classes), summary_(summary), job_(std::move(job)) {
+        for (const Source& one : all.sources) total_ += static_cast<int>(one.frames);
+    }
+
+    Status write(Layout& layout) {
+        const std::vector<std::size_t> scenes = scenesOf(all_.sources);
+        for (const PartIndex part : partsOf(part_of_)) {
+            if (Status status = layout.beginPart(part); !status) return status;
+            std::set<std::size_t> in_part;
+            for (std::size_t i = 0; i < all_.sources.size(); ++i) {
+                if (part_of_[i] != part) continue;
+                in_part.insert(scenes[i]);
+                if (Status status = add(layout, all_.sources[i], summary_.parts[part]); !status) {
+                    return status;
+                }
+            }
+            summary_.parts[part].scenes = in_part.size();
+            if (Status status = layout.endPart(); !status) return status;
+        }
+        return layout.finish(partsOf(part_of_));
+    }
+
+  private:
+    Status add(Layout& layout, const Source& source, PartSummary& part) {
+        const Result<OpenSource> opened = openSource(source, classes_);
+        if (!opened) return tl::unexpected(opened.error());
+        const std::size_t step = stepOf(source);
+        for (std::size_t begin = 0; begin < source.frames; begin += step) {
+            const std::size_t end = std::min(begin + step, source.frames);
+            Status status = job_.cancelled() ? stopped() : layout.add(*opened, begin, end);
+            if (status && job_.cancelled()) return stopped();
+            if (!status) return status;
+            done_ += static_cast<int>(end - begin);
+            job_.reportItems(done_, total_);
+        }
+        ++part.datasets;
+        part.frames += source.frames;
+        for (const auto& frame : opened->annotations) part.annotations += frame.size();
+        return {};
+    }
+
+    const Gathered& all_;
+    const std::vector<PartIndex>& part_of_;
+    const ClassUnion& classes_;
+    GatherSummary& summary_;
+    JobContext job_;
+    int done_ = 0;
+    int total_ = 0;
+};
+
+Status writeAll(const GatherOrder& order, OutputFolder& out, std::vector<FinishedShard> finished,
+                GatherCard& card, const Gathered& all, const std::vector<PartIndex>& part_of,
+                GatherSummary& summary, const JobContext& job) {
+    Result<OutputFiles> files = OutputFiles::begin(out.staged(), {order.resume, order.hard_links});
+    if (!files) return tl::unexpected(files.error());
+    const std::unique_ptr<Layout> layout =
+        order.layout->make({*files, card.classes, all.modalities, order.shards, std::move(finished),
+                            [&](const FinishedShard& shard) { return out.note(shard); }, job});
+    PartWriter writer(all, part_of, card.classes, summary, job);
+    if (Status status = writer.write(*layout); !status) return status;
+    if (Status status = files->write("README.md", readmeText(card)); !status) return status;
+    Result<std::string> sums_sha256 = files->finish();
+    if (!sums_sha256) return tl::unexpected(sums_sha256.error());
+    card.sums_sha256 = std::move(*sums_sha256);
+    if (Status status = out.staged().syncAll(); !status) return status;
+    if (Status status = out.staged().write(kGatherCard, gatherJson(card)); !status) return status;
+    return out.finish();
+}
+
+}  // namespace
+
+Result<GatherSummary> gatherDatasets(const GatherOrder& order, const JobContext& job) {
+    const Result<std::vector<FoundDataset>> found = findDatasets(order.datasets);
+    if (!found) return tl::unexpected(found.error());
+    if (Status status = checkOut(order, *found); !status) return tl::unexpected(status.error());
+    Result<OutputFolder> out = OutputFolder::claim(order.out, order.overwrite);
+    if (!out) return tl::unexpected(out.error());
+    if (out->isComplete() && !order.overwrite && !order.resume) {
+        return fail(ErrorCode::Usage,
+                    "the folder holds a complete gathered dataset; choose another folder, give "
+                    "--overwrite to replace it, or --resume to check that it is the one wanted",
+                    out->path().string());
+    }
+    constexpr double kReading = 0.1;  // of the time
+    Result<Gathered> all = readSources(order, *found, job.stage(0.0, kReading, "datasets"));
+    if (!all) return tl::unexpected(all.error());
+    const Result<ClassUnion> classes = ClassUnion::of(all->sources, order.class_map);
+    if (!classes) return tl::unexpected(classes.error());
+    const Result<std::vector<PartIndex>> part_of = splitByScene(all->sources, order.split);
+    if (!part_of) return tl::unexpected(part_of.error());
+    warnOfCopies(all->sources);
+    warnOfMissingClasses(all->sources, *classes);
+
+    GatherSummary summary;
+    summary.skipped = all->skipped;
+    summary.classes = classes->classes().size();
+    GatherCard card{order,   all->sources,     *part_of,        *classes,
+                    summary, all->conventions, all->modalities, identityOf(order, *all, *part_of),
+                    {}};
+    if (out->isComplete() && order.resume) {
+        const Result<bool> done = isDone(*out, order, card.identity, job);
+        if (!done) return tl::unexpected(done.error());
+        summary.was_complete = *done;
+        if (*done) return summary;
+    }
+    if (Status status = checkSpace(order, *out, *all); !status) {
+        return tl::unexpected(status.error());
+    }
+    Result<std::vector<FinishedShard>> finished = out->begin(card.identity, order.resume);
+    if (!finished) return tl::unexpected(finished.error());
+    const Status written = writeAll(order, *out, std::move(*finished), card, *all, *part_of,
+                                    summary, job.stage(kReading, 1.0, "frames"));
+    if (!written) return tl::unexpected(written.error());
+    return summary;
+}
+
+}  // namespace dollytrack::gather

@@ -1,0 +1,192 @@
+#include "app/gather/gather_card.h"
+
+#include "app/gather/output_folder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace dollytrack::gather {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump();
+}
+
+std::size_t allFrames(const GatherSummary& summary) {
+    std::size_t frames = 0;
+    for (const PartSummary& part : summary.parts) frames += part.frames;
+    return frames;
+}
+
+/// Hugging Face's words for the number of frames.
+const char* sizeCategory(std::size_t frames) {
+    if (frames < 1'000) return "n<1K";
+    if (frames < 10'000) return "1K<n<10K";
+    if (frames < 100'000) return "10K<n<100K";
+    if (frames < 1'000'000) return "100K<n<1M";
+    return frames < 10'000'000 ? "1M<n<10M" : "10M<n<100M";
+}
+
+/// `license: cc-by-4.0`; a text that is no identifier is named beside "other".
+std::string licenseLines(const std::string& license) {
+    const auto isPlain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+    };
+    if (license.empty()) return "license: unknown\n";
+    if (std::ranges::all_of(license, isPlain)) return fmt::format("license: {}\n", license);
+    return fmt::format("license: other\nlicense_name: {}\n", quoted(license));
+}
+
+std::vector<std::string> tasksOf(const GatherCard& card) {
+    std::vector<std::string> tasks = {"object-detection"};
+    if (card.order.layout == &kCocoLayout || card.order.layout == &kWebDatasetLayout) {
+        tasks.emplace_back("image-segmentation");
+    }
+    if (card.modalities.contains(kDepth)) tasks.emplace_back("depth-estimation");
+    return tasks;
+}
+
+std::string headerOf(const GatherCard& card) {
+    const GatherOrder& order = card.order;
+    std::string text = "---\n" + licenseLines(order.license);
+    text += fmt::format("pretty_name: {}\nsize_categories:\n- {}\ntask_categories:\n",
+                        quoted(order.title), sizeCategory(allFrames(card.summary)));
+    for (const std::string& task : tasksOf(card)) text += fmt::format("- {}\n", task);
+    text += "tags:\n- synthetic\n- indoor\n- dollytrack\n";
+    if (order.layout->data_files == nullptr) return text + "---\n";
+    text += "configs:\n- config_name: default\n  data_files:\n";
+    for (const PartIndex part : partsOf(card.part_of)) {
+        text +=
+            fmt::format("  - split: {}\n    path: {}\n", part == 1 ? "validation" : kParts[part],
+                        quoted(fmt::format(fmt::runtime(order.layout->data_files), kParts[part])));
+    }
+    return text + "---\n";
+}
+
+std::string partTable(const GatherCard& card) {
+    std::string text =
+        "| part | frames | boxes | scenes | source datasets |\n|---|---|---|---|---|\n";
+    for (const PartIndex part : partsOf(card.part_of)) {
+        const PartSummary& one = card.summary.parts[part];
+        text += fmt::format("| {} | {} | {} | {} | {} |\n", kParts[part], one.frames,
+                            one.annotations, one.scenes, one.datasets);
+    }
+    return text;
+}
+
+std::string classTable(const GatherCard& card) {
+    std::string text = "| number | id | name |\n|---|---|---|\n";
+    int number = 0;
+    for (const GatheredClass& one : card.classes.classes()) {
+        std::string name;
+        for (const char c : one.name) name += c == '|' ? std::string("\\|") : std::string(1, c);
+        text += fmt::format("| {} | {} | {} |\n", number++, one.id, name);
+    }
+    return text;
+}
+
+std::string conventionList(const GatherCard& card) {
+    std::string text;
+    for (const auto& [name, value] : card.conventions.items()) {
+        text += fmt::format("- `{}`: `{}`\n", name,
+                            value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    return text;
+}
+
+Json partJson(const GatherCard& card, PartIndex part) {
+    const PartSummary& one = card.summary.parts[part];
+    return {{"name", kParts[part]},
+            {"frames", one.frames},
+            {"annotations", one.annotations},
+            {"scenes", one.scenes},
+            {"datasets", one.datasets}};
+}
+
+}  // namespace
+
+std::vector<PartIndex> partsOf(std::span<const PartIndex> part_of) {
+    const std::set<PartIndex> parts(part_of.begin(), part_of.end());
+    return {parts.begin(), parts.end()};
+}
+
+std::string gatherJson(const GatherCard& card) {
+    const GatherOrder& order = card.order;
+    Json root = {{"format", kGatherFormat},
+                 {"format_version", 1},
+                 {"product_version", order.product_version},
+                 {"title", order.title},
+                 {"license", order.license},
+                 {"layout", order.layout->name},
+                 {"modalities", card.modalities},
+                 {"conventions", card.conventions}};
+    root["split"] = {{"kind", order.split.by_room ? "by-room" : "none"},
+                     {"shares", order.split.shares},
+                     {"seed", order.split.seed}};
+    Json parts = Json::array();
+    for (const PartIndex part : partsOf(card.part_of)) parts.push_back(partJson(card, part));
+    root["parts"] = std::move(parts);
+    Json classes = Json::array();
+    for (const GatheredClass& one : card.classes.classes()) {
+        classes.push_back({{"number", classes.size()}, {"id", one.id}, {"name", one.name}});
+    }
+    root["classes"] = std::move(classes);
+    if (order.class_map) root["class_map"] = *order.class_map;
+    const std::vector<std::size_t> scenes = scenesOf(card.sources);
+    Json sources = Json::array();
+    for (std::size_t i = 0; i < card.sources.size(); ++i) {
+        const Source& one = card.sources[i];
+        sources.push_back({{"name", one.name},
+                           {"part", kParts[card.part_of[i]]},
+                           {"frames", one.frames},
+                           {"scene", one.scene},
+                           {"scene_number", scenes[i]},
+                           {"scene_sha256", one.scene_sha256},
+                           {"geometry_sha256", one.geometry_sha256},
+                           {"dataset_json_sha256", one.card_sha256},
+                           {"product_version", one.product_version},
+                           {"missing_classes", card.classes.missingIn(one)}});
+    }
+    root["sources"] = std::move(sources);
+    Json skipped = Json::array();
+    for (const SkippedDataset& one : card.summary.skipped) skipped.push_back(one.name);
+    root["skipped"] = std::move(skipped);
+    root["files"] = {{"list", kSumsFile}, {"sha256", card.sums_sha256}};
+    root["identity"] = card.identity;
+    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string readmeText(const GatherCard& card) {
+    const GatherOrder& order = card.order;
+    std::size_t scenes = 0;
+    for (const PartSummary& part : card.summary.parts) scenes += part.scenes;
+    std::string text = headerOf(card);
+    text += fmt::format(
+        "\n# {}\n\nPictures of {} indoor scenes rendered with labels by Dollytrack {}: {} frames "
+        "of "
+        "{} x {} px with a box and a mask of every visible object. It was put together of {} "
+        "datasets with `dollytrack gather --format {}`.\n\n",
+        order.title, scenes, order.product_version, allFrames(card.summary),
+        card.sources.front().width, card.sources.front().height, card.sources.size(),
+        order.layout->name);
+    text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
+    text += fmt::format(
+        "## Parts\n\n{}\n{}\n\n", partTable(card),
+        order.split.by_room
+            ? fmt::format("No scene, and so no room, is in two parts (seed {}).", order.split.seed)
+            : "The dataset is not split.");
+    text += fmt::format("## Images\n\nOf each frame: {}.\n\n", fmt::join(card.modalities, ", "));
+    text += fmt::format("## Classes\n\n{}\n", classTable(card));
+    text += fmt::format("## Conventions\n\n{}\n", conventionList(card));
+    text +=
+        "## Files\n\n`gather.json` names the source datasets, their scenes, parts and hashes. "
+        "`sha256sum -c SHA256SUMS` checks all other files.\n";
+    return text;
+}
+
+}  // namespace dollytrack::gather

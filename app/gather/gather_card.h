@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/gather/class_union.h"
+#include "app/gather/gather.h"
+#include "app/gather/source.h"
+#include "render/dataset/dataset_journal.h"
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dollytrack::gather {
+
+/// What gather.json and README.md tell. Neither holds a clock or a path, so that equal datasets
+/// give equal bytes wherever they are.
+struct GatherCard {
+    const GatherOrder& order;
+    std::span<const Source> sources;
+    std::span<const PartIndex> part_of;  // of each source
+    const ClassUnion& classes;
+    const GatherSummary& summary;
+    nlohmann::ordered_json conventions;
+    std::set<std::string> modalities;
+    render::DatasetIdentity identity;
+    std::string sums_sha256;  // of SHA256SUMS
+};
+
+[[nodiscard]] std::string gatherJson(const GatherCard& card);
+
+/// The dataset card, with the header in YAML that Hugging Face reads.
+[[nodiscard]] std::string readmeText(const GatherCard& card);
+
+/// The parts that hold frames.
+[[nodiscard]] std::vector<PartIndex> partsOf(std::span<const PartIndex> part_of);
+
+}  // namespace dollytrack::gather

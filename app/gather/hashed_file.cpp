@@ -1,0 +1,55 @@
+#include "app/gather/hashed_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace dollytrack::gather {
+namespace {
+
+constexpr std::size_t kPending = std::size_t{1} << 20U;  // bytes
+
+}  // namespace
+
+int writeBytes(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written < 0 ? errno : ENOSPC;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+Result<HashedFile> HashedFile::create(const io::GuardedFolder& folder, const std::string& name) {
+    // A file that an interrupted run linked must not be written through.
+    if (Status removed = folder.remove(name); !removed) return tl::unexpected(removed.error());
+    Result<io::FileDescriptor> file = folder.openFile(name, O_WRONLY | O_CREAT | O_EXCL);
+    if (!file) return tl::unexpected(file.error());
+    return HashedFile(folder.path() / name, std::move(*file));
+}
+
+Status HashedFile::write(std::string_view bytes) {
+    size_ += bytes.size();
+    pending_ += bytes;
+    return pending_.size() < kPending ? Status() : flush();
+}
+
+Status HashedFile::flush() {
+    hash_.add(std::string_view(pending_));
+    const int error = writeBytes(file_.get(), pending_);
+    pending_.clear();
+    return error == 0 ? Status() : tl::unexpected<Error>(io::writeError(error, path_));
+}
+
+Result<std::string> HashedFile::finish() {
+    if (Status flushed = flush(); !flushed) return tl::unexpected(flushed.error());
+    if (const int error = file_.close()) {
+        return tl::unexpected<Error>(io::writeError(error, path_));
+    }
+    return hash_.finish();
+}
+
+}  // namespace dollytrack::gather

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/files/file_descriptor.h"
+#include "engine/io/files/guarded_folder.h"
+#include "engine/io/files/sha256.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace dollytrack::gather {
+
+/// A new file that is written from its beginning to its end and hashed on the way. Errors are
+/// CannotWrite.
+class HashedFile {
+  public:
+    /// Replaces a file of this name.
+    [[nodiscard]] static Result<HashedFile> create(const io::GuardedFolder& folder,
+                                                   const std::string& name);
+
+    [[nodiscard]] Status write(std::string_view bytes);
+    /// Bytes written so far.
+    [[nodiscard]] std::uint64_t size() const { return size_; }
+    /// Closes the file; returns its SHA-256.
+    [[nodiscard]] Result<std::string> finish();
+
+  private:
+    HashedFile(std::filesystem::path path, io::FileDescriptor file)
+        : path_(std::move(path)), file_(std::move(file)) {}
+    [[nodiscard]] Status flush();
+
+    std::filesystem::path path_;
+    io::FileDescriptor file_;
+    io::Sha256 hash_;
+    std::string pending_;  // not yet handed to the system
+    std::uint64_t size_ = 0;
+};
+
+/// Writes all bytes; 0 or errno.
+[[nodiscard]] int writeBytes(int descriptor, std::string_view bytes);
+
+}  // namespace dollytrack::gather

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "app/gather/open_source.h"
+#include "app/gather/output_files.h"
+#include "app/gather/output_folder.h"
+#include "app/gather/scene_split.h"
+#include "engine/core/result.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dollytrack::gather {
+
+/// How a tar file is limited; whichever comes first.
+struct ShardLimits {
+    std::uint64_t bytes = 1'000'000'000;
+    std::size_t frames = 0;  // 0: any number
+};
+
+/// What all layouts are written with.
+struct LayoutInput {
+    OutputFiles& files;
+    const ClassUnion& classes;
+    std::set<std::string> modalities;  // of each frame
+    ShardLimits shards;
+    std::vector<FinishedShard> finished;  // shards of an earlier run
+    std::function<Status(const FinishedShard&)> on_shard;
+    JobContext job;
+};
+
+/// How a gathered dataset's files are arranged. The parts are written one after the other, each
+/// from the first frame to the last.
+class Layout {
+  public:
+    virtual ~Layout() = default;
+    [[nodiscard]] virtual Status beginPart(PartIndex part) = 0;
+    /// Frames `begin` to `end` (not included) of a dataset.
+    [[nodiscard]] virtual Status add(const OpenSource& source, std::size_t begin,
+                                     std::size_t end) = 0;
+    [[nodiscard]] virtual Status endPart() = 0;
+    /// After the last part.
+    [[nodiscard]] virtual Status finish(std::span<const PartIndex> /*parts*/) { return {}; }
+};
+
+/// A layout by its name on the command line.
+struct LayoutKind {
+    const char* name;
+    const char* text;     // what it is, for people
+    bool every_modality;  // depth and labels go with the pictures, where all datasets have them
+    std::unique_ptr<Layout> (*make)(LayoutInput input);
+    const char* how_to_read;  // in the dataset's README.md
+    /// `path` of a part in the README's header, as in "{}-*.tar"; null: Hugging Face has no reader.
+    const char* data_files;
+};
+
+extern const LayoutKind kYoloLayout;
+extern const LayoutKind kCocoLayout;
+extern const LayoutKind kImageFolderLayout;
+extern const LayoutKind kWebDatasetLayout;
+
+[[nodiscard]] std::span<const LayoutKind* const> layouts();
+
+}  // namespace dollytrack::gather

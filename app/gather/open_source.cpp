@@ -1,0 +1,97 @@
+#include "app/gather/open_source.h"
+
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/sha256.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::gather {
+namespace {
+
+using nlohmann::json;
+
+/// The index of the frame that a COCO annotation belongs to. Throws nlohmann's exceptions.
+std::size_t frameOf(const json& one, std::size_t frames) {
+    const auto image = one.at("image_id").get<std::size_t>();
+    return image >= 1 && image <= frames ? image - 1 : frames;
+}
+
+/// Throws nlohmann's exceptions.
+Annotation annotationOf(const json& one, const ClassTable& table, const ClassUnion& classes,
+                        bool& known) {
+    Annotation read;
+    const DatasetClass* of = table.find(one.at("category_id").get<int>());
+    known = of != nullptr && of != &table.voidClass();
+    if (known) read.class_index = classes.indexOf(*of);
+    read.object_id = one.at("object_id").get<int>();
+    read.box = one.at("bbox").get<std::array<int, 4>>();
+    read.area = one.at("area").get<long>();
+    read.segmentation = one.at("segmentation").dump();
+    return read;
+}
+
+/// Parses the text without keeping all of it as values: an annotation is taken over and dropped.
+Status readAnnotations(const std::string& text, const std::string& where, const ClassUnion& classes,
+                       OpenSource& opened) {
+    constexpr int kInList = 2;  // depth of an annotation
+    std::string section;
+    bool damaged = false;
+    const auto take = [&](int depth, json::parse_event_t event, json& value) {
+        if (depth == 1 && event == json::parse_event_t::key) section = value.get<std::string>();
+        if (depth != kInList || event != json::parse_event_t::object_end) return true;
+        if (section != "annotations") return false;
+        try {
+            bool known = false;
+            const std::size_t frame = frameOf(value, opened.annotations.size());
+            Annotation one = annotationOf(value, opened.source.classes(), classes, known);
+            damaged = damaged || !known || frame == opened.annotations.size();
+            if (!damaged) opened.annotations[frame].push_back(std::move(one));
+        } catch (const json::exception&) {
+            damaged = true;
+        }
+        return false;
+    };
+    const Result<json> parsed = io::parseBoundedJson<json>(text, where, take);
+    if (!parsed) return tl::unexpected(parsed.error());
+    if (!damaged) return {};
+    return fail(ErrorCode::BadInput,
+                "An annotation lacks a field, or names a class or image that is not there; export "
+                "the dataset again.",
+                where);
+}
+
+}  // namespace
+
+std::string OpenSource::frameName(std::size_t frame) const {
+    return fmt::format("{}_{:06}", source.name, frame);
+}
+
+SourceFile OpenSource::file(std::string_view modality, std::size_t frame) const {
+    const std::string name = frameFileOf(modality, frame);
+    const auto listed = dataset.sha256s.find(name);
+    return {source.folder / name, listed == dataset.sha256s.end() ? "" : listed->second};
+}
+
+Result<OpenSource> openSource(const Source& source, const ClassUnion& classes) {
+    Result<verify::StoredDataset> dataset = verify::readStoredDataset(source.folder);
+    if (!dataset) return tl::unexpected(dataset.error());
+    const Result<std::string> card = io::sha256OfFile(source.folder / "dataset.json");
+    if (!card) return tl::unexpected(card.error());
+    if (*card != source.card_sha256) {
+        return fail(ErrorCode::BadInput, "The dataset has changed meanwhile; gather it again.",
+                    source.folder.string());
+    }
+    const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
+    if (!file) return tl::unexpected(file.error());
+    const Result<std::string> text = readProven(*file);
+    if (!text) return tl::unexpected(text.error());
+    OpenSource opened{source, std::move(*dataset), {}};
+    opened.dataset.card = nullptr;  // the largest part of it, and of no more use
+    opened.annotations.resize(source.frames);
+    if (Status read = readAnnotations(*text, file->path.string(), classes, opened); !read) {
+        return tl::unexpected(read.error());
+    }
+    return opened;
+}
+
+}  // namespace dollytrack::gather

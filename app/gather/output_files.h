@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/gather/hashed_file.h"
+#include "app/gather/open_source.h"
+#include "engine/core/result.h"
+#include "engine/io/files/guarded_folder.h"
+#include "engine/jobs/job.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace dollytrack::gather {
+
+/// Writes the files of a gathered dataset and lists each with its hash in SHA256SUMS.
+class OutputFiles {
+  public:
+    struct Settings {
+        bool resume = false;      // files of an earlier run that are whole stay
+        bool hard_links = false;  // pictures are linked, not copied, where that is possible
+    };
+
+    [[nodiscard]] static Result<OutputFiles> begin(const io::GuardedFolder& folder,
+                                                   Settings settings);
+
+    [[nodiscard]] const io::GuardedFolder& folder() const { return folder_; }
+
+    /// Adds a file that is written to the list.
+    [[nodiscard]] Status list(const std::string& name, std::string_view sha256);
+    [[nodiscard]] Status write(const std::string& name, std::string_view text);
+    /// Several files of one folder, in parallel.
+    [[nodiscard]] Status write(const std::string& folder,
+                               const std::vector<std::pair<std::string, std::string>>& texts);
+    /// The pictures of frames `begin` to `end` (not included), in parallel.
+    [[nodiscard]] Status copyPictures(const OpenSource& source, std::size_t begin, std::size_t end,
+                                      const std::string& folder, const JobContext& job);
+
+    /// Ends the list; returns its own hash.
+    [[nodiscard]] Result<std::string> finish();
+
+  private:
+    OutputFiles(const io::GuardedFolder& folder, Settings settings, HashedFile sums)
+        : folder_(folder), settings_(settings), sums_(std::move(sums)) {}
+    /// Gives the picture a second name; false where it is a link itself and has to be copied.
+    [[nodiscard]] Result<bool> linkPicture(const OpenSource& source, std::size_t frame,
+                                           const io::GuardedFolder& to) const;
+    [[nodiscard]] Status copyPicture(const OpenSource& source, std::size_t frame,
+                                     const io::GuardedFolder& to, const JobContext& job) const;
+
+    io::GuardedFolder folder_;
+    Settings settings_;
+    HashedFile sums_;
+};
+
+/// The name of a frame's picture in layouts of single files.
+[[nodiscard]] std::string pictureNameOf(const OpenSource& source, std::size_t frame);
+
+}  // namespace dollytrack::gather

@@ -1,0 +1,183 @@
+#include "app/gather/source.h"
+
+#include "engine/io/files/sha256.h"
+#include "engine/io/settings/class_table_file.h"
+#include "engine/jobs/parallel.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <system_error>
+
+namespace dollytrack::gather {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Conventions of all images, which datasets must share to be read by one program.
+constexpr std::array<const char*, 8> kShared = {
+    "length_unit",      "world",        "camera_axes",  "pose",
+    "quaternion_order", "matrix_order", "pixel_origin", "intrinsics"};
+
+constexpr std::array<const char*, 4> kModalities = {kPicture, kDepth, kInstance, kSemantic};
+
+tl::unexpected<Error> notUsable(const fs::path& folder, const std::string& lacking,
+                                const std::string& how) {
+    return fail(ErrorCode::BadInput,
+                fmt::format("The dataset has no {}; export it with {}.", lacking, how),
+                folder.string());
+}
+
+}  // namespace
+
+std::string frameFileOf(std::string_view modality, std::size_t frame) {
+    return fmt::format("{}/{:06}.png", modality, frame);
+}
+
+Result<SourceFile> listedFile(const verify::StoredDataset& dataset, const std::string& name) {
+    const auto found = dataset.sha256s.find(name);
+    if (found != dataset.sha256s.end()) return SourceFile{dataset.folder / name, found->second};
+    return fail(ErrorCode::BadInput,
+                fmt::format("dataset.json does not list {}; export the dataset again, or leave it "
+                            "out with --skip-damaged.",
+                            name),
+                dataset.folder.string());
+}
+
+Json SourceReader::conventionsOf(const verify::StoredDataset& dataset) const {
+    Json shared = Json::object();
+    for (const char* name : kShared) shared[name] = dataset.convention(name);
+    if (needs_.mixed_lenses) {
+        shared["intrinsics"] = {{"width", dataset.lens.width}, {"height", dataset.lens.height}};
+    }
+    for (const std::string& modality : needs_.modalities) {
+        // What a class mask holds follows from the classes, which are compared apart.
+        if (modality == kSemantic || !dataset.has(modality)) continue;
+        shared[modality] = dataset.convention(modality);
+    }
+    return shared;
+}
+
+Status SourceReader::compare(const verify::StoredDataset& dataset) {
+    Json own = conventionsOf(dataset);
+    if (first_.empty()) {
+        first_ = dataset.folder.string();
+        conventions_ = std::move(own);
+        return {};
+    }
+    const Json& lens = conventions_["intrinsics"];
+    if (lens["width"] != dataset.lens.width || lens["height"] != dataset.lens.height) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("Its images are {} x {} px, those of {} are {} x {} px; gather "
+                                "datasets of one size.",
+                                dataset.lens.width, dataset.lens.height, first_,
+                                lens["width"].dump(), lens["height"].dump()),
+                    dataset.folder.string());
+    }
+    for (const auto& [name, value] : own.items()) {
+        if (!conventions_.contains(name)) {
+            conventions_[name] = value;  // a modality that the first one lacks
+            continue;
+        }
+        if (conventions_[name] == value) continue;
+        const char* lenses =
+            name == "intrinsics" ? ", or allow lenses to differ with --mixed-lenses" : "";
+        return fail(ErrorCode::BadInput,
+                    fmt::format("Its convention '{}' differs from that of {}; gather them apart{}.",
+                                name, first_, lenses),
+                    dataset.folder.string());
+    }
+    return {};
+}
+
+Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
+    Source source;
+    source.folder = dataset.folder;
+    source.frames = dataset.frames.size();
+    source.width = dataset.lens.width;
+    source.height = dataset.lens.height;
+    for (const char* modality : kModalities) {
+        if (dataset.has(modality)) source.modalities.insert(modality);
+    }
+    try {
+        const Json& scene = dataset.card.at("scene");
+        source.scene = scene.at("name").get<std::string>();
+        source.scene_sha256 = scene.at("sha256").get<std::string>();
+        source.geometry_sha256 = scene.at("geometry_sha256").get<std::string>();
+        source.product_version = dataset.card.at("product_version").get<std::string>();
+    } catch (const Json::exception&) {
+        return fail(ErrorCode::BadInput,
+                    "A field is missing or of the wrong type; export the dataset again.",
+                    (dataset.folder / "dataset.json").string() + ": scene");
+    }
+    if (dataset.own_classes) {
+        auto& known = tables_[io::classTableToJson(*dataset.own_classes).dump()];
+        if (!known) known = dataset.own_classes;
+        source.own_classes = known;
+    }
+    return source;
+}
+
+Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& source,
+                                const JobContext& job) const {
+    std::vector<SourceFile> files;
+    const auto add = [&](const std::string& name) -> Status {
+        Result<SourceFile> file = listedFile(dataset, name);
+        if (!file) return tl::unexpected(file.error());
+        std::error_code error;
+        const std::uintmax_t bytes = fs::file_size(file->path, error);
+        if (error) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("{} is missing; export the dataset again, or leave it out with "
+                                    "--skip-damaged.",
+                                    name),
+                        dataset.folder.string());
+        }
+        source.bytes += bytes;
+        if (needs_.prove) files.push_back(std::move(*file));
+        return {};
+    };
+    Status status = add(kAnnotationFile);
+    for (const std::string& modality : needs_.modalities) {
+        if (!source.modalities.contains(modality)) continue;
+        for (std::size_t frame = 0; status && frame < source.frames; ++frame) {
+            status = add(frameFileOf(modality, frame));
+        }
+    }
+    if (!status || files.empty()) return status;
+    std::vector<Status> proven(files.size());
+    parallelFor(files.size(), [&](std::size_t i) {
+        if (!job.cancelled()) proven[i] = prove(files[i]);
+    });
+    for (const Status& one : proven) {
+        if (!one) return one;
+    }
+    return {};
+}
+
+Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job) {
+    damaged_ = true;
+    const Result<verify::StoredDataset> dataset = verify::readStoredDataset(folder);
+    if (!dataset) return tl::unexpected(dataset.error());
+    Result<std::string> card_sha256 = io::sha256OfFile(folder / "dataset.json", job);
+    if (!card_sha256) return tl::unexpected(card_sha256.error());
+    Result<Source> source = describe(*dataset);
+    if (!source) return source;
+    source->card_sha256 = std::move(*card_sha256);
+    damaged_ = false;
+    if (!source->modalities.contains(kPicture)) {
+        return notUsable(folder, "colour pictures", "--modalities rgb");
+    }
+    if (!dataset->has("coco")) return notUsable(folder, kAnnotationFile, "--formats coco");
+    damaged_ = true;
+    if (Status whole = checkFiles(*dataset, *source, job); !whole) {
+        return tl::unexpected(whole.error());
+    }
+    damaged_ = false;
+    if (Status fits = compare(*dataset); !fits) return tl::unexpected(fits.error());
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "the datasets were not gathered");
+    return source;
+}
+
+}  // namespace dollytrack::gather

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/files/guarded_folder.h"
+#include "engine/jobs/job.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace dollytrack::gather {
+
+// Files of the datasets that are gathered. Links to them are followed, but each must have the
+// SHA-256 that dataset.json lists. Error: BadInput, a sentence with the file.
+
+/// A file and the hash that it must have.
+struct SourceFile {
+    std::filesystem::path path;
+    std::string sha256;
+};
+
+[[nodiscard]] Result<std::string> readProven(const SourceFile& file);
+
+/// Copies its bytes to a new file. Error also: CannotWrite.
+[[nodiscard]] Status copyProven(const SourceFile& file, const io::GuardedFolder& to,
+                                const std::string& name);
+
+/// Reads the file for its hash alone.
+[[nodiscard]] Status prove(const SourceFile& file);
+
+/// SHA-256 of a file in a guarded folder; nothing where it cannot be read or the job is cancelled.
+[[nodiscard]] std::optional<std::string> sha256Within(const io::GuardedFolder& folder,
+                                                      const std::string& name,
+                                                      const JobContext& job);
+
+}  // namespace dollytrack::gather

@@ -1,0 +1,185 @@
+#include "app/gather/source_search.h"
+
+#include "app/batch/batch_folder.h"
+#include "app/batch/name_pattern.h"
+#include "app/batch/scene_files.h"
+#include "app/cli/export/room_exports.h"
+#include "engine/core/name_pattern.h"
+#include "engine/core/natural_order.h"
+#include "render/dataset/dataset_journal.h"
+#include "render/dataset/dataset_listing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+namespace dollytrack::gather {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDatasetFolder = "dataset";  // of a job in a batch's folder
+constexpr int kMostLevels = 8;                     // of folders around datasets
+
+std::vector<fs::path> foldersIn(const fs::path& folder) {
+    std::vector<fs::path> folders;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        std::error_code unknown;
+        if (at->is_directory(unknown)) folders.push_back(at->path());
+    }
+    std::ranges::sort(folders, [](const fs::path& a, const fs::path& b) {
+        return comesBefore(a.filename().string(), b.filename().string());
+    });
+    return folders;
+}
+
+class DatasetSearch {
+  public:
+    Status look(const fs::path& folder, int levels) {
+        std::error_code error;
+        const bool is_dataset = fs::exists(folder / render::kCardFile, error) ||
+                                fs::exists(folder / render::kJournalFile, error);
+        if (is_dataset && !cli::holdsRooms(folder)) return add(folder);
+        if (fs::exists(folder / kGatherCard, error)) return {};
+        if (cli::holdsRooms(folder)) {
+            const auto rooms = cli::roomFolders(folder);
+            if (!rooms) return tl::unexpected(rooms.error());
+            for (const fs::path& room : *rooms) (void)add(room);
+            return {};
+        }
+        if (fs::exists(folder / "jobs.json", error)) return lookInBatch(folder);
+        if (levels == 0) return {};
+        if (!entered_.insert(fs::canonical(folder, error)).second) {
+            ++looks_;  // named twice
+            return {};
+        }
+        for (const fs::path& within : foldersIn(folder)) {
+            if (within.filename().string().front() == '.') continue;
+            if (Status status = look(within, levels - 1); !status) return status;
+        }
+        return {};
+    }
+
+    /// How many datasets were come to, those that were found before among them.
+    [[nodiscard]] std::size_t looks() const { return looks_; }
+    std::vector<fs::path> take() { return std::move(found_); }
+
+  private:
+    Status add(const fs::path& folder) {
+        std::error_code error;
+        ++looks_;
+        const fs::path canonical = fs::weakly_canonical(fs::absolute(folder, error), error);
+        if (added_.insert(canonical).second) found_.push_back(folder);
+        return {};
+    }
+
+    Status lookInBatch(const fs::path& folder) {
+        const Result<batch::BatchList> list = batch::readBatchList(folder);
+        if (!list) return tl::unexpected(list.error());
+        for (const batch::Job& job : list->jobs) {
+            const fs::path dataset = folder / job.name / kDatasetFolder;
+            if (job.command != "export") continue;
+            std::error_code error;
+            const Status status =
+                fs::is_directory(dataset, error) ? look(dataset, 0) : add(dataset);
+            if (!status) return status;
+        }
+        return {};
+    }
+
+    std::vector<fs::path> found_;
+    std::size_t looks_ = 0;
+    std::set<fs::path> added_;    // canonical
+    std::set<fs::path> entered_;  // canonical
+};
+
+/// The folders that fit a pattern's parts.
+std::vector<fs::path> foldersMatching(const fs::path& pattern) {
+    std::vector<fs::path> folders = {pattern.is_absolute() ? pattern.root_path() : fs::path()};
+    for (const fs::path& part : pattern.relative_path()) {
+        if (part.empty()) continue;
+        std::vector<fs::path> next;
+        for (const fs::path& folder : folders) {
+            if (!batch::isPattern(part.string())) {
+                std::error_code error;
+                if (fs::is_directory(folder / part, error)) next.push_back(folder / part);
+                continue;
+            }
+            for (const fs::path& within : foldersIn(folder.empty() ? fs::path(".") : folder)) {
+                if (!batch::fitsFilePattern(within.filename().string(), part.string())) continue;
+                next.push_back(folder / within.filename());
+            }
+        }
+        folders = std::move(next);
+    }
+    return folders;
+}
+
+/// The path by which a dataset is named: folders that are called "dataset" say nothing, and dots
+/// would end the keys of WebDataset.
+fs::path namingPath(const fs::path& folder) {
+    std::error_code error;
+    fs::path path = fs::absolute(folder, error).lexically_normal();
+    if (!path.has_filename()) path = path.parent_path();
+    if (path.filename() == kDatasetFolder) path = path.parent_path();
+    fs::path around = path.parent_path();
+    if (around.filename() == kDatasetFolder) around = around.parent_path();
+    return around / batch::asName(path.filename().string());
+}
+
+std::vector<FoundDataset> named(const std::vector<fs::path>& folders) {
+    std::vector<batch::SceneFile> paths;
+    for (const fs::path& folder : folders) paths.push_back({namingPath(folder), {}});
+    batch::nameScenes(paths);
+    std::vector<FoundDataset> found;
+    std::set<std::string> taken;
+    for (const batch::SceneFile& path : paths) taken.insert(inSmallLetters(path.name));
+    std::set<std::string> used;
+    for (std::size_t i = 0; i < folders.size(); ++i) {
+        std::string name = paths[i].name;
+        for (int n = 2; used.contains(inSmallLetters(name)); ++n) {
+            const std::string numbered = fmt::format("{}-{}", paths[i].name, n);
+            if (!taken.contains(inSmallLetters(numbered))) name = numbered;
+        }
+        used.insert(inSmallLetters(name));
+        found.push_back({folders[i], std::move(name)});
+    }
+    return found;
+}
+
+}  // namespace
+
+Result<std::vector<FoundDataset>> findDatasets(const std::vector<std::string>& arguments) {
+    DatasetSearch search;
+    for (const std::string& argument : arguments) {
+        std::error_code error;
+        const bool is_there = fs::exists(argument, error);
+        if (is_there && !fs::is_directory(argument, error)) {
+            return fail(ErrorCode::BadInput, "This is a file; name the folder of a dataset.",
+                        argument);
+        }
+        std::vector<fs::path> folders;
+        if (is_there) folders.emplace_back(argument);
+        if (!is_there && batch::isPattern(argument)) folders = foldersMatching(argument);
+        if (folders.empty()) {
+            return fail(ErrorCode::BadInput, "There is no such folder.", argument);
+        }
+        const std::size_t before = search.looks();
+        for (const fs::path& folder : folders) {
+            if (Status status = search.look(folder, kMostLevels); !status) {
+                return tl::unexpected(status.error());
+            }
+        }
+        if (search.looks() == before) {
+            return fail(ErrorCode::BadInput,
+                        "There is no dataset in it; name a folder that 'dollytrack export' wrote.",
+                        argument);
+        }
+    }
+    return named(search.take());
+}
+
+}  // namespace dollytrack::gather
