@@ -24,6 +24,7 @@ struct DatasetSceneArguments {
     std::vector<std::string> models;  // folders
     std::optional<std::string> annotations;
     bool keep_meshes = false;
+    bool with_textures = false;  // also of a dataset without albedo; no option
 };
 
 /// --scene, --labels, --models, --annotations, --keep-meshes
