@@ -170,7 +170,7 @@ Result<Scene> importAsThen(const fs::path& path, const SaidOfScene& said,
     options.model_folders.assign(given.models.begin(), given.models.end());
     if (given.annotations) options.annotations = *given.annotations;
     options.regroup = !given.keep_meshes;
-    options.read_textures = said.albedo;
+    options.read_textures = said.albedo || given.with_textures;
     options.use_cache = true;
     options.small_volume_m3 = said.sizes.small_volume_m3;
     options.size_ratio = said.sizes.size_ratio;

@@ -24,6 +24,7 @@ struct DatasetSceneArguments {
     std::vector<std::string> models;  // folders with models
     std::optional<std::string> annotations;
     bool keep_meshes = false;
+    bool with_textures = false;  // also of a dataset without albedo; no option
 };
 
 /// Adds --scene, --labels, --models, --annotations and --keep-meshes.

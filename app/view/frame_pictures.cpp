@@ -1,0 +1,188 @@
+#include "app/view/frame_pictures.h"
+
+#include "app/view/base64.h"
+#include "engine/io/files/guarded_folder.h"
+#include "engine/jobs/parallel.h"
+#include "render/verify/read/frame_images.h"
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack::view {
+namespace {
+
+using render::SmallPictureSize;
+
+struct ShownModality {
+    const char* name;
+    const char* text;
+};
+constexpr std::array<ShownModality, 6> kShown = {{{"rgb", "Colour"},
+                                                  {"rgb_sensor", "Sensor colour"},
+                                                  {"depth", "Depth"},
+                                                  {"depth_sensor", "Sensor depth"},
+                                                  {"instance", "Objects"},
+                                                  {"semantic", "Classes"}}};
+// Tried one after the other.
+constexpr std::array<SmallPictureSize, 8> kSizes = {
+    {{640, 85}, {512, 85}, {448, 82}, {384, 80}, {320, 80}, {256, 78}, {208, 75}, {160, 72}}};
+constexpr std::size_t kTried = 12;       // frames of which sizes are estimated
+constexpr double kSafety = 1.06;         // of the estimate
+constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also where there is no picture
+
+std::string fileOf(const io::GuardedFolder& folder, const std::string& modality, int frame) {
+    std::string name = verify::imageFile(modality, frame);
+    if (modality != "rgb_sensor" || folder.has(name)) return name;
+    return name.substr(0, name.size() - 4) + ".jpg";
+}
+
+/// Encodes pictures of a dataset.
+class PictureMaker {
+  public:
+    PictureMaker(const verify::StoredDataset& dataset, const io::GuardedFolder& folder)
+        : dataset_(dataset), folder_(folder) {
+        for (const ShownModality& one : kShown) {
+            if (dataset.has(one.name)) kinds_.push_back({one.name, one.text, {}});
+        }
+    }
+
+    [[nodiscard]] const std::vector<PictureKind>& kinds() const { return kinds_; }
+
+    /// Bytes in the page of these frames' pictures.
+    [[nodiscard]] std::size_t bytesOf(const std::vector<int>& frames,
+                                      const SmallPictureSize& size) const {
+        const std::vector<PictureKind> made = make(frames, size);
+        return bytesIn(made);
+    }
+
+    [[nodiscard]] static std::size_t bytesIn(const std::vector<PictureKind>& kinds) {
+        std::size_t bytes = 0;
+        for (const PictureKind& kind : kinds) {
+            for (const auto& file : kind.files) bytes += base64Length(file.size());
+        }
+        return bytes;
+    }
+
+    [[nodiscard]] std::vector<PictureKind> make(const std::vector<int>& frames,
+                                                const SmallPictureSize& size) const {
+        SmallPictureSize fitting = size;
+        fitting.width_px = std::min(size.width_px, dataset_.lens.width);
+        std::vector<PictureKind> made = kinds_;
+        for (PictureKind& kind : made) kind.files.resize(dataset_.frames.size());
+        parallelFor(frames.size() * made.size(), [&](std::size_t i) {
+            PictureKind& kind = made[i % made.size()];
+            const int frame = frames[i / made.size()];
+            kind.files[static_cast<std::size_t>(frame)] =
+                render::encodeSmallPicture(folder_, fileOf(folder_, kind.modality, frame),
+                                           kind.modality, dataset_.classes(), fitting);
+        });
+        return made;
+    }
+
+  private:
+    const verify::StoredDataset& dataset_;
+    const io::GuardedFolder& folder_;
+    std::vector<PictureKind> kinds_;
+};
+
+/// About `count` numbers below `end` at even distances, the first and the last among them.
+std::vector<int> evenly(std::size_t count, std::size_t end) {
+    std::vector<int> chosen;
+    count = std::min(count, end);
+    for (std::size_t i = 0; i < count; ++i) {
+        chosen.push_back(static_cast<int>(count == 1 ? 0 : i * (end - 1) / (count - 1)));
+    }
+    return chosen;
+}
+
+/// `count` frames: of the `first` ones as many as there is room for, then evenly chosen ones.
+std::vector<int> choose(const std::vector<int>& first, std::size_t count, std::size_t frames) {
+    std::vector<bool> taken(frames, false);
+    for (const int at : evenly(count, first.size())) {
+        taken[static_cast<std::size_t>(first[static_cast<std::size_t>(at)])] = true;
+    }
+    std::vector<int> others;
+    for (std::size_t i = 0; i < frames; ++i) {
+        if (!taken[i]) others.push_back(static_cast<int>(i));
+    }
+    for (const int at : evenly(count - std::min(count, first.size()), others.size())) {
+        taken[static_cast<std::size_t>(others[static_cast<std::size_t>(at)])] = true;
+    }
+    std::vector<int> chosen;
+    for (std::size_t i = 0; i < frames; ++i) {
+        if (taken[i]) chosen.push_back(static_cast<int>(i));
+    }
+    return chosen;
+}
+
+/// How large pictures of how many frames are made.
+struct PictureTry {
+    std::size_t size = 0;  // index into kSizes
+    std::size_t frames = 0;
+};
+
+/// The largest size of which all frames seem to fit, else as many frames of the smallest; judged by
+/// a few frames.
+PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t most_bytes) {
+    const std::vector<int> tried = evenly(kTried, frames);
+    double per_frame = 0.0;
+    for (std::size_t size = 0; size < kSizes.size(); ++size) {
+        per_frame = kSafety * static_cast<double>(maker.bytesOf(tried, kSizes[size])) /
+                    static_cast<double>(tried.size());
+        if (per_frame * static_cast<double>(frames) <= static_cast<double>(most_bytes)) {
+            return {size, frames};
+        }
+    }
+    return {kSizes.size() - 1,
+            std::min(frames, static_cast<std::size_t>(static_cast<double>(most_bytes) /
+                                                      std::max(per_frame, 1.0)))};
+}
+
+/// After an estimate that was too low: smaller pictures, or fewer.
+PictureTry nextTry(PictureTry before) {
+    if (before.size + 1 < kSizes.size()) return {before.size + 1, before.frames};
+    return {before.size, before.frames * 9 / 10};
+}
+
+int unreadableIn(const FramePictures& pictures) {
+    int count = 0;
+    for (const PictureKind& kind : pictures.kinds) {
+        for (std::size_t i = 0; i < pictures.chosen.size(); ++i) {
+            count += pictures.chosen[i] && kind.files[i].empty() ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+Result<FramePictures> makeFramePictures(const verify::StoredDataset& dataset,
+                                        const std::vector<int>& first, std::size_t most_bytes,
+                                        const JobContext& job) {
+    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(dataset.folder);
+    if (!folder) return fail(ErrorCode::BadInput, folder.error().message, folder.error().where);
+    const PictureMaker maker(dataset, *folder);
+    const std::size_t frames = dataset.frames.size();
+    FramePictures pictures;
+    pictures.chosen.assign(frames, false);
+    if (maker.kinds().empty() || frames == 0) return pictures;
+    const std::size_t always = kJsonPerFile * frames * maker.kinds().size();
+    const std::size_t most = most_bytes - std::min(always, most_bytes);
+    PictureTry now = firstTry(maker, frames, most);
+    while (true) {
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "The page was not made.");
+        job.report(0.3);
+        const std::vector<int> chosen = choose(first, now.frames, frames);
+        pictures.size = kSizes[now.size];
+        pictures.kinds = maker.make(chosen, pictures.size);
+        if (now.frames == 0 || PictureMaker::bytesIn(pictures.kinds) <= most) {
+            for (const int frame : chosen) pictures.chosen[static_cast<std::size_t>(frame)] = true;
+            break;
+        }
+        now = nextTry(now);
+    }
+    pictures.unreadable = unreadableIn(pictures);
+    return pictures;
+}
+
+}  // namespace dollytrack::view

@@ -1,0 +1,492 @@
+#!/usr/bin/python3
+"""The web page of a dataset: the command by its files and exit codes, the page in a real browser.
+
+Usage: view_test.py PROGRAM [unittest arguments]
+"""
+import base64
+import json
+import os
+import re
+import shutil
+import unittest
+
+import cv2
+import numpy as np
+
+import browser
+import tiny_room
+from program import FolderCase, run
+
+FRAMES = 14
+HOSTILE = "</script><script>window.hacked = 1</script><!--"
+TRACK = {"op": "object_track", "object": "mug", "keys": [
+    {"time_s": 0}, {"time_s": 20, "offset": [-2.0, 0.6, 0], "turn_deg": 90}]}
+SIZE = ["--set", "width_px=320", "--set", "height_px=240"]
+
+
+def make_dataset(folder):
+    """A room where the mug moves, and its dataset with poses, labels and pictures."""
+    tiny_room.write(folder / "room.obj")
+    project = folder / "room.dolly"
+    for command in [
+        ["plan", folder / "room.obj", "--max-frames", FRAMES, "-o", project, *SIZE],
+        ["edit", project, "--op", json.dumps(TRACK), "--plan"],
+        ["export", project, "--out", folder / "dataset"],
+    ]:
+        made = run(*command)
+        assert made.returncode in (0, 3), made.stderr
+    return folder / "dataset"
+
+
+def card_of(dataset):
+    return json.loads((dataset / "dataset.json").read_text())
+
+
+def changed_copy(dataset, folder, change):
+    """A dataset beside the first one, with another dataset.json."""
+    shutil.copytree(dataset, folder)
+    card = card_of(folder)
+    change(card)
+    (folder / "dataset.json").write_text(json.dumps(card))
+    return folder
+
+
+def data_of(page, name):
+    """What the page carries under a name."""
+    text = re.search(rf'<script id="data-{name}"[^>]*>(.*?)</script>', page.read_text(), re.S)[1]
+    return json.loads(text)
+
+
+class ViewCase(FolderCase):
+    keeps_cache = True
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.dataset = make_dataset(cls.folder)
+        cls.card = card_of(cls.dataset)
+
+    @classmethod
+    def view(cls, *arguments):
+        made = run("view", *arguments)
+        assert made.returncode == 0, made.stderr
+        return made
+
+
+class Command(ViewCase):
+    def test_equal_input_gives_equal_bytes(self):
+        pages = []
+        for threads in ("1", "3"):
+            page = self.folder / f"threads{threads}.html"
+            self.view(self.dataset, "-o", page, "--threads", threads)
+            pages.append(page.read_bytes())
+        self.assertEqual(pages[0], pages[1])
+        self.assertLess(len(pages[0]), 10_000_000)
+
+    def test_the_page_lies_beside_the_dataset_unasked(self):
+        copy = self.folder / "unnamed"
+        shutil.copytree(self.dataset, copy)
+        said = self.view(f"{copy}/").stdout
+        self.assertIn(f"{FRAMES} frames", said)
+        self.assertTrue((self.folder / "unnamed.html").is_file())
+
+    def test_what_is_in_the_way_stays(self):
+        page = self.folder / "there.html"
+        page.write_text("mine")
+        self.assertFails(run("view", self.dataset, "-o", page), 2, "--overwrite")
+        self.assertEqual(page.read_text(), "mine")
+        self.view(self.dataset, "-o", page, "--overwrite")
+        self.assertIn("<!DOCTYPE html>", page.read_text())
+        other = self.folder / "other.txt"
+        other.write_text("mine")
+        link = self.folder / "link.html"
+        link.symlink_to(other)
+        for more in ([], ["--overwrite"]):
+            self.assertFails(run("view", self.dataset, "-o", link, *more), 6, "link.html")
+        self.assertEqual(other.read_text(), "mine")
+        self.assertFails(run("view", self.dataset, "-o", self.folder), 6, "folder")
+        self.assertFails(run("view", self.dataset, "-o", self.folder / "no" / "x.html"), 6, "no")
+
+    def test_what_is_no_dataset_is_told(self):
+        empty = self.folder / "empty"
+        empty.mkdir()
+        self.assertFails(run("view", empty), 4, "no dataset.json", "--resume")
+        self.assertFails(run("view", self.folder / "nowhere"), 4, "no such folder")
+        self.assertFails(run("view", self.folder / "room.obj"), 4, "This is a file")
+        unfinished = self.folder / "unfinished"
+        shutil.copytree(self.dataset, unfinished)
+        (unfinished / "dataset.json").unlink()
+        self.assertFails(run("view", unfinished), 4, "has not ended")
+        rooms = self.folder / "rooms"
+        rooms.mkdir()
+        (rooms / "rooms.json").write_text('{"rooms": [{"name": "kitchen"}, {"name": "hall"}]}')
+        self.assertFails(run("view", rooms), 4, "kitchen, hall")
+        self.assertFalse(list(self.folder.glob("empty*.html")))
+
+    def test_without_three_js_it_says_what_to_install(self):
+        nothing = self.folder / "nothing"
+        nothing.mkdir()
+        page = self.folder / "without.html"
+        self.assertFails(run("view", self.dataset, "-o", page, "--three", nothing), 4,
+                         "libjs-three")
+        self.assertFalse(page.exists())
+
+    def test_another_scene_is_refused(self):
+        tiny_room.write_two(self.folder / "two.obj")
+        self.assertFails(run("view", self.dataset, "-o", self.folder / "x.html", "--scene",
+                             self.folder / "two.obj"), 4, "not the scene")
+
+    def test_damaged_pictures_are_told(self):
+        def change(card):
+            card["scene"]["path"] = ""
+        copy = changed_copy(self.dataset, self.folder / "damaged", change)
+        (copy / "rgb" / "000002.png").write_bytes(b"no picture")
+        (copy / "depth" / "000003.png").unlink()
+        page = self.folder / "damaged.html"
+        made = self.view(copy, "-o", page)
+        self.assertIn("2 images", made.stderr)
+        kinds = {kind["modality"]: kind for kind in data_of(page, "pictures")}
+        self.assertEqual(list(kinds), ["rgb", "depth", "instance", "semantic"])
+        self.assertEqual([i for i, file in enumerate(kinds["rgb"]["files"]) if not file], [2])
+        self.assertEqual([i for i, file in enumerate(kinds["depth"]["files"]) if not file], [3])
+
+    def test_many_large_pictures_stay_below_the_limit(self):
+        noise = np.random.default_rng(1).integers(0, 256, (240, 320, 3), np.uint8)
+        count = 700
+
+        def change(card):
+            frame = card["frames"][0]
+            card["frames"] = [{**frame, "index": i, "time_s": 0.1 * i} for i in range(count)]
+        copy = changed_copy(self.dataset, self.folder / "many", change)
+        for kind, picture in (("rgb", noise), ("instance", noise[:, :, 0].astype(np.uint16)),
+                              ("semantic", noise[:, :, 0] % 41)):
+            shutil.rmtree(copy / kind)
+            (copy / kind).mkdir()
+            cv2.imwrite(str(copy / kind / "000000.png"), picture)
+            for i in range(1, count):
+                os.link(copy / kind / "000000.png", copy / kind / f"{i:06d}.png")
+        page = self.folder / "many.html"
+        self.view(copy, "-o", page)
+        size = page.stat().st_size
+        self.assertLess(size, 10_000_000)
+        self.assertGreater(size, 8_000_000)  # as much as fits
+        files = data_of(page, "pictures")[0]["files"]
+        pictured = {i for i, file in enumerate(files) if file}
+        best = {row["best_frame"] for row in self.card["metrics"]["counted"]["per_object"]}
+        self.assertGreaterEqual(pictured, best)
+        self.assertGreater(len(pictured), 50)
+        self.assertTrue(any(f"{len(pictured)} of {count} frames" in note
+                            for note in data_of(page, "notes")))
+
+
+class Page(ViewCase):
+    """The page in a browser. The dataset has a hostile name and an object that is not captured."""
+
+    @classmethod
+    def setUpClass(cls):
+        browser.need_browser()
+        super().setUpClass()
+        cls.book = next(o["id"] for o in cls.card["objects"] if o["name"] == "book")
+        cls.sofa = next(o["id"] for o in cls.card["objects"] if o["name"] == "sofa")
+
+        def change(card):
+            card["objects"][cls.book - 1]["name"] = HOSTILE
+            for row in card["metrics"]["counted"]["per_object"]:
+                if row["object_id"] == cls.book:
+                    row.update(captured=False, well_captured=False)
+            for row in card["metrics"]["planned"]["ledger"]:
+                if row["id"] == cls.book:
+                    row.update(captured=False, reason="The sofa hides it from everywhere.",
+                               remedy={"text": "move the sofa <b>away</b>", "well": True})
+        cls.shown = changed_copy(cls.dataset, cls.folder / "shown", change)
+        cls.card = card_of(cls.shown)
+        cls.page = cls.folder / "page.html"
+        cls.view(cls.shown, "-o", cls.page)
+        cls.browser = browser.Browser()
+        cls.addClassCleanup(cls.browser.close)
+
+    def setUp(self):
+        self.browser.look()
+        self.browser.open(self.page)
+
+    def tearDown(self):
+        self.browser.note_logs()
+        self.assertEqual(self.browser.errors, [])
+        asked = [url for url in self.browser.requests
+                 if not url.startswith(("file://", "data:", "about:"))]
+        self.assertEqual(asked, [])
+
+    def place(self, kind, number):
+        """Where a frame or an object can be clicked in the 3D view; None where it is covered."""
+        at = self.browser.run(f"return datasetView.{kind}At({number})")
+        under = at and self.browser.run("return datasetView.under(arguments[0], arguments[1])",
+                                        round(at["x"]), round(at["y"]))
+        return (at["x"], at["y"]) if under and under.get(kind) == number else None
+
+    def open_places(self, kind, numbers):
+        return {number: place for number in numbers if (place := self.place(kind, number))}
+
+    def frame_image(self, kind, frame):
+        return cv2.imread(str(self.shown / kind / f"{frame:06d}.png"), cv2.IMREAD_UNCHANGED)
+
+    def facts(self):
+        words = self.browser.texts("#objects li.chosen dt")
+        return dict(zip(words, self.browser.texts("#objects li.chosen dd")))
+
+    # --- the 3D view
+
+    def test_the_view_shows_something_that_turns(self):
+        before = self.browser.picture("canvas")
+        self.assertGreater(len(np.unique(before.reshape(-1, 3), axis=0)), 100)
+        self.browser.drag(400, 600, 160, 20)
+        turned = self.browser.picture("canvas")
+        self.assertGreater(browser.difference(before, turned), 4)
+        self.browser.click("#reset")
+        self.assertLess(browser.difference(before, self.browser.picture("canvas")), 0.5)
+        self.browser.click("#show-room")
+        self.assertGreater(browser.difference(before, self.browser.picture("canvas")), 4)
+
+    def test_a_click_on_a_camera_shows_its_frame(self):
+        places = self.open_places("frame", range(FRAMES))
+        self.assertGreater(len(places), 3)
+        for frame, place in list(places.items())[1:4]:
+            self.browser.click_at(*place)
+            self.assertIn(f"Frame {frame} ·", self.browser.text("#frame-facts"))
+            self.assertIn(f"Frame {frame} of", self.browser.text("#now"))
+            shown = self.browser.picture("#picture")
+            apart = [browser.difference(shown, self.frame_image("rgb", i)) for i in range(FRAMES)]
+            self.assertEqual(int(np.argmin(apart)), frame)
+            self.assertLess(apart[frame], 6)
+
+    def test_a_click_on_an_object_shows_its_row(self):
+        self.browser.click("#show-cameras")
+        places = self.open_places("object", [self.sofa])
+        self.assertIn(self.sofa, places)
+        self.browser.click_at(*places[self.sofa])
+        row = next(r for r in self.card["metrics"]["counted"]["per_object"]
+                   if r["object_id"] == self.sofa)
+        facts = self.facts()
+        self.assertEqual(facts["Class"], "sofa")
+        self.assertEqual(facts["State"], "well captured" if row["well_captured"] else
+                         "captured" if row["captured"] else "not captured")
+        self.assertEqual(int(facts["Best frame"]), row["best_frame"])
+        for word, key in (("Visible share", "visible_fraction"), ("In the picture", "box_share")):
+            share = float(re.search(r"[\d.]+", facts[word])[0]) / 100
+            self.assertAlmostEqual(share, row[key], delta=6e-4)
+        self.browser.click("#objects li.chosen .go")
+        self.assertIn(f"Frame {row['best_frame']} ·", self.browser.text("#frame-facts"))
+        self.assertIn("sofa", self.browser.text("#best-of"))
+        self.browser.click_at(40, 700)  # beside everything
+        self.assertEqual(self.facts(), {})
+
+    def test_moving_objects_stand_where_the_frame_has_them(self):
+        mug = next(o["id"] for o in self.card["objects"] if o["name"] == "mug")
+        seen = []
+        for key in ("\ue011", "\ue010"):  # Home, End
+            self.browser.press(key)
+            seen.append(self.browser.run(f"return datasetView.objectAt({mug})"))
+        moved = np.hypot(seen[0]["x"] - seen[1]["x"], seen[0]["y"] - seen[1]["y"])
+        self.assertGreater(moved, 10)
+
+    # --- pictures, list, keys
+
+    def test_each_kind_of_picture_shows_the_frame(self):
+        self.browser.open(self.page, "#frame=5")
+        self.assertEqual(self.browser.texts("#kinds button"),
+                         ["Colour", "Depth", "Objects", "Classes"])
+        self.browser.click("[data-modality=depth]")
+        depth = self.frame_image("depth", 5).astype(float)
+        expected = np.where(depth > 0, 255 - 215 * depth / depth.max(), 0)
+        shown = self.browser.picture("#picture").mean(axis=2)
+        self.assertLess(browser.difference(shown, expected), 6)
+        self.browser.click("[data-modality=instance]")
+        source = self.browser.find("#picture").get_attribute("src")
+        colours = browser.decoded(base64.b64decode(source.split(",")[1]))
+        ids = self.frame_image("instance", 5)
+        self.assertEqual(colours.shape[:2], ids.shape)
+        swatches = {o["id"]: o["color"][::-1] for o in data_of(self.page, "dataset")["objects"]}
+        for number in set(np.unique(ids)) - {0}:
+            expected = [swatches[number]]
+            self.assertEqual(np.unique(colours[ids == number], axis=0).tolist(), expected)
+
+    def test_search_and_filter_narrow_the_list(self):
+        everything = self.browser.texts("#objects .name")
+        targets = [o["name"] for o in self.card["objects"] if o["role"] == "target"]
+        self.assertEqual(everything, targets)
+        self.browser.press("/")
+        self.browser.press("SOF")
+        self.assertEqual(self.browser.texts("#objects .name"), ["sofa"])
+        self.assertEqual(self.browser.text("#object-count"), "1 listed")
+        self.browser.press("x")
+        self.assertEqual(self.browser.text("#object-count"), "No object fits.")
+        self.browser.press("\ue003\ue003\ue003\ue003")  # Backspace
+        self.assertEqual(self.browser.texts("#objects .name"), targets)
+        self.browser.find("#filter").send_keys("Not captured")
+        captured = {row["object_id"] for row in self.card["metrics"]["counted"]["per_object"]
+                    if row["captured"]}
+        self.assertEqual(self.browser.texts("#objects .name"),
+                         [o["name"] for o in self.card["objects"]
+                          if o["role"] == "target" and o["id"] not in captured])
+        self.browser.click(f"#objects [data-id='{self.book}'] .row")
+        facts = self.facts()
+        self.assertEqual(facts["State"], "not captured")
+        self.assertEqual(facts["Why not"], "The sofa hides it from everywhere.")
+        self.assertEqual(facts["What helps"], "move the sofa <b>away</b>")
+        self.assertIsNone(self.browser.run("return window.hacked || null"))
+
+    def test_keys_step_and_play(self):
+        self.browser.press("\ue014\ue014\ue014")  # right
+        self.assertIn("Frame 3 of", self.browser.text("#now"))
+        self.browser.press("\ue012")  # left
+        self.assertIn("Frame 2 of", self.browser.text("#now"))
+        self.browser.press(" ")
+        self.assertEqual(self.browser.text("#play"), "Pause")
+        for _ in range(200):
+            self.browser.settle()
+            if self.browser.text("#play") == "Play":
+                break
+        self.assertIn(f"Frame {FRAMES - 1} of", self.browser.text("#now"))
+        self.browser.press(" ")
+        self.assertEqual(self.browser.text("#play"), "Pause")
+        self.browser.press(" ")
+        self.assertEqual(self.browser.text("#play"), "Play")
+
+    def test_a_link_leads_to_frame_object_and_picture(self):
+        self.browser.open(self.page, f"#frame=4&object={self.sofa}&picture=depth")
+        self.assertIn("Frame 4 ·", self.browser.text("#frame-facts"))
+        self.assertEqual(self.facts()["Class"], "sofa")
+        self.assertEqual(self.browser.find("[data-modality=depth]").get_attribute("aria-pressed"),
+                         "true")
+        self.browser.open(self.page, "#frame=99999&object=abc&picture=nothing&view=1")
+        self.assertIn("Frame 0 ·", self.browser.text("#frame-facts"))
+
+    def test_nothing_is_cut_or_pale(self):
+        for width, height in ((1024, 700), (1920, 1080)):
+            for dark in (False, True):
+                self.browser.look(width, height, dark)
+                self.browser.open(self.page, f"#object={self.book}")
+                with self.subTest(width=width, dark=dark):
+                    self.assertEqual(self.browser.run(CUT_TEXTS), [])
+                    self.assertEqual(self.browser.run(PALE_TEXTS), [])
+
+    # --- with less
+
+    def test_without_the_scene_boxes_and_trajectory_are_left(self):
+        alone = self.folder / "alone" / "dataset"
+        alone.parent.mkdir()
+
+        def change(card):
+            card["scene"]["path"] = "/nowhere/room.obj"
+            card["scene"]["file"] = "gone.obj"
+        changed_copy(self.dataset, alone, change)
+        made = self.view(alone)
+        self.assertIn("gone.obj", made.stderr)
+        self.browser.open(self.folder / "alone" / "dataset.html")
+        self.assertIn("gone.obj", self.browser.text("#notes"))
+        picture = self.browser.picture("canvas")
+        self.assertGreater(len(np.unique(picture.reshape(-1, 3), axis=0)), 30)
+        self.assertEqual(self.browser.driver.find_elements("id", "show-room"), [])
+        self.browser.click("#show-cameras")
+        at = self.browser.run(f"return datasetView.objectAt({self.sofa})")
+        self.browser.click_at(at["x"], at["y"])
+        self.assertEqual(self.facts()["Class"], "sofa")
+
+    def test_without_webgl_frames_and_lists_are_left(self):
+        plain = browser.Browser("--disable-3d-apis")
+        self.addCleanup(plain.close)
+        plain.look()
+        plain.open(self.page)
+        self.assertIn("no WebGL", plain.text("#no-webgl"))
+        plain.press("\ue014")
+        self.assertIn("Frame 1 of", plain.text("#now"))
+        shown = plain.picture("#picture")
+        self.assertLess(browser.difference(shown, self.frame_image("rgb", 1)), 6)
+        self.assertIn("sofa", plain.texts("#objects .name"))
+
+
+class Storeys(FolderCase):
+    def test_a_storey_can_be_chosen(self):
+        browser.need_browser()
+        boxes = []
+        for level in (0, 1):
+            y = 3.0 * level
+            boxes += [(f"floor_{level}", (0, y - 0.3, 0), (4, y, 3)),
+                      (f"wall_{level}_1", (-0.1, y, 0), (0, y + 2.7, 3)),
+                      (f"wall_{level}_2", (4, y, 0), (4.1, y + 2.7, 3)),
+                      (f"wall_{level}_3", (0, y, -0.1), (4, y + 2.7, 0)),
+                      (f"wall_{level}_4", (0, y, 3), (4, y + 2.7, 3.1)),
+                      (f"table_{level}", (2.6, y, 0.8), (3.4, y + 0.74, 2.2))]
+        boxes.append(("ceiling", (0, 5.7, 0), (4, 5.8, 3)))
+        scene = self.folder / "storeys.obj"
+        tiny_room.write_boxes(scene, boxes)
+        made = run("export", scene, "--out", self.folder / "storeys", "--max-frames", "8",
+                   "--set", "width_px=64", "--set", "height_px=48")
+        self.assertIn(made.returncode, (0, 3), made.stderr)
+        page = self.folder / "storeys.html"
+        self.assertEqual(run("view", self.folder / "storeys", "-o", page).returncode, 0)
+        self.assertEqual(len(data_of(page, "room")["storeys"]), 2)
+        shown = browser.Browser()
+        self.addCleanup(shown.close)
+        shown.look()
+        shown.open(page)
+        both = shown.picture("canvas")
+        self.assertEqual(shown.texts("#storey option"), ["up to 1", "all"])
+        names = "return [...document.querySelectorAll('#labels span:not([hidden])')]" \
+                ".filter(label => label.className !== 'camera').map(label => label.textContent)"
+        self.assertIn("table_1", shown.run(names))
+        places = "return frames.map(frame => { const at = datasetView.frameAt(frame.index);" \
+                 "return at && datasetView.under(Math.round(at.x), Math.round(at.y)); })"
+        self.assertEqual(shown.run(places), [{"frame": 0}, {"frame": 1}])
+        shown.find("#storey").send_keys("up")
+        shown.settle()
+        below = [bool(place) and "frame" in place for place in shown.run(places)]
+        self.assertEqual(sorted(below), [False, True])
+        self.assertEqual(shown.run(names), ["table_0"])
+        self.assertGreater(browser.difference(both, shown.picture("canvas")), 4)
+
+
+# Elements whose text reaches beyond them or the window.
+CUT_TEXTS = """
+const cut = [];
+for (const element of document.querySelectorAll("body *")) {
+  if (element.closest("script, option, #labels") || element.getClientRects().length === 0) continue;
+  const own = [...element.childNodes].some(node => node.nodeType === 3 && node.data.trim() !== "");
+  if (!own) continue;
+  const box = element.getBoundingClientRect();
+  const style = getComputedStyle(element);
+  const inline = style.display === "inline";
+  const list = element.closest("#objects");
+  if (box.right > innerWidth + 1 || box.left < -1 || (!list && box.bottom > innerHeight + 1) ||
+      (!inline && element.scrollWidth > element.clientWidth + 1))
+    cut.push(`${element.tagName} ${element.id} ${element.textContent.slice(0, 40)}`);
+}
+return cut;
+"""
+
+# Texts with less contrast than 4.5 to 1 (WCAG 2) before the background behind them.
+PALE_TEXTS = """
+const numbers = text => text.match(/[\\d.]+/g).map(Number);
+const light = colour => colour.slice(0, 3).map(v => v / 255)
+  .map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+  .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+const behind = element => {
+  for (let one = element; one; one = one.parentElement) {
+    const colour = numbers(getComputedStyle(one).backgroundColor);
+    if (colour.length === 3 || colour[3] > 0.5) return colour;
+  }
+  return [255, 255, 255];
+};
+const pale = [];
+for (const element of document.querySelectorAll("body *")) {
+  if (element.closest("script, option") || element.getClientRects().length === 0) continue;
+  const own = [...element.childNodes].some(node => node.nodeType === 3 && node.data.trim() !== "");
+  if (!own) continue;
+  const pair = [light(numbers(getComputedStyle(element).color)), light(behind(element))];
+  const contrast = (Math.max(...pair) + 0.05) / (Math.min(...pair) + 0.05);
+  if (contrast < 4.5) pale.push(`${element.tagName} ${element.className} ${contrast}`);
+}
+return pale;
+"""
+
+if __name__ == "__main__":
+    unittest.main()
