@@ -2,7 +2,7 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
-#include "render/draw/look_inside.h"
+#include "render/draw/storey_cutaway.h"
 #include "render/verify/read/stored_dataset.h"
 
 #include <vector>

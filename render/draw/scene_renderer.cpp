@@ -47,7 +47,7 @@ struct SceneRenderer::Impl {
     LightPass light;
     std::map<std::pair<int, int>, MultisampleBuffer> looks;  // by width and height
     SilhouetteCounter silhouettes;
-    AmodalMaskRenderer whole_masks;
+    AmodalMaskRenderer amodal_masks;
     std::map<int, RestingObject> resting;  // uploaded state of the objects that were moved
     const TracedReflections* reflections = nullptr;
     std::vector<Eigen::Vector4f> reflected;  // reused between pictures
@@ -151,15 +151,15 @@ Result<SceneRenderer> SceneRenderer::create(const Scene& scene, const LightVolum
     if (!culling) return tl::unexpected(culling.error());
     Result<SilhouetteCounter> silhouettes = SilhouetteCounter::create();
     if (!silhouettes) return tl::unexpected(silhouettes.error());
-    Result<AmodalMaskRenderer> whole_masks = AmodalMaskRenderer::create();
-    if (!whole_masks) return tl::unexpected(whole_masks.error());
+    Result<AmodalMaskRenderer> amodal_masks = AmodalMaskRenderer::create();
+    if (!amodal_masks) return tl::unexpected(amodal_masks.error());
     auto impl = std::make_unique<Impl>(Impl{std::move(*uploaded),
                                             std::move(*surfaces),
                                             std::move(*culling),
                                             {},
                                             {},
                                             std::move(*silhouettes),
-                                            std::move(*whole_masks),
+                                            std::move(*amodal_masks),
                                             {},
                                             nullptr,
                                             {}});
@@ -223,7 +223,7 @@ Status SceneRenderer::addLight(const View& view, const LightSum& sum, RenderTarg
 
 Result<std::vector<RenderedAmodalMask>> SceneRenderer::drawWhole(const View& view,
                                                                  std::span<const int> object_ids) {
-    return impl_->whole_masks.draw(impl_->scene, view, object_ids);
+    return impl_->amodal_masks.draw(impl_->scene, view, object_ids);
 }
 
 void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
