@@ -23,9 +23,9 @@ constexpr std::array<ShownModality, 6> kShown = {{{"rgb", "Colour"},
                                                   {"depth_sensor", "Sensor depth"},
                                                   {"instance", "Objects"},
                                                   {"semantic", "Classes"}}};
-// Tried one after the other.
-constexpr std::array<SmallPictureSize, 8> kSizes = {
-    {{640, 85}, {512, 85}, {448, 82}, {384, 80}, {320, 80}, {256, 78}, {208, 75}, {160, 72}}};
+// Tried one after the other; the first is as wide as the page shows pictures.
+constexpr std::array<SmallPictureSize, 7> kSizes = {
+    {{512, 82}, {448, 82}, {384, 80}, {320, 80}, {256, 78}, {208, 75}, {160, 72}}};
 constexpr std::size_t kTried = 12;       // frames of which sizes are estimated
 constexpr double kSafety = 1.06;         // of the estimate
 constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also where there is no picture
