@@ -1,6 +1,7 @@
 #include "app/batch/batch_folder.h"
 #include "app/batch/job.h"
 #include "app/batch/jobs_file.h"
+#include "app/batch/log_end.h"
 #include "app/batch/markup.h"
 #include "app/batch/name_pattern.h"
 #include "app/batch/scene_files.h"
@@ -275,6 +276,18 @@ TEST(BatchFolder, OnlyOthersFilesStandInTheWay) {
     (void)other.write("jobs.json", "[1, 2]");
     EXPECT_FALSE(claimBatchFolder(other.path(), {{}, {}}));
     EXPECT_EQ(io::readText(other.path() / "jobs.json").value_or(""), "[1, 2]");
+}
+
+TEST(LogEnd, StartsAtALineUnlessTheLastLineIsLonger) {
+    const test::TempFolder folder;
+    const auto log = folder.write("log.txt", "first\nsecond\nthird\n");
+    EXPECT_EQ(endOf(log, 100), "first\nsecond\nthird\n");
+    EXPECT_EQ(endOf(log, 10), "third\n");
+    const auto one_line = folder.write("long.txt", std::string(50, 'x') + "the reason");
+    EXPECT_EQ(endOf(one_line, 10), "the reason");
+    const auto ended = folder.write("ended.txt", std::string(50, 'x') + "the reason\n");
+    EXPECT_EQ(endOf(ended, 11), "the reason\n");
+    EXPECT_EQ(endOf(folder.path() / "missing.txt", 10), "");
 }
 
 TEST(Markup, KeepsNothingThatWouldBeReadAsMarkup) {

@@ -190,7 +190,7 @@ TEST(SurfaceSample, IsEvenAndHasTheSurfacesColours) {
     ASSERT_EQ(points.size(), 4000U);
     int red = 0;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const SurfacePoint& point : points) {
+    for (const ColoredPoint& point : points) {
         if (point.position.z() > 0.5) {
             EXPECT_EQ(point.color, (std::array<std::uint8_t, 3>{0, 0, 128}));
             continue;

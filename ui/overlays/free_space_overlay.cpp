@@ -294,6 +294,12 @@ std::optional<Voxel> voxelAt(const FreeSpace& free_space, const render::View& vi
     double enter = view.near_m;
     double leave = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
+        if (ray.direction[k] == 0.0) {
+            const bool outside =
+                ray.origin[k] < region.min()[k] || ray.origin[k] > region.max()[k];
+            if (outside) return std::nullopt;
+            continue;
+        }
         const double a = (region.min()[k] - ray.origin[k]) / ray.direction[k];
         const double b = (region.max()[k] - ray.origin[k]) / ray.direction[k];
         enter = std::max(enter, std::min(a, b));

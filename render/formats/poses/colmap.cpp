@@ -72,10 +72,10 @@ bool isSeen(const DatasetContents& contents, const Intrinsics& lens, const RayCa
 }
 
 /// Samples `count` points on all surfaces of the scene and keeps those that frames show.
-std::vector<SurfacePoint> seenPoints(const DatasetContents& contents, const Intrinsics& lens,
+std::vector<ColoredPoint> seenPoints(const DatasetContents& contents, const Intrinsics& lens,
                                      const RayCaster& rays, int count) {
-    std::vector<SurfacePoint> points = sampleSurface(contents.scene, count, 1);
-    std::erase_if(points, [&](const SurfacePoint& point) {
+    std::vector<ColoredPoint> points = sampleSurface(contents.scene, count, 1);
+    std::erase_if(points, [&](const ColoredPoint& point) {
         return !isSeen(contents, lens, rays, point.position);
     });
     return points;
@@ -85,14 +85,14 @@ std::string points(const DatasetContents& contents, const Intrinsics& lens) {
     constexpr int kFewest = kPoints / 5;
     constexpr int kMostTimes = 10;  // in a large building, few points are visible
     const RayCaster rays(contents.scene);
-    std::vector<SurfacePoint> seen = seenPoints(contents, lens, rays, kPoints);
+    std::vector<ColoredPoint> seen = seenPoints(contents, lens, rays, kPoints);
     if (static_cast<int>(seen.size()) < kFewest) {
         const int times = kFewest / std::max(1, static_cast<int>(seen.size())) + 1;
         seen = seenPoints(contents, lens, rays, kPoints * std::min(times, kMostTimes));
     }
     std::string text = "# POINT3D_ID X Y Z R G B ERROR TRACK[] as (IMAGE_ID POINT2D_IDX)\n";
     int id = 0;
-    for (const SurfacePoint& point : seen) {
+    for (const ColoredPoint& point : seen) {
         text += fmt::format("{} {} {} {} {} 0\n", ++id, numbersText(point.position), point.color[0],
                             point.color[1], point.color[2]);
     }

@@ -47,7 +47,7 @@ std::array<std::uint8_t, 3> colorAt(const Scene& scene, std::uint32_t triangle,
 
 }  // namespace
 
-std::vector<SurfacePoint> sampleSurface(const Scene& scene, int count, std::uint64_t seed) {
+std::vector<ColoredPoint> sampleSurface(const Scene& scene, int count, std::uint64_t seed) {
     std::vector<double> area_up_to;  // cumulative area by triangle
     area_up_to.reserve(scene.triangles.size());
     double area = 0.0;
@@ -59,7 +59,7 @@ std::vector<SurfacePoint> sampleSurface(const Scene& scene, int count, std::uint
                           .norm();
         area_up_to.push_back(area);
     }
-    std::vector<SurfacePoint> points;
+    std::vector<ColoredPoint> points;
     if (!(area > 0.0)) return points;
     Random random(seed);
     for (int i = 0; i < count; ++i) {
@@ -72,7 +72,7 @@ std::vector<SurfacePoint> sampleSurface(const Scene& scene, int count, std::uint
         const double root = std::sqrt(random.uniform());
         const double along = random.uniform();
         const Eigen::Vector3d share(1.0 - root, root * (1.0 - along), root * along);
-        SurfacePoint point{Eigen::Vector3d::Zero(), {}};
+        ColoredPoint point{Eigen::Vector3d::Zero(), {}};
         Eigen::Vector2f uv = Eigen::Vector2f::Zero();
         for (int c = 0; c < 3; ++c) {
             point.position += share[c] * scene.positions[corners[c]].cast<double>();

@@ -169,9 +169,9 @@ bool PathLine::draw(const FolderOrder& order, float width) {
                                           on_tab, this);
     nameItem("files.path");
     typing_ = ImGui::IsItemActive();
-    if (text_ != before) escaped_ = false;
+    if (text_ != before) suggestions_hidden_ = false;
     if (ImGui::IsItemActivated()) {
-        escaped_ = !takes_over_;  // suggestions appear with the first letter
+        suggestions_hidden_ = !takes_over_;  // suggestions appear with the first letter
         takes_over_ = false;
     }
     if (entered) {
@@ -179,7 +179,7 @@ bool PathLine::draw(const FolderOrder& order, float width) {
         return true;
     }
     // Clicking a suggestion takes the keyboard from the field, but must still be handled below.
-    if (!(typing_ || was_typing) || escaped_) return false;
+    if (!(typing_ || was_typing) || suggestions_hidden_) return false;
     updateOffers(order);
     if (offers_.empty()) return false;
     const ImVec2 low = ImGui::GetItemRectMin();

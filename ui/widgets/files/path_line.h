@@ -35,7 +35,7 @@ class PathLine {
     bool wants_focus_ = false;
     bool takes_over_ = false;  // typed letters are kept for this field until it has the keyboard
     bool to_end_ = false;      // move the cursor to the end
-    bool escaped_ = false;     // suggestions are hidden until the text changes
+    bool suggestions_hidden_ = false;  // until the text changes
     FolderReader reader_;
     std::string asked_folder_;  // folder of the pending request
     std::shared_ptr<const FolderListing> listing_;
