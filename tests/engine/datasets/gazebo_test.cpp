@@ -101,7 +101,7 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
                                                                   R"(</link></model>
  <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
     // The wrist holds the palm, which stands turned at x = 10, to the base.
-    expectBox(scene, "base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
+    expectBox(scene, "arm::base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
     EXPECT_EQ(find(scene, "palm"), nullptr);
     expectBox(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
     // The shelf's top is at its pose, and the board's visual one above.

@@ -28,11 +28,11 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
  <joint name="b" type="fixed"><origin xyz="2 0 0"/><parent link="arm"/><child link="sofa"/></joint>
  <link name="sofa"><visual><geometry><mesh filename="package://other_name/meshes/l.obj" scale="1 1 2"/></geometry></visual></link>
 </robot>)"));
-    expectBox(scene, "base", {-1, -1, -0.1}, {1, 1, 0.1});
+    expectBox(scene, "room::base", {-1, -1, -0.1}, {1, 1, 0.1});
     expectBox(scene, "arm", {-0.5, 0.5, 0.5}, {0.5, 1.5, 1.5});
     // Turned by 90 degrees, (x, y, z) becomes (-y, x, z); z is doubled.
     expectBox(scene, "sofa", {-0.5, 1.0, 0.0}, {0.0, 3.0, 4.0});
-    const Object* base = find(scene, "base");
+    const Object* base = find(scene, "room::base");
     EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
         Eigen::Vector3f(0, 0, 1)));
 }
