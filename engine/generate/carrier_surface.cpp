@@ -12,12 +12,12 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // cm
-constexpr double kLift = 0.05;          // between a thing and what it stands on
-constexpr double kUneven = 0.6;         // how much lower a corner's support may be
-constexpr double kShelfHeadroom = 1.0;  // above a thing in a shelf
-constexpr double kSupported = 0.7;      // how far out its corners are carried, of half its size
+constexpr double kLift = 0.05;          // gap between an object and its supporting surface
+constexpr double kUneven = 0.6;         // largest height difference of the supporting points
+constexpr double kShelfHeadroom = 1.0;  // free height above an object in a shelf
+constexpr double kSupported = 0.7;      // position of the supporting points: share of half the size
 
-/// Height at which the vertical line through p meets a triangle.
+/// Height at which the vertical line through p intersects a triangle; null if it does not.
 std::optional<double> heightAt(const TriangleInRoom& t, const Vector2d& p) {
     const auto side = [&](const Vector3d& a, const Vector3d& b) {
         return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());

@@ -9,26 +9,27 @@
 
 namespace dollytrack::generate {
 
-/// The surface of a piece that carries things: its top, its boards, its open compartments.
+/// The triangles of a piece of furniture, to place objects on its top or shelves.
 class CarrierSurface {
   public:
     CarrierSurface(const homes::FurnitureModel& model, const PlacedPiece& placed);
 
-    /// Where a thing stands.
+    /// A resting height of an object.
     struct Rest {
-        double height = 0.0;            // its elevation
-        std::optional<UprightBox> way;  // from the front; nothing where it is open above
+        double height = 0.0;            // elevation of the object's bottom
+        std::optional<UprightBox> way;  // free box to the front; null if it is free above
     };
-    /// How a thing stands at its place, if it can: its corners and its middle are carried, no
-    /// triangle of the carrier reaches into it, and a hand could have put it there, straight down
-    /// from above or straight in from the front. One height by chance of several.
+    /// The height at which the object can stand at its position, randomly chosen if there are
+    /// several; null if there is none. The surface must support the object's centre and four
+    /// points towards its corners, no triangle may intersect the object, and the object must be
+    /// accessible straight from above or straight from the front.
     [[nodiscard]] std::optional<Rest> restFor(const PlacedPiece& thing, Random& random) const;
 
   private:
     using Nearby = std::vector<const TriangleInRoom*>;
     [[nodiscard]] Nearby trianglesIn(const UprightBox& box) const;
     [[nodiscard]] bool isFree(const UprightBox& box) const;
-    /// What the thing passes on its way in from the front.
+    /// The box that the object sweeps when it is inserted from the front.
     [[nodiscard]] UprightBox wayIn(const UprightBox& box) const;
 
     UprightBox carrier_;

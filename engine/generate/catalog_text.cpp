@@ -26,7 +26,7 @@ void appendUtf8(std::string& text, unsigned code) {
 
 constexpr double kLargestPiece = 10'000.0;  // cm
 
-/// A value's bytes are Latin-1, and "\u00e9" is written out.
+/// A value as UTF-8. Its bytes are Latin-1, and other characters are escaped ("\u00e9").
 std::string unescaped(std::string_view value) {
     std::string text;
     for (std::size_t i = 0; i < value.size(); ++i) {
@@ -102,7 +102,7 @@ bool isUsable(const CatalogPiece& piece) {
 }  // namespace
 
 CatalogText parseCatalog(std::string_view text) {
-    std::map<int, Entry> entries;  // 0: the library's own
+    std::map<int, Entry> entries;  // by number; 0: keys of the library itself
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view line = trimmed(text.substr(at, end - at));

@@ -7,12 +7,13 @@ namespace dollytrack::generate {
 namespace {
 
 constexpr int kPlacementTries = 12;
-constexpr double kEyeHeight = 155.0;  // cm: the middle of what hangs on a wall
+constexpr double kEyeHeight = 155.0;  // cm: height of the centres of objects on walls
 constexpr double kSwitchSize = 20.0;
-constexpr double kLampHeadroom_cm = 165.0;  // under a lamp
-constexpr double kFixed = 0.3;              // between a thing and the wall or ceiling it hangs on
+constexpr double kLampHeadroom_cm = 165.0;  // free height under a lamp
+constexpr double kFixed = 0.3;              // gap between an object and its wall or ceiling
 
-/// Where the library hangs it, or at eye height.
+/// Elevation of an object on a wall: the library's for switches and for objects that hang high;
+/// other objects are centred at eye height.
 double hangingHeight(const CatalogPiece& piece, double room_height) {
     const bool own = piece.width < kSwitchSize || piece.elevation > 180.0;
     if (own) return std::min(piece.elevation, room_height - piece.height - 5.0);
@@ -55,7 +56,7 @@ void addFloorThing(Furnisher& f, FurnitureRole role) {
     for (int i = 0; i < kPlacementTries; ++i) {
         const CatalogPiece* piece = f.pick(role);
         if (!piece) return;
-        // Not in the middle of the room: within half a metre of some wall, its back to it.
+        // Near a wall (within half a metre) and with its back to it, not in the middle of the room.
         const int wall = f.anyWall();
         const double along = f.random.uniform(0.0, f.layout.wallLength(wall));
         const double slack = 0.5 * (std::hypot(piece->width, piece->depth) - piece->depth);

@@ -9,11 +9,12 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kCell = 10.0;              // cm
-constexpr double kReach = 25.0;             // half of what a camera needs to pass
-constexpr std::size_t kNiche = 12;          // cells that need not be joined
-constexpr std::size_t kLeastShareInv = 12;  // a twelfth of the floor stays open
+constexpr double kReach = 25.0;             // half the width that a camera needs
+constexpr std::size_t kNiche = 12;          // largest number of unconnected cells
+constexpr std::size_t kLeastShareInv = 12;  // at least a twelfth of the floor stays free
 
-/// Numbers the joined parts of the open cells from 1; gives their sizes.
+/// Numbers the connected components of the free cells from 1. Returns their sizes in cells, by
+/// number.
 std::vector<std::size_t> joinedParts(const std::vector<bool>& open, int columns, int rows,
                                      std::vector<int>& part_of) {
     std::vector<std::size_t> sizes = {0};

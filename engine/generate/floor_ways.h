@@ -6,18 +6,19 @@
 
 namespace dollytrack::generate {
 
-/// The floor as a grid: where a camera with some room around it could be, and whether all of that
-/// is joined.
+/// A grid of the floor: the cells in which a camera with some clearance fits, and whether these
+/// cells are connected.
 class FloorWays {
   public:
-    /// Sizes of the room, cm.
+    /// Size of the room, cm.
     FloorWays(double length, double width);
 
-    /// A point that has to be reached: where one comes in.
+    /// Adds a point that must stay reachable, such as the floor before the door.
     void reach(const Eigen::Vector2d& point) { entrances_.push_back(point); }
-    /// Whether with one box more everything open is still one part, but for small niches, and
-    /// large enough, and holds the entrances.
+    /// Whether the free cells would still be connected with one more box: all but small niches in
+    /// one component, which covers a twelfth of the floor and contains all points of reach().
     [[nodiscard]] bool stayJoinedWith(const UprightBox& box) const;
+    /// Marks the cells as blocked in which a camera would touch the box.
     void block(const UprightBox& box) { close(box, open_); }
 
   private:

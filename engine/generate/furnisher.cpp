@@ -9,7 +9,8 @@ namespace {
 constexpr int kChoices = 3;
 constexpr int kFurnishingTries = 8;
 
-/// How often a room may hold the same thing; pairs and rows of furniture are as they should be.
+/// How many equal pieces of a role a room may contain; unlimited for furniture, which often
+/// comes in pairs and rows.
 int mostAlike(FurnitureRole role, int most_small) {
     using enum FurnitureRole;
     switch (role) {
@@ -31,7 +32,8 @@ int mostAlike(FurnitureRole role, int most_small) {
     }
 }
 
-/// Libraries have several models of what a room has one of: televisions, clocks, bins.
+/// Whether two pieces count as equal: decorations by name, because libraries contain several
+/// models of clocks, bins and the like; other pieces only if they are the same.
 bool areAlike(const CatalogPiece& a, const CatalogPiece& b, FurnitureRole role) {
     using enum FurnitureRole;
     const bool by_name = role == WallThing || role == FloorThing || role == WorkFloorThing;
@@ -49,7 +51,7 @@ const CatalogPiece* Furnisher::pick(FurnitureRole role) const {
             [&](const auto& placed) { return areAlike(*placed.piece, *piece, role); }));
     };
     const int most = mostAlike(role, most_alike);
-    // Only what is chosen is read: a library is large.
+    // isUsable() reads the model, so it is called for chosen pieces only; a library is large.
     for (int attempt = 0; attempt < kFurnishingTries; ++attempt) {
         const CatalogPiece* best = nullptr;
         for (int i = 0; i < kChoices; ++i) {

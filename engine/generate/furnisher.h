@@ -10,38 +10,39 @@
 
 namespace dollytrack::generate {
 
-/// What all that furnishes a room works with.
+/// The data that all furnishing functions use.
 struct Furnisher {
     FurniturePool& pool;
     Random& random;
     const JobContext& job;
     RoomLayout& layout;
-    int most_alike = 2;  // so often may the same small thing be there
+    int most_alike = 2;  // largest number of equal small objects in the room
 
-    /// Picks a piece of furniture for this role: of a few random ones the one that the room has
-    /// fewest of. Null if none is usable, or if the room has enough of each: one of a decoration,
-    /// `most_alike` of small objects.
+    /// Picks a piece of furniture for a role: out of a few random pieces, the one that occurs
+    /// least often in the room. Null if none is usable or all have reached their largest number:
+    /// one for decorations, `most_alike` for small objects, unlimited for furniture.
     const CatalogPiece* pick(FurnitureRole role) const;
     [[nodiscard]] bool tossCoin() const { return random.below(2) == 0; }
     int anyWall() const { return static_cast<int>(random.below(4)); }
 };
 
-/// A door near a corner, with the floor before it kept clear, and windows in other walls.
+/// Adds a door near a corner, keeps the floor before it free, and adds windows to other walls.
 void addDoorAndWindows(Furnisher& furnisher);
 
-/// One piece of the role with its back to some wall; its index.
+/// Adds a piece of the role with its back to a random wall. Returns its index; null if it fits
+/// nowhere in `tries` attempts.
 std::optional<std::size_t> addAtWall(Furnisher& furnisher, FurnitureRole role, int tries = 25);
 
-/// Kitchen units side by side along two walls, with cupboards above, and something tall.
+/// Adds kitchen units along two walls, cupboards above them, and at least one tall unit.
 void addKitchen(Furnisher& furnisher);
 
-/// Furniture that belongs together.
-void addBedGroup(Furnisher& furnisher);     // with night stands
-void addSofaGroup(Furnisher& furnisher);    // low table, armchairs, opposite a television's stand
-void addDeskGroup(Furnisher& furnisher);    // with a chair
-void addDiningGroup(Furnisher& furnisher);  // chairs all around, a lamp above
+/// Each adds a group of furniture; pieces that do not fit are left out.
+void addBedGroup(Furnisher& furnisher);     // bed, night stands
+void addSofaGroup(Furnisher& furnisher);    // sofa, low table, armchairs, TV stand opposite
+void addDeskGroup(Furnisher& furnisher);    // desk, chair
+void addDiningGroup(Furnisher& furnisher);  // table, chairs on all sides, lamp above
 
-/// Things on walls, on the floor and at the ceiling.
+/// Each adds a decoration: at the ceiling, on a random wall, or on the floor near a wall.
 void addCeilingLamp(Furnisher& furnisher, const Eigen::Vector2d& at);
 void addWallThing(Furnisher& furnisher);
 void addFloorThing(Furnisher& furnisher, FurnitureRole role);

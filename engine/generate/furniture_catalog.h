@@ -11,7 +11,7 @@
 
 namespace dollytrack::generate {
 
-/// What a library says of itself: its LICENSE.TXT.
+/// The LICENSE.TXT of a library.
 struct LibraryNotice {
     std::string library;
     std::string text;
@@ -21,8 +21,8 @@ struct LibraryNotice {
 /// PluginFurnitureCatalog.properties).
 class FurnitureCatalog {
   public:
-    /// Opens every .sh3f in a folder, by name; an empty path is the folder where Debian's
-    /// sweethome3d-furniture puts them. BadInput, naming that package, when there is none.
+    /// Opens every .sh3f file in a folder, in order of name. An empty path means the folder of
+    /// Debian's package sweethome3d-furniture. Error: BadInput if there is none or one is damaged.
     static Result<FurnitureCatalog> open(const std::filesystem::path& folder);
 
     [[nodiscard]] const std::vector<CatalogPiece>& pieces() const { return pieces_; }

@@ -13,7 +13,7 @@ using enum FurnitureRole;
 constexpr double kPi = std::numbers::pi;
 constexpr double kChairGap = 3.0;  // cm between a chair and its table
 
-/// A piece beside another, in line with its back.
+/// Adds a piece beside another, with their backs in line.
 void addBeside(Furnisher& f, const PlacedPiece& other, FurnitureRole role, double side) {
     const CatalogPiece* piece = f.pick(role);
     if (!piece) return;
@@ -25,7 +25,7 @@ void addBeside(Furnisher& f, const PlacedPiece& other, FurnitureRole role, doubl
     f.layout.add(placed);
 }
 
-/// A piece before another's front, looking its way or, turned by pi, at it.
+/// Adds a piece in front of another. It faces the same way, or the other piece if turned by pi.
 bool addBefore(Furnisher& f, const PlacedPiece& other, FurnitureRole role, double gap,
                double turn) {
     const CatalogPiece* piece = f.pick(role);
@@ -39,7 +39,7 @@ bool addBefore(Furnisher& f, const PlacedPiece& other, FurnitureRole role, doubl
     return f.layout.add(placed);
 }
 
-/// At an end of a low table, looking at it.
+/// Adds a seat at an end of a low table, facing it.
 void addSeatAtEnd(Furnisher& f, const PlacedPiece& table, FurnitureRole role, double side) {
     const CatalogPiece* piece = f.pick(role);
     if (!piece) return;
@@ -52,7 +52,7 @@ void addSeatAtEnd(Furnisher& f, const PlacedPiece& table, FurnitureRole role, do
     f.layout.add(placed);
 }
 
-/// At the wall that a seat looks at, as near to opposite as there is room.
+/// Adds a TV stand at the wall that a seat faces, as directly opposite as space permits.
 void addTelevisionStand(Furnisher& f, const PlacedPiece& seat) {
     const int wall = (static_cast<int>(std::lround(seat.angle / (0.5 * kPi))) + 2) % 4;
     const double opposite = wall % 2 == 0 ? seat.at.x() : seat.at.y();
@@ -82,7 +82,7 @@ void addChairsAround(Furnisher& f, const PlacedPiece& table) {
     const double out = 0.5 * (table.piece->depth + chair->depth) + kChairGap;
     for (const double side : {-1.0, 1.0}) {
         for (int i = 0; i < along; ++i) {
-            // A chair looks down the page; on the table's lower side it looks up at it.
+            // At angle 0 a chair faces down the page, so those on the lower side are turned by pi.
             add(table.at + ((i + 0.5) / along - 0.5) * width * across + side * out * down,
                 table.angle + (side > 0.0 ? kPi : 0.0));
         }

@@ -5,7 +5,7 @@
 namespace dollytrack::generate {
 namespace {
 
-// Some libraries hold sculpted models; a room of them would be slow everywhere.
+// Some libraries contain sculpted models, with which a room would be slow to plan and render.
 constexpr std::size_t kFinest = 80'000;  // triangles
 
 }  // namespace
@@ -32,7 +32,7 @@ bool FurniturePool::hasPieces() const {
 bool FurniturePool::isUsable(const CatalogPiece& piece, const JobContext& job) {
     const homes::FurnitureModel* model = modelOf(piece, job);
     if (!model) return false;
-    // Some models name pictures that their library lacks.
+    // Some models refer to textures that their library does not contain.
     for (const TextureRequest& picture : model->raw.textures) {
         if (picture.embedded.empty()) return false;
     }

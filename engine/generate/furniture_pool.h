@@ -9,24 +9,24 @@
 
 namespace dollytrack::generate {
 
-/// The pieces of a library by role, and their models; both looked up once for many rooms.
+/// The pieces of all libraries by role, and their models; each model is read once for many rooms.
 class FurniturePool {
   public:
-    /// `catalog` has to outlive this object.
+    /// `catalog` must outlive this object.
     explicit FurniturePool(const FurnitureCatalog& catalog);
 
-    /// The role's pieces, in the catalogue's order.
+    /// The pieces of a role, in the catalogue's order.
     [[nodiscard]] const std::vector<const CatalogPiece*>& piecesOf(FurnitureRole role) const;
-    /// Whether any piece has a role.
+    /// Whether at least one piece has a role.
     [[nodiscard]] bool hasPieces() const;
-    /// Whether the model can be read, has all its pictures and is not too fine.
+    /// Whether the model can be read, has all its textures and at most 80,000 triangles.
     bool isUsable(const CatalogPiece& piece, const JobContext& job);
-    /// Null when it cannot be read.
+    /// The model of a piece; null if it cannot be read.
     const homes::FurnitureModel* modelOf(const CatalogPiece& piece, const JobContext& job);
 
   private:
     const FurnitureCatalog& catalog_;
-    std::vector<homes::ModelLibrary> models_;  // of each archive: names may be the same
+    std::vector<homes::ModelLibrary> models_;  // one per library, because names may be equal
     std::array<std::vector<const CatalogPiece*>, kRoleCount> pieces_;
 };
 

@@ -25,8 +25,8 @@ constexpr std::array<std::string_view, kRoleCount> kNames = {
     "desk_thing",    "living_thing",  "kitchen_thing",
     "bedroom_thing", "shelf_thing"};
 
-constexpr double kHigh = 60.0;    // cm; lower than that nothing hangs but sockets
-constexpr double kStands = 20.0;  // some pieces that stand are drawn on a thick floor
+constexpr double kHigh = 60.0;    // cm: lowest elevation of hanging pieces, except sockets
+constexpr double kStands = 20.0;  // cm: highest elevation of standing pieces; some are not at 0
 
 std::vector<std::string_view> split(std::string_view text, char separator, std::size_t most) {
     std::vector<std::string_view> parts;

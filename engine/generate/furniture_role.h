@@ -9,7 +9,7 @@
 
 namespace dollytrack::generate {
 
-/// What a piece is for in a room.
+/// The function of a piece in a room.
 enum class FurnitureRole {
     Door,
     Window,
@@ -37,7 +37,7 @@ enum class FurnitureRole {
     FloorPlant,
     WallThing,
     FloorThing,
-    WorkFloorThing,  // where people work and eat
+    WorkFloorThing,  // on the floor of kitchens, dining rooms and offices
     DeskThing,
     LivingThing,
     KitchenThing,
@@ -46,12 +46,14 @@ enum class FurnitureRole {
 };
 constexpr int kRoleCount = static_cast<int>(FurnitureRole::ShelfThing) + 1;
 
-/// "night_stand" and so on, as the table of roles has it.
+/// The role's name in roles.csv, such as "night_stand".
 std::string_view roleName(FurnitureRole role);
 
-/// Which pieces play a role: by name, kind and size, since libraries hold sets of furniture, toys
-/// and oddities under plain names.
+/// Which pieces have a role: by name, category, elevation and size, because libraries also contain
+/// sets of furniture and toys under the same names.
 struct RoleRule {
+    /// Floor: elevation of at most 20 cm. High: of at least 60 cm. Wall: doors and windows, which
+    /// all other values exclude.
     enum class Place { Floor, High, Wall, Any };
     struct Range {
         double low = 0.0;
@@ -60,18 +62,18 @@ struct RoleRule {
     };
     FurnitureRole role = FurnitureRole::Door;
     Place place = Place::Any;
-    std::string category;  // empty: any; "-Office": any but that
+    std::string category;  // empty: any; "-Office": any other category
     Range width, depth, height;
-    std::vector<std::string> names;    // English
-    std::vector<std::string> without;  // ids
+    std::vector<std::string> names;    // English names of the pieces
+    std::vector<std::string> without;  // ids of excluded pieces
 
     [[nodiscard]] bool admits(const CatalogPiece& piece) const;
 };
 
-/// The rules of a table like assets/furniture/roles.csv, or the first line that is wrong.
+/// Parses a table like assets/furniture/roles.csv. Error: BadInput, with the first wrong line.
 Result<std::vector<RoleRule>> parseRoles(std::string_view csv, const std::string& where);
 
-/// assets/furniture/roles.csv.
+/// The rules of assets/furniture/roles.csv.
 const std::vector<RoleRule>& builtInRoles();
 
 }  // namespace dollytrack::generate

@@ -25,7 +25,7 @@ Result<std::vector<ArchiveFile>> modelFiles(const RoomLayout& layout,
     }
     std::vector<ArchiveFile> files;
     for (std::size_t i = 0; i < archives.size(); ++i) {
-        std::set<std::string> names;  // an archive may hold a name twice; its first counts
+        std::set<std::string> names;  // of duplicate names in an archive the first counts
         for (const std::string& name : archives[i]->names()) {
             if (folders[i].contains(folderOf(name))) names.insert(name);
         }

@@ -10,11 +10,11 @@
 
 namespace dollytrack::generate {
 
-/// What a library's file is called in a home, where those of several libraries lie side by side.
+/// The name of a library's file within a home, which may contain files of several libraries.
 std::string nameInHome(std::size_t archive, const std::string& name);
 
-/// The files of every model that a layout uses, each once: all that lies in the model's folder of
-/// its library, which holds its materials, pictures and often a licence.
+/// The files of all models that a layout uses, each once: the whole folder of each model, with
+/// materials, textures and often a licence. Error: as of reading a damaged library.
 Result<std::vector<ArchiveFile>> modelFiles(const RoomLayout& layout,
                                             const FurnitureCatalog& catalog);
 

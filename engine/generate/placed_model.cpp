@@ -36,7 +36,7 @@ std::vector<TriangleInRoom> trianglesOf(const homes::FurnitureModel& model,
         points.reserve(part.positions.size());
         for (const Eigen::Vector3f& p : part.positions) {
             const Vector3d q = to_source * p.cast<double>();
-            points.emplace_back(q.x(), q.z(), q.y());  // the source has the height second
+            points.emplace_back(q.x(), q.z(), q.y());  // y is the height in the source's axes
         }
         for (const Triangle& t : part.triangles) {
             triangles.push_back({points[t[0]], points[t[1]], points[t[2]]});

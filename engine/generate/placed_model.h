@@ -9,10 +9,10 @@
 
 namespace dollytrack::generate {
 
-/// A placed piece as one of a home.
+/// Converts a placed piece to a piece of a home.
 homes::HomePiece homePiece(const PlacedPiece& placed, const std::string& name);
 
-/// A piece's triangles where they stand in the room.
+/// The triangles of a placed piece, in the room's frame.
 std::vector<TriangleInRoom> trianglesOf(const homes::FurnitureModel& model,
                                         const PlacedPiece& placed);
 

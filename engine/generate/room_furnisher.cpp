@@ -11,9 +11,9 @@ void addSome(Furnisher& f, FurnitureRole role, int count) {
     for (int i = 0; i < count; ++i) addAtWall(f, role);
 }
 
-/// The groups first: they need most room.
+/// Adds the furniture of a kind of room. Groups come first because they need most space.
 void furnishKind(RoomKind kind, double area, int objects, Furnisher& f) {
-    constexpr double kCluttered = 4.0;  // objects on a square metre; they want shelves
+    constexpr double kCluttered = 4.0;  // objects per m2 above which offices get more shelves
     const int shelves = objects > kCluttered * area ? 2 : 0;
     const int more = std::clamp(static_cast<int>(area / 18.0), 1, 4);
     switch (kind) {

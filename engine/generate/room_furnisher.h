@@ -5,11 +5,12 @@
 
 namespace dollytrack::generate {
 
-/// Door, windows and the furniture of a room's kind, by function: beds with night stands, seats
-/// around tables, a sofa that faces its television, runs of kitchen units.
+/// Adds door, windows, ceiling lamps and the furniture of the room's kind, grouped by function:
+/// beds with night stands, seats around tables, a sofa facing its television, kitchen units.
 void furnish(const RoomSpec& spec, Furnisher& furnisher);
 
-/// Things on walls and on the floor, until the room holds `objects` or `tries` were made.
+/// Adds decorations on walls and floor until the room contains `objects` objects, with at most
+/// `tries` attempts.
 void decorate(RoomKind kind, int objects, int tries, Furnisher& furnisher);
 
 }  // namespace dollytrack::generate

@@ -17,7 +17,7 @@ std::vector<std::uint8_t> bytesOf(const std::string& text) {
     return {text.begin(), text.end()};
 }
 
-/// What the archive holds: the home, its pictures and models, their licences.
+/// The .sh3d archive: home, textures, models and licences.
 Result<std::vector<std::uint8_t>> archiveOf(const RoomLayout& layout,
                                             const std::vector<std::string>& names, RoomKind kind,
                                             const std::string& licenses,
@@ -44,7 +44,7 @@ RoomLayout layOut(const RoomSpec& spec, FurniturePool& pool, Random& random,
     RoomLayout layout(100.0 * spec.length_m, 100.0 * spec.width_m, 100.0 * spec.height_m);
     Furnisher furnisher{pool, random, job, layout};
     furnish(spec, furnisher);
-    // Some of what is still missing goes to walls and floor, most onto the furniture.
+    // Some of the missing objects are placed on walls and floor, most on the furniture.
     const int missing = spec.objects - layout.furnished();
     decorate(spec.kind, layout.furnished() + std::max(0, missing / 4), missing, furnisher);
     stackThings(spec.objects, furnisher);

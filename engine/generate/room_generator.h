@@ -15,22 +15,22 @@
 
 namespace dollytrack::generate {
 
-/// A furnished room as its files.
+/// The files of a furnished room.
 struct GeneratedRoom {
-    std::vector<std::uint8_t> home;  // room.sh3d: walls, furniture, models and pictures
+    std::vector<std::uint8_t> home;  // room.sh3d: walls, furniture, models and textures
     nlohmann::ordered_json truth;    // objects.json
     std::string licenses;            // LICENSES
-    int objects = 0;                 // doors and windows aside
+    int objects = 0;                 // without doors and windows
 };
 
-/// Makes rooms of a furniture library; each model is read once.
+/// Generates rooms with the furniture of a catalogue; each model is read once.
 class RoomGenerator {
   public:
-    /// `catalog` has to outlive this object.
+    /// `catalog` must outlive this object.
     explicit RoomGenerator(const FurnitureCatalog& catalog) : catalog_(catalog), pool_(catalog) {}
 
-    /// The room of this seed and number: the same whatever was made before. Errors: Cancelled, and
-    /// BadInput where the library is damaged.
+    /// Generates the room of this seed and number, independently of earlier calls. Errors:
+    /// Cancelled; BadInput if the library is damaged.
     Result<GeneratedRoom> make(const RoomSpec& spec, std::uint64_t seed, std::uint64_t number,
                                const JobContext& job);
 
@@ -39,7 +39,7 @@ class RoomGenerator {
     FurniturePool pool_;
 };
 
-/// What the room holds, before it is written.
+/// Furnishes a room, without writing it.
 RoomLayout layOut(const RoomSpec& spec, FurniturePool& pool, Random& random, const JobContext& job);
 
 }  // namespace dollytrack::generate

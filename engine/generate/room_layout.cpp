@@ -8,10 +8,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kGap = 0.5;          // between things side by side, cm
-constexpr double kEdge = 0.2;         // between things and the building
-constexpr double kPassUnder = 200.0;  // what hangs higher is in nobody's way
-constexpr double kFlat = 20.0;        // nor is what hangs this near to its wall
+constexpr double kGap = 0.5;          // cm between pieces
+constexpr double kEdge = 0.2;         // cm between pieces and walls or ceiling
+constexpr double kPassUnder = 200.0;  // cm: pieces at this elevation do not obstruct the floor
+constexpr double kFlat = 20.0;        // cm: nor do wall-mounted pieces of this depth
 
 bool isInTheWay(const PlacedPiece& piece) {
     if (piece.supporter >= 0 || piece.elevation >= kPassUnder) return false;

@@ -10,7 +10,7 @@
 
 namespace dollytrack::generate {
 
-/// Something placed, and what holds it.
+/// A placed piece and its support.
 struct PlacedPiece {
     enum class Hold { Floor, Wall, Ceiling, Piece, Opening };
     const CatalogPiece* piece = nullptr;
@@ -19,27 +19,27 @@ struct PlacedPiece {
     double angle = 0.0;
     double elevation = 0.0;
     Hold hold = Hold::Floor;
-    int supporter = -1;  // index of the piece it stands on or in
+    int supporter = -1;  // index of the piece it stands on or in; -1: none
 
     [[nodiscard]] UprightBox box() const;
 };
 
-/// A place along a wall: 0 top, 1 right, 2 bottom, 3 left of the page.
+/// A position along a wall.
 struct WallPlace {
-    int wall = 0;
-    double along = 0.0;  // cm, of the middle
+    int wall = 0;        // 0 top, 1 right, 2 bottom, 3 left of the page
+    double along = 0.0;  // cm, of the piece's centre
 };
-/// The angle of what stands with its back to a wall.
+/// The angle of a piece with its back to a wall.
 double angleAt(int wall);
 
-/// Thickness of the building's walls, cm: the deepest windows hardly stick out of them.
+/// Thickness of the walls, cm; about the depth of the deepest windows.
 constexpr double kWallThickness = 24.0;
 
-/// The room's contents, free of overlaps: nothing gets in that touches what is there, and nothing
-/// that cuts the floor which a camera can be over into pieces.
+/// The pieces in a room. No piece is added that touches another, or that disconnects the floor
+/// area in which a camera fits.
 class RoomLayout {
   public:
-    /// cm.
+    /// Size of the room, cm.
     RoomLayout(double length, double width, double height);
 
     [[nodiscard]] double length() const { return length_; }
@@ -47,20 +47,20 @@ class RoomLayout {
     [[nodiscard]] double height() const { return height_; }
     [[nodiscard]] double wallLength(int wall) const { return wall % 2 == 0 ? length_ : width_; }
     [[nodiscard]] const std::vector<PlacedPiece>& pieces() const { return pieces_; }
-    /// Pieces that are no doors and windows.
+    /// Number of pieces without doors and windows.
     [[nodiscard]] int furnished() const;
 
-    /// A piece on the floor with its back `gap` before the wall.
+    /// A piece on the floor with its back to the wall, `gap` cm away from it.
     [[nodiscard]] PlacedPiece atWall(const CatalogPiece& piece, FurnitureRole role,
                                      const WallPlace& place, double gap) const;
 
-    /// Adds the piece if it fits: inside the room, apart from all others and what is reserved. What
-    /// has a supporter is only compared with the other pieces: whoever puts it there has compared
-    /// the two more closely.
+    /// Adds the piece if it is inside the room and touches no other piece and no reserved box;
+    /// returns whether it does. A supported piece is not compared with its supporter, because the
+    /// caller has done so at triangle level, nor with reserved boxes.
     bool add(const PlacedPiece& piece);
-    /// Adds a door or a window into a wall and keeps a box before it clear.
+    /// Adds a door or a window to a wall and reserves a box before it.
     void addOpening(const PlacedPiece& piece, const UprightBox& clear);
-    /// Where one comes in has to stay joined with the rest of the floor.
+    /// Adds a point that must stay connected with the rest of the floor, such as an entrance.
     void reach(const Eigen::Vector2d& point) { ways_.reach(point); }
 
   private:

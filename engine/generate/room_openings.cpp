@@ -5,12 +5,12 @@
 namespace dollytrack::generate {
 namespace {
 
-constexpr double kDoorClear = 90.0;    // cm of floor before a door
-constexpr double kWindowClear = 15.0;  // before a window nothing may stand as high as it
+constexpr double kDoorClear = 90.0;    // cm of free floor before a door
+constexpr double kWindowClear = 15.0;  // cm before a window, free at the window's height
 constexpr double kSill = 95.0;
 constexpr double kFromCorner = 15.0;
 
-/// The box before an opening that is to stay clear.
+/// The box before an opening that must stay free.
 UprightBox before(const PlacedPiece& at_wall, double depth, double low, double high) {
     UprightBox clear;
     clear.angle = at_wall.angle;
@@ -21,7 +21,7 @@ UprightBox before(const PlacedPiece& at_wall, double depth, double low, double h
     return clear;
 }
 
-/// In the middle of the wall's thickness, which lies outside the room.
+/// Moves an opening to the middle of the wall's thickness; the wall lies outside the room.
 PlacedPiece inWall(PlacedPiece at_wall, double elevation) {
     at_wall.at -= 0.5 * (at_wall.piece->depth + kWallThickness) * forwardAt(at_wall.angle);
     at_wall.elevation = elevation;

@@ -10,8 +10,8 @@
 
 namespace dollytrack::generate {
 
-/// Walls, floor and ceiling around a layout, painted by chance: boards or tiles, plaster. The
-/// pictures that they need are added to `files`.
+/// Adds walls, floor and ceiling around a layout, with random textures (boards or tiles, plaster),
+/// which are added to `files`. Error: as of writing PNG.
 Status addShell(const RoomLayout& layout, RoomKind kind, Random& random, homes::Home& home,
                 std::vector<ArchiveFile>& files);
 

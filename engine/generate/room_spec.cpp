@@ -48,7 +48,7 @@ std::span<const RoomPreset> roomPresets() {
 }
 
 RoomSpec varied(const RoomSpec& spec, std::uint64_t seed, std::uint64_t number) {
-    constexpr std::uint64_t kStream = std::uint64_t{1} << 40;  // apart from the rooms' own
+    constexpr std::uint64_t kStream = std::uint64_t{1} << 40;  // differs from the rooms' streams
     Random random(seed, kStream + number);
     const auto about = [&](double value, double share) {
         return value * random.uniform(1.0 - share, 1.0 + share);

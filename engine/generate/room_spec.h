@@ -9,16 +9,16 @@ namespace dollytrack::generate {
 
 enum class RoomKind { Bedroom, Living, Dining, Kitchen, Office, Studio, Suite };
 
-/// "bedroom" and so on.
+/// Name of a kind, such as "bedroom".
 std::string_view roomKindName(RoomKind kind);
 
-/// What a room is to be like.
+/// Requirements for a room.
 struct RoomSpec {
     RoomKind kind = RoomKind::Living;
     double length_m = 5.0;
     double width_m = 4.0;
     double height_m = 2.7;
-    int objects = 50;  // aimed at, doors and windows aside
+    int objects = 50;  // intended number, without doors and windows
 };
 
 constexpr double kLeastSide = 2.5;  // m
@@ -27,17 +27,17 @@ constexpr double kLeastHeight = 2.4;
 constexpr double kMostHeight = 5.0;
 constexpr int kMostObjects = 120;
 
-/// A type of room in the comparison of camera planners (Table 2 of Information 2025, 16(4), 315),
-/// with its mean size and number of objects.
+/// A room type of the comparison of camera planners in Information 2025, 16(4), 315 (Table 2), with
+/// its mean size and number of objects.
 struct RoomPreset {
     std::string_view name;
     RoomSpec spec;
 };
 
 std::span<const RoomPreset> roomPresets();
-/// The room of this number: sides and height within 5 %, objects within 10 % of what is given.
+/// Random variation for the room of this number: size within 5 %, objects within 10 % of `spec`.
 RoomSpec varied(const RoomSpec& spec, std::uint64_t seed, std::uint64_t number);
-/// Null for an unknown name.
+/// The preset of this name; null if there is none.
 const RoomPreset* presetNamed(std::string_view name);
 
 }  // namespace dollytrack::generate

@@ -11,7 +11,7 @@
 namespace dollytrack::generate {
 namespace {
 
-/// To a hundredth of a millimetre, so that no text differs in its last digits.
+/// Rounds to a hundredth of a millimetre, so that the text does not depend on rounding errors.
 double rounded(double value) {
     const double result = std::round(value * 1e5) / 1e5;
     return result == 0.0 ? 0.0 : result;
@@ -60,7 +60,7 @@ nlohmann::ordered_json truthOf(const RoomLayout& layout, const std::vector<std::
         const int nyu40 = classOf(placed);
         const Eigen::Vector2d front = forwardAt(placed.angle);
         const double middle = placed.elevation + 0.5 * piece.height;
-        // The plan's y runs down the page, so that its clockwise turns are ours, seen from below.
+        // The plan's y points down the page, so y and the sign of angles change.
         objects.push_back(
             {{"name", names[i]},
              {"class", nyu40 == 0 ? "unknown" : std::string(nyu40Name(nyu40))},

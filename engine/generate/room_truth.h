@@ -9,16 +9,15 @@
 
 namespace dollytrack::generate {
 
-/// "Chair 3": a name for each piece that tells its class and is there once.
+/// A unique name for each piece: its library name with a number, such as "Chair 3".
 std::vector<std::string> namesOf(const RoomLayout& layout);
 
-/// What is true of each piece, doors and windows among them, in the world's frame (metres, z up,
-/// the room from (0, -width) to (length, 0)): name, class, the middle of its box, its size along
-/// its own axes (across, front to back, up), the turn of the first of them about z, where its front
-/// looks, and what it stands on, lies in or hangs at.
+/// Ground truth of all pieces, including doors and windows, in the world's frame (metres, z up, the
+/// room from (0, -width) to (length, 0)): name, class, centre of the box, size along the piece's
+/// own axes (width, depth, height), rotation about z, direction of the front, and supporter.
 nlohmann::ordered_json truthOf(const RoomLayout& layout, const std::vector<std::string>& names);
 
-/// Each model used, its author and its licence, then what the libraries say of themselves.
+/// The models used with their authors and licences, then the licence texts of their libraries.
 std::string licensesOf(const RoomLayout& layout, const FurnitureCatalog& catalog);
 
 }  // namespace dollytrack::generate

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr int kSide = 512;  // pixels
 
-/// Smooth noise on a grid that repeats: random values between which is interpolated, -1..1.
+/// Tileable value noise, -1..1: random values on a grid, interpolated.
 class Noise {
   public:
     Noise(int across, int down, Random& random) : across_(across), down_(down) {
@@ -42,7 +42,7 @@ class Noise {
     std::vector<double> values_;
 };
 
-/// A picture of a colour (sRGB, 0..1) times what `shade` says of each pixel.
+/// A texture of one colour (sRGB, 0..1), multiplied by `shade` at each pixel.
 template <class Shade>
 Result<std::vector<std::uint8_t>> paint(const Vector3d& color, Shade&& shade) {
     std::vector<std::uint8_t> pixels;

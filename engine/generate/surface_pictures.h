@@ -8,13 +8,13 @@
 
 namespace dollytrack::generate {
 
-/// Sides of what the pictures show, cm. They repeat without a seam.
+/// Side lengths of the square surfaces that the textures cover, cm. They tile seamlessly.
 constexpr double kBoardsSize = 120.0;
 constexpr double kTilesSize = 120.0;
 constexpr double kPlasterSize = 150.0;
 
-/// Square PNG pictures for floors and walls, coloured by chance and fine-grained everywhere, so
-/// that whoever tracks features finds some.
+/// Square PNG textures for floors and walls, with random colours and fine detail everywhere, so
+/// that feature trackers find corners. Error: as of writing PNG.
 Result<std::vector<std::uint8_t>> boardsPicture(Random& random);
 Result<std::vector<std::uint8_t>> tilesPicture(Random& random);
 Result<std::vector<std::uint8_t>> plasterPicture(Random& random);

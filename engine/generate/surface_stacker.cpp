@@ -13,8 +13,8 @@ using Eigen::Vector2d;
 using enum FurnitureRole;
 
 constexpr int kTriesPerThing = 40;
-constexpr double kRim = 0.5;    // cm to the carrier's edge
-constexpr double kTurn = 0.35;  // radians that things stand askew
+constexpr double kRim = 0.5;    // cm to the edge of the supporting piece
+constexpr double kTurn = 0.35;  // radians: largest random rotation of an object
 
 bool carries(FurnitureRole role) {
     switch (role) {
@@ -119,7 +119,7 @@ class Stacker {
         put(*piece, role, carrier, {x, y}, f_.random.uniform(-kTurn, kTurn));
     }
 
-    /// `offset` along the carrier's own axes.
+    /// Places an object at `offset` (along the axes of the supporting piece), if it fits.
     bool put(const CatalogPiece& piece, FurnitureRole role, int carrier, const Vector2d& offset,
              double turn) {
         const CarrierSurface* surface = surfaceOf(carrier);
@@ -141,7 +141,7 @@ class Stacker {
         return true;
     }
 
-    /// In a shelf nothing gets before or behind another thing, where nobody would see it.
+    /// Whether a box would block the free access to an object in a shelf, and so hide it.
     [[nodiscard]] bool isInTheWay(const UprightBox& box) const {
         return std::any_of(ways_.begin(), ways_.end(),
                            [&](const UprightBox& way) { return near(box, way, 0.0); });
@@ -157,7 +157,7 @@ class Stacker {
     Furnisher& f_;
     std::vector<int> carriers_;
     std::map<int, CarrierSurface> surfaces_;
-    std::vector<UprightBox> ways_;  // to what stands in shelves
+    std::vector<UprightBox> ways_;  // free access to the objects in shelves
     bool kitchen_ = false;
     bool desk_ = false;
 };
@@ -168,7 +168,7 @@ void stackThings(int objects, Furnisher& furnisher) {
     Stacker stacker(furnisher);
     stacker.putTelevisions();
     stacker.stackUpTo(objects);
-    // Better a third of the same than an empty shelf.
+    // If that is not enough, a third equal object is allowed.
     furnisher.most_alike = 3;
     stacker.stackUpTo(objects);
 }

@@ -4,9 +4,9 @@
 
 namespace dollytrack::generate {
 
-/// Puts small things on and into what stands and hangs in the room, a television on its stand
-/// first: on table tops, in shelves, wherever a model's own surface carries the whole thing (see
-/// CarrierSurface). Goes on until the room holds `objects`, or for as long as there is hope.
+/// Places small objects on and in the furniture, televisions on their stands first; see
+/// CarrierSurface for the possible positions. Stops when the room contains `objects` objects or
+/// after a limited number of attempts.
 void stackThings(int objects, Furnisher& furnisher);
 
 }  // namespace dollytrack::generate

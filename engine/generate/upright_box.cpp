@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The triangle as the box sees it: from its middle, along its own axes.
+/// The triangle in the box's frame: relative to its centre, along its axes.
 TriangleInRoom inBox(const TriangleInRoom& triangle, const UprightBox& box) {
     const Vector2d across = acrossAt(box.angle);
     const Vector2d forward = forwardAt(box.angle);

@@ -8,11 +8,11 @@ namespace {
 using enum FurnitureRole;
 
 constexpr double kBehind = 1.0;        // cm between furniture and its wall
-constexpr double kBetweenUnits = 0.6;  // as the layout's gap asks for
-constexpr double kUpperUnits = 148.0;  // height of their bottom
+constexpr double kBetweenUnits = 0.6;  // cm; more than the layout's smallest gap
+constexpr double kUpperUnits = 148.0;  // cm: elevation of cupboards
 constexpr int kMostUnits = 14;
 
-/// Something hanging above a unit, no wider than it.
+/// Adds a cupboard above a unit, at most 1 cm wider than it.
 void addUpperUnit(Furnisher& f, const CatalogPiece& below, const WallPlace& place) {
     const CatalogPiece* upper = f.pick(KitchenUpper);
     if (!upper || upper->width > below.width + 1.0) return;
@@ -22,7 +22,7 @@ void addUpperUnit(Furnisher& f, const CatalogPiece& below, const WallPlace& plac
     f.layout.add(above);
 }
 
-/// Units side by side from one end of a wall.
+/// Adds units side by side along a wall, from the position `from`.
 void addUnits(Furnisher& f, int wall, double from) {
     const double room = f.layout.wallLength(wall);
     double at = from;
@@ -51,7 +51,7 @@ std::optional<std::size_t> addAtWall(Furnisher& f, FurnitureRole role, int tries
         const double room = f.layout.wallLength(wall) - piece->width;
         if (room < 4.0) continue;
         double along = 0.5 * piece->width + f.random.uniform(2.0, room - 2.0);
-        // Furniture likes corners.
+        // One piece in three stands in a corner.
         if (f.random.below(3) == 0) along = 0.5 * piece->width + 2.0;
         if (f.layout.add(f.layout.atWall(*piece, role, {wall, along}, kBehind))) {
             return f.layout.pieces().size() - 1;
@@ -62,7 +62,7 @@ std::optional<std::size_t> addAtWall(Furnisher& f, FurnitureRole role, int tries
 
 void addKitchen(Furnisher& f) {
     const int wall = f.anyWall();
-    const double corner = 75.0;  // left to the other wall's units
+    const double corner = 75.0;  // cm kept free for the first wall's units
     addUnits(f, wall, 2.0);
     addUnits(f, (wall + 1) % 4, corner);
     const auto& pieces = f.layout.pieces();

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The parts of a path between its slashes.
+/// The components of a path.
 std::vector<std::string> stepsOf(std::string_view path) {
     std::vector<std::string> parts;
     while (!path.empty()) {
@@ -28,7 +28,7 @@ bool isVersionNumber(const std::string& text) {
            text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// The folder of this name, in small or large letters, in another.
+/// The subfolder with this name; case does not count.
 std::optional<fs::path> folderIn(const io::ReachableFiles& files, const fs::path& folder,
                                  const std::string& name) {
     const auto names = files.namesIn(folder);
@@ -45,7 +45,7 @@ bool isModelFolder(const io::ReachableFiles& files, const fs::path& folder) {
            files.find(folder, "model.sdf").has_value();
 }
 
-/// The version that is asked for, else the newest one that is there.
+/// The folder of a version; without a version, of the newest one that exists.
 std::optional<fs::path> versionIn(const io::ReachableFiles& files, const fs::path& model,
                                   const std::string& version) {
     if (!version.empty()) {
@@ -82,7 +82,7 @@ std::optional<FuelUri> fuelUriOf(const std::string& uri) {
     }
     FuelUri found;
     found.server = inSmallLetters(parts[0]);
-    // The version of the server's interface; addresses of the web page have "fuel" there or none.
+    // "1.0" is the version of the server's API; web page addresses have "fuel" instead, or nothing.
     if (parts.size() > 1 && (parts[1] == "1.0" || parts[1] == "fuel")) {
         parts.erase(parts.begin() + 1);
     }
@@ -106,7 +106,7 @@ std::optional<fs::path> findFuelModel(const io::ReachableFiles& files, const Fue
     for (const fs::path& root : files.folders()) {
         const auto plain = folderIn(files, root, uri.model);
         if (plain && isModelFolder(files, *plain)) return plain;
-        // ~/.gz/fuel, and the folders in it.
+        // `root` may be ~/.gz/fuel or any folder in it on the path to the model.
         std::optional<fs::path> at = root;
         for (const std::string& step : {uri.server, uri.owner, std::string("models"), uri.model}) {
             if (const auto inner = folderIn(files, *at, step)) at = inner;

@@ -9,25 +9,26 @@
 
 namespace dollytrack::gazebo {
 
-/// Whether a name is an address on the web: http:// or https://.
+/// Whether a name is a web address: http:// or https://.
 [[nodiscard]] bool isWebAddress(std::string_view uri);
 
-/// A model of Gazebo Fuel, the collection of models at fuel.gazebosim.org, and a file in it.
+/// The address of a model, or of a file in it, on Gazebo Fuel, the model collection at
+/// fuel.gazebosim.org.
 struct FuelUri {
     std::string server;   // "fuel.gazebosim.org"
     std::string owner;    // "OpenRobotics"
     std::string model;    // "Office Chair"
     std::string version;  // digits; empty: the newest
-    std::string file;     // within the model; empty: the model
+    std::string file;     // path within the model; empty: the model itself
 };
 
-/// The parts of https://SERVER/1.0/OWNER/models/MODEL[/VERSION[/files/FILE]]; nothing for other
+/// Parses https://SERVER/1.0/OWNER/models/MODEL[/VERSION[/files/FILE]]; nullopt for other
 /// addresses.
 [[nodiscard]] std::optional<FuelUri> fuelUriOf(const std::string& uri);
 
-/// The folder of a model that was downloaded: MODEL below one of the folders, or
-/// SERVER/OWNER/models/MODEL/VERSION as `gz fuel download` keeps it in ~/.gz/fuel, in small letters
-/// or not.
+/// The folder of a downloaded model: MODEL in one of the folders, or
+/// SERVER/OWNER/models/MODEL/VERSION as stored by `gz fuel download` in ~/.gz/fuel. Case does not
+/// count.
 [[nodiscard]] std::optional<std::filesystem::path> findFuelModel(const io::ReachableFiles& files,
                                                                  const FuelUri& uri);
 

@@ -98,7 +98,7 @@ Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth) {
                        scope, frame.node);
     }
     frame.state = Frame::State::Busy;
-    // An <include> without a pose keeps that of the model.
+    // An <include> without a pose uses that of the model.
     const bool keeps = frame.is("include") && frame.model && !frame.node.child("pose");
     const pugi::xml_node node = keeps ? frame.model->node : frame.node;
     const auto own = poseIn(node, "'" + cleanText(node.attribute("name").value()) + "'",
@@ -111,7 +111,7 @@ Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth) {
     if (!base) return base;
     frame.scope_from_frame = *base * *own;
     if (frame.model) {
-        // The pose is that of this frame of the model instead of the model's own.
+        // With a placement_frame, the pose is that of this frame of the model.
         std::string placed = textOf(frame.node.child("placement_frame"));
         if (placed.empty()) {
             placed = frame.model->node.attribute("placement_frame").value();

@@ -10,7 +10,7 @@
 namespace dollytrack::gazebo {
 namespace {
 
-/// Gazebo's own materials, as sRGB.
+/// The linear colour of one of Gazebo's materials; nullopt for an unknown name. The table is sRGB.
 std::optional<Eigen::Vector4f> namedColor(std::string_view name) {
     struct Row {
         std::string_view name;

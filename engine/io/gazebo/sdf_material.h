@@ -7,8 +7,8 @@
 
 namespace dollytrack::gazebo {
 
-/// The linear colour and the opacity that the <material> of a <visual> gives it: diffuse, one of
-/// Gazebo's common materials by name, else ambient; nothing without.
+/// Linear colour and opacity of a <visual> by its <material>: diffuse, otherwise one of Gazebo's
+/// common materials by name, otherwise ambient; nullopt without these.
 [[nodiscard]] std::optional<Eigen::Vector4f> visualColor(const pugi::xml_node& visual);
 
 /// 1 minus the <transparency> of a <visual>.

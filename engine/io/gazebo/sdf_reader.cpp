@@ -28,14 +28,14 @@ constexpr std::size_t kMostIncludes = 20'000;
 constexpr std::size_t kMostFrames = 1'000'000;
 constexpr std::uint64_t kMostExpandedBytes = std::uint64_t{1} << 30U;
 
-/// Elements that poses may be relative to. Of those with the same name, the first kind is meant.
+/// Elements to which poses can be relative. A name refers to the first kind that has it.
 constexpr std::array<std::string_view, 5> kKinds = {"link", "frame", "model", "include", "joint"};
 
 class SdfReader {
   public:
     SdfReader(const ModelPath& files, const JobContext& job) : files_(files), job_(job) {}
 
-    /// `xml` is the file at `path`, and has to outlive this object.
+    /// Reads a file. `xml` is the file at `path` and must outlive this object.
     Status read(const pugi::xml_node& sdf, const fs::path& path, const XmlFile& xml) {
         xml_bytes_ = expanded_bytes_ = xml.bytes;
         scene_.path = path;
@@ -58,15 +58,15 @@ class SdfReader {
         return {};
     }
 
-    /// The objects: each link, or the links that joints hold together.
+    /// The objects: one per link, or per group of links connected by joints.
     [[nodiscard]] std::vector<LinkObject> objects() const {
-        std::map<std::size_t, std::size_t> number;  // in `objects`, by the first link
+        std::map<std::size_t, std::size_t> number;  // index in `objects` by first link
         std::vector<std::size_t> first = first_;
         std::map<const Scope*, std::size_t> objects_in;
         std::vector<LinkObject> objects;
         std::vector<const Scope*> scopes;
         for (std::size_t i = 0; i < links_.size(); ++i) {
-            const std::size_t root = first[i] = first[first[i]];  // it comes before i
+            const std::size_t root = first[i] = first[first[i]];  // final, since it precedes i
             if (links_[i].visuals.empty()) continue;
             const auto [at, is_new] = number.try_emplace(root, objects.size());
             if (is_new) {
@@ -98,8 +98,8 @@ class SdfReader {
         return cleanText(node.attribute("name").value());
     }
 
-    /// Finds the frames of a world or model, and opens the models in it. `first_only`: of the
-    /// models of a file without a world.
+    /// Finds the frames of a world or model and opens its models. `first_only`: only the first
+    /// model, for a file without a world.
     Status openChildren(Scope& scope, bool first_only = false) {
         if (scope.depth > kDeepestModel) {
             return wrongAt("models lie within models more than 16 deep; leave some out", scope,
@@ -124,7 +124,7 @@ class SdfReader {
             return frame.is("model") || frame.is("include");
         };
         const auto models = std::count_if(scope.frames.begin(), scope.frames.end(), isModel);
-        // A model that holds nothing but one model gives it its name.
+        // A model that only wraps another model passes its name on to it.
         const bool wraps = models == 1 && !scope.node.child("link");
         for (Frame& frame : scope.frames) {
             if (!isModel(frame)) continue;
@@ -140,7 +140,7 @@ class SdfReader {
             if (inherits && !scope.name.empty()) frame.model->name = scope.name;
             if (Status inner = openChildren(*frame.model); !inner) return inner;
         }
-        // Before SDF 1.7 frames of different kinds might share a name; links come first.
+        // Before SDF 1.7 frames of different kinds could share a name; links have precedence.
         for (const std::string_view kind : kKinds) {
             for (std::size_t i = 0; i < scope.frames.size(); ++i) {
                 const Frame& frame = scope.frames[i];
@@ -205,7 +205,7 @@ class SdfReader {
         const pugi::xml_node sdf = at->second->document.child("sdf");
         const pugi::xml_node model = sdf.child("model");
         if (model) return openModel(model, *file, *at->second, scope, frame);
-        if (sdf.child("light") || sdf.child("actor")) return {};  // as model://sun
+        if (sdf.child("light") || sdf.child("actor")) return {};  // such as model://sun
         return fail(ErrorCode::BadInput,
                     "the file is included as a model and holds no <model>; name another file",
                     file->string());
@@ -242,7 +242,7 @@ class SdfReader {
         return {};
     }
 
-    /// The link that a joint names, also by a frame that is attached to it.
+    /// The link that a joint refers to, directly or by a frame that is attached to it.
     static std::optional<std::size_t> linkOf(Scope& scope, std::string name) {
         constexpr int kMostSteps = 16;
         Scope* around = &scope;
@@ -264,7 +264,7 @@ class SdfReader {
         return link;
     }
 
-    /// Warns of a joint between links that are not there, which holds nothing together.
+    /// Adds a warning for each end of a joint that names a missing link.
     void doubtJoint(Scope& scope, const Frame& joint) {
         for (const char* end : {"parent", "child"}) {
             const std::string name = textOf(joint.node.child(end));
@@ -277,7 +277,7 @@ class SdfReader {
         }
     }
 
-    /// Links that joints hold together become one object, named by the first.
+    /// Joins links that are connected by joints into one object, named after the first.
     Status joinLinks(Scope& scope) {
         for (Frame& frame : scope.frames) {
             if (frame.model) {
@@ -377,16 +377,16 @@ class SdfReader {
     Scope scene_;
     std::vector<LinkObject> links_;
     std::vector<const Scope*> scope_of_link_;
-    std::vector<std::size_t> first_;  // of the links that joints hold together, as a forest
+    std::vector<std::size_t> first_;  // disjoint sets of joined links: parent of each link
     std::vector<std::string> missing_;
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
     std::vector<std::string> warnings_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
-    /// Descriptions of included models, by the including file's folder and the <uri>.
+    /// Files of included models by the including file's folder and the <uri>.
     std::map<std::pair<fs::path, std::string>, std::optional<fs::path>> found_models_;
     std::uint64_t xml_bytes_ = 0;       // of all files, each counted once
-    std::uint64_t expanded_bytes_ = 0;  // the same, counted each time that one is included
+    std::uint64_t expanded_bytes_ = 0;  // of all files, counted once per include
     std::size_t frames_ = 0;
     std::size_t visuals_ = 0;
     std::size_t includes_ = 0;

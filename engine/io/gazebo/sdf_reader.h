@@ -9,9 +9,9 @@
 
 namespace dollytrack::gazebo {
 
-/// Reads a world or model of Gazebo (SDF 1.4 and later), the visuals of its links. A model with one
-/// link, or whose links joints hold together, is one object; other links are objects of their own.
-/// z up, metres. Errors: BadInput, Cancelled.
+/// Reads the visuals of a world or model of Gazebo (SDF 1.4 and later). Links that are connected by
+/// joints are one object; every other link is an object of its own. z up, metres. Errors: BadInput,
+/// Cancelled.
 Result<RawScene> readSdf(const std::filesystem::path& path, const ImportOptions& options,
                          const JobContext& job);
 

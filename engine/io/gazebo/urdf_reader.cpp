@@ -66,7 +66,7 @@ class UrdfReader {
     [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
 
   private:
-    /// A link that has its pose.
+    /// A link with its visuals in the scene's frame.
     struct Placed {
         std::string name;
         std::vector<Visual> visuals;
@@ -83,13 +83,13 @@ class UrdfReader {
                      element);
     }
 
-    /// Notes what is left out because of an element.
+    /// Adds a warning about an element, with its line.
     void doubt(const pugi::xml_node& element, const std::string& sentence) {
         doubts_.push_back(fmt::format("{}: {}", xml_.placeOf(path_.filename(), element), sentence));
     }
 
-    /// Finds the joint that each link hangs on. Joints that name links which do not exist are left
-    /// out, and where the parent is missing, so is all that hangs on it.
+    /// Finds the joint above each link. Joints whose child is missing are left out; if the parent
+    /// is missing, the child and all links below it are left out.
     Status readJoints(const pugi::xml_node& robot) {
         std::size_t count = 0;
         for (const pugi::xml_node& joint : robot.children("joint")) {
@@ -117,7 +117,7 @@ class UrdfReader {
         return {};
     }
 
-    /// " (perhaps 'door' is meant)", for the first wrong names.
+    /// A hint such as " (perhaps 'door' is meant)"; empty if no name is similar and after 20 calls.
     std::string hintFor(const std::string& wrong_name) {
         constexpr int kMostHints = 20;
         if (++hints_ > kMostHints) return {};
@@ -141,9 +141,9 @@ class UrdfReader {
         return type == "revolute" || type == "continuous" || type == "prismatic";
     }
 
-    /// The link whose object a link belongs to: the first one above that no joint moves, so that
-    /// drawers, doors and their handles are of their cabinet. What is fixed to a link that does not
-    /// move, as furniture to a room, is an object of its own.
+    /// The link whose object a link belongs to: the nearest one above it (or itself) that no joint
+    /// moves, so that drawers, doors and their handles belong to their cabinet. A link fixed to an
+    /// unmoved link, such as furniture to a room, is an object of its own.
     const std::string& ownerOf(const std::string& link, const std::set<std::string>& shown) {
         std::vector<std::string> chain;
         std::string at = link;
@@ -164,7 +164,7 @@ class UrdfReader {
                 const std::string_view type = joint->second.attribute("type").value();
                 const bool moved_above = above != owners_.end() && above->second.moves;
                 owner.moves = isMovable(joint->second) || (type == "fixed" && moved_above);
-                // What hangs on nothing that is shown, as doors on a world's origin, stays apart.
+                // Links below a link without visuals, such as doors at the origin, stay separate.
                 const bool joins =
                     owner.moves && above != owners_.end() && shown.contains(above->second.link);
                 if (joins) owner.link = above->second.link;
@@ -179,7 +179,7 @@ class UrdfReader {
         for (const Placed& one : placed) {
             if (!one.visuals.empty()) shown.insert(one.name);
         }
-        std::map<std::string, std::size_t> number;  // in `objects`, by the owner
+        std::map<std::string, std::size_t> number;  // index in `objects` by owner
         std::vector<LinkObject> objects;
         for (Placed& one : placed) {
             if (one.visuals.empty()) continue;
@@ -197,7 +197,7 @@ class UrdfReader {
         return objects;
     }
 
-    /// The colour of a <material>, its own or that of the first of its name.
+    /// The colour of a <material>: its own, otherwise that of the first material of its name.
     std::optional<Eigen::Vector4f> colorOfMaterial(const pugi::xml_node& material) {
         const std::string name = material.attribute("name").value();
         const auto own = colorOf(material.child("color").attribute("rgba").value());
@@ -217,9 +217,10 @@ class UrdfReader {
         return Eigen::Affine3d(Eigen::Translation3d(*place) * rotationFromRollPitchYaw(*rotation));
     }
 
-    /// The link's pose: the origins of the joints from the root on, each link's computed once.
+    /// The pose of a link in the root's frame: the product of the joint origins. Computed once per
+    /// link.
     Result<Eigen::Affine3d> poseOf(const std::string& link) {
-        std::vector<std::pair<std::string, pugi::xml_node>> chain;  // from the link up
+        std::vector<std::pair<std::string, pugi::xml_node>> chain;  // from the link to the root
         std::set<std::string> seen;
         std::string at = link;
         auto known = poses_.find(at);
@@ -294,7 +295,7 @@ class UrdfReader {
         return std::optional<Visual>(std::move(visual));
     }
 
-    /// The link that a link's object is named by, and whether a joint above moves the link.
+    /// The link after which a link's object is named, and whether a joint above moves the link.
     struct Owner {
         std::string link;
         bool moves = false;
@@ -304,14 +305,14 @@ class UrdfReader {
     const XmlFile& xml_;
     const JobContext& job_;
     std::map<std::string, pugi::xml_node> links_;
-    std::map<std::string, pugi::xml_node> joints_;  // by the link that hangs on it
-    std::set<std::string> cut_off_;                 // links below a parent that does not exist
-    std::map<std::string, Owner> owners_;           // of links
-    std::map<std::string, Eigen::Affine3d> poses_;  // of links, in the root's frame
+    std::map<std::string, pugi::xml_node> joints_;  // by child link
+    std::set<std::string> cut_off_;                 // links below a missing parent
+    std::map<std::string, Owner> owners_;           // by link
+    std::map<std::string, Eigen::Affine3d> poses_;  // by link, in the root's frame
     std::map<std::string, Eigen::Vector4f> colors_;
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
-    int hints_ = 0;  // that were looked for
+    int hints_ = 0;  // number of searches for similar names
 };
 
 }  // namespace

@@ -10,13 +10,13 @@
 
 namespace dollytrack::gazebo {
 
-/// Reads a URDF file, its joints at zero: z up, metres. A link is an object, together with the
-/// links that movable joints hang on it and what is fixed to those. Joints that name links which do
-/// not exist are warned of with their line. Errors: BadInput, with the line; Cancelled.
+/// Reads the visuals of a URDF file with all joints at zero. z up, metres. An object is a link
+/// together with the links that movable joints attach to it and the links fixed to those. Joints
+/// that name missing links become warnings. Errors: BadInput, with the line; Cancelled.
 Result<RawScene> readUrdf(const std::filesystem::path& path, const ImportOptions& options,
                           const JobContext& job);
 
-/// The same as a model to be placed in other scenes, whose files lie below `files`.
+/// The same for a model to be placed in another scene; meshes are searched for below `files`.
 Result<RawScene> readUrdfModel(const std::filesystem::path& path, const io::ReachableFiles& files,
                                const JobContext& job);
 

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr int kMostFoldersUp = 4;
 constexpr std::uint64_t kMostConfigBytes = std::uint64_t{1} << 20U;
 
-/// A folder and at most four around it, the nearest first; never the root of the file system.
+/// A folder and at most four folders above it, innermost first, without the file system's root.
 std::vector<fs::path> foldersAround(const fs::path& folder) {
     std::vector<fs::path> around;
     fs::path at = folder;
@@ -41,7 +41,7 @@ std::vector<fs::path> foldersAround(const fs::path& folder) {
     return around;
 }
 
-/// The name of the package in a package.xml; the description's file in a model.config.
+/// The package's name in a package.xml, or the description's file name in a model.config.
 std::string nameIn(const fs::path& config) {
     const Result<std::string> text = io::readNamedFile(config, kMostConfigBytes);
     pugi::xml_document document;
@@ -49,20 +49,21 @@ std::string nameIn(const fs::path& config) {
     if (const pugi::xml_node package = document.child("package")) {
         return textOf(package.child("name"));
     }
-    // Of several versions the last one named is the newest.
+    // Of several versions the last one listed is the newest.
     std::string file;
     for (const pugi::xml_node& sdf : document.child("model").children("sdf")) file = textOf(sdf);
     return file;
 }
 
-/// "model://chair/meshes/chair.dae" as "chair/meshes/chair.dae"; whether there was such a scheme.
+/// Removes a scheme: "model://chair/chair.dae" becomes "chair/chair.dae". Returns whether `uri` had
+/// it.
 bool takeScheme(std::string& uri, std::string_view scheme) {
     if (!uri.starts_with(scheme)) return false;
     uri.erase(0, scheme.size());
     return true;
 }
 
-/// A shape of one part and no material, centred at the origin.
+/// A primitive shape of size 1 at the origin, as one part with a default material.
 RawScene shapeScene(Visual::Shape shape) {
     std::vector<Eigen::Vector3f> points;
     std::vector<std::uint32_t> sizes;
@@ -138,14 +139,15 @@ RawScene shapeScene(Visual::Shape shape) {
     return scene;
 }
 
-/// Whether a colour without opacity hides what has this material. Textured ones keep their own.
+/// Whether the visual's colour makes a material fully transparent. Textured materials keep their
+/// own colour.
 bool isHidden(const Visual& visual, const Material& material) {
     return visual.color && material.texture < 0 && !((*visual.color)[3] > 0.0F);
 }
 
 using Submeshes = std::map<std::string, std::vector<std::size_t>>;
 
-/// The parts of a model by the names of their meshes and nodes; all of them by the empty name.
+/// The parts of a model by mesh and node name; all parts by the empty name.
 Submeshes submeshesOf(const RawScene& model) {
     Submeshes parts;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
@@ -158,7 +160,8 @@ Submeshes submeshesOf(const RawScene& model) {
     return parts;
 }
 
-/// Meshes in "meshes" have their textures beside that folder, mostly in "materials/textures".
+/// Lets the textures of meshes in a folder "meshes" be searched for beside that folder, because
+/// they are mostly in "materials/textures".
 void lookUpTexturesAroundMeshes(const ModelPath& files, RawScene& model) {
     for (TextureRequest& texture : model.textures) {
         const fs::path folder = texture.folder;
@@ -259,7 +262,7 @@ class SceneOfLinks {
             return !isHidden(visual, model->materials[model->parts[part].material]);
         });
         if (parts.empty()) return {};
-        // Gazebo and the robot tools obey a mesh's unit and ignore its upward axis.
+        // Like Gazebo and RViz, apply the mesh's unit and ignore its up axis.
         const double unit = model->file_unit_m.value_or(1.0);
         Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
         scaled.linear() = (unit * visual.scale).asDiagonal();
@@ -291,7 +294,7 @@ class SceneOfLinks {
         return {};
     }
 
-    /// Adds parts to an object, in the visual's own colour and opacity where it has them.
+    /// Adds parts to an object, with the visual's colour and opacity if it has them.
     void append(const std::vector<std::size_t>& parts, const Visual& visual, SourceObject& object) {
         object.parts.insert(object.parts.end(), parts.begin(), parts.end());
         if (!visual.color && visual.opacity >= 1.0F) return;
@@ -300,8 +303,8 @@ class SceneOfLinks {
         }
     }
 
-    /// The number of the material in this visual's colour and opacity, which other visuals of the
-    /// same mesh do not get. Textured materials keep their texture and colour.
+    /// The index of a copy of a material with the visual's colour and opacity; other visuals of the
+    /// same mesh keep the original. Textured materials keep their texture and colour.
     std::uint32_t painted(std::uint32_t number, const Visual& visual) {
         Material material = scene_.materials[number];
         const bool textured = material.texture >= 0;
@@ -372,7 +375,7 @@ class SceneOfLinks {
     }
 
     struct Shape {
-        std::unique_ptr<RawScene> model;  // stays where it is, as its placement needs
+        std::unique_ptr<RawScene> model;  // its address must not change: `placement` refers to it
         ModelPlacement placement;
     };
 
@@ -383,10 +386,10 @@ class SceneOfLinks {
     io::ModelLibrary library_;
     io::ModelRemarks remarks_;
     io::TriangleBudget budget_;
-    std::map<std::size_t, ModelPlacement> placements_;  // by number in the library
+    std::map<std::size_t, ModelPlacement> placements_;  // by index in the library
     std::map<Visual::Shape, Shape> shapes_;
     std::map<std::size_t, Submeshes> submeshes_;
-    /// Numbers of materials, by the number of the material before and the colour.
+    /// Indices of materials by the original material's index, colour and opacity.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
     std::vector<std::string> missing_;
     UnknownShapes unknown_shapes_;
@@ -413,13 +416,13 @@ std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::strin
         if (auto found = files_.find(root, name)) return found;
     }
     if (!package && !model) return std::nullopt;
-    // The scene may lie within the model or package that it names: a folder around has its name.
+    // The scene may be inside the model or package that it names: search the folders above it.
     const std::size_t slash = std::min(name.find('/'), name.size());
     const std::string within = name.substr(std::min(slash + 1, name.size()));
     const std::string owner = name.substr(0, slash);
     for (const fs::path& around : foldersAround(folder)) {
         if (auto found = files_.find(around, name)) return found;
-        // A package may lie in a folder of another name; package.xml says what it is called.
+        // A package's folder may have another name; package.xml contains the package's name.
         if (!package || within.empty()) continue;
         const auto xml = files_.find(around, "package.xml");
         const std::string called = xml ? nameOf(*xml) : std::string();

@@ -17,52 +17,52 @@
 
 namespace dollytrack::gazebo {
 
-/// What a link shows: a mesh of a file, or a shape of numbers alone, in the link's frame.
+/// A visual of a link: a mesh file or a primitive shape.
 struct Visual {
     enum class Shape { Mesh, Box, Cylinder, Sphere, Plane };
     Shape shape = Shape::Mesh;
-    Eigen::Vector3d size = Eigen::Vector3d::Ones();   // of shapes: x, y, z of the box around it, m
-    Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // of meshes
-    std::string uri;                                  // of meshes
-    std::string submesh;                              // the mesh of that name alone; empty: all
-    bool center_submesh = false;   // move the middle of its bounding box to the mesh's origin
-    std::filesystem::path folder;  // of the file that names the mesh
+    Eigen::Vector3d size = Eigen::Vector3d::Ones();   // shapes: size of the bounding box, m
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // meshes
+    std::string uri;                                  // meshes
+    std::string submesh;                              // only the mesh of this name; empty: all
+    bool center_submesh = false;   // moves the centre of its bounding box to the mesh's origin
+    std::filesystem::path folder;  // of the file that refers to the mesh
     Eigen::Affine3d scene_from_visual = Eigen::Affine3d::Identity();
     std::optional<Eigen::Vector4f> color;  // linear red, green, blue; opacity
-    float opacity = 1.0F;                  // above 0; multiplies the colour's or the mesh's own
+    float opacity = 1.0F;                  // above 0; multiplies that of the colour or the mesh
 };
 
-/// How many visuals have a shape that is not read, by the element's name.
+/// Number of visuals with an unsupported shape, by element name.
 using UnknownShapes = std::map<std::string, std::size_t>;
 
 /// The parts of a scene that are left out.
 struct LeftOut {
     std::vector<std::string> models;  // that were not found
     UnknownShapes shapes;
-    std::vector<std::string> doubts;  // a sentence each, with the place in its file
+    std::vector<std::string> doubts;  // warnings, each with file and line
 };
 
-/// A link, or several that joints hold together.
+/// A link, or several that are connected by joints.
 struct LinkObject {
     std::string name;  // clean text
     std::vector<Visual> visuals;
 };
 
-/// Looks up what model://, package://, file:// and plain names mean, below the folders that may be
-/// read. For one thread.
+/// Finds the files of model://, package://, file:// and plain names in the folders that may be
+/// read. Not thread-safe.
 class ModelPath {
   public:
     explicit ModelPath(io::ReachableFiles files) : files_(std::move(files)) {}
 
-    /// The file that a name in a file of `folder` means.
+    /// The file that `uri`, written in a file of `folder`, refers to; nullopt if it is not found.
     [[nodiscard]] std::optional<std::filesystem::path> find(const std::filesystem::path& folder,
                                                             const std::string& uri) const;
     /// Whether this file or folder may be read.
     [[nodiscard]] bool reaches(const std::filesystem::path& path) const {
         return files_.reaches(path);
     }
-    /// The description of the model that an <include> names: a file, or a folder with a
-    /// model.config or model.sdf. Addresses of Gazebo Fuel are looked up among downloaded models.
+    /// The description of the model that an <include> names: a file, or that of a folder with a
+    /// model.config or model.sdf. Models of Gazebo Fuel are searched for among downloaded ones.
     [[nodiscard]] std::optional<std::filesystem::path> findModel(
         const std::filesystem::path& folder, const std::string& uri) const;
 
@@ -70,18 +70,18 @@ class ModelPath {
     const std::string& nameOf(const std::filesystem::path& config) const;
 
     io::ReachableFiles files_;
-    mutable std::map<std::filesystem::path, std::string> names_;  // in files read so far
+    mutable std::map<std::filesystem::path, std::string> names_;  // cache of nameOf()
 };
 
-/// The folders that a world or robot may name files of: those of the options, `models`, `meshes`
-/// and the like beside it, the package that it lies in and, of a model, the folder of models around
-/// it.
+/// The folders in which a world or robot may refer to files: those of the options, its own,
+/// `models`, `meshes` and the like beside it, its package and, for a model, the folder that
+/// contains the model's folder.
 [[nodiscard]] std::vector<std::filesystem::path> foldersOfWorld(const std::filesystem::path& scene,
                                                                 const ImportOptions& options);
 
-/// Makes a scene of the links: z up, metres. Meshes and submeshes that are not there, and what is
-/// left out already, are named in warnings, and nothing stands in their place. Errors: BadInput,
-/// when there is nothing to draw; Cancelled.
+/// Builds a scene of the links: z up, metres. Missing meshes and submeshes, and the parts in
+/// `left_out`, become warnings; nothing replaces them. `where` is the file in errors. Errors:
+/// BadInput if there is nothing to draw or too many triangles; Cancelled.
 [[nodiscard]] Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links,
                                             const ModelPath& files, const LeftOut& left_out,
                                             const std::string& where, const JobContext& job);

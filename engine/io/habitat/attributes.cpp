@@ -75,7 +75,7 @@ Eigen::Matrix3d rotationFromUpAndFront(const json& attributes, const AxisKeys& k
         vectorIn(attributes, keys.front, usual_front).value_or(usual_front);
     const Eigen::Vector3d right = front.cross(up);
     if (!(right.norm() > 1e-6 * front.norm() * up.norm())) return Eigen::Matrix3d::Identity();
-    // Columns: right, up and front, made square.
+    // Orthonormal columns: right, up, front.
     Eigen::Matrix3d asset;
     asset << right.normalized(), up.normalized(), up.normalized().cross(right.normalized());
     Eigen::Matrix3d world;

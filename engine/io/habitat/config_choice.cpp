@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kConfigEnding = ".scene_dataset_config.json";
-constexpr std::size_t kMostConfigs = 16;  // in one folder
+constexpr std::size_t kMostConfigs = 16;  // per folder
 
 std::vector<fs::path> configsIn(const fs::path& folder) {
     std::vector<fs::path> configs;

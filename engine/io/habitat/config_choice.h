@@ -13,13 +13,14 @@ namespace dollytrack::habitat {
 /// Whether a file is a dataset config by its name: NAME.scene_dataset_config.json.
 [[nodiscard]] bool isDatasetConfig(const std::filesystem::path& path);
 
-/// The dataset configs of the dataset that a scene file belongs to, by name: those of the nearest
-/// folder that has any, which is the scene's own or one of the four above. No file is opened.
-/// Symbolic links are skipped; of more than 16 configs the first count.
+/// The dataset configs of the dataset that a scene file belongs to, in order of name: those in the
+/// nearest folder that contains any, out of the scene's folder and the four above it. No file is
+/// opened. Symbolic links are skipped; only the first 16 configs of a folder are returned.
 [[nodiscard]] std::vector<std::filesystem::path> findDatasetConfigs(
     const std::filesystem::path& scene);
 
-/// Chooses the configs of scenes. Reads each config once; those that cannot be read list nothing.
+/// Chooses the dataset config of a scene. Each config is read once; an unreadable one counts as
+/// empty.
 class ConfigChoice {
   public:
     ConfigChoice(DatasetScope scope, JobContext job);

@@ -26,15 +26,15 @@ using nlohmann::json;
 
 constexpr const char* kSemanticDescriptor = "semantic_descriptor_filename";
 constexpr std::uint64_t kMostTemplateBytes = std::uint64_t{64} << 20U;
-constexpr std::size_t kMostFitting = 10;          // files that are counted for one name
-constexpr std::size_t kMostSlowSearches = 2'000;  // beyond the index of file names
+constexpr std::size_t kMostFitting = 10;          // matching files collected per name
+constexpr std::size_t kMostSlowSearches = 2'000;  // for names missing in the file name index
 
 struct KindWords {
     Kind kind;
     const char* section;
-    const char* ending;                // of a description
-    bool models;                       // models stand for themselves
-    std::array<const char*, 4> usual;  // folders of datasets without a config
+    const char* ending;                // file name ending of a description
+    bool models;                       // whether models without a description are allowed
+    std::array<const char*, 4> usual;  // folders in datasets without a config
 };
 
 constexpr std::array<KindWords, 5> kWords = {
@@ -67,18 +67,18 @@ bool isModel(const std::string& name) {
 }
 
 bool isOfKind(const std::string& name, const KindWords& words) {
-    // HSSD's semantics are a lexicon, and a table of its models.
+    // HSSD has a lexicon, and a table of its models as CSV.
     if (words.kind == Kind::SemanticScene && name.ends_with(".csv")) return true;
     return name.ends_with(words.ending) || (words.models && isModel(name));
 }
 
-/// The name without folders: "chair" of "objects/chair".
+/// The name without folders: "chair" for "objects/chair".
 std::string lastName(const std::string& name) {
     const auto slash = name.find_last_of('/');
     return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-/// The values of `changes` in place of those of the same name in `defaults`.
+/// `defaults`, with values replaced and added by `changes`.
 json merged(json defaults, const json& changes) {
     if (!defaults.is_object()) defaults = json::object();
     if (changes.is_object()) defaults.update(changes);
@@ -143,7 +143,7 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     section.defaults = sectionOf(values, "default_attributes");
     section.configs = io::listIn(values, "configs");
     checkKeys(section.defaults, kind, config_name_);
-    // Other keys of semantic files are their handles.
+    // In the section of semantic files, all other keys are handles.
     if (kind != Kind::SemanticScene) {
         keys_.check(values, KeyCheck::Place::Section, config_name_);
     }
@@ -163,11 +163,11 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     };
     struct Asked {
         fs::path folder;
-        std::string ending;  // that is asked for
+        std::string ending;  // requested file extension
         std::size_t pattern;
     };
     std::vector<Asked> folders;
-    std::vector<std::pair<std::string, bool>> patterns;  // and whether they lead to a file
+    std::vector<std::pair<std::string, bool>> patterns;  // with whether they lead to a file
     for (const auto& [ending, list] : sectionOf(values, "paths").items()) {
         if (!list.is_array()) continue;
         for (const json& entry : list) {
@@ -189,7 +189,8 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
                     folders.push_back({path, ending, patterns.size() - 1});
                 }
             }
-            // A template's name may be that of another file beside those that the last part fits.
+            // Template names may also refer to files in the same folder that do not match the
+            // pattern's last part.
             if (FolderSearch::isPattern(lastName(pattern))) {
                 found = search.expand(fs::path(pattern).parent_path().string());
                 if (!found) return tl::unexpected(found.error());
@@ -244,7 +245,8 @@ Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path&
     return by_file_[{kind, file}] = std::move(found);
 }
 
-/// The template that the config's own list describes under this handle.
+/// The template with this handle in the config's list; null if there is none or its file is
+/// missing.
 Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& section, Kind kind,
                                                                 const std::string& handle) const {
     const auto at = section.config_of.find(handle);
@@ -263,7 +265,7 @@ Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& s
     }
     const json& changes = sectionOf(config, "attributes");
     checkKeys(changes, kind, config_name_);
-    // Names of files that the config itself gives count from the config.
+    // File names in the config itself are relative to the config.
     if (changes.contains("render_asset")) found.folder = folder_;
     found.attributes = merged(std::move(found.attributes), changes);
     return known->second = std::make_shared<const Template>(std::move(found));
@@ -318,12 +320,12 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
         if (auto file = files_.find(folder_, section.files[at->second].string())) return file;
     }
     if (++slow_searches_ > kMostSlowSearches) return std::nullopt;
-    // A path from the dataset's folder.
+    // A path relative to the dataset's folder.
     for (const std::string& ending : endings) {
         const std::string path = name.ends_with(ending) ? name : name + ending;
         if (auto file = files_.find(folder_, path)) return file;
     }
-    // Habitat takes a part of a name, too: "chair" for "chair_0", the first in the order of names.
+    // Habitat also accepts a part of a file name ("chair" for "chair_0"): the first match by name.
     std::optional<fs::path> first;
     std::vector<std::string> fitting;
     for (const auto& [file_name, index] : section.file_of) {
@@ -340,7 +342,7 @@ std::optional<fs::path> Dataset::findFile(Kind kind, const std::string& name) co
     return first;
 }
 
-/// Files of one name in several folders.
+/// Records a name as ambiguous if files of this name are in several folders.
 void Dataset::noteSeveral(const std::string& name, const Section& section,
                           const std::string& file_name) const {
     if (!section.doubled.contains(file_name) || several_.contains(name)) return;
@@ -414,7 +416,7 @@ std::vector<DatasetScene> Dataset::scenes() const {
         }
     };
     gather(Kind::SceneInstance);
-    // A dataset without scene instances (HM3D, Gibson) has a scene for each stage.
+    // In a dataset without scene instances (HM3D, Gibson) each stage is a scene.
     if (scenes.empty()) gather(Kind::Stage);
     std::sort(scenes.begin(), scenes.end(), [](const DatasetScene& a, const DatasetScene& b) {
         return a.name == b.name ? a.file < b.file : comesBefore(a.name, b.name);

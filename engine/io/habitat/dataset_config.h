@@ -22,14 +22,15 @@ namespace dollytrack::habitat {
 
 class FolderSearch;
 
-/// What a dataset config lists under one of its keys.
+/// The kinds of entries in a dataset config, one per section.
 enum class Kind { Stage, Object, ArticulatedObject, SceneInstance, SemanticScene };
 
-/// A description of a model, and where it comes from.
+/// The description of a model, called a template in Habitat.
 struct Template {
-    nlohmann::json attributes;     // the dataset's default attributes beneath the file's own
-    std::filesystem::path folder;  // names of files count from it
-    std::filesystem::path file;    // of the description, or the model itself
+    nlohmann::json attributes;     // the description's, with the dataset's defaults for the rest
+    std::filesystem::path folder;  // file names are relative to it
+    std::filesystem::path file;    // the description, or the model if it has none; empty: the
+                                   // config itself describes the model
 };
 
 /// A scene of a dataset: a scene instance, or a stage without objects.
@@ -38,69 +39,68 @@ struct DatasetScene {
     std::filesystem::path file;  // NAME.scene_instance.json, NAME.stage_config.json or a model
 };
 
-/// What Dataset::open() reads of a dataset, and how much at most.
+/// Which part of a dataset Dataset::open() reads, and its limits.
 struct DatasetScope {
-    bool scenes_only = false;  // stages and scene instances alone
+    bool scenes_only = false;  // only stages and scene instances
     std::uint64_t most_config_bytes = std::uint64_t{64} << 20U;
-    std::size_t most_names = 10'000'000;  // listed and compared with patterns
+    std::size_t most_names = 10'000'000;  // file names listed and compared with patterns
 };
 
-/// A dataset of Habitat: finds templates by the folders and the list of its config. Without a
-/// config they are looked up in the usual folders (stages, objects, urdf and the same in configs).
-/// Each template is read once. For one thread.
+/// A dataset of Habitat. Finds templates by the folders and the list in its config, or without a
+/// config in the usual folders (stages, objects, urdf, and the same below configs). Each template
+/// is read once. Not thread-safe.
 class Dataset {
   public:
-    /// `config` may be empty; names then count from `folder`. Lists every folder of the config
-    /// once. Errors: Cancelled; BadInput, for a damaged config and for one that names too many
-    /// folders or files.
+    /// Reads the config and lists each of its folders once. `config` may be empty. Relative paths
+    /// start at `folder`. Errors: Cancelled; BadInput for a damaged config or one whose paths lead
+    /// to too many folders or files.
     static Result<Dataset> open(const std::filesystem::path& config,
                                 const std::filesystem::path& folder, io::ReachableFiles files,
                                 const JobContext& job, const DatasetScope& scope = {});
 
-    /// The template of this name: a handle of the config, the name of a file, a path to one, or a
-    /// part of a file's name. Null where no file fits. Error: BadInput, for a file that is
-    /// damaged.
+    /// Finds a template by a handle of the config, a file name, a path, or a part of a file name,
+    /// in this order. Null if there is none. Error: BadInput for a damaged file.
     [[nodiscard]] Result<std::shared_ptr<const Template>> find(Kind kind,
                                                                const std::string& name) const;
 
-    /// The name of a template that this wrong name is close to; empty without one.
+    /// The template name most similar to a misspelt name; empty if none is similar.
     [[nodiscard]] std::string closestTemplate(Kind kind, const std::string& name) const;
 
-    /// Whether more than 2,000 names were no file's own, so that find() did not look for the rest
-    /// by paths and parts of names.
+    /// Whether find() was called with more than 2,000 names that are not file names; for the names
+    /// beyond that it did not try paths and parts of file names.
     [[nodiscard]] bool searchesWereCut() const;
 
-    /// A sentence on the paths of a kind, none of which leads to a file; empty where one does.
+    /// A warning if none of the config's paths of a kind leads to a file; otherwise empty.
     [[nodiscard]] std::string uselessPaths(Kind kind) const;
 
-    /// What is doubtful about the dataset, as far as it was used: paths that lead nowhere, names of
-    /// templates that fit several files, misspelt keys. With `something_missing` also single paths
-    /// that lead nowhere.
+    /// Warnings about the parts of the dataset used so far: paths of scene instances of which none
+    /// leads to a file, template names that match several files, misspelt keys. With
+    /// `something_missing` also all other paths that lead to no file.
     [[nodiscard]] std::vector<std::string> warnings(bool something_missing) const;
 
-    /// The template in this file, a description or a model, with the dataset's default attributes.
-    /// Error: BadInput.
+    /// Reads the template in a file, which is a description or a model; the dataset's default
+    /// attributes complete it. Error: BadInput.
     [[nodiscard]] Result<std::shared_ptr<const Template>> load(
         Kind kind, const std::filesystem::path& file) const;
 
-    /// Every scene that is there, in natural order of name.
+    /// All existing scenes in natural order of name: scene instances, or stages if there are none.
     [[nodiscard]] std::vector<DatasetScene> scenes() const;
 
-    /// The semantic file (a lexicon, a semantic config) that the config gives this handle, else of
-    /// that name, also without its ending.
+    /// The semantic file (a lexicon or a semantic config) with this handle in the config, otherwise
+    /// with this file name, whose extension may be omitted.
     [[nodiscard]] std::optional<std::filesystem::path> findSemanticFile(
         const std::string& name) const;
 
-    /// The path that the config writes for a semantic file's handle; empty without one.
+    /// The path of a semantic file as written in the config; empty for an unknown handle.
     [[nodiscard]] std::string semanticPathOf(const std::string& handle) const;
 
-    /// The semantic files that the config lists by handle or that its paths lead to.
+    /// The existing semantic files that the config lists by handle or by its paths.
     [[nodiscard]] std::vector<std::filesystem::path> semanticFiles() const;
 
     /// The default attributes of semantic configs.
     [[nodiscard]] const nlohmann::json& semanticDefaults() const;
 
-    /// The lexicon that the default attributes name, looked up where semantic configs lie.
+    /// The lexicon named by the default attributes, searched for in the folders of semantic files.
     [[nodiscard]] std::optional<std::filesystem::path> defaultLexicon() const;
 
     [[nodiscard]] const io::ReachableFiles& files() const { return files_; }
@@ -110,17 +110,18 @@ class Dataset {
     Dataset(std::filesystem::path folder, io::ReachableFiles files)
         : folder_(std::move(folder)), files_(std::move(files)) {}
 
-    /// What the config says of one kind of template.
+    /// The config's section for one kind of template.
     struct Section {
         nlohmann::json defaults = nlohmann::json::object();
         nlohmann::json::array_t configs;
-        std::map<std::string, std::size_t> config_of;     // by handle, else by the file's name
+        std::map<std::string, std::size_t> config_of;     // index by handle, or by file name
         std::vector<std::filesystem::path> files;         // descriptions and models
-        std::map<std::string, std::size_t> file_of;       // by file name; the first of several
-        std::vector<std::filesystem::path> named_models;  // of `files`: the paths ask for models
-        std::set<std::string> doubled;  // names of files that lie in several folders
+        std::map<std::string, std::size_t> file_of;       // first index by file name
+        std::vector<std::filesystem::path> named_models;  // those of `files` with an extension
+                                                          // that the config's paths list
+        std::set<std::string> doubled;                    // file names in several folders
         std::size_t patterns = 0;
-        std::vector<std::string> useless_patterns;  // that lead to no file
+        std::vector<std::string> useless_patterns;  // paths that lead to no file
     };
     Status readSection(const nlohmann::json& values, Kind kind, FolderSearch& search);
     [[nodiscard]] Result<std::shared_ptr<const Template>> findConfigured(
@@ -134,16 +135,16 @@ class Dataset {
     std::filesystem::path folder_;
     io::ReachableFiles files_;
     std::map<Kind, Section> sections_;
-    nlohmann::json lexicons_;  // files by handle
-    /// Read so far: by file, and by handle of the config's own list (null: its file is missing).
+    nlohmann::json lexicons_;  // semantic files by handle
+    /// Templates read so far, by file and by handle of the config's list (null: file missing).
     mutable std::map<std::pair<Kind, std::filesystem::path>, std::shared_ptr<const Template>>
         by_file_;
     mutable std::map<std::pair<Kind, std::string>, std::shared_ptr<const Template>> by_handle_;
-    std::string config_name_;  // of the config's file; empty without one
+    std::string config_name_;  // file name of the config; empty without one
     mutable KeyCheck keys_;
-    /// The files that the names of templates fit, where those are several.
+    /// The matching files of ambiguous template names.
     mutable std::map<std::string, std::vector<std::string>> several_;
-    mutable std::size_t slow_searches_ = 0;  // for names that are no file's own; limited
+    mutable std::size_t slow_searches_ = 0;  // for names that are not file names; limited
 };
 
 }  // namespace dollytrack::habitat

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFolders = 20'000;  // that all patterns lead into
+constexpr std::size_t kMostFolders = 20'000;  // listed for all patterns together
 
 }  // namespace
 
@@ -52,7 +52,7 @@ Result<const std::vector<std::string>*> FolderSearch::list(const fs::path& folde
     std::error_code error;
     const fs::file_status status =
         files_.reaches(folder) ? fs::status(folder, error) : fs::file_status();
-    // A folder that is missing is listed, too: the scene depends on whether it is there.
+    // Missing folders are listed as well, which records that the scene depends on them.
     if (!fs::exists(status) || fs::is_directory(status)) {
         Result<std::vector<std::string>> names = files_.namesIn(folder);
         if (!names) return tl::unexpected(names.error());

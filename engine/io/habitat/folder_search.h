@@ -13,15 +13,15 @@
 
 namespace dollytrack::habitat {
 
-/// Finds what the patterns of a dataset config stand for. Lists each folder once, and stops with an
-/// error where a config leads into too many. For one thread.
+/// Expands the path patterns of a dataset config. Each folder is listed once; too many folders or
+/// files are an error. Not thread-safe.
 class FolderSearch {
   public:
-    static constexpr std::size_t kMostPatterns = 2'000;  // of a kind; HM3D lists 1,000 stages
-    static constexpr std::size_t kMostFiles = 100'000;   // of one kind
+    static constexpr std::size_t kMostPatterns = 2'000;  // per kind; HM3D lists 1,000 stages
+    static constexpr std::size_t kMostFiles = 100'000;   // per kind
 
-    /// Patterns count from `root`; `where` names the config in errors. `files` has to outlive this
-    /// object.
+    /// Patterns are relative to `root`; `where` names the config in errors. `files` must outlive
+    /// this object.
     FolderSearch(const io::ReachableFiles& files, std::filesystem::path root, std::string where,
                  JobContext job, std::size_t most_names)
         : files_(files),
@@ -30,13 +30,14 @@ class FolderSearch {
           job_(std::move(job)),
           most_names_(most_names) {}
 
-    /// Whether a text holds wildcards.
+    /// Whether a text contains wildcards.
     [[nodiscard]] static bool isPattern(const std::string& text);
 
-    /// The folders and files that a path with wildcards stands for.
+    /// The folders and files that match a path with wildcards. Paths without wildcards are
+    /// returned whether they exist or not. Errors: BadInput (too many), Cancelled.
     Result<std::vector<std::filesystem::path>> expand(const std::string& pattern);
 
-    /// The names in a folder; none of a file.
+    /// The names in a folder; empty for a file or a missing folder. Errors: as above.
     Result<const std::vector<std::string>*> list(const std::filesystem::path& folder);
 
     [[nodiscard]] tl::unexpected<Error> tooManyPatterns(const std::string& section) const;

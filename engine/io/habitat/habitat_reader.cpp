@@ -22,14 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The configs of the dataset that a scene belongs to, or the config itself.
+/// The configs of the dataset that a scene belongs to; for a config, the config itself.
 std::vector<fs::path> configsOf(const fs::path& path) {
     if (isDatasetConfig(path)) return {io::absoluteNormal(path)};
     return findDatasetConfigs(path);
 }
 
-/// The folder of the whole dataset: its configs', else the one above the scene's. It is never the
-/// root of the file system, unless that is the scene's own folder.
+/// The folder of the dataset: that of its configs, otherwise the folder above "scenes", "objects"
+/// and the like around the scene. Never the file system's root, unless the scene is in it.
 fs::path datasetFolder(const fs::path& path, const std::vector<fs::path>& configs) {
     if (!configs.empty()) return configs.front().parent_path();
     fs::path folder = io::absoluteNormal(path).parent_path();
@@ -40,7 +40,7 @@ fs::path datasetFolder(const fs::path& path, const std::vector<fs::path>& config
     return folder;
 }
 
-/// The folders that a scene may read: its dataset's, its own, and those that a person gives.
+/// The folders that a scene may read: its dataset's, its own, and those given by the user.
 std::vector<fs::path> foldersOf(const fs::path& path, const std::vector<fs::path>& configs,
                                 const ImportOptions& options) {
     std::vector<fs::path> folders = {datasetFolder(path, configs),
@@ -56,7 +56,8 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options,
     const std::vector<fs::path> configs = configsOf(path);
     const std::vector<fs::path> folders = foldersOf(path, configs, options);
     if (!isDatasetConfig(path)) {
-        // Another config in one of these folders would be another dataset.
+        // A config added to one of these folders would change the scene, so their listings are
+        // recorded as inputs.
         fs::path folder = io::absoluteNormal(path).parent_path();
         io::InputRecord::note(io::InputUse::Listing, folder);
         while (folder != folders.front() && folder.has_relative_path()) {
@@ -68,7 +69,7 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options,
                          io::ReachableFiles(folders), job);
 }
 
-/// A sentence on paths of scene instances that lead nowhere, to follow another one.
+/// Dataset::uselessPaths() of scene instances, as a continuation of an error message.
 std::string uselessScenePaths(const Dataset& dataset) {
     const std::string line = dataset.uselessPaths(Kind::SceneInstance);
     return line.empty() ? line : "; " + line;
@@ -93,7 +94,7 @@ tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, con
                 path.string());
 }
 
-/// The error of a batch whose scene would be read with another config than the one it names.
+/// The error for a batch if a scene would be read with another config than the named one.
 tl::unexpected<Error> readWithAnother(const fs::path& other, const DatasetScene& scene,
                                       const fs::path& config) {
     const std::string name = cleanText(scene.name);
@@ -170,13 +171,14 @@ Result<std::vector<fs::path>> scenesOfDataset(const fs::path& given,
     const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job, kScope);
     if (!dataset) return tl::unexpected(dataset.error());
     ConfigChoice choice(kScope, job);
-    std::map<fs::path, fs::path> chosen;  // by folder of scenes
+    std::map<fs::path, fs::path> chosen;  // config by the scenes' folder
     std::vector<fs::path> files;
     for (const DatasetScene& scene : dataset->scenes()) {
         if (scene.file.extension() != ".json") {
             const auto stage = dataset->load(Kind::Stage, scene.file);
             if (!stage) return tl::unexpected(stage.error());
-            // A batch names the model alone. Labelled models find their axes without the config.
+            // A job of a batch is given only the model, without the config. The axes of labelled
+            // models are found without it.
             if (changesGeometry(**stage) && !semantics::findLabelledFiles(scene.file)) {
                 return fail(ErrorCode::BadInput,
                             "the config gives axes or a size to stages without a stage config; "

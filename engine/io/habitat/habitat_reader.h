@@ -11,12 +11,12 @@
 
 namespace dollytrack::habitat {
 
-/// Whether the first bytes of a JSON file may be those of a scene instance, a dataset config, a
-/// stage config or an object config.
+/// Whether a JSON file that begins with `head` may be a scene instance or a dataset, stage or
+/// object config, by its keys.
 bool likeHabitat(std::string_view head);
 
-/// Whether a file describes a stage or an object, by its name. Batches skip these files; they are
-/// read only when named directly.
+/// Whether a file describes a stage or an object, by its name. Batches skip these files unless they
+/// are named explicitly.
 bool isHabitatPart(const std::filesystem::path& path);
 
 /// Reads a scene of Habitat: a scene instance with stage, objects and articulated objects; a stage
@@ -25,16 +25,16 @@ bool isHabitatPart(const std::filesystem::path& path);
 Result<RawScene> readHabitat(const std::filesystem::path& path, const ImportOptions& options,
                              const JobContext& job);
 
-/// The folders that readHabitat() opens files in: the dataset's, the scene's and those given. They
-/// are known by names of files alone; no file is opened.
+/// The folders in which readHabitat() opens files: the dataset's, the scene's and
+/// ImportOptions::model_folders. Determined by file names; no file is opened.
 std::vector<std::filesystem::path> habitatInputs(const std::filesystem::path& path,
                                                  const ImportOptions& options);
 
-/// The scene files of a dataset config, in natural order of name: what a batch makes jobs of. The
-/// config is of unknown origin and parsed in this process, so at most 1 MiB and 100,000 names are
-/// read. `also_named` are the other configs of the batch, absolute. Error: BadInput, also where the
-/// config gives axes or a size to models that it lists as scenes, and where a scene would be read
-/// with a config that is not named.
+/// The scene files of a dataset config in natural order of name, for the jobs of a batch. Because
+/// the untrusted config is parsed in this process, at most 1 MiB and 100,000 names are read.
+/// `also_named` are the absolute paths of the batch's other configs. Error: BadInput, also if the
+/// config gives axes or a scale to models that are scenes themselves (a batch would read them
+/// without the config), and if readHabitat() would use an unnamed config for a scene.
 Result<std::vector<std::filesystem::path>> scenesOfDataset(
     const std::filesystem::path& config, const std::vector<std::filesystem::path>& also_named = {});
 

@@ -14,7 +14,7 @@ constexpr std::size_t kMostSlips = 20;
 constexpr std::size_t kMostKnown = 10'000;
 constexpr std::size_t kLongestKey = 64;
 
-/// The keys that Habitat-sim reads, whether they matter here or not.
+/// All keys that Habitat-sim reads, including those that are ignored here.
 const std::vector<std::string>& knownKeys(KeyCheck::Place place) {
     static const std::vector<std::string> kDatasetConfig = {
         "stages",          "objects",           "articulated_objects",
@@ -127,7 +127,7 @@ void KeyCheck::check(const nlohmann::json& object, Place place, const std::strin
         std::string meant;
         if (std::ranges::find(known, key) == known.end()) meant = closestName(key, known);
         if (meant.empty() && fine_.size() < kMostKnown) fine_.insert({place, key});
-        // A key that is there as well was not meant.
+        // If the similar key exists as well, this key is not a misspelling of it.
         if (meant.empty() || object.contains(meant)) continue;
         if (seen_.size() >= kMostKnown || !seen_.insert({file, key}).second) continue;
         lines_.push_back(

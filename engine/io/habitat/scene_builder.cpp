@@ -78,7 +78,7 @@ class SceneReader {
         return finish(!objects.empty() || !articulated.empty());
     }
 
-    /// A stage or an object alone. A model without axes in its description keeps those of its file.
+    /// Reads a single stage or object. A model without described axes keeps those of its file.
     Result<RawScene> readPart(const Template& part) {
         if (Status added = addStage(part, json::object()); !added) {
             return tl::unexpected(added.error());
@@ -115,7 +115,7 @@ class SceneReader {
         Result<RawScene> read =
             labelled ? semantics::readLabelled(*labelled, job_) : readModel(*asset, job_);
         if (!read) return tl::unexpected(read.error());
-        // The mesh that is shown: the labelled one where there is no other.
+        // The rendered mesh: the labelled one if there is no textured one.
         fs::path shown = *asset;
         if (labelled) shown = labelled->textured.empty() ? labelled->labelled : labelled->textured;
         for (TextureRequest& texture : read->textures) texture.folder = shown.parent_path();
@@ -134,7 +134,7 @@ class SceneReader {
         return {};
     }
 
-    /// The files that label a stage: found by the name of its model, else of its semantic mesh.
+    /// The label files of a stage, found by the name of its model, otherwise of its semantic mesh.
     std::optional<semantics::LabelledFiles> labelledFilesOf(const Template& stage,
                                                             const fs::path& asset) {
         std::optional<semantics::LabelledFiles> labelled = semantics::findLabelledFiles(asset);
@@ -150,8 +150,8 @@ class SceneReader {
         return labelled;
     }
 
-    /// Whether labels can be moved to the model of a stage: the reader of labelled meshes tries
-    /// equal axes and quarter turns about x. Otherwise the semantic mesh itself is shown.
+    /// Whether labels can be transferred to the stage's model: transferLabels() supports equal axes
+    /// and rotations by 90 degrees about x. Otherwise the semantic mesh itself is rendered.
     static bool labelsCanBeMoved(const json& attributes) {
         const Eigen::Matrix3d asset_from_semantic =
             rotationFromUpAndFront(attributes, {}).transpose() *
@@ -160,7 +160,7 @@ class SceneReader {
                asset_from_semantic(1, 1) > -1e-6;
     }
 
-    /// The stage's own nodes and objects are kept: they tell its walls, doors and furniture apart.
+    /// Adds the stage with its nodes and objects, which separate walls, doors and furniture.
     void placeWithNodes(const RawScene& model, const Eigen::Affine3d& moved) {
         ModelPlacement placement(model, scene_);
         const auto first_part = scene_.parts.size();
@@ -200,7 +200,7 @@ class SceneReader {
         return Placement{*translation, *rotation, uniform * *scale};
     }
 
-    /// A template of objects with its model's file, or what is missing.
+    /// An object's template and model file; if one was not found, `missing` names it.
     struct ObjectTemplate {
         std::shared_ptr<const Template> found;
         fs::path model;
@@ -214,7 +214,7 @@ class SceneReader {
         std::string name;
     };
 
-    /// A name that no file of the dataset has, and which was likely meant.
+    /// Describes a name that no file has, with a similar name if there is one.
     std::string withoutDescription(Kind kind, const std::string& name) {
         constexpr int kMostHints = 20;
         const std::string close =
@@ -284,9 +284,9 @@ class SceneReader {
         return {};
     }
 
-    /// Habitat places an object's centre of mass, unless the file says that it is the origin of
-    /// the model. The centre is the one given, in the axes of the placed object before its scale,
-    /// else the middle of the model's box.
+    /// `translation` is the position of the centre of mass, or with asset_local that of the model's
+    /// origin. The centre of mass is `COM`, scaled, in the axes of the rotated model; without it,
+    /// or with compute_COM_from_shape, the centre of the model's box.
     [[nodiscard]] Eigen::Affine3d sceneFromObject(const Wanted& one, const RawScene& model,
                                                   const Placement& placement) const {
         const json& attributes = one.found->attributes;
@@ -320,9 +320,9 @@ class SceneReader {
         return object;
     }
 
-    /// A model of articulated objects, which several templates and instances share.
+    /// The model of a URDF file, shared by several templates and instances.
     struct ArticulatedModel {
-        std::unique_ptr<RawScene> model;  // null: it cannot be read
+        std::unique_ptr<RawScene> model;  // null if it cannot be read
         std::string reason;
         std::unique_ptr<ModelPlacement> placement;
     };
@@ -342,7 +342,7 @@ class SceneReader {
         return read;
     }
 
-    /// The description beside a URDF, NAME.ao_config.json, with its class and size; null without.
+    /// The description NAME.ao_config.json beside a URDF, with class and scale; null without one.
     [[nodiscard]] Result<std::shared_ptr<const Template>> articulatedConfig(
         const fs::path& urdf) const {
         const auto file =
@@ -389,8 +389,8 @@ class SceneReader {
         return {};
     }
 
-    /// Nodes of the stage that are named after objects are objects; the rest is the building. The
-    /// objects of a stage alone are found as in any other file.
+    /// Groups the stage's nodes into objects by their names; those without a target's class are
+    /// structure. Not used for a single stage, whose objects are found as in any other file.
     void addStageObjects() {
         if (stage_labelled_ || scene_.parts.empty()) return;
         std::vector<bool> taken(scene_.parts.size(), false);
@@ -459,9 +459,9 @@ class SceneReader {
     const LabelTable& labels_;
     JobContext job_;
     RawScene scene_;
-    std::map<fs::path, ArticulatedModel> articulated_;  // by file
+    std::map<fs::path, ArticulatedModel> articulated_;  // by URDF file
     SemanticClasses classes_;
-    KeyCheck keys_;  // of instances
+    KeyCheck keys_;  // for instances
     io::ModelRemarks remarks_;
     io::TriangleBudget budget_;
     io::ObjectNames names_;
@@ -469,7 +469,7 @@ class SceneReader {
     bool stage_labelled_ = false;
     UpAxis stage_up_axis_;  // of the stage's file
     std::size_t hidden_ = 0;
-    int hints_ = 0;  // that were looked for
+    int hints_ = 0;  // number of searches for similar names
     std::vector<std::string> missing_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> bad_;

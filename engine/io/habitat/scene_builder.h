@@ -18,8 +18,8 @@ Result<RawScene> readSceneInstance(const std::filesystem::path& path,
                                    const nlohmann::json& instance, const Dataset& dataset,
                                    const LabelTable& labels, const JobContext& job);
 
-/// Reads a stage or an object alone. A model without axes in its description keeps those of its
-/// file. Errors: BadInput, Cancelled.
+/// Reads a single stage or object. A model without a description and without axes among the
+/// dataset's defaults keeps the axes of its file. Errors: BadInput, Cancelled.
 Result<RawScene> readPart(const std::filesystem::path& path, const Template& part,
                           const Dataset& dataset, const LabelTable& labels, const JobContext& job);
 

@@ -26,13 +26,13 @@ constexpr double kMostSemanticId = 1e9;
 constexpr std::uint64_t kMostTableBytes = std::uint64_t{64} << 20U;
 constexpr const char* kDescriptorKey = "semantic_descriptor_filename";
 
-/// Lexicons call what nobody named "unknown".
+/// Whether a class name is empty or a placeholder, such as "unknown".
 bool saysNothing(const std::string& name) {
     const std::string small = inSmallLetters(name);
     return small.empty() || small == "unknown" || small == "undefined" || small == "none";
 }
 
-/// The cells of a line of comma-separated values, of which some are in quotes.
+/// The cells of a CSV line; cells may be quoted.
 std::vector<std::string> cellsOf(std::string_view line) {
     std::vector<std::string> cells(1);
     bool quoted = false;
@@ -51,7 +51,7 @@ std::vector<std::string> cellsOf(std::string_view line) {
     return cells;
 }
 
-/// The column with the first of these names that there is.
+/// The column whose title is the first of `names` that occurs.
 std::optional<std::size_t> columnOf(const std::vector<std::string>& titles,
                                     std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
@@ -89,7 +89,7 @@ SemanticClasses SemanticClasses::read(const Dataset& dataset, const json& instan
     for (const fs::path& file : dataset.semanticFiles()) {
         if (file.extension() == ".csv") tables.insert(file);
     }
-    // HSSD's table lies beside its lexicon, without being listed.
+    // HSSD's table is beside its lexicon and not listed in the config.
     if (!classes.lexicon_.empty()) {
         const auto beside = dataset.files().find(classes.lexicon_.parent_path(), "objects.csv");
         if (beside) tables.insert(*beside);
@@ -98,7 +98,8 @@ SemanticClasses SemanticClasses::read(const Dataset& dataset, const json& instan
     return classes;
 }
 
-/// A lexicon, or a semantic config, whose lexicon counts from its own folder.
+/// Reads a lexicon, or a semantic config and the lexicon it names (relative to the config's folder,
+/// otherwise to the dataset's).
 void SemanticClasses::readDescriptor(const Dataset& dataset, const fs::path& file,
                                      const std::string& handle) {
     if (file.extension() != ".json") {
@@ -169,7 +170,7 @@ void SemanticClasses::readLexicon(const fs::path& file) {
     }
 }
 
-/// False for a file that has no list of classes.
+/// Stores the classes of a lexicon. Returns false if the file has no list of classes.
 bool SemanticClasses::takeClasses(const json& document, const fs::path& file) {
     for (const json& entry : io::listIn(document, "classes")) {
         if (!entry.is_object()) continue;
@@ -186,7 +187,7 @@ bool SemanticClasses::takeClasses(const json& document, const fs::path& file) {
     return true;
 }
 
-/// A table of models with a line of titles. HSSD's has many columns, among them id and
+/// Reads a table of models (CSV with a header line). HSSD's has many columns, such as id and
 /// main_category.
 void SemanticClasses::readTable(const fs::path& file) {
     const Result<std::string> text = io::readNamedFile(file, kMostTableBytes);
@@ -228,12 +229,12 @@ std::string SemanticClasses::classOf(const json& instance, const json& attribute
         const auto number = static_cast<std::int64_t>(*id);
         const auto known = by_id_.find(number);
         if (known != by_id_.end() && !saysNothing(known->second)) return known->second;
-        // The number 0 is what an object has that nobody gave one.
+        // 0 is the default of objects without a semantic_id.
         const bool is_unknown = known == by_id_.end() && number != 0;
         if (is_unknown && !by_model_.contains(model)) ++unknown_ids_[number];
     }
     auto found = by_model_.find(model);
-    // Models that were taken apart are called MODEL_part_1.
+    // Parts of a split model are named MODEL_part_1.
     if (found == by_model_.end()) found = by_model_.find(model.substr(0, model.find("_part_")));
     return found == by_model_.end() ? std::string() : found->second;
 }

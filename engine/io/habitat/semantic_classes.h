@@ -13,23 +13,23 @@
 
 namespace dollytrack::habitat {
 
-/// The classes that a dataset's semantic files give its objects: by the `semantic_id` of an object
-/// and a lexicon, {"classes": [{"id": 5, "name": "chair"}]}, else by the name of its model and a
-/// table, as HSSD's objects.csv.
+/// The classes of objects in a dataset's semantic files: by `semantic_id` and a lexicon,
+/// {"classes": [{"id": 5, "name": "chair"}]}, otherwise by model name and a table like HSSD's
+/// objects.csv.
 class SemanticClasses {
   public:
-    /// Reads the files of a scene instance: its `semantic_scene_instance` names the lexicon, or a
-    /// semantic config (NAME.semantic_config.json) that names it; without a name the dataset's only
-    /// lexicon is taken. Files that are missing or cannot be used are warned of by name.
+    /// Reads the semantic files of a scene instance. Its `semantic_scene_instance` names the
+    /// lexicon, or a semantic config (NAME.semantic_config.json) that names it; without it the
+    /// dataset's only lexicon is used. Missing or unusable files become warnings().
     static SemanticClasses read(const Dataset& dataset, const nlohmann::json& instance,
                                 const std::filesystem::path& scene);
 
-    /// The class of an object, as the files write it; empty without one. The instance's attributes
-    /// count before its template's. `model` is the template's name without folders and endings.
+    /// The class name of an object as written in the files; empty without one. Attributes of the
+    /// instance take precedence over those of its template. `model` is the template's shortName().
     std::string classOf(const nlohmann::json& instance, const nlohmann::json& attributes,
                         const std::string& model);
 
-    /// What is missing, and which numbers of objects have no class.
+    /// Problems with the files, and the semantic_ids that the lexicon does not contain.
     [[nodiscard]] std::vector<std::string> warnings() const;
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
@@ -43,8 +43,8 @@ class SemanticClasses {
 
     std::map<std::int64_t, std::string> by_id_;
     std::map<std::string, std::string> by_model_;
-    std::filesystem::path lexicon_;                    // empty: none was read
-    std::map<std::int64_t, std::size_t> unknown_ids_;  // and how many objects have them
+    std::filesystem::path lexicon_;                    // empty if none was read
+    std::map<std::int64_t, std::size_t> unknown_ids_;  // number of objects by unknown id
     std::vector<std::string> problems_;
     std::vector<std::string> notes_;
 };

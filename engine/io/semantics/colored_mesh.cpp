@@ -22,10 +22,9 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostGltfBytes = std::uint64_t{4} << 30U;
 constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 29U;
-constexpr std::size_t kMostTriangles = 60'000'000;  // that placements of glTF meshes may have
+constexpr std::size_t kMostTriangles = 60'000'000;  // in all placements of glTF meshes together
 
-/// The object of each triangle of semantic glTF, as a mesh with numbers: by the colours of its
-/// picture, else by those of its vertices.
+/// Reads a semantic glTF file as a mesh with an object number per triangle.
 class ColoredMesh {
   public:
     ColoredMesh(const fs::path& path, const LabelNames& names) : path_(path), names_(names) {}
@@ -71,15 +70,15 @@ class ColoredMesh {
 
   private:
     static constexpr std::int64_t kNone = -1;
-    /// Of each mesh, primitive and triangle.
+    /// Object numbers by mesh, primitive and triangle.
     using Objects = std::vector<std::vector<std::vector<std::int64_t>>>;
 
-    /// Few bytes can ask for many copies of a large mesh.
+    /// Limits the number of placed triangles: a small file can place a large mesh many times.
     [[nodiscard]] Status checkPlacements(const gltf::ColoredMeshes& read,
                                          const Objects& objects) const {
         std::vector<std::size_t> cost(objects.size(), 0);
         for (std::size_t m = 0; m < objects.size(); ++m) {
-            // Primitives without triangles take time, too.
+            // Primitives without triangles take time as well.
             for (const auto& of : objects[m]) cost[m] += std::max(of.size(), std::size_t{1});
         }
         std::size_t placed = 0;
@@ -95,7 +94,8 @@ class ColoredMesh {
         return {};
     }
 
-    /// Pictures are large: only one of them is decoded at a time, for all that it is on.
+    /// The objects of all triangles. Textures are large, so they are decoded one at a time, each
+    /// for all primitives that use it.
     [[nodiscard]] Objects objectsOf(const gltf::ColoredMeshes& read,
                                     const io::ConfinedFolder& folder, const JobContext& job) const {
         struct Task {
@@ -131,7 +131,7 @@ class ColoredMesh {
 
     static void decode(const TextureRequest& request, const io::ConfinedFolder& folder,
                        Texture& picture) {
-        constexpr int kLargestSide = 1 << 14;  // colours are numbers: they must not be averaged
+        constexpr int kLargestSide = 1 << 14;  // large, since scaling would mix the label colours
         std::string bytes;
         std::span<const std::uint8_t> encoded = request.embedded;
         if (encoded.empty()) {
@@ -150,8 +150,8 @@ class ColoredMesh {
         return found == names_.of_color.end() ? kNone : found->second;
     }
 
-    /// Calls visit(corners) for each triangle; its result is the triangle's object. Those that name
-    /// a vertex which is not there have none.
+    /// Calls visit(corners) for each triangle and returns the results, which are object numbers.
+    /// Triangles with an invalid vertex index get kNone.
     template <class Visit>
     static std::vector<std::int64_t> ofTriangles(const gltf::Primitive& primitive, Visit&& visit) {
         std::vector<std::int64_t> objects;
@@ -193,7 +193,7 @@ class ColoredMesh {
         });
     }
 
-    /// Each placement copies the positions, so those that no triangle uses are dropped before.
+    /// Drops positions that no triangle uses, because each placement copies all positions.
     static void keepUsedPositions(gltf::Primitive& primitive) {
         constexpr std::uint32_t kUnused = 0xFFFFFFFFU;
         std::vector<std::uint32_t> renumbered(primitive.positions.size(), kUnused);

@@ -12,11 +12,12 @@
 
 namespace dollytrack::semantics {
 
-/// 0xRRGGBB of an sRGB colour of 0 to 1; no colour of a table where it is no number.
+/// Packs an sRGB colour of 0..1 as 0xRRGGBB. Returns 0xFFFFFFFF for non-finite values.
 [[nodiscard]] std::uint32_t packedColor(const Eigen::Vector3f& color);
 
-/// A semantic glTF file (HM3D) as a mesh with numbers: the object of each triangle by the colours
-/// of its picture, else by those of its vertices. Errors: BadInput, Cancelled.
+/// Reads a semantic glTF file (HM3D) as a mesh with an object number per triangle, by the colour of
+/// its texture or, without one, of its vertices; -1 for colours that `names` does not contain.
+/// Errors: BadInput, Cancelled.
 [[nodiscard]] Result<PlyMesh> readColoredMesh(const std::filesystem::path& path,
                                               const LabelNames& names, const JobContext& job);
 

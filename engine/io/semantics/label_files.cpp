@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr std::uint64_t kMostNameBytes = std::uint64_t{256} << 20U;
 
-constexpr double kMostNumber = 1e15;  // whole numbers beyond are rounded somewhere
+constexpr double kMostNumber = 1e15;  // larger integers may have been rounded as doubles
 
 std::optional<std::int64_t> wholeNumber(std::string_view text) {
     std::int64_t value = 0;
@@ -56,7 +56,7 @@ Result<LabelNames> readReplica(const fs::path& path) {
     return names;
 }
 
-/// HM3D: a line of title, then lines 17,A1B2C3,"chair",0.
+/// HM3D: a header line, then lines like 17,A1B2C3,"chair",0.
 Result<LabelNames> readHabitatText(const fs::path& path) {
     const Result<std::string> text = io::readNamedFile(path, kMostNameBytes);
     if (!text) return tl::unexpected(text.error());
@@ -66,7 +66,7 @@ Result<LabelNames> readHabitatText(const fs::path& path) {
         ++number;
         const auto first = line.find(',');
         const auto second = first == line.npos ? first : line.find(',', first + 1);
-        if (second == line.npos) continue;  // the title, an empty line
+        if (second == line.npos) continue;  // header or empty line
         const auto id = wholeNumber(line.substr(0, first));
         const std::string_view hex = line.substr(first + 1, second - first - 1);
         std::uint32_t color = 0;
@@ -96,7 +96,7 @@ Result<LabelNames> readHouse(const fs::path& path) {
     for (const std::string_view line : io::splitLines(*text)) {
         const auto words = io::splitWords(line);
         if (words.size() >= 6 && words[0] == "C") {
-            // The set's own 40 classes; where they say nothing, its longer word.
+            // The mpcat40 class or, if that is unspecific, the more specific mapping_name.
             const bool vague = words[5] == "objects" || words[5] == "misc";
             std::string name = cleanText(words[vague ? 3 : 5]);
             std::replace(name.begin(), name.end(), '#', ' ');
@@ -136,7 +136,7 @@ Result<LabelNames> readSegments(const fs::path& groups, const fs::path& segments
     return names;
 }
 
-/// ScanNet's names all begin with the scan's own: scene0000_00_vh_clean_2.labels.ply.
+/// ScanNet: all file names begin with the scan's: scene0000_00_vh_clean_2.labels.ply.
 std::optional<LabelledFiles> findScanNet(const fs::path& mesh) {
     const std::string name = mesh.filename().string();
     const fs::path folder = mesh.parent_path();

@@ -13,15 +13,15 @@
 
 namespace dollytrack::semantics {
 
-/// What the files beside a mesh say of the numbers and colours of its faces.
+/// The content of the label files beside a mesh.
 struct LabelNames {
-    std::map<std::int64_t, std::string> categories;   // of each object's number; clean text
-    std::map<std::uint32_t, std::int64_t> of_color;   // object of a colour 0xRRGGBB
-    std::vector<std::int64_t> segments;               // segment of each vertex
-    std::map<std::int64_t, std::int64_t> of_segment;  // object of a segment
+    std::map<std::int64_t, std::string> categories;   // class name by object number; clean text
+    std::map<std::uint32_t, std::int64_t> of_color;   // object number by colour 0xRRGGBB
+    std::vector<std::int64_t> segments;               // segment number of each vertex
+    std::map<std::int64_t, std::int64_t> of_segment;  // object number by segment
 };
 
-/// The kinds of files that name a mesh's objects.
+/// The kinds of label files.
 enum class LabelFileKind {
     ReplicaInfo,        // info_semantic.json
     HabitatText,        // NAME.semantic.txt
@@ -30,21 +30,21 @@ enum class LabelFileKind {
     ScanNetPpSegments,  // segments_anno.json and segments.json
 };
 
-/// A labelled mesh and the files that belong to it.
+/// A labelled mesh and its label files.
 struct LabelledFiles {
-    std::filesystem::path labelled;  // the mesh whose faces carry numbers or colours
+    std::filesystem::path labelled;  // the mesh with label numbers or colours
     std::filesystem::path textured;  // the mesh with the room's colours, if it is another one
     std::optional<LabelFileKind> kind;
-    std::filesystem::path names;     // empty: the mesh has numbers without names
-    std::filesystem::path segments;  // of the two kinds that have them
-    bool nyu40 = false;              // the mesh's class numbers are NYU40's (ScanNet)
+    std::filesystem::path names;     // empty: the numbers have no names
+    std::filesystem::path segments;  // for the kinds with segments
+    bool nyu40 = false;              // whether the class numbers are NYU40's (ScanNet)
 };
 
-/// The files that label a mesh by the naming of Replica, HM3D, Matterport3D, ScanNet and ScanNet++;
-/// nothing for a mesh that none of them belongs to.
+/// Finds the files of a labelled mesh by the file names of Replica, HM3D, Matterport3D, ScanNet and
+/// ScanNet++; nullopt for a mesh without such files.
 [[nodiscard]] std::optional<LabelledFiles> findLabelledFiles(const std::filesystem::path& mesh);
 
-/// Reads the files that name objects. Error: BadInput.
+/// Reads the label files. Error: BadInput.
 [[nodiscard]] Result<LabelNames> readLabelNames(const LabelledFiles& files);
 
 }  // namespace dollytrack::semantics

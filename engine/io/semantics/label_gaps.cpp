@@ -18,7 +18,7 @@ std::string shown(const fs::path& file) {
     return cleanText(file.filename().string());
 }
 
-/// Of two files that belong together, the sentence on the one that is missing.
+/// A warning if exactly one of two files exists; otherwise empty.
 std::string gapBetween(const fs::path& first, const fs::path& second, const char* without) {
     const bool has_first = io::hasFile(first);
     if (has_first == io::hasFile(second)) return {};
@@ -48,7 +48,7 @@ std::string scanNetPpGap(const fs::path& mesh) {
                       mesh.parent_path() / "segments.json", kNoObjects);
 }
 
-/// Replica's labelled mesh and its names lie in "habitat", below the folder of mesh.ply.
+/// Replica: labelled mesh and names are in "habitat", below the folder of mesh.ply.
 std::string replicaGap(const fs::path& mesh) {
     const bool labelled = mesh.filename() == "mesh_semantic.ply";
     if (!labelled && mesh.filename() != "mesh.ply") return {};
@@ -84,7 +84,7 @@ std::string habitatGap(const fs::path& mesh) {
         std::string gap = gapBetween(text, folder / (*scene + ".semantic.glb"), kNoObjects);
         if (!gap.empty()) return gap;
     }
-    // Replica's mesh is called mesh_semantic.ply.
+    // mesh_semantic.ply is Replica's, not Matterport3D's.
     if (io::hasFile(text) || name == "mesh_semantic.ply") return {};
     const fs::path numbers = folder / (*scene + "_semantic.ply");
     return gapBetween(folder / (*scene + ".house"), numbers,

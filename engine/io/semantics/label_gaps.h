@@ -5,8 +5,8 @@
 
 namespace dollytrack::semantics {
 
-/// One sentence on the files of a labelled set that lie beside a mesh without those that belong to
-/// them, such as ScanNet's .aggregation.json without its .segs.json; empty where none is missing.
+/// A warning if one of two label files that belong together is missing beside a mesh, such as
+/// ScanNet's .segs.json beside its .aggregation.json; otherwise empty.
 [[nodiscard]] std::string missingLabelFile(const std::filesystem::path& mesh);
 
 }  // namespace dollytrack::semantics

@@ -25,7 +25,7 @@ Eigen::AlignedBox3d boundsOf(const RawScene& scene) {
     return box;
 }
 
-/// The mean distance of some triangles of a mesh from the labelled surfaces.
+/// Mean distance of a mesh from the labelled surfaces, over about 2000 triangle centres.
 double meanDistance(const RawScene& textured, const Eigen::Affine3d& rotation,
                     const LabelledSurface& surface, double radius, const JobContext& job) {
     constexpr std::size_t kEnough = 2000;
@@ -44,9 +44,8 @@ double meanDistance(const RawScene& textured, const Eigen::Affine3d& rotation,
     return sum / static_cast<double>((count + step - 1) / step);
 }
 
-/// The two meshes of a scan may be stored with different upward axes: the rotation that makes their
-/// boxes most alike; of rotations that do so equally well, the one that brings the surfaces
-/// together.
+/// The rotation between the two meshes of a scan, which may have different up axes: the one that
+/// makes their bounding boxes most similar or, of several such, brings their surfaces closest.
 Eigen::Affine3d labelledFromTextured(const Eigen::AlignedBox3d& labelled, const RawScene& textured,
                                      const LabelledSurface& surface, double radius,
                                      const JobContext& job) {
@@ -69,7 +68,7 @@ Eigen::Affine3d labelledFromTextured(const Eigen::AlignedBox3d& labelled, const 
     for (std::size_t i = 0; i < rotations.size(); ++i) {
         if (apart[i] > most) continue;
         const double mean = meanDistance(textured, rotations[i], surface, radius, job);
-        // A room that looks the same either way stays as it is.
+        // For symmetric rooms the first rotation (identity) is preferred.
         if (best && mean >= least - 1e-6 * radius) continue;
         best = i;
         least = mean;
@@ -104,14 +103,14 @@ MeshPart pick(const MeshPart& part, const std::vector<std::size_t>& triangles) {
 }  // namespace
 
 RawScene transferLabels(RawScene labelled, RawScene textured, const JobContext& job) {
-    constexpr double kReach = 0.02;  // of the scene's diagonal: beyond there is no label
+    constexpr double kReach = 0.02;  // largest distance of a label: share of the scene's diagonal
     const double radius = kReach * boundsOf(textured).diagonal().norm();
     const std::vector<SourceObject> objects = labelled.objects;
     const std::size_t none = objects.size();
     const LabelledSurface surface(labelled);
     const Eigen::Affine3d rotation =
         labelledFromTextured(boundsOf(labelled), textured, surface, radius, job);
-    // The triangles of each part by object. Only objects that a part has triangles of take memory.
+    // The triangles of each part by object; sparse, since a part contains few of the objects.
     std::vector<std::map<std::size_t, std::vector<std::size_t>>> of_part(textured.parts.size());
     parallelFor(textured.parts.size(), [&](std::size_t p) {
         const MeshPart& part = textured.parts[p];

@@ -5,9 +5,10 @@
 
 namespace dollytrack::semantics {
 
-/// Gives the mesh with the room's colours the objects of the labelled one: each triangle takes the
-/// label of the same triangle, else of the nearest labelled surface. The two may have different
-/// upward axes. What it returns after a cancelled job is of no use.
+/// Transfers the objects of a labelled mesh to the textured mesh of the same room. Each triangle
+/// gets the label of the same triangle, otherwise of the nearest labelled surface within 2 % of the
+/// scene's diagonal; the rest becomes one structure object. The meshes may have different up axes.
+/// If the job is cancelled, the result is undefined.
 [[nodiscard]] RawScene transferLabels(RawScene labelled, RawScene textured, const JobContext& job);
 
 }  // namespace dollytrack::semantics

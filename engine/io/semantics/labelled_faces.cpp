@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::int64_t kNone = -1;
 
-/// Each face's number by those of its corners.
+/// The number of each face: the one that two of its first three corners share, otherwise its first
+/// corner's.
 std::vector<std::int64_t> byCorners(const PlyMesh& mesh, const std::vector<std::int64_t>& numbers,
                                     const std::vector<std::size_t>& first) {
     std::vector<std::int64_t> faces(mesh.face_sizes.size(), kNone);
@@ -52,7 +53,7 @@ std::vector<std::int64_t> classesOf(const PlyMesh& mesh, const std::vector<std::
     return {};
 }
 
-/// Connected pieces of faces of one class: faces that share a position.
+/// Connected components of faces with the same class; faces are connected if they share a position.
 class Pieces {
   public:
     Pieces(const PlyMesh& mesh, const std::vector<std::size_t>& first,
@@ -85,7 +86,7 @@ int nyuOf(std::int64_t number) {
     return number >= 1 && number <= kNyu40Count ? static_cast<int>(number) : 0;
 }
 
-/// The classes that the majority of each object's faces have, where class numbers are NYU40's.
+/// The most frequent NYU40 class among the faces of each object.
 std::map<std::int64_t, int> majorityClasses(const std::vector<std::int64_t>& objects,
                                             const std::vector<std::int64_t>& classes) {
     std::map<std::int64_t, std::map<int, std::size_t>> counts;
@@ -105,13 +106,13 @@ LabelledFaces byObjects(const std::vector<std::int64_t>& objects,
                         bool nyu40) {
     const std::map<std::int64_t, int> majority =
         nyu40 ? majorityClasses(objects, classes) : std::map<std::int64_t, int>{};
-    // Numbers that a file of names passes over are of nothing, as are those below 0.
+    // Negative numbers, and those missing in a file of names, mean unlabelled.
     constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
     const auto numberOf = [&](std::int64_t number) {
         const bool any = names.categories.empty() || names.categories.contains(number);
         return number >= 0 && any ? number : kLast;
     };
-    // By rising number, whatever the order of the faces; what is unlabelled comes last.
+    // In increasing order of the numbers, independent of the order of faces; unlabelled is last.
     std::map<std::int64_t, std::size_t> index;
     for (const std::int64_t number : objects) index.try_emplace(numberOf(number), 0);
     LabelledFaces labelled;

@@ -10,22 +10,22 @@
 
 namespace dollytrack::semantics {
 
-/// One object that the files name.
+/// An object of a labelled mesh.
 struct LabelledObject {
-    std::string category;  // the set's word for it; empty: none
-    int nyu40 = 0;         // 0: by its category
-    bool target = true;    // false: unlabelled surface, or specks of a class
+    std::string category;  // class name in the dataset; empty: none
+    int nyu40 = 0;         // 0: determined by `category`
+    bool target = true;    // false: unlabelled surface, or small pieces of a class
 };
 
-/// Which object each face is of; indices into `objects`.
+/// The objects of a mesh and the object of each face.
 struct LabelledFaces {
     std::vector<LabelledObject> objects;
-    std::vector<std::size_t> of_face;
+    std::vector<std::size_t> of_face;  // index into `objects`
 };
 
-/// The objects of a mesh by the numbers of its faces, else of its vertices (the number that two of
-/// a face's corners share, else its first corner's), by rising number. Without numbers of objects,
-/// connected pieces of one class are objects. Nothing where the mesh has no numbers.
+/// The objects of a mesh, in increasing order of their numbers. A face has its own number, or the
+/// one that two of its corners share (otherwise its first corner's). Without object numbers, each
+/// connected piece of one class is an object. Returns nullopt if the mesh has no numbers.
 [[nodiscard]] std::optional<LabelledFaces> labelFaces(const PlyMesh& mesh, const LabelNames& names,
                                                       bool nyu40);
 

@@ -33,7 +33,7 @@ Result<PlyMesh> readPlyMesh(const fs::path& path) {
     return parsePlyMesh(*bytes, path);
 }
 
-/// Names and classes of objects, in the order in which they come to the scene.
+/// Adds labelled objects with unique names to a scene.
 class ObjectList {
   public:
     explicit ObjectList(RawScene& scene) : scene_(scene) {}
@@ -94,7 +94,7 @@ Status checkCount(const LabelledFaces& faces, const fs::path& path) {
                 path.string());
 }
 
-/// ARKitScenes has boxes around objects beside a mesh without labels.
+/// Notes that ARKitScenes' object boxes, which are beside a mesh without labels, are not read.
 void noteBoxes(const fs::path& mesh, RawScene& scene) {
     constexpr std::string_view kEnding = "_3dod_mesh.ply";
     std::string name = mesh.filename().string();
@@ -105,7 +105,7 @@ void noteBoxes(const fs::path& mesh, RawScene& scene) {
                           " are not read; objects are found by their shape");
 }
 
-/// Labels under a name that is not known would be lost without a word.
+/// Notes integer properties that were not read, because they may be labels under an unknown name.
 void noteUnreadNumbers(const PlyMesh& mesh, RawScene& scene) {
     if (mesh.unread_numbers.empty()) return;
     scene.notes.push_back(
@@ -158,7 +158,7 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
         Result<RawScene> textured = readModel(files.textured, job);
         if (!textured) return textured;
         scene = transferLabels(std::move(scene), std::move(*textured), job);
-        scene.file_up_axis = UpAxis();  // these sets store z up in glTF, too
+        scene.file_up_axis = UpAxis();  // these datasets use z up in glTF as well
     } else if (!is_ply) {
         scene.notes.push_back(
             "the mesh with the room's colours is not beside the labelled one; objects have flat "

@@ -9,14 +9,14 @@
 
 namespace dollytrack::semantics {
 
-/// Reads a mesh whose faces carry numbers or colours of objects: each object of the files becomes
-/// one of the scene, and what they leave unlabelled one that is no target. Where the room's colours
-/// are in another mesh, that mesh is shown, and its triangles take the label of the nearest
-/// labelled surface. Errors: BadInput, Cancelled.
+/// Reads a labelled mesh: each labelled object becomes an object of the scene, and the unlabelled
+/// surface becomes structure. If the room's colours are in another mesh, that one is read as well
+/// and gets the labels (transferLabels()). Errors: BadInput, Cancelled.
 [[nodiscard]] Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job);
 
-/// Reads a PLY mesh that has no such files: by the object and class numbers of its own faces and
-/// vertices if it has some. Errors: BadInput, Cancelled.
+/// Reads a PLY mesh without the label files of a known dataset. Objects are those of the numbers of
+/// its faces or vertices, with names by findNameList(); fewer than two are ignored, and the scene
+/// then has no objects yet. Errors: BadInput, Cancelled.
 [[nodiscard]] Result<RawScene> readPly(const std::filesystem::path& path, const JobContext& job);
 
 }  // namespace dollytrack::semantics

@@ -31,7 +31,7 @@ LabelledSurface::LabelledSurface(const RawScene& labelled) {
         for (const std::size_t p : labelled.objects[i].parts) {
             const MeshPart& part = labelled.parts[p];
             for (const Triangle& t : part.triangles) {
-                // Of equal triangles the lowest object's is the one that counts.
+                // Of equal triangles only that of the lowest object is kept.
                 if (!same_.try_emplace(keyOf(cornersOf(part, t)), number).second) continue;
                 triangles_.push_back(
                     {{part.positions[t[0]], part.positions[t[1]], part.positions[t[2]]}, number});
@@ -54,7 +54,7 @@ LabelledSurface::Key LabelledSurface::keyOf(const Corners& corners) const {
     return key;
 }
 
-/// Halves the triangles along the longest side of their box, so that the depth is their logarithm.
+/// Splits the triangles at their median along the longest side of their box; depth is logarithmic.
 void LabelledSurface::build(std::size_t begin, std::size_t end) {
     constexpr std::size_t kLeaf = 8;
     const std::size_t index = nodes_.size();
@@ -83,9 +83,8 @@ void LabelledSurface::build(std::size_t begin, std::size_t end) {
     build(middle, end);
 }
 
-/// Calls visit(distance, object) for triangles, those nearby first, but for those that
-/// skip(distance, object) leaves out. A box of triangles is left out by its distance and the lowest
-/// object in it.
+/// Calls visit(distance, object) for the triangles, visiting nearer nodes first. A node is skipped
+/// if skip() is true for its distance and lowest object number; a triangle likewise for its own.
 template <class Skip, class Visit>
 void LabelledSurface::visitNear(const Eigen::Vector3d& point, Skip&& skip, Visit&& visit) const {
     const auto distanceOf = [&](std::size_t node) {

@@ -21,17 +21,18 @@ using Corners = std::array<Eigen::Vector3d, 3>;
 
 [[nodiscard]] Eigen::Vector3d middleOf(const Corners& corners);
 
-/// The triangles of a labelled scene, each once, in a tree of boxes, to find the object of another
-/// mesh's triangle. Const calls are thread-safe.
+/// A bounding volume hierarchy of a labelled scene's triangles, to find the objects of another
+/// mesh's triangles. Const calls are thread-safe.
 class LabelledSurface {
   public:
     explicit LabelledSurface(const RawScene& labelled);
 
-    /// The object of the same triangle, else of the nearest one within `radius`, as its number from
-    /// 1 on; 0: none is near. Of objects that are equally near, the one with the lowest number.
+    /// The object of an equal triangle, otherwise of the triangle nearest to the centre within
+    /// `radius`: its index in RawScene::objects plus 1; 0 if none is near. Of equally near objects
+    /// (within 1e-4 of `radius`) the lowest number.
     [[nodiscard]] int objectAt(const Corners& corners, double radius) const;
 
-    /// How far away the nearest triangle is; `radius` where there is none within it.
+    /// Distance from a point to the nearest triangle, at most `radius`.
     [[nodiscard]] double distance(const Eigen::Vector3d& point, double radius) const;
 
   private:
@@ -41,12 +42,12 @@ class LabelledSurface {
     };
     struct Node {
         Eigen::AlignedBox3f box;
-        std::size_t begin;  // of the triangles in it
+        std::size_t begin;  // range of its triangles
         std::size_t end;
-        std::size_t second;  // child; the first one comes next. 0: a leaf
-        int lowest;          // number of the objects in it
+        std::size_t second;  // index of the second child; the first is the next node. 0: a leaf
+        int lowest;          // lowest object number in it
     };
-    /// A triangle's corners in millionths of the scene's diagonal, in an order of their own.
+    /// A triangle's corners, sorted and in units of a millionth of the scene's diagonal.
     using Key = std::array<std::array<std::int64_t, 3>, 3>;
 
     [[nodiscard]] Key keyOf(const Corners& corners) const;

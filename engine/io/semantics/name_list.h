@@ -10,13 +10,13 @@
 
 namespace dollytrack::semantics {
 
-/// The file beside a PLY that names its numbers: NAME.labels.json, .csv or .txt, or NAME_labels.*,
-/// of NAME.ply; nothing without.
+/// The file beside NAME.ply that names its label numbers: NAME.labels.json, .csv or .txt, or
+/// NAME_labels.json and so on; nullopt if there is none.
 [[nodiscard]] std::optional<std::filesystem::path> findNameList(const std::filesystem::path& ply);
 
-/// The names of numbers: JSON {"3": "chair"}, {"chair": 3} or a list of {"id": 3, "name": "chair"},
-/// also under "objects", "classes" or "labels"; else lines "3,chair". Error: BadInput, where it
-/// names none.
+/// Reads the names of label numbers: JSON {"3": "chair"}, {"chair": 3} or a list of
+/// {"id": 3, "name": "chair"}, also under "objects", "classes" or "labels"; otherwise lines
+/// "3,chair". Error: BadInput, also if it contains no name.
 [[nodiscard]] Result<std::map<std::int64_t, std::string>> readNameList(
     const std::filesystem::path& file);
 
