@@ -233,7 +233,7 @@ TEST(AwkwardHouse, ARoofAndWhatLiesOutsideAreNoTargets) {
     for (const char* inside : {"sofa", "table", "lamp", "chair"}) {
         EXPECT_EQ(find(scene, inside)->role, Role::Target) << inside;
     }
-    EXPECT_TRUE(says(scene.report.notes, "2 objects outside the building are no targets"));
+    EXPECT_TRUE(says(scene.report.notes, "2 objects outside the building are not targets"));
 }
 
 TEST(AwkwardHouse, WhatLiesOutsideIsATargetWhereAnEditSaysSo) {

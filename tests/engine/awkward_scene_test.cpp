@@ -61,7 +61,7 @@ TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
     obj.object("chair_beside").box({2.2, 0.6, 0.0}, {2.65, 1.05, 0.9});  // alike, elsewhere
     const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 5);
-    EXPECT_TRUE(says(scene.report.notes, "1 mesh is there twice"));
+    EXPECT_TRUE(says(scene.report.notes, "1 mesh occurs twice in one place"));
 }
 
 /// A hall with crates of a metre.

@@ -114,7 +114,7 @@ TEST(BadInput, ScenesOfMitsubaAreNamed) {
     expectRefused(folder.write("scene.xml", "<?xml version=\"1.0\"?>\n<scene version=\"0.5.0\">"),
                   "Mitsuba");
     expectRefused(folder.write("other.xml", "<?xml version=\"1.0\"?>\n<html>"),
-                  "does not begin like a home's Home.xml");
+                  "does not start like a home's Home.xml");
 }
 
 TEST(BadInput, NothingThatCanBeDrawn) {

@@ -117,7 +117,7 @@ TEST(Front3d, ReadsColoursUvsAndNormals) {
     const Object& ceiling = *find(scene, "Ceiling");
     EXPECT_NEAR(std::abs(scene.normals[ceiling.first_vertex].z()), 1.0F, 1e-5);
     EXPECT_TRUE(scene.uvs[ceiling.first_vertex].isZero());
-    EXPECT_TRUE(says(scene.report.notes, "1 mesh has normals that are none"));
+    EXPECT_TRUE(says(scene.report.notes, "1 mesh has invalid normals"));
 }
 
 TEST(Front3d, TellsByNameWhatItLeavesOut) {
@@ -137,7 +137,7 @@ TEST(Front3d, TellsByNameWhatItLeavesOut) {
                      "out: Bed (jid-1)"));
     EXPECT_TRUE(says(notes, "1 room: LivingRoom-7"));
     EXPECT_TRUE(says(notes, "1 entry of the rooms names neither furniture nor mesh"));
-    EXPECT_TRUE(says(warnings, "1 entry of the rooms has a placement that is none"));
+    EXPECT_TRUE(says(warnings, "1 entry of the rooms has an invalid placement"));
     EXPECT_TRUE(says(warnings, "2 faces that name a missing vertex were dropped"));
 }
 

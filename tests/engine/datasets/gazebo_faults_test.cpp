@@ -64,7 +64,7 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     }
     const Result<Scene> damaged = importScene(folder.write("cut.world", "<sdf><world name='w'>"));
     ASSERT_FALSE(damaged);
-    EXPECT_NE(damaged.error().message.find("damaged or was cut off"), std::string::npos);
+    EXPECT_NE(damaged.error().message.find("damaged or truncated"), std::string::npos);
 }
 
 // A mesh that can be read, in a folder that the world may not name files of.

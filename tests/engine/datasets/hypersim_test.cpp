@@ -89,8 +89,8 @@ TEST(Hypersim, LabelsAnObjFileBesideItsDetail) {
     ASSERT_TRUE(scene) << describe(scene.error());
     expectLabelled(*scene);
     EXPECT_TRUE(says(scene->report.notes, "5 of 5 meshes that Hypersim's annotations name are in"));
-    EXPECT_TRUE(
-        says(scene->report.notes, "annotated boxes that are as ours to 2 cm or 2 %: 1 of 1"));
+    EXPECT_TRUE(says(scene->report.notes,
+                     "annotated boxes that agree with the measured ones to 2 cm or 2 %: 1 of 1"));
     EXPECT_TRUE(says(scene->report.warnings, "1 mesh is not named by Hypersim's annotations"));
 }
 
@@ -118,7 +118,8 @@ TEST(Hypersim, TellsBoxesThatDiffer) {
     const Result<Scene> scene = importScene(folder.write("scene.obj", room()));
     ASSERT_TRUE(scene);
     EXPECT_TRUE(says(scene->report.notes,
-                     "annotated boxes that are as ours to 2 cm or 2 %: 0 of 1; different: Line001 "
+                     "annotated boxes that agree with the measured ones to 2 cm or 2 %: 0 of 1; "
+                     "different: Line001 "
                      "by 0.3 m"));
 }
 

@@ -83,7 +83,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "rename_no_go"}, {"name", "x"}, {"to", "y"}}, "no no-go box"},
         {{{"op", "restore_point"}, {"objects", {"mug"}}}, "was not removed"},
         {{{"op", "set"}, {"name", "fil"}, {"value", 1}}, "no parameter 'fil'"},
-        {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "end above 2 m"},
+        {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "end above its start at 2 m"},
         {json("exclude"), "An operation is an object"},
     };
     for (const auto& [operation, words] : wrong) {

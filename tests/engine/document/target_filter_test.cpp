@@ -53,7 +53,7 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
         return left.report.warnings.size() == 1 ? left.report.warnings[0] : std::string();
     };
     EXPECT_EQ(warningFor({"floor"}, {}),
-              "only 'floor' names no target of this scene; nothing is left to capture");
+              "only 'floor' matches no target of this scene; nothing is left to capture");
     EXPECT_EQ(warningFor({"sofa"}, {"sofa"}),
               "ignore excludes everything in only; nothing is left to capture");
     EXPECT_EQ(warningFor({}, {"*"}), "ignore excludes every target; nothing is left to capture");
