@@ -286,7 +286,7 @@ TEST_F(RigGl, WarnsOfCamerasInThings) {
     };
     EXPECT_EQ(warned(0.0), "");
     EXPECT_EQ(warned(0.8), "");
-    EXPECT_NE(warned(0.95).find("nearer than 0.1 m"), std::string::npos) << warned(0.95);
+    EXPECT_NE(warned(0.95).find("closer than 0.1 m"), std::string::npos) << warned(0.95);
     const std::string behind = warned(1.2);
     EXPECT_NE(behind.find("behind"), std::string::npos) << behind;
     EXPECT_NE(behind.find("frame 7: 'wall"), std::string::npos) << behind;
