@@ -186,6 +186,7 @@ Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
     const auto check = [&](std::string_view sha256, const std::string& name) -> Status {
         if (job.cancelled()) return stopped();
         if (sha256Within(out.folder(), name, job) == sha256) return {};
+        if (job.cancelled()) return stopped();
         return fail(ErrorCode::BadInput,
                     "the file is missing or damaged; gather again with --overwrite",
                     (out.path() / name).string());
