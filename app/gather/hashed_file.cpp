@@ -13,6 +13,14 @@ constexpr std::size_t kPending = std::size_t{1} << 20U;  // bytes
 
 }  // namespace
 
+Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder, const std::string& name) {
+    constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL;
+    Result<io::FileDescriptor> file = folder.openFile(name, kNew);
+    if (file || !folder.has(name)) return file;
+    if (Status removed = folder.remove(name); !removed) return tl::unexpected(removed.error());
+    return folder.openFile(name, kNew);
+}
+
 int writeBytes(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -24,9 +32,7 @@ int writeBytes(int descriptor, std::string_view bytes) {
 }
 
 Result<HashedFile> HashedFile::create(const io::GuardedFolder& folder, const std::string& name) {
-    // A file that an interrupted run linked must not be written through.
-    if (Status removed = folder.remove(name); !removed) return tl::unexpected(removed.error());
-    Result<io::FileDescriptor> file = folder.openFile(name, O_WRONLY | O_CREAT | O_EXCL);
+    Result<io::FileDescriptor> file = openNew(folder, name);
     if (!file) return tl::unexpected(file.error());
     return HashedFile(folder.path() / name, std::move(*file));
 }
