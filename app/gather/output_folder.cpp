@@ -362,7 +362,7 @@ Status OutputFolder::finish() {
     if (status) status = folder_.remove(kGatherJournal);
     if (!status) return status;
     (void)lock_.close();
-    return folder_.syncAll();
+    return folder_.syncNames();  // files and gather.json are on the disk already
 }
 
 }  // namespace dollytrack::gather
