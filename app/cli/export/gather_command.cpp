@@ -176,7 +176,7 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
     command.add_flag(
         "--overwrite", order.overwrite,
         "Replace a complete gathered dataset once the new one is complete; write among "
-        "other files, which stay");
+        "other files, of which those with names of new ones are replaced");
     command.add_flag("--json", arguments.as_json, "Print the summary as JSON");
 }
 
