@@ -1,9 +1,7 @@
 #include "app/gather/hashed_file.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <utility>
 
 namespace dollytrack::gather {
@@ -21,16 +19,6 @@ Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder, const std::s
     return folder.openFile(name, kNew);
 }
 
-int writeBytes(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return written < 0 ? errno : ENOSPC;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
 Result<HashedFile> HashedFile::create(const io::GuardedFolder& folder, const std::string& name) {
     Result<io::FileDescriptor> file = openNew(folder, name);
     if (!file) return tl::unexpected(file.error());
@@ -45,7 +33,7 @@ Status HashedFile::write(std::string_view bytes) {
 
 Status HashedFile::flush() {
     hash_.add(std::string_view(pending_));
-    const int error = writeBytes(file_.get(), pending_);
+    const int error = io::writeAll(file_.get(), pending_);
     pending_.clear();
     return error == 0 ? Status() : tl::unexpected<Error>(io::writeError(error, path_));
 }

@@ -43,7 +43,4 @@ class HashedFile {
 [[nodiscard]] Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder,
                                                  const std::string& name);
 
-/// Writes all bytes; 0 or errno.
-[[nodiscard]] int writeBytes(int descriptor, std::string_view bytes);
-
 }  // namespace dollytrack::gather

@@ -295,7 +295,7 @@ Result<std::vector<FinishedShard>> OutputFolder::begin(const render::DatasetIden
 }
 
 Status OutputFolder::appendLine(const std::string& json) {
-    int error = writeBytes(lock_.get(), json + "\n");
+    int error = io::writeAll(lock_.get(), json + "\n");
     if (error == 0 && ::fdatasync(lock_.get()) != 0 && errno != EINVAL) error = errno;
     if (error == 0) return {};
     return tl::unexpected<Error>(io::writeError(error, path() / kGatherJournal));

@@ -50,7 +50,7 @@ Status copyProven(const SourceFile& file, const io::GuardedFolder& to, const std
     if (!copy) return tl::unexpected(copy.error());
     int error = 0;
     const std::string sha256 = hashPieces(*from, [&](std::string_view bytes) {
-        error = writeBytes(copy->get(), bytes);
+        error = io::writeAll(copy->get(), bytes);
         return error == 0;
     });
     if (error == 0) error = copy->close();
