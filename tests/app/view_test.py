@@ -9,7 +9,9 @@ import os
 import re
 import resource
 import shutil
+import struct
 import unittest
+import zlib
 
 import cv2
 import numpy as np
@@ -173,6 +175,19 @@ class Command(ViewCase):
         self.assertIn("1 images", self.view(copy, "-o", page).stderr)
         files = data_of(page, "pictures")[0]["files"]
         self.assertEqual([i for i, file in enumerate(files) if not file], [2])
+
+    def test_a_picture_that_claims_a_huge_size_is_a_damaged_one(self):
+        copy = changed_copy(self.dataset, self.folder / "huge", lambda card: None)
+        picture = copy / "rgb" / "000002.png"
+        data = bytearray(picture.read_bytes())
+        data[16:24] = struct.pack(">II", 30_000, 30_000)
+        data[29:33] = struct.pack(">I", zlib.crc32(data[12:29]))
+        picture.write_bytes(data)
+        limit = (8 << 30, 8 << 30)
+        made = run("view", copy, "-o", self.folder / "huge.html",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit))
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertIn("1 images", made.stderr)
 
     def test_many_large_pictures_stay_below_the_limit(self):
         noise = np.random.default_rng(1).integers(0, 256, (240, 320, 3), np.uint8)
