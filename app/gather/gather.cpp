@@ -186,6 +186,7 @@ Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
     const auto check = [&](std::string_view sha256, const std::string& name) -> Status {
         if (job.cancelled()) return stopped();
         if (sha256Within(out.folder(), name, job) == sha256) return {};
+        if (job.cancelled()) return stopped();
         return fail(ErrorCode::BadInput,
                     "the file is missing or damaged; gather again with --overwrite",
                     (out.path() / name).string());
@@ -212,7 +213,7 @@ Status checkSpace(const GatherOrder& order, const OutputFolder& out, const Gathe
 
 /// How many frames are handled at once: many small ones, few large ones.
 std::size_t stepOf(const Source& source) {
-    constexpr std::uint64_t kBytes = 32'000'000;
+    constexpr std::uint64_t kBytes = 16'000'000;
     constexpr std::uint64_t kMost = 64;
     const std::uint64_t per_frame = source.bytes / std::max<std::size_t>(source.frames, 1) + 1;
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(kBytes / per_frame, 1, kMost));

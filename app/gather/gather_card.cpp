@@ -1,6 +1,7 @@
 #include "app/gather/gather_card.h"
 
 #include "app/gather/output_folder.h"
+#include "engine/core/clean_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -93,8 +94,9 @@ std::string classTable(const GatherCard& card) {
 std::string conventionList(const GatherCard& card) {
     std::string text;
     for (const auto& [name, value] : card.conventions.items()) {
+        // From dataset.json: a line break would end the list.
         text += fmt::format("- `{}`: `{}`\n", name,
-                            value.is_string() ? value.get<std::string>() : value.dump());
+                            value.is_string() ? cleanText(value.get<std::string>()) : value.dump());
     }
     return text;
 }

@@ -1,9 +1,7 @@
 #include "app/gather/hashed_file.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <utility>
 
 namespace dollytrack::gather {
@@ -13,20 +11,16 @@ constexpr std::size_t kPending = std::size_t{1} << 20U;  // bytes
 
 }  // namespace
 
-int writeBytes(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return written < 0 ? errno : ENOSPC;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
+Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder, const std::string& name) {
+    constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL;
+    Result<io::FileDescriptor> file = folder.openFile(name, kNew);
+    if (file || !folder.has(name)) return file;
+    if (Status removed = folder.remove(name); !removed) return tl::unexpected(removed.error());
+    return folder.openFile(name, kNew);
 }
 
 Result<HashedFile> HashedFile::create(const io::GuardedFolder& folder, const std::string& name) {
-    // A file that an interrupted run linked must not be written through.
-    if (Status removed = folder.remove(name); !removed) return tl::unexpected(removed.error());
-    Result<io::FileDescriptor> file = folder.openFile(name, O_WRONLY | O_CREAT | O_EXCL);
+    Result<io::FileDescriptor> file = openNew(folder, name);
     if (!file) return tl::unexpected(file.error());
     return HashedFile(folder.path() / name, std::move(*file));
 }
@@ -39,7 +33,7 @@ Status HashedFile::write(std::string_view bytes) {
 
 Status HashedFile::flush() {
     hash_.add(std::string_view(pending_));
-    const int error = writeBytes(file_.get(), pending_);
+    const int error = io::writeAll(file_.get(), pending_);
     pending_.clear();
     return error == 0 ? Status() : tl::unexpected<Error>(io::writeError(error, path_));
 }

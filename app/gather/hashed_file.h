@@ -38,7 +38,9 @@ class HashedFile {
     std::uint64_t size_ = 0;
 };
 
-/// Writes all bytes; 0 or errno.
-[[nodiscard]] int writeBytes(int descriptor, std::string_view bytes);
+/// Opens a new file for writing. A file of that name is removed before: an interrupted run may have
+/// linked it to a picture of a dataset, which must not be written to. Error: CannotWrite.
+[[nodiscard]] Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder,
+                                                 const std::string& name);
 
 }  // namespace dollytrack::gather

@@ -27,6 +27,7 @@ Annotation annotationOf(const json& one, const ClassTable& table, const ClassUni
     read.box = one.at("bbox").get<std::array<int, 4>>();
     read.area = one.at("area").get<long>();
     read.segmentation = one.at("segmentation").dump();
+    read.segmentation.shrink_to_fit();  // all of a dataset are kept at once
     return read;
 }
 
@@ -81,12 +82,12 @@ Result<OpenSource> openSource(const Source& source, const ClassUnion& classes) {
         return fail(ErrorCode::BadInput, "The dataset has changed meanwhile; gather it again.",
                     source.folder.string());
     }
+    dataset->card = nullptr;  // large and of no more use, before annotations.json is read
     const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
     if (!file) return tl::unexpected(file.error());
     const Result<std::string> text = readProven(*file);
     if (!text) return tl::unexpected(text.error());
     OpenSource opened{source, std::move(*dataset), {}};
-    opened.dataset.card = nullptr;  // the largest part of it, and of no more use
     opened.annotations.resize(source.frames);
     if (Status read = readAnnotations(*text, file->path.string(), classes, opened); !read) {
         return tl::unexpected(read.error());

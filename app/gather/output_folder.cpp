@@ -295,7 +295,7 @@ Result<std::vector<FinishedShard>> OutputFolder::begin(const render::DatasetIden
 }
 
 Status OutputFolder::appendLine(const std::string& json) {
-    int error = writeBytes(lock_.get(), json + "\n");
+    int error = io::writeAll(lock_.get(), json + "\n");
     if (error == 0 && ::fdatasync(lock_.get()) != 0 && errno != EINVAL) error = errno;
     if (error == 0) return {};
     return tl::unexpected<Error>(io::writeError(error, path() / kGatherJournal));
@@ -362,7 +362,7 @@ Status OutputFolder::finish() {
     if (status) status = folder_.remove(kGatherJournal);
     if (!status) return status;
     (void)lock_.close();
-    return folder_.syncAll();
+    return folder_.syncNames();  // files and gather.json are on the disk already
 }
 
 }  // namespace dollytrack::gather

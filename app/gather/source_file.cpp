@@ -5,8 +5,6 @@
 #include "engine/io/files/text_file.h"
 #include "engine/io/sandbox/input_file.h"
 
-#include <fcntl.h>
-
 #include <span>
 #include <vector>
 
@@ -48,13 +46,11 @@ Result<std::string> readProven(const SourceFile& file) {
 Status copyProven(const SourceFile& file, const io::GuardedFolder& to, const std::string& name) {
     const Result<io::InputFile> from = io::openNamedFile(file.path);
     if (!from) return tl::unexpected(from.error());
-    // A file that an interrupted run linked must not be written through.
-    if (Status removed = to.remove(name); !removed) return removed;
-    Result<io::FileDescriptor> copy = to.openFile(name, O_WRONLY | O_CREAT | O_EXCL);
+    Result<io::FileDescriptor> copy = openNew(to, name);
     if (!copy) return tl::unexpected(copy.error());
     int error = 0;
     const std::string sha256 = hashPieces(*from, [&](std::string_view bytes) {
-        error = writeBytes(copy->get(), bytes);
+        error = io::writeAll(copy->get(), bytes);
         return error == 0;
     });
     if (error == 0) error = copy->close();

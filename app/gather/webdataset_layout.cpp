@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::gather {
 namespace {
@@ -63,19 +65,27 @@ class WebDatasetLayout : public Layout {
         to_pass_ -= passed;
         begin += passed;
         std::vector<Result<FrameMembers>> frames(end - begin, FrameMembers());
-        parallelFor(frames.size(), [&](std::size_t i) {
-            if (!input_.job.cancelled()) frames[i] = membersOf(source, begin + i);
+        Status appended;
+        // One thread writes and hashes the frames before these while the others read.
+        parallelFor(frames.size() + 1, [&](std::size_t i) {
+            if (i == 0) {
+                appended = appendWaiting();
+            } else if (!input_.job.cancelled()) {
+                frames[i - 1] = membersOf(source, begin + i - 1);
+            }
         });
+        if (!appended) return appended;
         for (std::size_t i = 0; i < frames.size() && !input_.job.cancelled(); ++i) {
             if (!frames[i]) return tl::unexpected(frames[i].error());
-            if (Status status = append(source.frameName(begin + i), *frames[i]); !status) {
-                return status;
-            }
+            waiting_.emplace_back(source.frameName(begin + i), std::move(*frames[i]));
         }
         return {};
     }
 
-    Status endPart() override { return file_ ? endShard() : Status(); }
+    Status endPart() override {
+        if (Status appended = appendWaiting(); !appended) return appended;
+        return file_ ? endShard() : Status();
+    }
 
   private:
     [[nodiscard]] std::string shardName() const {
@@ -104,6 +114,15 @@ class WebDatasetLayout : public Layout {
         }
         members.emplace_back("json", describeFrame(source, frame, input_.classes));
         return members;
+    }
+
+    Status appendWaiting() {
+        Status status;
+        for (const auto& [key, members] : waiting_) {
+            if (status) status = append(key, members);
+        }
+        waiting_.clear();
+        return status;
     }
 
     Status append(const std::string& key, const FrameMembers& members) {
@@ -149,6 +168,7 @@ class WebDatasetLayout : public Layout {
     std::size_t shard_ = 0;    // its number in the part
     std::size_t frames_ = 0;   // in the shard that is open
     std::size_t to_pass_ = 0;  // frames that are in finished shards
+    std::vector<std::pair<std::string, FrameMembers>> waiting_;  // read, by their keys
     std::optional<HashedFile> file_;
 };
 

@@ -136,6 +136,9 @@ Error tooLarge(const PageOrder& order) {
 Result<DatasetPage> makeDatasetPage(const PageOrder& order, const JobContext& job) {
     const Result<std::string> three = threeScript(order.three_folder);
     if (!three) return tl::unexpected<Error>(three.error());
+    if (leastDataBytes(order.dataset) > kMostPageBytes) {
+        return tl::unexpected<Error>(tooLarge(order));
+    }
     const PageFiles& files = pageFiles();
     const Json data = pageData(order.dataset);
     std::string fixed = dataElement("three", "text/javascript", *three);

@@ -49,10 +49,9 @@ class PictureMaker {
     [[nodiscard]] const std::vector<PictureKind>& kinds() const { return kinds_; }
 
     /// Bytes in the page of these frames' pictures.
-    [[nodiscard]] std::size_t bytesOf(const std::vector<int>& frames,
-                                      const SmallPictureSize& size) const {
-        const std::vector<PictureKind> made = make(frames, size);
-        return bytesIn(made);
+    [[nodiscard]] std::size_t bytesOf(const std::vector<int>& frames, const SmallPictureSize& size,
+                                      const JobContext& job) const {
+        return bytesIn(make(frames, size, job));
     }
 
     [[nodiscard]] static std::size_t bytesIn(const std::vector<PictureKind>& kinds) {
@@ -63,13 +62,16 @@ class PictureMaker {
         return bytes;
     }
 
+    /// Incomplete once the job is cancelled.
     [[nodiscard]] std::vector<PictureKind> make(const std::vector<int>& frames,
-                                                const SmallPictureSize& size) const {
+                                                const SmallPictureSize& size,
+                                                const JobContext& job) const {
         SmallPictureSize fitting = size;
         fitting.width_px = std::min(size.width_px, dataset_.lens.width);
         std::vector<PictureKind> made = kinds_;
         for (PictureKind& kind : made) kind.files.resize(dataset_.frames.size());
         parallelFor(frames.size() * made.size(), [&](std::size_t i) {
+            if (job.cancelled()) return;
             PictureKind& kind = made[i % made.size()];
             const int frame = frames[i / made.size()];
             kind.files[static_cast<std::size_t>(frame)] =
@@ -123,11 +125,12 @@ struct PictureTry {
 
 /// The largest size of which all frames seem to fit, else as many frames of the smallest; judged by
 /// a few frames.
-PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t most_bytes) {
+PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t most_bytes,
+                    const JobContext& job) {
     const std::vector<int> tried = evenly(kTried, frames);
     double per_frame = 0.0;
     for (std::size_t size = 0; size < kSizes.size(); ++size) {
-        per_frame = kSafety * static_cast<double>(maker.bytesOf(tried, kSizes[size])) /
+        per_frame = kSafety * static_cast<double>(maker.bytesOf(tried, kSizes[size], job)) /
                     static_cast<double>(tried.size());
         if (per_frame * static_cast<double>(frames) <= static_cast<double>(most_bytes)) {
             return {size, frames};
@@ -168,13 +171,13 @@ Result<FramePictures> makeFramePictures(const verify::StoredDataset& dataset,
     if (maker.kinds().empty() || frames == 0) return pictures;
     const std::size_t always = kJsonPerFile * frames * maker.kinds().size();
     const std::size_t most = most_bytes - std::min(always, most_bytes);
-    PictureTry now = firstTry(maker, frames, most);
+    PictureTry now = firstTry(maker, frames, most, job);
     while (true) {
-        if (job.cancelled()) return fail(ErrorCode::Cancelled, "The page was not made.");
         job.report(0.3);
         const std::vector<int> chosen = choose(first, now.frames, frames);
         pictures.size = kSizes[now.size];
-        pictures.kinds = maker.make(chosen, pictures.size);
+        pictures.kinds = maker.make(chosen, pictures.size, job);
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "The page was not made.");
         if (now.frames == 0 || PictureMaker::bytesIn(pictures.kinds) <= most) {
             for (const int frame : chosen) pictures.chosen[static_cast<std::size_t>(frame)] = true;
             break;

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace dollytrack::view {
 
 /// The dataset's frames that show some object best, by rising index.
 [[nodiscard]] std::vector<int> bestFrames(const verify::StoredDataset& dataset);
+
+/// How many bytes of a page the dataset takes at least. Each moving object has a row in each frame,
+/// so a small dataset.json can ask for far more than memory holds.
+[[nodiscard]] std::size_t leastDataBytes(const verify::StoredDataset& dataset);
 
 /// What the page says of dataset, objects and frames; assets/view/README.md lists the fields.
 [[nodiscard]] nlohmann::ordered_json pageData(const verify::StoredDataset& dataset);

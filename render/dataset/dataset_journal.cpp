@@ -137,16 +137,6 @@ JournalEntry entryFrom(const json& value) {
     return entry;
 }
 
-int writeAll(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(descriptor, text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return written < 0 ? errno : ENOSPC;
-        text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
 }  // namespace
 
 std::string differences(const DatasetIdentity& a, const DatasetIdentity& b) {
@@ -241,7 +231,7 @@ Status DatasetJournal::append(const JournalEntry& entry) {
 
 Status DatasetJournal::appendLine(const std::string& json) {
     const std::string line = lineOf(json);
-    if (const int error = writeAll(file_.get(), line)) {
+    if (const int error = io::writeAll(file_.get(), line)) {
         // The part that was written must not spoil a later line.
         if (::ftruncate(file_.get(), static_cast<off_t>(length_)) != 0) {
             (void)file_.close();  // nothing may be appended to the partial line

@@ -13,6 +13,8 @@
 namespace dollytrack::render {
 namespace {
 
+constexpr int kTallest = 1 << 13;  // px; a damaged image of one column would take gigabytes
+
 /// Disparity is bright where it is large, near; black is nothing.
 cv::Mat disparityPicture(const cv::Mat& disparity) {
     double largest = 1.0;
@@ -103,6 +105,7 @@ cv::Mat readShownPicture(const io::GuardedFolder& folder, const std::string& fil
         const cv::Mat image = readPictureFile(folder, file, cv::IMREAD_UNCHANGED);
         if (image.empty()) return {};
         const int height = std::max(1, width_px * image.rows / image.cols);
+        if (height > kTallest) return {};
         cv::Mat small;
         cv::resize(shownPicture(image, modality, classes), small, {width_px, height}, 0, 0,
                    showsLabels(modality) ? cv::INTER_NEAREST : cv::INTER_AREA);

@@ -272,6 +272,13 @@ class Gather(FolderCase):
         header = yaml.safe_load((named / "README.md").read_text().split("---\n")[1])
         self.assertEqual((header["license"], header["license_name"]), ("other", "Our own licence"))
 
+    def test_a_title_that_is_no_utf_8_is_cleaned(self):
+        out = self.gather("--format", "coco", "--title", "Rooms \udcff\nof mine",
+                          datasets=[self.datasets / "room_0"])
+        header = yaml.safe_load((out / "README.md").read_text().split("---\n")[1])
+        self.assertEqual(header["pretty_name"], "Rooms \ufffdof mine")
+        self.assertEqual(self.card(out)["title"], "Rooms \ufffdof mine")
+
     # --- splits
 
     def test_no_room_is_on_both_sides_whatever_the_seed(self):

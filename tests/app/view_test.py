@@ -7,8 +7,11 @@ import base64
 import json
 import os
 import re
+import resource
 import shutil
+import struct
 import unittest
+import zlib
 
 import cv2
 import numpy as np
@@ -149,6 +152,42 @@ class Command(ViewCase):
         self.assertEqual(list(kinds), ["rgb", "depth", "instance", "semantic"])
         self.assertEqual([i for i, file in enumerate(kinds["rgb"]["files"]) if not file], [2])
         self.assertEqual([i for i, file in enumerate(kinds["depth"]["files"]) if not file], [3])
+
+    def test_more_motions_than_memory_holds_are_refused(self):
+        """Each of 20,000 objects moves in one frame, and would have a row in all 20,000."""
+        moved = {"position": [1, 0, 0], "quaternion_xyzw": [0, 0, 0, 1]}
+
+        def change(card):
+            frame = card["frames"][0]
+            card["frames"] = [{**frame, "index": i} for i in range(20_000)]
+            card["frames"][0]["moving"] = [{**moved, "object_id": i} for i in range(20_000)]
+        copy = changed_copy(self.dataset, self.folder / "motions", change)
+        limit = (8 << 30, 8 << 30)
+        self.assertFails(
+            run("view", copy, "-o", self.folder / "motions.html",
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit)),
+            4, "do not fit")
+
+    def test_a_picture_of_one_column_is_a_damaged_one(self):
+        copy = changed_copy(self.dataset, self.folder / "column", lambda card: None)
+        cv2.imwrite(str(copy / "rgb" / "000002.png"), np.zeros((50_000, 1, 3), np.uint8))
+        page = self.folder / "column.html"
+        self.assertIn("1 images", self.view(copy, "-o", page).stderr)
+        files = data_of(page, "pictures")[0]["files"]
+        self.assertEqual([i for i, file in enumerate(files) if not file], [2])
+
+    def test_a_picture_that_claims_a_huge_size_is_a_damaged_one(self):
+        copy = changed_copy(self.dataset, self.folder / "huge", lambda card: None)
+        picture = copy / "rgb" / "000002.png"
+        data = bytearray(picture.read_bytes())
+        data[16:24] = struct.pack(">II", 30_000, 30_000)
+        data[29:33] = struct.pack(">I", zlib.crc32(data[12:29]))
+        picture.write_bytes(data)
+        limit = (8 << 30, 8 << 30)
+        made = run("view", copy, "-o", self.folder / "huge.html",
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, limit))
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertIn("1 images", made.stderr)
 
     def test_many_large_pictures_stay_below_the_limit(self):
         noise = np.random.default_rng(1).integers(0, 256, (240, 320, 3), np.uint8)

@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/gather/gather.h"
+#include "engine/core/clean_text.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -68,6 +69,8 @@ Status readGatherArguments(GatherArguments& arguments) {
         if (!map) return tl::unexpected(map.error());
         order.class_map = std::move(*map);
     }
+    order.title = cleanText(order.title);  // they become JSON and YAML
+    order.license = cleanText(order.license);
     order.out = arguments.out;
     order.product_version = DOLLYTRACK_VERSION;
     return {};
@@ -173,7 +176,7 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
     command.add_flag(
         "--overwrite", order.overwrite,
         "Replace a complete gathered dataset once the new one is complete; write among "
-        "other files, which stay");
+        "other files, of which those with names of new ones are replaced");
     command.add_flag("--json", arguments.as_json, "Print the summary as JSON");
 }
 

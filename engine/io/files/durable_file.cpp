@@ -12,18 +12,6 @@
 namespace dollytrack::io {
 namespace {
 
-int writeAll(int fd, std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return errno;
-        // A regular file takes at least a byte or fails; guard against a loop without end.
-        if (written == 0) return ENOSPC;
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
 int writeTemporary(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
                    Durability durability) {
     // A new file: what has the name may be a link, or a second name of somebody's file.
@@ -33,7 +21,8 @@ int writeTemporary(int folder, const std::string& name, std::span<const std::uin
         file = FileDescriptor(::openat(folder, name.c_str(), kNew, 0666));
     }
     if (!file.valid()) return errno;
-    if (const int error = writeAll(file.get(), bytes)) return error;
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (const int error = writeAll(file.get(), text)) return error;
     if (durability == Durability::Synced && ::fsync(file.get()) != 0) return errno;
     return file.close();
 }
@@ -50,6 +39,18 @@ std::filesystem::path folderOf(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+int writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        // A regular file takes at least a byte or fails; guard against a loop without end.
+        if (written == 0) return ENOSPC;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
 
 Error writeError(int error_number, const std::filesystem::path& path) {
     const auto sentence = [&]() -> std::string {

@@ -24,6 +24,9 @@ enum class Durability {
 [[nodiscard]] Status writeWhole(const std::filesystem::path& path, std::string_view text,
                                 Durability durability = Durability::Synced);
 
+/// Writes all bytes to an open file, however many calls that takes. Returns 0 or errno.
+[[nodiscard]] int writeAll(int descriptor, std::string_view bytes);
+
 /// Brings everything written so far on the folder's file system to the disk.
 [[nodiscard]] Status syncFolder(const std::filesystem::path& folder);
 

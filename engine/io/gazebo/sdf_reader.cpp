@@ -301,6 +301,25 @@ class SdfReader {
         return numbers && numbers->size() == 1 ? numbers->front() : 0.0;
     }
 
+    static Status readMesh(const pugi::xml_node& mesh, const Scope& scope, const std::string& link,
+                           Visual& visual) {
+        const pugi::xml_node scale = mesh.child("scale");
+        const auto factors = scale ? vectorOf(scale.child_value())
+                                   : std::optional<Eigen::Vector3d>(Eigen::Vector3d::Ones());
+        if (!factors || !(std::abs(factors->prod()) > 0.0)) {
+            return wrongAt("the <scale> of a mesh of '" + link +
+                               "' is not three numbers other than 0; correct it",
+                           scope, mesh);
+        }
+        visual.scale = *factors;
+        visual.uri = textOf(mesh.child("uri"));
+        const pugi::xml_node submesh = mesh.child("submesh");
+        visual.submesh = cleanText(textOf(submesh.child("name")));
+        const std::string center = textOf(submesh.child("center"));
+        visual.center_submesh = center == "true" || center == "1";
+        return {};
+    }
+
     Status addVisual(const pugi::xml_node& node, Scope& scope,
                      const Eigen::Affine3d& scene_from_scope, const Eigen::Affine3d& link,
                      LinkObject& object) {
@@ -321,20 +340,7 @@ class SdfReader {
         if (!(visual.opacity > 0.0F)) return {};
         const pugi::xml_node geometry = node.child("geometry");
         if (const pugi::xml_node mesh = geometry.child("mesh")) {
-            const pugi::xml_node scale = mesh.child("scale");
-            const auto factors = scale ? vectorOf(scale.child_value())
-                                       : std::optional<Eigen::Vector3d>(Eigen::Vector3d::Ones());
-            if (!factors || !(std::abs(factors->prod()) > 0.0)) {
-                return wrongAt("the <scale> of a mesh of '" + object.name +
-                                   "' is not three numbers other than 0; correct it",
-                               scope, mesh);
-            }
-            visual.scale = *factors;
-            visual.uri = textOf(mesh.child("uri"));
-            const pugi::xml_node submesh = mesh.child("submesh");
-            visual.submesh = cleanText(textOf(submesh.child("name")));
-            const std::string center = textOf(submesh.child("center"));
-            visual.center_submesh = center == "true" || center == "1";
+            if (Status read = readMesh(mesh, scope, object.name, visual); !read) return read;
         } else if (const pugi::xml_node box = geometry.child("box")) {
             visual.shape = Visual::Shape::Box;
             visual.size = vectorOf(box.child_value("size")).value_or(Eigen::Vector3d::Zero());

@@ -6,7 +6,7 @@
 #include "engine/io/files/percent_text.h"
 #include "engine/io/gazebo/fuel_uri.h"
 #include "engine/io/gazebo/link_xml.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/gazebo/shape_scene.h"
 #include "engine/io/import/model_placement.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/confined_folder.h"
@@ -15,7 +15,6 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string_view>
@@ -61,82 +60,6 @@ bool takeScheme(std::string& uri, std::string_view scheme) {
     if (!uri.starts_with(scheme)) return false;
     uri.erase(0, scheme.size());
     return true;
-}
-
-/// A primitive shape of size 1 at the origin, as one part with a default material.
-RawScene shapeScene(Visual::Shape shape) {
-    std::vector<Eigen::Vector3f> points;
-    std::vector<std::uint32_t> sizes;
-    std::vector<std::uint32_t> indices;
-    const auto face = [&](std::initializer_list<std::uint32_t> corners) {
-        sizes.push_back(static_cast<std::uint32_t>(corners.size()));
-        indices.insert(indices.end(), corners);
-    };
-    constexpr std::uint32_t kSides = 48;
-    constexpr std::uint32_t kRings = 24;
-    const auto around = [](std::uint32_t i, float radius, float z) {
-        const double angle = 2.0 * M_PI * i / kSides;
-        return Eigen::Vector3f(radius * static_cast<float>(std::cos(angle)),
-                               radius * static_cast<float>(std::sin(angle)), z);
-    };
-    if (shape == Visual::Shape::Plane) {
-        points = {{-0.5F, -0.5F, 0}, {0.5F, -0.5F, 0}, {0.5F, 0.5F, 0}, {-0.5F, 0.5F, 0}};
-        face({0, 1, 2, 3});
-    } else if (shape == Visual::Shape::Cylinder) {
-        std::vector<std::uint32_t> bottom;
-        std::vector<std::uint32_t> top;
-        for (std::uint32_t i = 0; i < kSides; ++i) {
-            points.push_back(around(i, 0.5F, -0.5F));
-            points.push_back(around(i, 0.5F, 0.5F));
-            const std::uint32_t next = (i + 1) % kSides;
-            face({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
-            bottom.insert(bottom.begin(), 2 * i);
-            top.push_back(2 * i + 1);
-        }
-        for (const auto& cap : {bottom, top}) {
-            sizes.push_back(kSides);
-            indices.insert(indices.end(), cap.begin(), cap.end());
-        }
-    } else if (shape == Visual::Shape::Sphere) {
-        points.emplace_back(0, 0, -0.5F);
-        for (std::uint32_t ring = 1; ring < kRings; ++ring) {
-            const double angle = M_PI * ring / kRings;
-            for (std::uint32_t i = 0; i < kSides; ++i) {
-                points.push_back(around(i, static_cast<float>(0.5 * std::sin(angle)),
-                                        static_cast<float>(-0.5 * std::cos(angle))));
-            }
-        }
-        points.emplace_back(0, 0, 0.5F);
-        const auto at = [](std::uint32_t ring, std::uint32_t i) {
-            return 1 + (ring - 1) * kSides + i % kSides;
-        };
-        const auto last = static_cast<std::uint32_t>(points.size() - 1);
-        for (std::uint32_t i = 0; i < kSides; ++i) {
-            face({0, at(1, i + 1), at(1, i)});
-            face({last, at(kRings - 1, i), at(kRings - 1, i + 1)});
-            for (std::uint32_t ring = 1; ring + 1 < kRings; ++ring) {
-                face({at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)});
-            }
-        }
-    } else {
-        for (const float z : {-0.5F, 0.5F}) {
-            points.insert(points.end(),
-                          {{-0.5F, -0.5F, z}, {0.5F, -0.5F, z}, {0.5F, 0.5F, z}, {-0.5F, 0.5F, z}});
-        }
-        face({3, 2, 1, 0});
-        face({4, 5, 6, 7});
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            const std::uint32_t next = (i + 1) % 4;
-            face({i, next, next + 4, i + 4});
-        }
-    }
-    RawScene scene;
-    scene.nodes.push_back({"", -1, 0});
-    scene.materials.emplace_back();
-    MeshPart part;
-    buildMeshPart({points, {}, {}, sizes, indices}, Eigen::Affine3d::Identity(), part);
-    scene.parts.push_back(std::move(part));
-    return scene;
 }
 
 /// Whether the visual's colour makes a material fully transparent. Textured materials keep their
