@@ -45,6 +45,7 @@ class SemanticClasses {
     std::map<std::string, std::string> by_model_;
     std::filesystem::path lexicon_;                    // empty: none was read
     std::map<std::int64_t, std::size_t> unknown_ids_;  // and how many objects have them
+    std::string no_lexicon_;  // why there is none, of a semantic config that holds regions alone
     std::vector<std::string> problems_;
     std::vector<std::string> notes_;
 };
