@@ -117,9 +117,8 @@ void SemanticClasses::readDescriptor(const Dataset& dataset, const fs::path& fil
     std::string named = io::textIn(*document, kDescriptorKey);
     if (named.empty()) named = io::textIn(dataset.semanticDefaults(), kDescriptorKey);
     if (named.empty()) {
-        problems_.push_back("the semantic file " + shownName(file) +
-                            " has neither \"classes\" nor a " + kDescriptorKey +
-                            ", so that classes are found by name");
+        no_lexicon_ = "the semantic file " + shownName(file) + " has neither \"classes\" nor a " +
+                      kDescriptorKey + ", so that classes are found by name";
         return;
     }
     named = withConfigName(named, file);
@@ -252,6 +251,8 @@ std::vector<std::string> SemanticClasses::warnings() const {
     if (!lexicon_.empty()) {
         lines.push_back(fmt::format("{} a semantic_id that {} does not list: {}", have,
                                     shownName(lexicon_), io::listOf(ids, 10)));
+    } else if (!no_lexicon_.empty()) {
+        lines.push_back(fmt::format("{} a semantic_id, but {}", have, no_lexicon_));
     } else if (problems_.empty()) {
         lines.push_back(
             fmt::format("{} a semantic_id, but no semantic lexicon says its class; "

@@ -45,6 +45,7 @@ class SemanticClasses {
     std::map<std::string, std::string> by_model_;
     std::filesystem::path lexicon_;                    // empty if none was read
     std::map<std::int64_t, std::size_t> unknown_ids_;  // number of objects by unknown id
+    std::string no_lexicon_;  // why there is none: the semantic config holds regions only
     std::vector<std::string> problems_;
     std::vector<std::string> notes_;
 };

@@ -69,7 +69,7 @@ std::string replicaGap(const fs::path& mesh) {
     return {};
 }
 
-/// HM3D and Matterport3D: X.semantic.glb with X.semantic.txt, X_semantic.ply with X.house.
+/// HM3D and Matterport3D: X.semantic.glb with X.semantic.txt, X.house with X_semantic.ply.
 std::string habitatGap(const fs::path& mesh) {
     const std::string name = mesh.filename().string();
     std::optional<std::string> scene;
@@ -84,11 +84,10 @@ std::string habitatGap(const fs::path& mesh) {
         std::string gap = gapBetween(text, folder / (*scene + ".semantic.glb"), kNoObjects);
         if (!gap.empty()) return gap;
     }
-    // mesh_semantic.ply is Replica's, not Matterport3D's.
-    if (io::hasFile(text) || name == "mesh_semantic.ply") return {};
+    // The file name of a mesh without classes does not tell Matterport3D's from others.
     const fs::path numbers = folder / (*scene + "_semantic.ply");
-    return gapBetween(folder / (*scene + ".house"), numbers,
-                      io::hasFile(numbers) ? kNoNames : kNoObjects);
+    if (io::hasFile(text) || io::hasFile(numbers)) return {};
+    return gapBetween(folder / (*scene + ".house"), numbers, kNoObjects);
 }
 
 }  // namespace

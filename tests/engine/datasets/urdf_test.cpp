@@ -62,7 +62,7 @@ TEST(Urdf, LongChainsAddUp) {
     }
     const Scene long_chain =
         imported(folder.write("chain.urdf", "<robot name='r'>" + chain + "</robot>"));
-    expectBox(long_chain, std::to_string(kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
+    expectBox(long_chain, fmt::format("r::{}", kLinks), {29.5, -0.5, -0.5}, {30.5, 0.5, 0.5});
 }
 
 TEST(Urdf, MaterialsWithoutANameAreTheirVisualsAlone) {
