@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kSteps = 16;  // straight pieces of a curve
+constexpr int kSteps = 16;  // line segments per curve
 constexpr std::size_t kMostPoints = 20'000;
 
 class PathReader {
@@ -33,7 +33,7 @@ class PathReader {
                 break;
             }
             if (!apply(command)) break;
-            if (command == 'M') command = 'L';  // further pairs are lines
+            if (command == 'M') command = 'L';  // further coordinate pairs are lines
             if (command == 'm') command = 'l';
         }
         finish();
@@ -162,7 +162,7 @@ class PathReader {
     bool applyCurve(char kind, bool relative) {
         const bool smooth = (kind == 'S' && curve_ == 'C') || (kind == 'T' && curve_ == 'Q');
         const Vector2d mirrored = smooth ? Vector2d(2.0 * at_ - handle_) : at_;
-        // The points that are written: C has two before the end, S and Q one, T none.
+        // Number of points in the path: C has two control points, S and Q one, T none.
         const bool whole = kind == 'C' || kind == 'Q';
         std::vector<Vector2d> written;
         const std::size_t count = kind == 'C' ? 3 : kind == 'T' ? 1 : 2;
@@ -222,7 +222,7 @@ class PathReader {
     std::vector<Vector2d> outline_;
     Vector2d at_ = Vector2d::Zero();
     Vector2d begin_ = Vector2d::Zero();
-    Vector2d handle_ = Vector2d::Zero();  // of the curve before
+    Vector2d handle_ = Vector2d::Zero();  // last control point of the previous curve
     char curve_ = 0;
     std::size_t points_ = 0;
 };

@@ -7,9 +7,9 @@
 
 namespace dollytrack::homes {
 
-/// The outlines that an SVG path draws in the unit square (y down), curves as short straight
-/// pieces: M L H V C S Q T A Z, absolute and relative (SVG 1.1, section 8.3). What cannot be read
-/// ends the path there; a path of nothing gives nothing.
+/// Converts an SVG path in the unit square (y down) to polygons; curves become line segments.
+/// Supports M L H V C S Q T A Z, absolute and relative (SVG 1.1, section 8.3). The path ends at the
+/// first invalid command. Outlines of fewer than three points are left out.
 std::vector<std::vector<Eigen::Vector2d>> outlinesOfPath(std::string_view path);
 
 }  // namespace dollytrack::homes

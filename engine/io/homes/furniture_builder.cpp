@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostTriangles = 50'000'000;
 
-/// "eTeks#bedsideTable" as "bedsideTable": catalogues keep English names there, whatever the
-/// language of the home.
+/// The name in a catalogue id: "bedsideTable" for "eTeks#bedsideTable". It is English in homes of
+/// all languages.
 std::string catalogWord(const std::string& id) {
     const auto at = id.rfind('#');
     return at == std::string::npos ? id : id.substr(at + 1);
@@ -51,12 +51,12 @@ std::vector<std::size_t> placeBox(const HomePiece& piece, double elevation,
     return mesh.addTo(scene, piece.name);
 }
 
-/// Sweet Home 3D knows panes by their shapes' names.
+/// Whether a part is a window pane: by its name in Sweet Home 3D, or by its opacity.
 bool isPane(const MeshPart& part, const Material& material) {
     return part.name.starts_with("sweethome3d_window_pane") || material.opacity < 1.0F;
 }
 
-/// Colours and pictures of the piece's own, by the model's names or over all of it but its panes.
+/// Applies the piece's colours and textures: by material name, otherwise to all parts except panes.
 void overlay(const HomePiece& piece, const std::vector<std::size_t>& parts,
              HomeMaterials& materials, RawScene& scene) {
     for (const std::size_t index : parts) {

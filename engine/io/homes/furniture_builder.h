@@ -9,9 +9,9 @@
 
 namespace dollytrack::homes {
 
-/// Puts every piece of a home into the scene as an object of its own: its model, sized, turned and
-/// coloured and named by the table; where the model is missing, a box of its size, which a note
-/// says. BadInput when the pieces together have more than 50 million triangles.
+/// Adds every piece of a home to the scene as an object: its model with the piece's size, rotation
+/// and colours, and a class by `labels`. A missing model is replaced by a box, with a note. Errors:
+/// BadInput for more than 50 million triangles in all; Cancelled.
 Status addFurniture(const Home& home, ModelLibrary& library, HomeMaterials& materials,
                     const LabelTable& labels, RawScene& scene, const JobContext& job);
 

@@ -26,7 +26,7 @@ Affine3d turnOf(const HomePiece& piece) {
     return turn;
 }
 
-/// The model in a box of unit size around 0.
+/// The transform of a model to a box of size 1, centred at the origin.
 Affine3d unitFromModel(const HomePiece& piece, const ModelBounds& bounds) {
     Affine3d centred = turnOf(piece) * Translation3d(-bounds.own.center());
     if (piece.model_rotation && piece.centered_at_origin) {
@@ -68,7 +68,7 @@ Affine3d sourceFromModel(const HomePiece& piece, const ModelBounds& bounds,
     }
     const Vector3d place(piece.position.x(), level_elevation + piece.elevation + 0.5 * height,
                          piece.position.y());
-    // Clockwise on a page whose y runs down is a turn the other way about the upward axis.
+    // Angles are clockwise on the page, and so negative about the up axis.
     return Translation3d(place) * AngleAxisd(-piece.angle, Vector3d::UnitY()) * sized;
 }
 

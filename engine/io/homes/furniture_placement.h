@@ -9,20 +9,21 @@
 
 namespace dollytrack::homes {
 
-/// The box around a model in its own axes, and around what it is when a piece has turned it about
-/// the first one's middle: exactly, since models drawn askew are turned straight.
+/// Bounding boxes of a model, before and after the piece's `model_rotation` about the centre of
+/// the first box. The second is computed from the vertices, because rotations that straighten a
+/// model would enlarge the box.
 struct ModelBounds {
     Eigen::AlignedBox3d own;
     Eigen::AlignedBox3d turned;
 };
 ModelBounds boundsOf(const FurnitureModel& model, const HomePiece& piece);
 
-/// Where a piece's model goes: from the model's axes (y up, front +z) into the source's (x the
-/// plan's, y up, z the plan's y; cm).
+/// The transform of a piece's model from its own axes (y up, front +z) to the source's (x of the
+/// plan, y up, z the plan's y; cm).
 Eigen::Affine3d sourceFromModel(const HomePiece& piece, const ModelBounds& bounds,
                                 double level_elevation);
 
-/// The way a piece looks, in the source's axes: the plan's +y turned by its angle.
+/// The direction of a piece's front in the source's axes: the plan's +y rotated by its angle.
 Eigen::Vector3d frontOf(const HomePiece& piece);
 
 }  // namespace dollytrack::homes

@@ -10,18 +10,18 @@
 
 namespace dollytrack::homes {
 
-/// A home as Sweet Home 3D keeps it in Home.xml: centimetres, the plan's x to the right and y
-/// *down* the page, elevations upwards, angles in radians and clockwise on the page. Names are
-/// clean text; every number is finite and every size positive.
+/// The content of Sweet Home 3D's Home.xml. Lengths are in cm; the plan's x points right and y
+/// *down* the page, elevations up; angles are in radians, clockwise on the page. Names are clean
+/// text; all numbers are finite and all sizes positive.
 
-/// A picture repeated every width x height, in cm.
+/// A texture that is repeated every width x height.
 struct HomeTexture {
-    std::string image;  // a name in the home's files
+    std::string image;  // file name within the home
     double width_cm = 100.0;
     double height_cm = 100.0;
 };
 
-/// What a surface looks like; linear colour. Neither: the reader's own choice.
+/// Linear colour or texture of a surface. Without both, the reader uses its default.
 struct HomeSurface {
     std::optional<Eigen::Vector3f> color;
     std::optional<HomeTexture> texture;
@@ -40,17 +40,17 @@ struct HomeBaseboard {
     HomeSurface surface;
 };
 
-/// Left and right as one sees them going from start to end.
+/// A wall. Left and right are as seen from its start towards its end.
 struct HomeWall {
     Eigen::Vector2d start = Eigen::Vector2d::Zero();
     Eigen::Vector2d end = Eigen::Vector2d::Zero();
     double thickness = 10.0;
     double height = 250.0;
     double height_at_end = 250.0;
-    double arc_extent = 0.0;  // radians that a round wall turns; 0: straight, > 0: bulges left
-    int at_start = -1;        // the walls joined to it
+    double arc_extent = 0.0;  // angle of a round wall's arc; 0: straight, > 0: bulges left
+    int at_start = -1;        // index of the wall joined to it; -1: none
     int at_end = -1;
-    int level = -1;  // index; -1: a home without levels
+    int level = -1;  // index; -1: the home has no levels
     HomeSurface left;
     HomeSurface right;
     HomeSurface top;
@@ -70,14 +70,14 @@ struct HomeRoom {
 
 enum class PieceKind { Furniture, Light, Opening };
 
-/// A piece of furniture, a lamp, a door or a window. Its model is turned by `model_rotation`,
-/// scaled to fill width x depth x height, turned by `angle` and put with the middle of its bottom
-/// at `position` and `elevation` above its level. At angle 0 its front looks down the page (+y).
+/// A piece of furniture, a lamp, a door or a window. Its model is rotated by `model_rotation`,
+/// scaled to width x depth x height, rotated by `angle`, and placed with the centre of its bottom
+/// at `position`, `elevation` above its level. At angle 0 its front faces down the page (+y).
 struct HomePiece {
     PieceKind kind = PieceKind::Furniture;
     std::string name;
     std::string catalog_id;  // "eTeks#armchair"
-    std::string model;       // a name in the home's files
+    std::string model;       // file name within the home
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     double elevation = 0.0;
     double angle = 0.0;
@@ -87,13 +87,13 @@ struct HomePiece {
     double depth = 1.0;
     double height = 1.0;
     bool mirrored = false;
-    bool centered_at_origin = true;  // a turned model is centred after it is turned
+    bool centered_at_origin = true;  // whether a rotated model is centred after the rotation
     std::optional<Eigen::Matrix3d> model_rotation;
     int level = -1;
     HomeSurface surface;                           // of the whole piece
-    std::map<std::string, HomeSurface> materials;  // by the model's names
-    std::string wall_cut_out;                      // of an opening: SVG path in its unit square
-    std::string floor_cut_out;                     // of a staircase, likewise; empty: none
+    std::map<std::string, HomeSurface> materials;  // by material name of the model
+    std::string wall_cut_out;   // hole of an opening: SVG path in the unit square
+    std::string floor_cut_out;  // hole of a staircase: the same; empty: none
 };
 
 enum class CameraKind { Visitor, Stored, Path };
@@ -102,9 +102,9 @@ struct HomeCamera {
     CameraKind kind = CameraKind::Stored;
     std::string name;
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
-    double height = 0.0;  // above the plan's 0
-    double yaw = 0.0;     // 0: down the page; rises clockwise on the page
-    double pitch = 0.0;   // downwards
+    double height = 0.0;  // above elevation 0
+    double yaw = 0.0;     // 0: down the page; clockwise on the page
+    double pitch = 0.0;   // positive downwards
     double field_of_view = 1.0;
     std::optional<double> time_s;
 };
@@ -114,9 +114,9 @@ struct Home {
     std::vector<HomeLevel> levels;
     std::vector<HomeWall> walls;
     std::vector<HomeRoom> rooms;
-    std::vector<HomePiece> pieces;  // those of groups, too, each by itself
+    std::vector<HomePiece> pieces;  // including the single pieces of groups
     std::vector<HomeCamera> cameras;
-    std::size_t hidden = 0;  // walls, rooms and pieces left out because they are not shown
+    std::size_t hidden = 0;  // number of invisible walls, rooms and pieces that were left out
 };
 
 }  // namespace dollytrack::homes

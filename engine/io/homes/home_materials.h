@@ -9,17 +9,16 @@
 
 namespace dollytrack::homes {
 
-/// Makes a material of each different surface, once. Pictures are taken out of the home's files.
+/// Adds one material per distinct surface to a scene. Textures are read from the home's files.
 class HomeMaterials {
   public:
-    /// `files` and `scene` have to outlive this object.
+    /// `files` and `scene` must outlive this object.
     HomeMaterials(const FileSource& files, RawScene& scene) : files_(files), scene_(scene) {}
 
-    /// The index of the material for a surface; `otherwise` is its linear colour where the home
-    /// gives none.
+    /// The index of a surface's material; `otherwise` is the linear colour if the home has none.
     std::uint32_t of(const HomeSurface& surface, const Eigen::Vector3f& otherwise);
 
-    /// A copy of a material with the surface's colour or picture laid over.
+    /// The index of a material's copy with the surface's colour or texture.
     std::uint32_t overlaid(std::uint32_t material, const HomeSurface& surface);
 
   private:

@@ -12,20 +12,20 @@
 
 namespace dollytrack::homes {
 
-/// Whether a file begins like Home.xml: XML whose outermost element is a home.
+/// Whether a file that begins with `head` is XML with a home as its root element.
 bool looksLikeHomeXml(std::string_view head);
 
-/// The home in a .sh3d archive, read from its bytes, or in the text of a Home.xml.
+/// Reads the home in the bytes of a .sh3d archive or of a Home.xml. `path` is for errors.
 Result<Home> readHomeFile(std::string bytes, const std::filesystem::path& path);
 
-/// A home as a scene: every wall, floor, ceiling, door, window and piece of furniture an object of
-/// its own. Source axes: x the plan's, y up, z the plan's y; cm. Models and pictures come out of
-/// the archive, or for a bare Home.xml from its folder, and else from ImportOptions::model_folders
+/// Reads a home as a scene: every wall, floor, ceiling, door, window and piece of furniture is an
+/// object. Source axes: x of the plan, y up, z the plan's y; cm. Models and textures are searched
+/// for in the archive (for a bare Home.xml, in its folder), then in ImportOptions::model_folders
 /// (folders, or archives like sweethome3d.jar).
 Result<RawScene> readHome(const std::filesystem::path& path, const ImportOptions& options,
                           const JobContext& job);
 
-/// What readHome() opens besides the home's own folder.
+/// Files and folders that readHome() opens in addition to the home's folder.
 std::vector<std::filesystem::path> homeInputs(const std::filesystem::path& path,
                                               const ImportOptions& options);
 

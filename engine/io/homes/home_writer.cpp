@@ -10,7 +10,7 @@
 namespace dollytrack::homes {
 namespace {
 
-/// The shortest text that reads back as the same number, in any locale.
+/// The shortest text that parses to the same number, independent of the locale.
 void setNumber(pugi::xml_node node, const char* name, double value) {
     node.append_attribute(name) = fmt::format("{}", value).c_str();
 }

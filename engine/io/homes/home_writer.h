@@ -6,8 +6,8 @@
 
 namespace dollytrack::homes {
 
-/// A home without levels, groups and cameras as Home.xml: walls, rooms, pieces, their colours and
-/// pictures. What parseHomeXml() makes of it is the same home, but for colours, which are 8-bit.
+/// Writes a home without levels, groups and cameras as Home.xml: walls, rooms and pieces with
+/// colours and textures. parseHomeXml() reads the same home from it, except that colours are 8-bit.
 std::string homeXml(const Home& home, const std::string& name);
 
 }  // namespace dollytrack::homes

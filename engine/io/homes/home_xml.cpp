@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMostElements = 200'000;
 constexpr int kDeepestGroup = 32;
 
-/// Reads the elements one after the other; the first error ends it.
+/// Reads the elements in order and stops at the first error.
 class HomeParser {
   public:
     explicit HomeParser(std::string where) : where_(std::move(where)) {}
@@ -44,7 +44,7 @@ class HomeParser {
         if (!error_ && attributes.error()) error_ = attributes.error();
     }
 
-    /// One thing more; a file that is not a home's must not become one in memory.
+    /// Counts an element, to limit the memory that a malicious file can use.
     void count() {
         if (++elements_ <= kMostElements || error_) return;
         error_ = Error{ErrorCode::BadInput, "the home has more than 200,000 parts", where_};
@@ -154,7 +154,7 @@ class HomeParser {
         } else if (which == "cameraPath") {
             camera.kind = CameraKind::Path;
         } else if (which != "storedCamera") {
-            return;  // the view from above is none of a camera in the rooms
+            return;  // the view from above is not a camera inside the rooms
         }
         camera.name = attributes.text("name");
         camera.position = {attributes.needed("x"), attributes.needed("y")};
@@ -167,7 +167,7 @@ class HomeParser {
         home_.cameras.push_back(std::move(camera));
     }
 
-    /// Groups are walked by hand to a depth that no plan has.
+    /// Reads groups recursively, to a limited depth.
     void readPiece(const pugi::xml_node& node, int level, int depth) {
         const std::string_view kind = node.name();
         const bool group = kind == "furnitureGroup";
@@ -222,7 +222,8 @@ class HomeParser {
         home_.pieces.push_back(std::move(piece));
     }
 
-    /// What is on a level that the user hid; walls stay where others count them, without size.
+    /// Removes what is on hidden levels. Walls keep their indices, which other walls refer to, but
+    /// lose their size.
     void dropHidden() {
         const auto hidden = [&](int level) {
             return level >= 0 && !home_.levels[static_cast<std::size_t>(level)].viewable;

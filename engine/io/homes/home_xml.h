@@ -8,9 +8,9 @@
 
 namespace dollytrack::homes {
 
-/// Reads Home.xml (Sweet Home 3D 5.3 and later; its DTD is SweetHome3D.dtd). BadInput, with what is
-/// wrong where, for text that is no XML, another document, one with a document type (entities are
-/// never needed) or with numbers that are none; unknown elements are passed over.
+/// Parses Home.xml (Sweet Home 3D 5.3 and later; its DTD is SweetHome3D.dtd). Unknown elements are
+/// ignored. Error: BadInput, for damaged XML, another root element, a document type declaration
+/// (entities are not needed and unsafe) or an invalid number.
 Result<Home> parseHomeXml(std::string_view text, const std::string& where);
 
 }  // namespace dollytrack::homes

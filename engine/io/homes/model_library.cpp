@@ -11,7 +11,7 @@
 namespace dollytrack::homes {
 namespace {
 
-/// Files of a home may lack their extension: what they begin with tells.
+/// The extension of a model by its first bytes, since files in a home may have none.
 bool looksLikeObj(const std::vector<std::uint8_t>& bytes) {
     const std::string head(
         bytes.begin(),
@@ -25,7 +25,7 @@ bool looksLikeObj(const std::vector<std::uint8_t>& bytes) {
            starts_line("mtllib ");
 }
 
-/// The files of one place, with one of them also under a name that has its extension.
+/// A file source in which one file also has a second name, with an extension.
 class NamedFiles : public FileSource {
   public:
     NamedFiles(const FileSource& files, std::string alias, std::string name)
@@ -88,7 +88,7 @@ const FurnitureModel* ModelLibrary::find(const std::string& name, const JobConte
     auto found = entries_.find(name);
     if (found == entries_.end()) {
         Entry entry = read(name, job);
-        if (job.cancelled()) return nullptr;  // nothing that would hold for the next reading
+        if (job.cancelled()) return nullptr;  // not stored, because the model may be readable
         found = entries_.emplace(name, std::move(entry)).first;
     }
     why = found->second.why;

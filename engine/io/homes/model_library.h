@@ -13,20 +13,21 @@
 
 namespace dollytrack::homes {
 
-/// A model as furniture uses it.
+/// A furniture model.
 struct FurnitureModel {
     RawScene raw;
     Eigen::AlignedBox3d bounds;  // in the model's own axes
 };
 
-/// Finds models by name in a home's files, then in the folders and archives given besides, and
-/// reads each once.
+/// Finds models by name in a home's files, then in further folders and archives. Each model is read
+/// once.
 class ModelLibrary {
   public:
-    /// Several places, asked in this order; all have to outlive this object.
+    /// `places` are searched in this order and must outlive this object.
     explicit ModelLibrary(std::vector<const FileSource*> places) : places_(std::move(places)) {}
 
-    /// Null when there is no such model or it cannot be read; `why` says which.
+    /// The model of this name; null if it does not exist or cannot be read, with the reason in
+    /// `why`, and if the job is cancelled.
     const FurnitureModel* find(const std::string& name, const JobContext& job, std::string& why);
 
   private:

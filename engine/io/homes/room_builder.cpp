@@ -19,7 +19,7 @@ using Outline = std::vector<Vector2d>;
 const Eigen::Vector3f kFloor(0.45F, 0.42F, 0.38F);
 const Eigen::Vector3f kCeiling(0.9F, 0.9F, 0.9F);
 
-/// What staircases that rise through this height cut out, in the plan.
+/// The holes of staircases that pass through this height, in the plan.
 std::vector<Outline> stairHoles(const Home& home, double height) {
     std::vector<Outline> holes;
     for (const HomePiece& piece : home.pieces) {
@@ -60,7 +60,7 @@ void addFlat(const HomeRoom& room, const std::vector<Outline>& holes, const Home
     }
 }
 
-/// The top of the level's wall that is nearest to a place.
+/// Height of the top of the level's wall nearest to a position; `otherwise` without walls.
 double wallTop(const Home& home, int level, const Vector2d& place, double otherwise) {
     double nearest = std::numeric_limits<double>::max();
     double top = otherwise;

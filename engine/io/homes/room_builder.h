@@ -6,12 +6,12 @@
 
 namespace dollytrack::homes {
 
-/// A room's floor; on upper levels staircases from below cut their holes into it, whose sides are
-/// as thick as the floor. Empty where the home shows none.
+/// Builds a room's floor. On upper levels it has holes for staircases from below, as deep as the
+/// floor is thick. Empty if the floor is hidden.
 SurfaceMesh buildFloor(const Home& home, const HomeRoom& room, HomeMaterials& materials);
 
-/// A room's ceiling: at its level's height, on the last level along the tops of the nearest walls;
-/// staircases through it cut their holes. Empty where the home shows none.
+/// Builds a room's ceiling, with holes for staircases: at its level's height, or on the top level
+/// at the height of the nearest walls. Empty if the ceiling is hidden.
 SurfaceMesh buildCeiling(const Home& home, const HomeRoom& room, HomeMaterials& materials);
 
 }  // namespace dollytrack::homes

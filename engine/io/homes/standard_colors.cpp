@@ -12,7 +12,7 @@ struct NamedColor {
     float r, g, b;  // linear
 };
 
-/// Longer words first where one holds another.
+/// Words that contain other words come first.
 constexpr std::array<NamedColor, 32> kColors = {{
     {"yellow_green", 0.33F, 0.47F, 0.05F}, {"bluegrey", 0.18F, 0.23F, 0.30F},
     {"bluteal", 0.03F, 0.24F, 0.28F},      {"sky_blue", 0.25F, 0.50F, 0.80F},
@@ -35,7 +35,7 @@ constexpr std::array<NamedColor, 32> kColors = {{
 }  // namespace
 
 void giveStandardColors(RawScene& model) {
-    // What assimp gives a material that is named but described nowhere.
+    // assimp's default for a material without a description.
     const Eigen::Vector3f undescribed(0.6F, 0.6F, 0.6F);
     for (Material& material : model.materials) {
         const bool plain = material.texture < 0 && material.opacity >= 1.0F;

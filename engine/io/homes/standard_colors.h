@@ -4,9 +4,9 @@
 
 namespace dollytrack::homes {
 
-/// OBJ models of Sweet Home 3D often name materials that no MTL file describes: they mean the
-/// viewer's own palette ("flwhite", "dkgrey", "redwood"). Colours such materials after what their
-/// names say; a name that says nothing keeps its grey.
+/// Sets the colours of materials without a description by their names. OBJ models of Sweet Home 3D
+/// often refer to a built-in palette ("flwhite", "dkgrey", "redwood") that no MTL file contains.
+/// Materials with other names stay grey.
 void giveStandardColors(RawScene& model);
 
 }  // namespace dollytrack::homes

@@ -44,7 +44,7 @@ std::vector<std::size_t> SurfaceMesh::addTo(RawScene& scene, const std::string& 
         part.material = material;
         RepairCounts repairs = buildMeshPart({mesh.positions, {}, mesh.uvs, sizes, indices},
                                              Eigen::Affine3d::Identity(), part);
-        repairs.made_normals = 0;  // ours to make
+        repairs.made_normals = 0;  // expected here
         scene.repairs.add(repairs);
         added.push_back(scene.parts.size());
         scene.parts.push_back(std::move(part));

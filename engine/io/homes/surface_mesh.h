@@ -10,21 +10,21 @@
 
 namespace dollytrack::homes {
 
-/// Triangles of one thing made by hand, gathered by material. Points are in the source's axes: x
-/// the plan's, y up, z the plan's y; cm.
+/// The triangles of a constructed object, by material. Points are in the source's axes: x of the
+/// plan, y up, z the plan's y; cm.
 class SurfaceMesh {
   public:
-    /// A triangle that shows its front towards `outward`; `uvs` in repeats of the picture.
+    /// Adds a triangle whose front faces `outward`; `uvs` are in repeats of the texture.
     void triangle(std::uint32_t material, const std::array<Eigen::Vector3d, 3>& corners,
                   const std::array<Eigen::Vector2d, 3>& uvs, const Eigen::Vector3d& outward);
 
-    /// Four corners in turn, without a picture.
+    /// Adds a quad with its corners in order, without a texture.
     void quad(std::uint32_t material, const std::array<Eigen::Vector3d, 4>& corners,
               const Eigen::Vector3d& outward);
 
     [[nodiscard]] bool empty() const { return meshes_.empty(); }
 
-    /// Adds a node with a part for each material; their indices.
+    /// Adds a node with one part per material to a scene. Returns the parts' indices.
     std::vector<std::size_t> addTo(RawScene& scene, const std::string& name) const;
 
   private:

@@ -21,7 +21,7 @@ Vector3d lifted(const Vector2d& in_plan, double height) {
     return {in_plan.x(), height, in_plan.y()};
 }
 
-/// A stretch with lengths counted along it (s) and heights above the plan's 0 (z).
+/// Builds one stretch of a wall, in coordinates along the stretch (s) and elevation (z).
 class StretchBuilder {
   public:
     StretchBuilder(const HomeWall& wall, const WallStretch& stretch, double bottom, double floor,
@@ -118,7 +118,7 @@ class StretchBuilder {
         }
     }
 
-    /// The sides of a cut, from the wall's left to its right.
+    /// Adds the sides of a hole, from the wall's left to its right surface.
     void addReveal(const Outline& hole) {
         Vector2d middle = Vector2d::Zero();
         for (const Vector2d& p : hole) middle += p / static_cast<double>(hole.size());
@@ -139,7 +139,7 @@ class StretchBuilder {
         }
     }
 
-    /// Cuts a-b to low..high along one coordinate; false when nothing is left.
+    /// Clips the segment a-b to low..high along one coordinate. Returns false if nothing remains.
     static bool clip(Vector2d& a, Vector2d& b, int axis, double low, double high) {
         for (const auto& [limit, sign] : {std::pair(low, 1.0), std::pair(high, -1.0)}) {
             const double da = sign * (a[axis] - limit);
@@ -221,7 +221,7 @@ class StretchBuilder {
     std::vector<Outline> holes_;
 };
 
-/// Walls of upper levels reach down through the floor they stand on.
+/// Elevation of a wall's bottom. Walls of upper levels extend down through their floor.
 double wallBottom(const Home& home, int level) {
     if (level < 0) return 0.0;
     const HomeLevel& own = home.levels[static_cast<std::size_t>(level)];

@@ -7,11 +7,11 @@
 
 namespace dollytrack::homes {
 
-/// Height above the plan's 0 at which the pieces and floors of a level begin.
+/// Elevation of a level's floor; 0 for level -1.
 double levelElevation(const Home& home, int level);
 
-/// A wall with its top, ends and baseboards, and with a hole for every door and window that stands
-/// in it: cut out by its shape through the whole thickness, the sides of the cut closed.
+/// Builds a wall with its top, ends and baseboards, and with a hole through its whole thickness for
+/// every door and window in it. The holes have the openings' shapes and closed sides.
 SurfaceMesh buildWall(const Home& home, const HomeWall& wall,
                       const std::vector<WallStretch>& outline, HomeMaterials& materials);
 

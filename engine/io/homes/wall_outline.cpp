@@ -16,12 +16,12 @@ double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Left of a direction on a page whose y runs down.
+/// The direction to the left of a direction, on a page whose y points down.
 Vector2d leftOf(const Vector2d& direction) {
     return {direction.y(), -direction.x()};
 }
 
-/// Points on the middle line, from start to end, with the direction to the left at each.
+/// Points on the wall's centre line from start to end, with the direction to the left at each.
 struct LinePoint {
     Vector2d at;
     Vector2d left;
@@ -37,7 +37,7 @@ std::vector<LinePoint> middleLine(const HomeWall& wall) {
         const Vector2d left = leftOf(chord / length);
         return {{wall.start, left}, {wall.end, left}};
     }
-    // Both ends are seen from the centre under the angle that the wall turns.
+    // The arc's centre sees both ends under the angle arc_extent.
     const double to_centre = length / (2.0 * std::tan(extent / 2.0));
     const Vector2d centre = 0.5 * (wall.start + wall.end) - to_centre * leftOf(chord / length);
     const Vector2d arm = wall.start - centre;
@@ -75,7 +75,7 @@ std::optional<Vector2d> meet(const Vector2d& a, const Vector2d& a_along, const V
     return a + cross(b - a, b_along) / turn * a_along;
 }
 
-/// One end of a wall as its neighbour sees it.
+/// An end of a wall, for its neighbour.
 struct WallEnd {
     const WallStretch* stretch = nullptr;
     bool is_start = false;
@@ -96,11 +96,11 @@ std::optional<WallEnd> otherEnd(const std::vector<HomeWall>& walls,
     return WallEnd{start ? &outline.front() : &outline.back(), start};
 }
 
-/// Moves a corner to where the line of its side meets the neighbour's.
+/// Moves a corner to the intersection of its side with the neighbour's side.
 void join(const WallStretch& mine, bool at_start, const WallEnd& other, double reach,
           Vector2d& left, Vector2d& right) {
     const WallStretch& theirs = *other.stretch;
-    // Where both begin (or both end) at the corner, one's left is the other's right.
+    // If both walls start (or both end) at the corner, left and right are swapped.
     const bool crossed = at_start == other.is_start;
     const Vector2d& their_left = crossed ? theirs.right_start : theirs.left_start;
     const Vector2d& their_right = crossed ? theirs.left_start : theirs.right_start;

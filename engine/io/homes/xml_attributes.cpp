@@ -59,7 +59,7 @@ double XmlAttributes::needed(const char* name) {
 double XmlAttributes::size(const char* name, double otherwise) {
     const double value = number(name, otherwise);
     if (value > 0.0) return value;
-    // Flat things are kept, as flat as one can still see them.
+    // Sizes of 0 are replaced by a small one, which is still visible.
     if (value == 0.0) return 0.1;
     wrong(name, "is negative");
     return 1.0;

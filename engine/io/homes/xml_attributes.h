@@ -11,7 +11,7 @@
 
 namespace dollytrack::homes {
 
-/// Reads an element's attributes; the first that is wrong is kept as the reason.
+/// Reads an element's attributes; error() is the first invalid one.
 class XmlAttributes {
   public:
     XmlAttributes(const pugi::xml_node& node, std::string where)
@@ -20,14 +20,14 @@ class XmlAttributes {
     [[nodiscard]] bool has(const char* name) const { return !node_.attribute(name).empty(); }
     [[nodiscard]] std::string text(const char* name) const;  // clean
     [[nodiscard]] bool flag(const char* name, bool otherwise) const;
-    /// A finite number of at most a million (10 km).
+    /// A finite number with an absolute value of at most a million (10 km); `otherwise` if missing.
     double number(const char* name, double otherwise);
     double needed(const char* name);
-    /// A number above 0.
+    /// A size above 0; a value of 0 becomes 0.1 cm, and negative values are errors.
     double size(const char* name, double otherwise);
-    /// "FF00376B" as a linear colour.
+    /// A colour such as "FF00376B", as linear colour.
     std::optional<Eigen::Vector3f> color(const char* name);
-    /// Nine numbers, row by row.
+    /// A matrix of nine numbers, row by row.
     std::optional<Eigen::Matrix3d> matrix(const char* name);
 
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }

@@ -20,7 +20,7 @@ bool isBelow(const RawScene& raw, int node, const std::string& name) {
     return false;
 }
 
-/// A part of its own of some of a part's triangles, with the corners that these use.
+/// A new part with the triangles for which `chosen` equals `want`, and with their vertices.
 MeshPart partOf(const MeshPart& whole, const std::vector<bool>& chosen, bool want) {
     MeshPart part;
     part.name = whole.name;
@@ -43,7 +43,7 @@ MeshPart partOf(const MeshPart& whole, const std::vector<bool>& chosen, bool wan
         }
         part.triangles.push_back(triangle);
     }
-    // What faces where is only asked of the whole, to find the upward axis.
+    // Areas are needed only to estimate the up axis of the whole scene, so shares are sufficient.
     const double share = static_cast<double>(part.triangles.size()) /
                          static_cast<double>(std::max<std::size_t>(1, whole.triangles.size()));
     part.area = share * whole.area;
@@ -60,7 +60,7 @@ class Taker {
     }
 
     void take(const io::AnnotatedObject& object, ObjectDraft& draft) {
-        // Ranges are counted in the whole mesh: they come before their mesh is given away.
+        // Ranges first, because they refer to triangles of the whole mesh.
         for (const io::AnnotatedTriangles& range : object.triangles) cut(range, object, draft);
         for (const std::string& name : object.nodes) {
             takeWhere(object, draft, "node", name,
@@ -72,7 +72,7 @@ class Taker {
         }
     }
 
-    /// Ranges of every object, as one mesh is cut once.
+    /// Finds the meshes that have ranges of any object.
     void noteRanges(const std::vector<io::AnnotatedObject>& objects) {
         for (const io::AnnotatedObject& object : objects) {
             for (const io::AnnotatedTriangles& range : object.triangles) meshes_.insert(range.mesh);
@@ -85,7 +85,7 @@ class Taker {
         }
     }
 
-    /// What no range has asked for stays in its mesh.
+    /// Keeps the triangles outside all ranges in their mesh.
     void finishRanges() {
         for (const auto& [index, left] : left_) {
             if (result_.taken[index]) continue;
@@ -102,7 +102,7 @@ class Taker {
         for (std::size_t i = 0; i < raw_.parts.size(); ++i) {
             if (!wanted(raw_.parts[i])) continue;
             any = true;
-            // Meshes that ranges are cut out of are not to be had whole, and none is given twice.
+            // Meshes with ranges cannot be taken as a whole, and no mesh twice.
             if (result_.taken[i] || left_.contains(i) || raw_.parts[i].triangles.empty()) continue;
             result_.taken[i] = true;
             draft.parts.push_back(i);
@@ -119,7 +119,7 @@ class Taker {
             const MeshPart& part = raw_.parts[index];
             if (part.name != range.mesh && nodeNameOf(raw_, part) != range.mesh) continue;
             any = true;
-            // A mesh of several materials is several parts, counted through.
+            // A mesh with several materials has several parts, which are numbered consecutively.
             const std::size_t here = left.size();
             if (first >= here) {
                 first -= here;
@@ -151,7 +151,7 @@ class Taker {
 
     void missing(const io::AnnotatedObject& object, const char* kind, const std::string& name) {
         std::string hint;
-        // Each hint compares the name with all of the scene's; repeats are folded anyway.
+        // Limited, because a hint compares the name with all names in the scene.
         if (++missing_ <= kMostHints) {
             std::vector<std::string> names;
             for (const MeshPart& part : raw_.parts) names.push_back(part.name);
@@ -167,11 +167,12 @@ class Taker {
     RawScene& raw_;
     AnnotatedDrafts& result_;
     std::size_t missing_ = 0;
-    std::set<std::string> meshes_;                   // that ranges are cut out of
-    std::map<std::size_t, std::vector<bool>> left_;  // by part: triangles that nobody has asked for
+    std::set<std::string> meshes_;                   // meshes with ranges
+    std::map<std::size_t, std::vector<bool>> left_;  // by part: triangles outside all ranges so far
 };
 
-/// The label of an annotated object: by its class, else by its name, else by what it consists of.
+/// The label of an annotated object: by its class, otherwise by the most specific of its name and
+/// the names of its nodes and meshes.
 Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
               std::vector<std::string>& warnings) {
     if (!object.category.empty()) {

@@ -10,16 +10,16 @@
 
 namespace dollytrack {
 
-/// Objects as a person names them, and what of the scene they leave to be guessed.
+/// The objects of an annotation file, and the parts of the scene that they use.
 struct AnnotatedDrafts {
     std::vector<ObjectDraft> drafts;    // in the order of the annotations
-    std::vector<bool> taken;            // by part: it belongs to one of them
-    std::vector<std::string> warnings;  // names that nothing in the scene has
+    std::vector<bool> taken;            // by part: whether it belongs to one of them
+    std::vector<std::string> warnings;  // names that do not occur in the scene, and the like
 };
 
-/// Finds the parts of each object: those of nodes with these names and of all below them, meshes
-/// with these names, and ranges of triangles, which are cut out of their mesh as parts of their
-/// own. What two objects ask for belongs to the first.
+/// Finds the parts of each object: those of the named nodes and all nodes below them, of the named
+/// meshes, and the ranges of triangles, which are cut out of their mesh as new parts. A part or
+/// triangle that several objects name belongs to the first.
 AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
                               const LabelTable& labels, RawScene& raw);
 

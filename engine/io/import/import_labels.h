@@ -9,16 +9,16 @@
 
 namespace dollytrack {
 
-/// What names mean, and the classes that a dataset of the scene is written with.
+/// The table of words, and the classes for datasets of the scene.
 struct ImportLabels {
-    LabelTable words;                           // the built-in ones, then the user's own
+    LabelTable words;                           // the built-in words and the user's
     std::shared_ptr<const ClassTable> classes;  // null: NYU40
 };
 
-/// By the options' label file, if there is one. Errors: those of that file.
+/// Reads the options' label file, if any. Errors as of readLabelFile().
 Result<ImportLabels> importLabels(const ImportOptions& options);
 
-/// The table of words of importLabels(), for readers of scene files, which need no classes.
+/// Only the words of importLabels(), for readers of scene files.
 Result<LabelTable> labelsOf(const ImportOptions& options);
 
 }  // namespace dollytrack

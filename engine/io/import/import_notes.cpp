@@ -49,7 +49,7 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
 void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
                 ImportReport& report) {
     if (merges.empty()) return;
-    std::map<std::size_t, std::string> named;  // by what they went into
+    std::map<std::size_t, std::string> named;  // names by the draft they were merged into
     std::size_t nameless = 0;
     for (const MergedPiece& piece : merges) {
         if (piece.name.empty()) {
@@ -137,7 +137,7 @@ void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report) {
         if (!part.triangles.empty()) box.extend(part.bounds.cast<double>());
     }
     if (box.isEmpty()) return;
-    // A large thing, a sky, is no scene that lies far away.
+    // Measured to the nearest point, because a large object such as a sky is not far away.
     const double away = box.exteriorDistance(Eigen::Vector3d::Zero());
     const double step_m = unit_m * away * std::numeric_limits<float>::epsilon();
     if (step_m < kCoarsest_m) return;

@@ -16,18 +16,18 @@
 
 namespace dollytrack {
 
-// What the import did and what is doubtful, as sentences of the report.
+// Functions that add notes and warnings about the import to its report.
 
-/// "1 face was dropped", "2 faces were dropped".
+/// A count with the singular or plural: "1 face was dropped", "2 faces were dropped".
 [[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
 void noteRepairs(const RepairCounts& repairs, ImportReport& report);
 
-/// What the file names and is no object any more is told by its name, with what it went into.
+/// Lists the named pieces that were merged into other objects.
 void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<ObjectDraft>& drafts,
                 ImportReport& report);
 
-/// Says which meshes hold parts of several objects, and what came of it or is to be done.
+/// Lists meshes that contain parts of several objects, and whether they were regrouped.
 void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report);
 
 /// Warns that objects are split by material. `objects`: how many remain after regrouping; empty if
@@ -35,14 +35,14 @@ void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportRepor
 void noteMaterialSplit(const MaterialSplit& found, std::optional<std::size_t> objects,
                        ImportReport& report);
 
-/// `proxies` are names of meshes for physics, `twice` counts meshes that are there again.
+/// `proxies` are the names of collision meshes, `twice` is the number of duplicate meshes.
 void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, ImportReport& report);
 
-/// Corners are kept as numbers of 24 bits, as nearly every format keeps them: warns where they are
-/// more than a millimetre apart, at 8 km.
+/// Warns if the scene is so far from the origin (about 8 km) that its single-precision coordinates
+/// have a resolution of more than a millimetre.
 void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report);
 
-/// Why nothing of the file can be drawn.
+/// The error for a file without any drawable triangle, with the reason.
 [[nodiscard]] Error nothingToDraw(const RawScene& raw, const std::filesystem::path& path);
 
 }  // namespace dollytrack

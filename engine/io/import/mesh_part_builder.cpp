@@ -15,14 +15,14 @@ namespace {
 
 constexpr float kAlongAxis = 0.99939F;  // cosine of 2 degrees
 
-enum class Place : char { Good, TooFar, NoNumber };  // a face is as bad as its worst corner
+enum class Place : char { Good, TooFar, NoNumber };  // of a vertex; a face has its worst vertex's
 
 Place judge(const Eigen::Vector3f& corner) {
     if (!corner.allFinite()) return Place::NoNumber;
     return corner.cwiseAbs().maxCoeff() <= kFarthest ? Place::Good : Place::TooFar;
 }
 
-/// The faces that can be kept, as triangles into the mesh's own vertices.
+/// The valid faces, as triangles with indices into the mesh's vertices.
 std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
                                        const std::vector<Eigen::Vector3f>& placed,
                                        const std::vector<Place>& places, RepairCounts& counts) {
@@ -69,8 +69,8 @@ std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
     return triangles;
 }
 
-/// Numbers equal vertices alike, in order of first appearance, where equal places are known: each
-/// place has a short list of the vertices there. -0 and 0 are equal.
+/// Gives equal vertices the same number, in order of first appearance. Vertices are compared only
+/// with those at the same position. -0 and 0 are equal.
 class JoinAtPlaces {
   public:
     explicit JoinAtPlaces(std::size_t places) : first_(places, kEnd) { vertices_.reserve(places); }
@@ -94,7 +94,7 @@ class JoinAtPlaces {
     using Bits = std::array<std::uint32_t, 5>;
     struct Vertex {
         Bits bits;
-        std::uint32_t next;  // vertex at the same place
+        std::uint32_t next;  // next vertex at the same position
     };
 
     static std::uint32_t bitsOf(float x) { return std::bit_cast<std::uint32_t>(x + 0.0F); }
@@ -103,7 +103,7 @@ class JoinAtPlaces {
     }
 
     static constexpr std::uint32_t kEnd = 0xFFFFFFFFU;
-    std::vector<std::uint32_t> first_;  // by place
+    std::vector<std::uint32_t> first_;  // first vertex by position
     std::vector<Vertex> vertices_;
 };
 
@@ -130,7 +130,7 @@ void measurePart(MeshPart& part) {
         const Eigen::Vector3f& a = part.positions[t[0]];
         const Eigen::Vector3f normal = (part.positions[t[1]] - a).cross(part.positions[t[2]] - a);
         const float length = normal.norm();
-        if (!std::isfinite(length)) continue;  // too large to be squared
+        if (!std::isfinite(length)) continue;  // the square overflows
         part.area += 0.5 * static_cast<double>(length);
         for (int axis = 0; axis < 3; ++axis) {
             if (std::abs(normal[axis]) < kAlongAxis * length) continue;
@@ -167,7 +167,7 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
         ++counts.made_normals;
         made = cornerNormals(placed, triangles, 45.0, &place);
     }
-    // Adjugate transpose: right for any scale, and with the sign that keeps the outside outside.
+    // The cofactor matrix: correct for any scale, and keeps normals outward under mirroring.
     Eigen::Matrix3d cofactors;
     cofactors.col(0) = linear.col(1).cross(linear.col(2));
     cofactors.col(1) = linear.col(2).cross(linear.col(0));
@@ -200,7 +200,7 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
             } else {
                 normal = made[3 * t + corner];
             }
-            // What is too small or too large to be squared has no direction.
+            // Vectors whose squared length underflows or overflows have no direction.
             if (!normal.allFinite()) normal = Eigen::Vector3f::UnitZ();
             Eigen::Vector2f uv = Eigen::Vector2f::Zero();
             if (has_uvs && mesh.uvs[v].head<2>().allFinite()) uv = mesh.uvs[v].head<2>();

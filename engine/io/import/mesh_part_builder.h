@@ -9,7 +9,7 @@
 
 namespace dollytrack {
 
-/// A mesh as a file gives it: nothing checked yet.
+/// An unchecked mesh of a file.
 struct SourceMesh {
     std::span<const Eigen::Vector3f> positions;
     std::span<const Eigen::Vector3f> normals;  // empty, or one per position
@@ -18,13 +18,13 @@ struct SourceMesh {
     std::span<const std::uint32_t> face_indices;
 };
 
-/// Fills positions, normals, uvs, triangles, bounds and areas of `part`: polygons are cut into
-/// triangles, broken faces dropped and counted, missing normals made (smooth where faces meet at
-/// less than 45 degrees), equal vertices joined, everything moved by `source_from_mesh`.
+/// Fills positions, normals, uvs, triangles, bounds and areas of `part`, transformed by
+/// `source_from_mesh`. Polygons are triangulated, invalid faces dropped, missing normals computed
+/// (smooth at edges below 45 degrees) and equal vertices joined. Returns the number of repairs.
 RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source_from_mesh,
                            MeshPart& part);
 
-/// Measures bounds and areas from positions and triangles, whatever they were.
+/// Recomputes bounds and areas from positions and triangles.
 void measurePart(MeshPart& part);
 
 }  // namespace dollytrack

@@ -9,15 +9,14 @@
 
 namespace dollytrack {
 
-/// Puts one model into scenes that are made of models, as often as it is needed: its materials and
-/// textures are added to the scene once.
+/// Places a model any number of times in a scene; its materials and textures are added once.
 class ModelPlacement {
   public:
-    /// `model` and `scene` have to outlive this object.
+    /// `model` and `scene` must outlive this object.
     ModelPlacement(const RawScene& model, RawScene& scene) : model_(model), scene_(scene) {}
 
-    /// Adds the model's parts under a new node of this name, moved into the scene's axes and unit;
-    /// a mirroring transform turns the faces back. Returns the new parts' indices.
+    /// Adds the model's parts, transformed to the scene's axes and unit, under a new node of this
+    /// name. Under a mirroring transform, faces keep their outside. Returns the new parts' indices.
     std::vector<std::size_t> place(const std::string& name,
                                    const Eigen::Affine3d& scene_from_model);
     /// Places only the parts of the model with these indices.

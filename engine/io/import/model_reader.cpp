@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // what a .glb can hold
+constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 30U;  // the format's limit for .glb
 
 bool isGltf(const fs::path& path) {
     const std::string extension = lowerExtension(path);

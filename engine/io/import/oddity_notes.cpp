@@ -20,17 +20,17 @@ namespace dollytrack {
 namespace {
 
 constexpr int kMirror = 19;              // NYU40
-constexpr double kInsideOut = -0.05;     // share of its box that a thing turned inside out encloses
-constexpr double kClosed = 1e-3;         // share of its area that a closed thing may face one way
-constexpr double kTwoSided = 0.9;        // share of a thing's faces that are there twice
-constexpr std::uint64_t kSampleOf = 16;  // of large things one face in so many is looked at
-constexpr std::uint32_t kLarge = 4096;   // faces
+constexpr double kInsideOut = -0.05;     // signed enclosed volume / box volume, if inside out
+constexpr double kClosed = 1e-3;         // |sum of face normals| / area of a closed surface
+constexpr double kTwoSided = 0.9;        // share of duplicate faces in a two-sided object
+constexpr std::uint64_t kSampleOf = 16;  // in large objects every 16th face is compared
+constexpr std::uint32_t kLarge = 4096;   // faces of a large object
 
 Eigen::Vector3d corner(const Scene& scene, const Triangle& t, std::size_t i) {
     return scene.positions[t[i]].cast<double>();
 }
 
-/// Spreads every input bit over all output bits (Steele, Lea and Flood 2014: SplitMix64's end).
+/// Hash function: the finalizer of SplitMix64 (Steele, Lea and Flood 2014).
 std::uint64_t mixed(std::uint64_t x) {
     x ^= x >> 30U;
     x *= 0xBF58476D1CE4E5B9U;
@@ -39,7 +39,7 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31U);
 }
 
-/// The same for every order of the corners.
+/// Hash of a face's positions, independent of the order of its corners.
 std::uint64_t faceKey(const Scene& scene, const Triangle& t) {
     std::uint64_t key = 0;
     for (const std::uint32_t v : t) {
@@ -66,8 +66,8 @@ bool isTwoSided(const Scene& scene, const Object& object) {
     return twice > 0 && static_cast<double>(twice) >= kTwoSided * static_cast<double>(keys.size());
 }
 
-/// By the volume that the faces enclose, negative where they look inwards. What is open, a scan
-/// from one side, encloses nothing.
+/// Whether a closed object's faces point inwards: the volume they enclose is then negative. Open
+/// surfaces, such as scans from one side, are never inside out.
 bool isInsideOut(const Scene& scene, const Object& object) {
     double volume = 0.0;
     double area = 0.0;

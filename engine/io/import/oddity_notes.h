@@ -4,9 +4,9 @@
 
 namespace dollytrack {
 
-/// Says what is unusual about a finished scene and yet right: several storeys, faces that are there
-/// from both sides, things inside out, mirrors that mirror nothing. It changes nothing; planning
-/// and pictures take all of them as they are.
+/// Notes unusual but supported properties of a finished scene: several storeys, objects with
+/// doubled faces, objects that are inside out, mirrors without a reflective material. The scene is
+/// not changed.
 void noteOddities(const Scene& scene, ImportReport& report);
 
 }  // namespace dollytrack

@@ -29,7 +29,7 @@ struct SlotName {
     Slot slot;
 };
 
-/// Names of the properties that are read; of several for one slot the first of this list counts.
+/// Names of the properties that are read. If several fill one slot, the first in this list is used.
 constexpr std::array<SlotName, 23> kSlotNames = {{{"x", X},
                                                   {"y", Y},
                                                   {"z", Z},
@@ -54,8 +54,8 @@ constexpr std::array<SlotName, 23> kSlotNames = {{{"x", X},
                                                   {"diffuse_blue", Blue},
                                                   {"b", Blue}}};
 
-/// Names of the properties with labels, in small letters and without CloudCompare's "scalar_"; of
-/// several for one slot the first of this list counts.
+/// Names of label properties, in lower case and without CloudCompare's "scalar_". If several fill
+/// one slot, the first in this list is used.
 constexpr std::array<SlotName, 28> kLabelNames = {
     {{"object_id", ObjectId}, {"objectid", ObjectId},       {"obj_id", ObjectId},
      {"object", ObjectId},    {"instance_id", ObjectId},    {"instanceid", ObjectId},
@@ -76,7 +76,7 @@ std::string labelNameOf(const std::string& property) {
     return small.starts_with(kScalar) ? small.substr(kScalar.size()) : small;
 }
 
-/// Which property of an element fills each slot; kNowhere: none does.
+/// The index of the property for each slot; kNowhere: none.
 std::array<std::size_t, kSlots> slotsOf(const PlyElement& element) {
     std::array<std::size_t, kSlots> properties{};
     properties.fill(kNowhere);
@@ -92,7 +92,7 @@ std::array<std::size_t, kSlots> slotsOf(const PlyElement& element) {
     return properties;
 }
 
-/// Notes the properties of whole numbers that fill no slot, but for those that are no labels.
+/// Records integer properties that fill no slot, except those that are known not to be labels.
 void noteUnread(const PlyElement& element, const std::array<std::size_t, kSlots>& slots,
                 std::vector<std::string>& unread) {
     constexpr std::array<std::string_view, 5> kNoLabels = {"alpha", "a", "flags", "quality",
@@ -112,7 +112,7 @@ float scaleOfColor(PlyKind kind) {
     return kind == PlyKind::UInt16 ? 1.0F / 65535.0F : 1.0F / 255.0F;
 }
 
-/// The number of an object or class; -1, as of what is not labelled, where it is no whole number.
+/// An object or class number; -1 (unlabelled) if the value is not an integer.
 std::int64_t idOf(double value) {
     constexpr double kMost = 1e15;
     const bool whole = value >= -kMost && value <= kMost && value == std::floor(value);
@@ -131,7 +131,7 @@ class PlyReader {
         numbers_ = PlyNumbers(bytes_.substr(header->size), header->format);
         for (const PlyElement& element : header->elements) {
             if (element.count == 0) continue;
-            // Each record takes a byte or more.
+            // A record has at least one byte, which limits their number.
             if (element.properties.empty() || element.count > bytes_.size()) {
                 return ends(element, 0);
             }
@@ -154,7 +154,7 @@ class PlyReader {
                     path_.string());
     }
 
-    /// Numbers of one record; lists go to `lists`. False at the end of the file.
+    /// Reads a record; lists go to `lists`. Returns false at the end of the file.
     bool readRecord(const PlyElement& element) {
         values_.resize(element.properties.size());
         lists_.resize(element.properties.size());
@@ -167,7 +167,7 @@ class PlyReader {
                 continue;
             }
             const auto count = numbers_.next(*property.count);
-            // Each number takes a byte or more.
+            // A number has at least one byte, which limits their number.
             if (!count || !(*count >= 0.0 && *count <= static_cast<double>(bytes_.size()))) {
                 return false;
             }
@@ -266,7 +266,7 @@ class PlyReader {
         return true;
     }
 
-    /// Strips of triangles, one after the other with -1 between them.
+    /// Reads triangle strips, which are separated by -1.
     bool readStrips(const PlyElement& element) {
         const std::size_t corners = listNamed(element, "vertex_indices", "vertex_index");
         if (corners == kNowhere) return skip(element);
@@ -288,7 +288,7 @@ class PlyReader {
         return true;
     }
 
-    /// Where corners have texture coordinates of their own, each becomes a position of its own.
+    /// For texture coordinates per corner, makes each corner a position of its own.
     void splitCorners() {
         if (corner_uvs_.size() != mesh_.face_indices.size() || corner_uvs_.empty()) return;
         const auto spread = [&](auto& values) {
@@ -307,7 +307,7 @@ class PlyReader {
         spread(mesh_.position_classes);
         mesh_.uvs = std::move(corner_uvs_);
         for (std::size_t i = 0; i < mesh_.face_indices.size(); ++i) {
-            // One that names no position goes on doing so.
+            // Invalid indices stay invalid.
             const bool there = mesh_.face_indices[i] < count;
             mesh_.face_indices[i] = there ? static_cast<std::uint32_t>(i) : 0xFFFFFFFFU;
         }

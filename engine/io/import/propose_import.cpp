@@ -13,7 +13,7 @@ namespace {
 
 const UpAxis kWorldUp('z');
 
-/// The axis of the file that points along an axis of the world; what was levelled lies askew.
+/// The file's axis nearest to an axis of the world; levelled scenes are rotated by any angle.
 UpAxis inFile(UpAxis in_world, const Scene& scene) {
     const Eigen::Vector3d along = scene.source_from_world.linear() * in_world.direction();
     Eigen::Index axis = 0;
@@ -36,7 +36,7 @@ void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal
 
 void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const double unit_m = scene.report.unit_m;
-    // On its side nothing is as high as it looks.
+    // With a wrong up axis, measured heights are not heights.
     const UpAxis up = proposal.up_axis ? judgeUp(evidence).front().axis : kWorldUp;
     const UnitEvidence sizes = measureForUnit(evidence, up, unit_m);
     if (!isUnitDoubtful(sizes, unit_m)) return;
@@ -60,7 +60,7 @@ ImportProposal proposeImport(const Scene& scene, const FrameChoice& frame, bool 
         if (!unit_given && !evidence.core.isEmpty()) doubtUnit(evidence, scene, proposal);
     }
     if (frame.likelier_up && proposal.up_doubt.empty()) {
-        // Heights that were measured along the wrong axis say nothing about the unit.
+        // Heights measured along the wrong axis are no evidence for the unit.
         proposal = {};
         proposal.up_axis = frame.likelier_up;
         proposal.up_doubt = upDoubt(*frame.likelier_up, scene);

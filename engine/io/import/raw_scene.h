@@ -16,8 +16,8 @@
 
 namespace dollytrack {
 
-/// One mesh under one node: one material, checked (every index valid, every number finite, no
-/// triangle without area) and placed, in the source's own axes and unit.
+/// A mesh with one material under a node, in the source's axes and unit. It is checked: all indices
+/// are valid, all numbers finite, and no triangle has zero area.
 struct MeshPart {
     std::string name;  // the mesh's own name, clean text
     int node = 0;      // index into RawScene::nodes
@@ -38,60 +38,59 @@ struct SourceNode {
     int children = 0;
 };
 
-/// A picture a material asks for: a path as the file writes it, or bytes inside the file.
+/// A texture that a material uses: a path as written in the file, or bytes inside the file.
 struct TextureRequest {
-    std::string name;                    // byte for byte, as it has to be found on disk
+    std::string name;                    // byte for byte as in the file
     std::vector<std::uint8_t> embedded;  // an encoded file, or width x height RGBA
     int embedded_width = 0;              // of raw RGBA; 0: encoded, or not embedded
     int embedded_height = 0;
     bool opaque = true;            // no material uses its alpha
-    std::filesystem::path folder;  // where the name is looked up; empty: the scene's own
-    bool only_there = false;       // a file of that name in another folder is another picture
+    std::filesystem::path folder;  // in which the name is searched for; empty: the scene's
+    bool only_there = false;       // whether files of the same name elsewhere must not be used
 };
 
-/// Units from the origin. Further away there is no room, and squares of squares are no numbers
-/// any more.
+/// Largest coordinate, in units. The fourth power of larger ones overflows.
 constexpr float kFarthest = 1e9F;
 
 struct RepairCounts {
-    std::size_t bad_numbers = 0;   // triangles with NaN or infinity
-    std::size_t too_far = 0;       // triangles that reach further than kFarthest
-    std::size_t bad_indices = 0;   // triangles that name a vertex that is not there
-    std::size_t no_area = 0;       // triangles and polygons without area
-    std::size_t approximate = 0;   // polygons that cross themselves
-    std::size_t polygons = 0;      // faces of four corners or more
-    std::size_t lines = 0;         // points and lines, which cannot be seen
+    std::size_t bad_numbers = 0;   // faces with NaN or infinity
+    std::size_t too_far = 0;       // faces with a coordinate beyond kFarthest
+    std::size_t bad_indices = 0;   // faces with an invalid vertex index
+    std::size_t no_area = 0;       // faces without area
+    std::size_t approximate = 0;   // self-intersecting polygons
+    std::size_t polygons = 0;      // faces with four or more corners
+    std::size_t lines = 0;         // points and lines, which are not rendered
     std::size_t made_normals = 0;  // meshes without normals
     std::size_t mirrored = 0;      // parts under a mirroring transform
 
     void add(const RepairCounts& other);
 };
 
-/// One thing as the source itself tells things apart: an instance of a data set, a piece of
-/// furniture of a home.
+/// An object that the source itself defines: an instance in a dataset, or a piece of furniture in a
+/// home.
 struct SourceObject {
     std::string name;                      // clean text
-    std::string category;                  // the source's word for its class, for the label tables
-    int nyu40 = 0;                         // 0: found by the category, else by the name
-    bool structure = false;                // part of the building; else its word for it may say so
+    std::string category;                  // the source's class name, for the label tables
+    int nyu40 = 0;                         // 0: determined by the category, otherwise by the name
+    bool structure = false;                // part of the building; if false, the category decides
     std::vector<std::size_t> parts;        // indices into RawScene::parts
     std::optional<Eigen::Vector3d> front;  // horizontal, in the source's axes
 };
 
-/// What a file holds, before anything is guessed about it.
+/// The content of a scene file as read, before unit, axes and objects are estimated.
 struct RawScene {
     std::vector<SourceNode> nodes;  // parents before children
     std::vector<MeshPart> parts;
-    std::vector<SourceObject> objects;  // empty: they are found from nodes and shapes
+    std::vector<SourceObject> objects;  // empty: to be found by nodes and shapes
     std::vector<Material> materials;
     std::vector<TextureRequest> textures;
     RepairCounts repairs;
     std::optional<double> file_unit_m;  // from metadata
-    UpAxis file_up_axis;                // not known: the format does not say
-    /// Where the reader turned or moved what the file says: back to the file's own axes and unit.
+    UpAxis file_up_axis;                // unknown if the format does not define it
+    /// Transform back to the file's axes and unit, if the reader rotated or moved the scene.
     Eigen::Affine3d file_from_parts = Eigen::Affine3d::Identity();
     std::vector<std::string> notes;
-    std::vector<std::string> warnings;  // what is missing or doubtful: the user should look
+    std::vector<std::string> warnings;  // about missing and doubtful content
 };
 
 }  // namespace dollytrack

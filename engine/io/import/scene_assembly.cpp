@@ -22,7 +22,7 @@ void copyPart(const MeshPart& part, std::uint32_t vertex, std::uint32_t triangle
     }
 }
 
-/// A front without a horizontal direction is none.
+/// Sets an object's front, made horizontal. A front that points up or down is ignored.
 void giveFront(const Eigen::Vector3d& front_in_source, const Eigen::Affine3d& source_from_world,
                Object& object) {
     Eigen::Vector3d front = source_from_world.linear().inverse() * front_in_source;

@@ -8,13 +8,12 @@
 
 namespace dollytrack {
 
-/// Lays the drafts' parts out as objects, one after the other, with box and centroid. The parts
-/// must be in the world's frame, and Scene::source_from_world set; their memory is freed on the
-/// way.
+/// Copies the drafts' parts into the scene as objects with box and centroid, and frees the parts'
+/// memory. The parts must be in the world's frame, and Scene::source_from_world must be set.
 void assembleObjects(std::vector<MeshPart>& parts, const std::vector<ObjectDraft>& drafts,
                      Scene& scene);
 
-/// Moves every part from the source's frame into the world's.
+/// Transforms every part from the source's frame to the world's.
 void moveToWorld(std::vector<MeshPart>& parts, const Eigen::Affine3d& world_from_source);
 
 }  // namespace dollytrack

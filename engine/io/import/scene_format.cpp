@@ -25,8 +25,8 @@
 namespace dollytrack {
 namespace {
 
-/// The folder with Hypersim's annotations: the one that is given, else what lies beside an OBJ
-/// file; empty without.
+/// The folder with Hypersim's annotations: the given one, otherwise the one beside an OBJ file;
+/// empty if there is none.
 Result<std::filesystem::path> annotationsFor(const std::filesystem::path& path,
                                              const ImportOptions& options) {
     std::error_code error;
@@ -90,7 +90,7 @@ bool likePcd(std::string_view head) {
     return head.find("VERSION") != std::string_view::npos ||
            head.find("FIELDS") != std::string_view::npos;
 }
-/// Lines of three numbers or more, after a few lines of names and remarks.
+/// Whether a text has lines of three or more numbers, after a few lines of names and comments.
 bool likeText(std::string_view head) {
     if (head.find('\0') != std::string_view::npos) return false;
     int lines = 0;

@@ -12,49 +12,49 @@
 
 namespace dollytrack {
 
-/// One kind of scene file: how it is told, and its reader.
+/// A scene file format: how it is recognized, and its reader.
 struct SceneFormat {
     std::string_view name;                     // with its article: "a glTF file"
     std::vector<std::string_view> extensions;  // lower case, with the dot
-    /// Whether a file that has the extension and begins with these bytes is of this kind.
+    /// Whether a file with the extension that begins with `head` has this format.
     bool (*begins_like)(std::string_view head);
-    /// Everything the file holds, in its own axes and unit. Files are opened through
-    /// io::ConfinedFolder, or by io::openNamedFile() where a person named them.
+    /// Reads the file, in its own axes and unit. Files must be opened through io::ConfinedFolder,
+    /// or with io::openNamedFile() if the user named them.
     Result<RawScene> (*read)(const std::filesystem::path& path, const ImportOptions& options,
                              const JobContext& job);
-    /// Files and folders that the reader may open besides those beneath the scene's own folder;
-    /// where scenes are read apart, nothing else of the machine can be opened.
+    /// Files and folders that the reader may open in addition to those below the scene's folder. In
+    /// the sandbox nothing else can be opened.
     std::vector<std::filesystem::path> (*more_inputs)(const std::filesystem::path& path,
                                                       const ImportOptions& options) = nullptr;
-    /// Files of quite another kind have the extension, too: patterns pick only what begins like it.
+    /// Whether files that are no scenes also have the extension; patterns then check begins_like.
     bool shares_extension = false;
-    /// How much longer reading takes than models of as many bytes do: clouds become surfaces.
+    /// Reading time relative to that of a model of the same size; larger for point clouds.
     double work = 1.0;
-    /// Its specification fixes the unit and the upward axis, so that neither is doubted.
+    /// Whether the specification defines unit and up axis, which are then not questioned.
     bool frame_is_specified = false;
 };
 
-/// Every kind that can be read. Where several share an extension the first that fits counts.
+/// All supported formats. Of several with the same extension, the first that matches is used.
 const std::vector<SceneFormat>& sceneFormats();
 
-/// The extensions of all formats, each once, in order: what file dialogs and patterns pick.
+/// The extensions of all formats, each once, for file dialogs and patterns.
 std::vector<std::string> sceneExtensions();
 
-/// Whether a pattern of files should pick this one: by its extension, and by its first bytes where
-/// the extension is not the format's alone.
+/// Whether a file pattern should match this file: by its extension, and by its first bytes if files
+/// that are no scenes also have the extension.
 bool isSceneFile(const std::filesystem::path& path);
 
-/// Loads what reading this file may take and what few others do. To be called where the process is
-/// about to give up opening files.
+/// Loads the libraries that are needed only for files of this kind. Must be called before the
+/// process gives up its right to open files.
 void loadLibrariesFor(const std::filesystem::path& path, const ImportOptions& options);
 
-/// A text without the blanks and the byte-order mark that it begins with.
+/// A text without leading blanks and byte-order mark.
 std::string_view fromFirstLetter(std::string_view head);
 
-/// The first character of a text behind blanks and a byte-order mark; 0 where there is none.
+/// The first character of a text after blanks and a byte-order mark; 0 if there is none.
 char firstLetter(std::string_view head);
 
-/// ".GLTF" of "room.GLTF" as ".gltf".
+/// The extension in lower case: ".gltf" for "room.GLTF".
 std::string lowerExtension(const std::filesystem::path& path);
 
 }  // namespace dollytrack

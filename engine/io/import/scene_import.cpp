@@ -38,7 +38,7 @@
 namespace dollytrack {
 namespace {
 
-/// Pieces of a scene taken apart are named after class or material, with a number.
+/// Names the pieces of split meshes after their class or material, with a number.
 void nameObjects(std::vector<ObjectDraft>& drafts) {
     std::map<std::string, int> used;
     for (ObjectDraft& draft : drafts) {
@@ -51,7 +51,7 @@ void nameObjects(std::vector<ObjectDraft>& drafts) {
     }
 }
 
-/// What a person says of the objects comes before any guess.
+/// The drafts of annotated objects, which take precedence over estimated ones.
 AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
                                     RawScene& raw, ImportReport& report) {
     if (said.file.empty()) return {};
@@ -71,7 +71,7 @@ AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTabl
     return annotated;
 }
 
-/// A front is where a thing looks to, on its floor.
+/// Warns about given fronts that are not horizontal.
 void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         if (!drafts[i].front || scene.objects[i].front_source == FrontSource::Annotation) continue;
@@ -97,7 +97,7 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
     std::optional<std::size_t> objects;
     if (regroup) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-            // "mat_3" is the name of a material here, not a door mat.
+            // "mat_3" is the name of a material here, not of a door mat.
             if (found->by_material[i] && isMaterialNumber(drafts[i].name)) drafts[i].label = {};
         }
         const std::vector<MergedPiece> merges =
@@ -109,7 +109,7 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
     noteMaterialSplit(*found, objects, report);
 }
 
-/// Turns drafts of nodes into drafts of objects.
+/// Splits, regroups and merges the drafts of nodes into drafts of objects.
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
@@ -136,7 +136,8 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     regroupMaterialSplit(raw, regroup, drafts, report);
 }
 
-/// What lies far from the origin is moved there: maps and small numbers end after a kilometre.
+/// Moves a scene that is more than a kilometre from the origin near it, because maps and
+/// single-precision numbers do not extend farther.
 void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportReport& report) {
     constexpr double kFar_m = 1000.0;
     Eigen::AlignedBox3d box;
@@ -145,7 +146,7 @@ void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportRep
     }
     if (box.isEmpty()) return;
     const Eigen::Vector3d center = world_from_source * box.center();
-    // A large thing, a sky, is no scene that lies far away.
+    // Measured to the nearest part, because a large object such as a sky is not far away.
     const double reach = 0.5 * (world_from_source.linear() * box.sizes()).norm();
     if (center.norm() - reach < kFar_m) return;
     const Eigen::Vector3d moved = -center.array().round();
@@ -156,8 +157,8 @@ void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportRep
                     center.norm(), moved.x(), moved.y(), moved.z()));
 }
 
-/// What lies outside is no target, unless an edit says so; nor is it a part of the building, which
-/// would tell what is inside.
+/// Gives objects outside the building the role Structure, so that they are no targets unless
+/// edited. They do not become part of the building, which determines what is inside.
 void setOutsideRoles(Scene& scene) {
     const std::vector<int> outside = findOutsideObjects(scene);
     for (const int id : outside) {

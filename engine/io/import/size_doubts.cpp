@@ -16,7 +16,7 @@ void noteSizeDoubts(const Scene& scene, ImportReport& report) {
     constexpr std::size_t kMostNamed = 6;
     constexpr double kFarSmaller = 1.0 / 3.0;
     constexpr double kFarLarger = 2.0;
-    constexpr int kRowOfBooks = 23;  // NYU40; a row of them may be long
+    constexpr int kRowOfBooks = 23;  // NYU40's books; a row of them may be long
     std::size_t count = 0;
     std::string list;
     for (const Object& object : scene.objects) {

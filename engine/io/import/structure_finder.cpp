@@ -13,7 +13,7 @@
 namespace dollytrack {
 namespace {
 
-/// How a draft's surface is spread over directions and heights.
+/// Surface area of a draft by direction, and its position among the other objects.
 struct Shape {
     OrientedBox box;
     Eigen::AlignedBox3d bounds;
@@ -23,8 +23,8 @@ struct Shape {
     double upright_area = 0.0;   // faces sideways
     double sloped_area = 0.0;    // faces neither up, down nor sideways
     double largest_plane = 0.0;  // upright area that faces along the box's thin side
-    double above = 0.0;          // share of the other objects whose middle is higher than its foot
-    double inside = 0.0;         // share of the other objects whose middle is inside its bounds
+    double above = 0.0;          // share of all objects whose centre is above its bottom
+    double inside = 0.0;         // share of all objects whose centre is inside its bounds
 };
 
 Shape measureShape(const RawScene& raw, const ObjectDraft& draft) {
@@ -66,7 +66,7 @@ struct Verdict {
     int nyu40 = 0;
 };
 
-/// A side of a roof: large and sloped, above nearly all else.
+/// Whether a shape is a side of a roof: large, sloped, and above nearly all other objects.
 bool isRoof(const Shape& shape, const Eigen::AlignedBox3d& building) {
     const Eigen::Vector3d size = shape.bounds.sizes();
     return size.x() * size.y() > 2.0 && std::max(size.x(), size.y()) > 2.0 &&
@@ -74,8 +74,8 @@ bool isRoof(const Shape& shape, const Eigen::AlignedBox3d& building) {
            shape.bounds.min().z() - building.min().z() > 1.8;
 }
 
-/// Share of the objects that have their middle higher than the shape's foot. Large things as high
-/// as it are other sides of the same roof.
+/// Share of the objects whose centre is above the shape's bottom, without large objects at the same
+/// height, which are other sides of the same roof.
 double shareAbove(const Shape& shape, const std::vector<Object>& boxes) {
     double above = 0.0;
     for (const Object& other : boxes) {
@@ -101,21 +101,21 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     }
     const double share = shape.box.half_size.x() * shape.box.half_size.y() * 4.0 /
                          std::max(1e-9, room_size.x() * room_size.y());
-    // A step or platform: thicker than any rug, wider than any table top that low.
+    // A step or platform: thicker than a rug, and larger than low table tops.
     const bool platform = flat && size.z() > 0.06 && low < 0.6 && share > 0.12;
     if (platform && shape.bounds.min().z() < room.min().z() + 0.45) return {true, kNyuFloor};
     if (flat && share > 0.3) {
         if (high < 0.3 * room_size.z() && low > 1.8) return {true, kNyuCeiling};
         if (low < 0.3) return {true, kNyuFloor};
     }
-    // A shell holds the whole room: its walls at least, often floor and ceiling too.
+    // A shell encloses the room: its walls and often floor and ceiling in one mesh.
     if (covers_x > 0.6 && covers_y > 0.6 && size.z() > 1.5 && shape.inside > 0.7) {
         return {true, kNyuWall};
     }
     if (covers_x > 0.85 && covers_y > 0.85 && size.z() > 0.6 * room_size.z()) {
         return {true, kNyuWall};
     }
-    // A rim around the room: skirting, cornice, rails.
+    // A frame around the room: skirting, cornice, rails.
     if (covers_x > 0.85 && covers_y > 0.85 && (low < 0.3 || high < 0.5)) {
         return {true, kNyuOtherStructure};
     }
@@ -131,14 +131,14 @@ Verdict judge(const Shape& shape, const Eigen::AlignedBox3d& room) {
     if (tall && thickness < 0.35 && length > 0.8 && shape.largest_plane > 0.6 * shape.area) {
         return {true, kNyuWall};
     }
-    // Narrow strips of wall beside and above doors, and columns, reach from floor to ceiling.
+    // Columns and narrow strips of wall beside doors, from floor to ceiling.
     if (tall && high < 0.1 && shape.upright_area > 0.7 * shape.area && shape.triangles <= 64) {
         return {true, kNyuWall};
     }
     return {};
 }
 
-/// Tiles and panels are thin upright sheets of the wall's own material, or longer than any picture.
+/// Marks wall cladding: thin upright sheets with a wall's material, or longer than pictures are.
 void addCladding(const RawScene& raw, const std::vector<ObjectDraft>& drafts,
                  const std::vector<Shape>& shapes, std::vector<Verdict>& verdicts) {
     std::set<std::uint32_t> wall_materials;
@@ -181,9 +181,9 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
     std::vector<char> by_shape(drafts.size(), 0);
     parallelFor(drafts.size(), [&](std::size_t i) {
         const Label& label = drafts[i].label;
-        // "House_12" is structure by its name, but its shape tells a wall from a floor.
+        // "House_12" is structure by its name; the shape decides between wall and floor.
         const bool vague = label.kind == LabelKind::Structure && label.nyu40 == kNyuOtherStructure;
-        // A piece of a scene taken apart is called after its material: shape says more.
+        // Pieces of a split mesh are named after their material, so their shape is used as well.
         const bool by_name = label.kind == LabelKind::Target || label.kind == LabelKind::Structure;
         if (by_name && !vague && !drafts[i].loose) return;
         Shape& shape = shapes[i];
@@ -194,8 +194,8 @@ std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& d
         shape.inside = boxes.size() < 6 ? 0.0 : inside / static_cast<double>(boxes.size());
         by_shape[i] = 1;
     });
-    // As a ceiling a roof is left away where one looks in from above. Storeys are as high as what
-    // is below it.
+    // Roofs are ceilings, so that cut-away views remove them. The room's height is measured without
+    // them.
     std::vector<Object> below;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         if (by_shape[i] != 0 && isRoof(shapes[i], room)) {

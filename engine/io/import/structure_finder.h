@@ -7,9 +7,9 @@
 
 namespace dollytrack {
 
-/// Tells for each draft whether it is structure: because its name says so, or, where the name says
-/// nothing, because it has the shape and place of a wall, floor, ceiling, ground, sky or shell.
-/// Labels of drafts found by shape are set. Parts are in the world's frame.
+/// Returns for each draft whether it is structure: by its name or, if that is not specific, by
+/// shape and position (wall, floor, ceiling, ground, sky or building shell). Sets the labels of
+/// drafts found by shape. Parts must be in the world's frame.
 std::vector<bool> findStructure(const RawScene& raw, std::vector<ObjectDraft>& drafts);
 
 }  // namespace dollytrack

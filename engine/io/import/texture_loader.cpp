@@ -26,13 +26,13 @@ std::string lowerName(std::string text) {
     return text;
 }
 
-/// "C:\maps\Wood.PNG" and "../maps/Wood.png" both end in the name that counts.
+/// The file name of a path with slashes or backslashes, such as "C:\maps\Wood.PNG".
 std::string baseName(const std::string& name) {
     const auto slash = name.find_last_of("/\\");
     return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-/// A folder that pictures are looked up in.
+/// An index of the files in a texture folder.
 struct PictureFolder {
     explicit PictureFolder(const fs::path& folder) : files(folder) {
         for (const fs::path& file : files.list()) {
@@ -40,7 +40,7 @@ struct PictureFolder {
         }
     }
     io::ConfinedFolder files;
-    std::map<std::string, fs::path> by_name;  // in lower case; of equal names the nearest the top
+    std::map<std::string, fs::path> by_name;  // by lower-case name; the least nested of equal ones
 };
 
 std::optional<fs::path> locate(const std::string& name, bool only_there,
@@ -49,7 +49,7 @@ std::optional<fs::path> locate(const std::string& name, bool only_there,
         std::string relative = spelling;
         std::replace(relative.begin(), relative.end(), '\\', '/');
         const fs::path direct = fs::path(relative).lexically_normal();
-        // A path that leaves the folder is looked up by its last name only.
+        // For a path that leaves the folder, only the file name is used.
         if (direct.is_relative() && !direct.empty() && *direct.begin() != ".." &&
             folder.files.has(direct)) {
             return direct;

@@ -18,7 +18,7 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-/// "UCX_sofa_01" as "ucx_sofa".
+/// A name in lower case without trailing numbers: "ucx_sofa" for "UCX_sofa_01".
 std::string plainName(const std::string& name) {
     std::string plain = lowerCase(name);
     const std::size_t end = plain.find_last_not_of("0123456789_.- ");
@@ -30,7 +30,7 @@ Proxy judge(const std::string& name) {
     static constexpr std::array<std::string_view, 4> kPrefixes = {"ucx_", "ubx_", "usp_", "ucp_"};
     static constexpr std::array<std::string_view, 5> kSuffixes = {
         "_collision", "_collider", "_colonly", "-colonly", "-convcolonly"};
-    // Boats have hulls, and schools a room for physics: these have to lie about something.
+    // These may also be real objects (a boat's hull), so they must coincide with another part.
     static constexpr std::array<std::string_view, 3> kDoubtful = {"_col", "_hull", "_physics"};
     const std::string plain = plainName(name);
     const auto begins = [&](std::string_view part) { return plain.starts_with(part); };
@@ -44,7 +44,7 @@ Proxy judge(const std::string& name) {
     return std::any_of(kDoubtful.begin(), kDoubtful.end(), ends) ? Proxy::Maybe : Proxy::No;
 }
 
-/// How much two boxes have in common, of what both cover.
+/// Intersection over union of two boxes.
 float overlap(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
     const Eigen::Array3f flat = Eigen::Array3f::Constant(1e-3F * (a.sizes().norm() + 1e-9F));
     const auto volume = [&](const Eigen::AlignedBox3f& box) {
@@ -73,7 +73,7 @@ bool sameShape(const MeshPart& a, const MeshPart& b) {
 }  // namespace
 
 std::vector<std::string> dropProxies(RawScene& raw) {
-    // What lies below "Colliders" is one of them, whatever its own name.
+    // All nodes below "Colliders" are collision meshes, whatever their names.
     std::vector<Proxy> by_node;
     for (const SourceNode& node : raw.nodes) {
         const bool inherits =

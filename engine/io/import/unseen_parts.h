@@ -8,14 +8,13 @@
 
 namespace dollytrack {
 
-/// Empties the parts that are there for physics, not to be seen: named UCX_, UBX_, USP_ or UCP_
-/// (Unreal's habit), ..._collision, ..._collider, ..._colonly, or below a node "Colliders"; and
-/// ..._col, ..._hull or ..._physics where they lie about another part. Returns their names; nothing
-/// is emptied where nothing would remain.
+/// Empties collision meshes: parts named UCX_, UBX_, USP_ or UCP_ (Unreal's convention),
+/// ..._collision, ..._collider or ..._colonly, or below a node "Colliders"; also ..._col, ..._hull
+/// and ..._physics if they coincide with another part. Returns their names. Does nothing if no
+/// other part would remain.
 std::vector<std::string> dropProxies(RawScene& raw);
 
-/// Empties parts that are the same as an earlier one, corner for corner, in the same place.
-/// Returns how many.
+/// Empties parts with the same vertices and triangles as an earlier part. Returns their number.
 std::size_t dropDuplicates(RawScene& raw);
 
 }  // namespace dollytrack

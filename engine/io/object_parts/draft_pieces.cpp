@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint32_t kNotUsed = 0xFFFFFFFFU;
 
-/// The triangles of one part that belong to one piece. `renumbered` has an entry kNotUsed for each
-/// corner of the part, before and afterwards.
+/// Copies triangles of a part as a new part. `renumbered` is scratch memory: one entry per vertex
+/// of the part, kNotUsed before and after the call.
 MeshPart extract(const MeshPart& part, const std::vector<std::size_t>& triangles,
                  std::vector<std::uint32_t>& renumbered) {
     MeshPart piece;
@@ -54,7 +54,7 @@ std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& 
             finder.join(places[k][t[0]], places[k][t[2]]);
         }
     }
-    // Pieces in order of their first corner, so that the result does not depend on anything else.
+    // Pieces in the order of their first triangles, for a deterministic result.
     std::vector<std::vector<std::vector<std::size_t>>> members;  // piece, part, triangles
     std::vector<std::int64_t> piece_of(corners, -1);
     for (std::size_t k = 0; k < draft.parts.size(); ++k) {

@@ -23,17 +23,17 @@ namespace {
 
 constexpr int kChair = 5;  // NYU40
 constexpr int kTable = 7;
-constexpr int kBooks = 23;          // a row of them is one object
-constexpr float kTouch_m = 0.003F;  // modelled touching, or nearly
-constexpr float kFloat_m = 0.03F;   // a piece that nothing touches belongs to what is as near
-constexpr float kCrumb_m = 0.05F;   // too small to be an object
+constexpr int kBooks = 23;          // a row of books is one object
+constexpr float kTouch_m = 0.003F;  // largest gap of touching pieces
+constexpr float kFloat_m = 0.03F;   // largest gap to the object of a piece that touches nothing
+constexpr float kCrumb_m = 0.05F;   // smaller pieces are no objects
 constexpr float kCrumbGap_m = 0.1F;
-constexpr float kThing_m = 0.3F;    // objects smaller than this prove nothing
-constexpr float kUnsized_m = 2.0F;  // longest side of things of classes without a usual size
-constexpr float kRoom_m = 3.0F;     // what spreads as far in two directions is spread over a room
-constexpr float kAir = 0.25F;       // share of its box that the objects of such a draft fill
-constexpr std::size_t kLeastAlike = 3;            // so many alike objects are no chance
-constexpr std::size_t kMostLoosePieces = 10'000;  // of all drafts looked at; foliage has more
+constexpr float kThing_m = 0.3F;    // smaller objects are no evidence
+constexpr float kUnsized_m = 2.0F;  // longest side of objects of classes without a typical size
+constexpr float kRoom_m = 3.0F;     // smallest extent in two directions of a draft across a room
+constexpr float kAir = 0.25F;       // largest share of such a draft's box that its objects fill
+constexpr std::size_t kLeastAlike = 3;            // number of equal objects that is no coincidence
+constexpr std::size_t kMostLoosePieces = 10'000;  // of all examined drafts; foliage has more
 constexpr std::size_t kMostPairs = 50'000;
 
 struct LooseSurface {
@@ -44,12 +44,12 @@ struct LooseSurface {
     double area = 0.0;
 };
 
-/// Pieces that make one object.
+/// The pieces of one object.
 struct FoundObject {
     std::vector<std::size_t> pieces;
     Eigen::AlignedBox3f box;
     double area = 0.0;
-    bool alike = false;  // others have the same arrangement of pieces
+    bool alike = false;  // whether other objects have the same arrangement of pieces
 
     [[nodiscard]] float longest() const { return box.sizes().maxCoeff(); }
 };
@@ -81,7 +81,7 @@ Eigen::AlignedBox3f boxOf(const RawScene& raw, const ObjectDraft& draft) {
     return box;
 }
 
-/// Whether a draft is larger than one object of its class should be, and so worth a look.
+/// Whether a draft is larger than an object of its class should be, and therefore examined.
 bool isLarge(const RawScene& raw, const ObjectDraft& draft) {
     if (draft.label.kind == LabelKind::Structure || draft.loose) return false;
     const FurnitureSize* size = furnitureSizeOf(draft.label);
@@ -111,13 +111,13 @@ class MaterialMeshSearch {
         findPieces(raw);
     }
 
-    /// Leaves those drafts that surely hold parts of several objects, and finds the objects.
+    /// Determines the drafts that certainly contain parts of several objects, and these objects.
     void run() {
         if (pieces_.empty() || !findNear()) {
             suspect_.assign(drafts_.size(), false);
             return;
         }
-        // What one draft holds alone may look like nothing once another one is left out.
+        // Excluding a draft can remove the evidence for another one, so repeat until stable.
         for (bool changed = true; changed;) {
             changed = false;
             findWholes();
@@ -151,7 +151,7 @@ class MaterialMeshSearch {
         return both;
     }
 
-    /// Drafts that may hold several objects, as they have alike pieces apart from each other.
+    /// Drafts that may contain several objects, because they have equal, separate pieces.
     [[nodiscard]] const std::vector<std::size_t>& doubtful() const { return doubtful_; }
     [[nodiscard]] bool isTakenApart(std::size_t draft) const { return suspect_[draft]; }
     [[nodiscard]] const std::vector<FoundObject>& wholes() const { return wholes_; }
@@ -187,7 +187,7 @@ class MaterialMeshSearch {
         bool near = false;
     };
 
-    /// Compares the pieces whose boxes are near each other. False where these are too many.
+    /// Compares pieces whose boxes are near each other. Returns false if there are too many pairs.
     bool findNear() {
         std::vector<std::size_t> order(pieces_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -254,7 +254,7 @@ class MaterialMeshSearch {
         findAlike();
     }
 
-    /// What is too small to be an object is a part of the nearest one.
+    /// Joins pieces that are too small for an object to the nearest object.
     void joinCrumbs() {
         for (const FoundObject& crumb : wholes_) {
             if (crumb.longest() >= kCrumb_m) continue;
@@ -274,8 +274,8 @@ class MaterialMeshSearch {
         }
     }
 
-    /// Marks wholes that are there three times or more: of pieces of the same drafts with the same
-    /// numbers of triangles, of one height and area.
+    /// Marks objects that occur at least three times: with pieces of the same drafts, the same
+    /// numbers of triangles, and equal height and area.
     void findAlike() {
         using Key = std::vector<std::pair<std::size_t, std::size_t>>;
         std::vector<Key> keys(wholes_.size());
@@ -316,14 +316,14 @@ class MaterialMeshSearch {
         });
     }
 
-    /// What speaks for a draft being parts of several objects.
+    /// Evidence that a draft contains parts of several objects.
     struct Evidence {
-        std::size_t things = 0;         // objects that have pieces of it
-        std::size_t fitting = 0;        // of these, with a size that its class can have
-        double area = 0.0;              // of all objects that have pieces of it
-        double alike_area = 0.0;        // of those that are there several times
-        double alike_mixed_area = 0.0;  // and are made of several drafts
-        double filled = 0.0;            // by the objects' boxes
+        std::size_t things = 0;         // number of objects with pieces of the draft
+        std::size_t fitting = 0;        // of these, with a typical size of the draft's class
+        double area = 0.0;              // total area of the objects
+        double alike_area = 0.0;        // area of the objects that occur several times
+        double alike_mixed_area = 0.0;  // of these, made of several drafts
+        double filled = 0.0;            // total volume of the objects' boxes
     };
 
     [[nodiscard]] Evidence weigh(std::size_t draft) const {
@@ -358,7 +358,8 @@ class MaterialMeshSearch {
                evidence.filled < kAir * static_cast<double>(boxes_[draft].volume());
     }
 
-    /// Alike objects that nothing else speaks for may be the slats of one thing, too.
+    /// Whether a draft may contain several objects. Equal objects alone are not conclusive, since
+    /// they may also be the slats of one object.
     [[nodiscard]] bool mayHoldSeveral(std::size_t draft, const Evidence& evidence) const {
         return evidence.things >= kLeastAlike && evidence.alike_area >= 0.5 * evidence.area &&
                drafts_[draft].label.nyu40 != kBooks;
@@ -374,8 +375,8 @@ class MaterialMeshSearch {
     std::vector<FoundObject> wholes_;
 };
 
-/// Whether an object may have the class of a mesh that it was found in. One connected piece that is
-/// too large for its class still has no better name.
+/// Whether an object's size permits the class of the mesh in which it was found. A single connected
+/// piece keeps the class even if it is too large, since there is no better name.
 bool mayHave(const Label& label, const FoundObject& whole) {
     const FurnitureSize* size = furnitureSizeOf(label);
     if (size == nullptr) return false;
@@ -383,7 +384,7 @@ bool mayHave(const Label& label, const FoundObject& whole) {
     return longest >= size->low / 3.0 && (longest <= 2.0 * size->high || whole.pieces.size() == 1);
 }
 
-/// The draft of an object: what its best name says, where the object has a size for that.
+/// The draft of an object, with the most specific name whose class its size permits.
 ObjectDraft draftOf(const FoundObject& whole, const std::vector<ObjectDraft>& drafts,
                     MaterialMeshSearch& search, RawScene& raw, std::size_t& owner) {
     ObjectDraft made;
@@ -426,7 +427,7 @@ MaterialMeshes regroupMaterialMeshes(RawScene& raw, const LabelTable& labels,
     found.objects = search.wholes().size();
     if (found.names.empty() || !apply) return found;
     const std::vector<bool> mixed = search.holdChairsAndOthers(labels);
-    std::vector<std::vector<ObjectDraft>> made(drafts.size());  // by the draft that names them
+    std::vector<std::vector<ObjectDraft>> made(drafts.size());  // by the draft with their name
     for (const FoundObject& whole : search.wholes()) {
         std::size_t owner = 0;
         ObjectDraft draft = draftOf(whole, drafts, search, raw, owner);

@@ -9,21 +9,21 @@
 
 namespace dollytrack {
 
-/// What was found of meshes that hold parts of several objects.
+/// Result of regroupMaterialMeshes().
 struct MaterialMeshes {
-    std::vector<std::string> names;     // of the drafts that were, or should be, taken apart
-    std::vector<std::string> doubtful;  // of drafts that may hold several, and are left whole
-    std::size_t objects = 0;            // that their pieces make
-    std::size_t unnamed = 0;            // of these, objects whose class nothing tells
+    std::vector<std::string> names;     // drafts with parts of several objects
+    std::vector<std::string> doubtful;  // drafts that may contain several objects; not changed
+    std::size_t objects = 0;            // number of objects made of the drafts in `names`
+    std::size_t unnamed = 0;            // number of these without a class
 };
 
-/// Finds drafts that hold parts of objects in many places, as exporters make of scenes that are
-/// split by material ("ChairMetal" with the frames of all chairs), and puts their pieces together
-/// to objects instead: connected pieces that touch, or float beside each other, and whose names do
-/// not say that they are of different classes. A draft is taken apart only where that is sure:
-/// where it is larger than its class can be and its objects are not, where the same arrangement of
-/// pieces of several drafts is there three times or more, or where it is spread over a room.
-/// Parts are in the world's frame. With `apply` off nothing is changed.
+/// Finds drafts that contain parts of several objects, which exporters make if they split a scene
+/// by material ("ChairMetal" with the frames of all chairs), and regroups their connected pieces
+/// into objects. Pieces belong to one object if they touch or are within 3 cm and their names do not
+/// indicate different classes. A draft is regrouped only if this is certain: if it is larger than
+/// its class can be and the resulting objects are not, if the same arrangement of pieces of several
+/// drafts occurs at least three times, or if the draft is spread over a room. Parts must be in the
+/// world's frame. If `apply` is false, nothing is changed.
 MaterialMeshes regroupMaterialMeshes(RawScene& raw, const LabelTable& labels,
                                      std::vector<ObjectDraft>& drafts, bool apply);
 

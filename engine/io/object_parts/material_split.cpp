@@ -10,13 +10,13 @@
 namespace dollytrack {
 namespace {
 
-constexpr std::size_t kFewest = 30;          // drafts; fewer prove nothing
-constexpr std::size_t kMostCompared = 5000;  // drafts; each is compared with each
-constexpr double kOwnMaterials = 0.8;        // single materials, as a share of the drafts
-constexpr double kMostlyInside = 0.5;        // share of the drafts
-constexpr std::size_t kMostAround = 8;       // drafts around one that are looked at
+constexpr std::size_t kFewest = 30;          // smallest number of drafts; fewer are no evidence
+constexpr std::size_t kMostCompared = 5000;  // largest number; the time is quadratic in it
+constexpr double kOwnMaterials = 0.8;        // smallest number of single materials / drafts
+constexpr double kMostlyInside = 0.5;        // smallest share of drafts inside others
+constexpr std::size_t kMostAround = 8;       // largest number of surrounding drafts examined
 
-/// The material of a draft that has one only.
+/// The material of a draft; nullopt if it has several.
 std::optional<std::uint32_t> singleMaterialOf(const RawScene& raw, const ObjectDraft& draft) {
     std::optional<std::uint32_t> material;
     for (const std::size_t part : draft.parts) {

@@ -16,7 +16,7 @@ std::string lettersAndDigits(const std::string& text) {
     return plain;
 }
 
-/// Decides for every node which node's object its meshes belong to.
+/// Determines for every node the node whose object its meshes belong to.
 class NodeOwners {
   public:
     NodeOwners(const RawScene& raw, const LabelTable& labels) : raw_(raw) {
@@ -25,7 +25,7 @@ class NodeOwners {
         for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
             owners_[i] = static_cast<int>(i);
             const int parent = raw.nodes[i].parent;
-            // The root stands for the file, whatever its name.
+            // The root node is the file, whatever its name.
             if (parent <= 0) continue;
             if (belongsTo(i, static_cast<std::size_t>(parent))) {
                 owners_[i] = owners_[static_cast<std::size_t>(parent)];
@@ -44,8 +44,8 @@ class NodeOwners {
         const Label& parent_label = labels_[parent];
         const std::string inner = lettersAndDigits(raw_.nodes[child].name);
         const std::string outer = lettersAndDigits(withoutNumber(raw_.nodes[parent].name));
-        // "Sofa" over "Sofa_wood_0", "Shelf" over "Shelf_mesh.001": but "Kitchen" over
-        // "Kitchen_table" is a place, not a thing.
+        // "Sofa" contains "Sofa_wood_0" and "Shelf" contains "Shelf_mesh.001" as parts, but
+        // "Kitchen" contains "Kitchen_table" as an object of its own.
         const bool same_start = outer.size() >= 3 && inner.starts_with(outer);
         if (same_start && parent_label.kind != LabelKind::None) {
             return child_label.kind != LabelKind::Target || child_label.nyu40 == parent_label.nyu40;
@@ -92,7 +92,7 @@ std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& l
 std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels,
                                       const std::vector<bool>& taken) {
     const NodeOwners owners(raw, labels);
-    std::map<int, ObjectDraft> drafts;  // by owning node: the file's order
+    std::map<int, ObjectDraft> drafts;  // by owning node, and so in the file's order
     for (std::size_t i = 0; i < raw.parts.size(); ++i) {
         if (raw.parts[i].triangles.empty() || (i < taken.size() && taken[i])) continue;
         drafts[owners.owner(raw.parts[i].node)].parts.push_back(i);
@@ -101,7 +101,7 @@ std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& lab
     for (auto& [node, draft] : drafts) {
         draft.name = raw.nodes[static_cast<std::size_t>(node)].name;
         draft.label = owners.label(node);
-        // Where the node is nameless or a number, the mesh may know better.
+        // If the node's name has no meaning, the mesh's name may have one.
         const std::string& mesh_name = raw.parts[draft.parts.front()].name;
         if (draft.label.kind == LabelKind::None && !mesh_name.empty()) {
             const Label by_mesh = labels.find(mesh_name);

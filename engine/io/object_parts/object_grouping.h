@@ -9,29 +9,29 @@
 
 namespace dollytrack {
 
-/// What will become one object: its name, what the name says, and the parts it is made of.
+/// A future object: its name, its label and its parts.
 struct ObjectDraft {
     std::string name;
-    Label label;
+    Label label;                     // what the name means
     std::vector<std::size_t> parts;  // indices into RawScene::parts
-    bool loose = false;              // a piece of a scene taken apart: its name is a material's
-    std::optional<Eigen::Vector3d> front;  // as the source gives it, in the source's axes
+    bool loose = false;              // a piece of a split mesh, named after its material
+    std::optional<Eigen::Vector3d> front;  // from the source, in the source's axes
 };
 
-/// One draft for each object that the source itself names; a draft's class is the source's, else
-/// the one of its category, else of its name.
+/// One draft for each object that the source itself defines. Its class is that of the source,
+/// otherwise of its category, otherwise of its name.
 std::vector<ObjectDraft> draftsOfSource(const RawScene& raw, const LabelTable& labels);
 
-/// One draft for each node that holds meshes, in the file's order. The pieces that one thing was
-/// cut into come together: nodes named after the node above them, and unnamed nodes under a node
-/// whose name is a thing to look at. Parts that are `taken` already are left out.
+/// One draft for each node with meshes, in the file's order. Nodes named after their parent node,
+/// and unnamed nodes below a node with the name of a target, are joined to it. Parts marked in
+/// `taken` are left out.
 std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& labels,
                                       const std::vector<bool>& taken = {});
 
-/// The box around a draft's parts.
+/// The bounding box of a draft's parts.
 Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft);
 
-/// "mat12", "Material.003", "default": a material's name that tells nothing.
+/// Whether a name is a generic material name: "mat12", "Material.003", "default".
 bool isMaterialNumber(const std::string& name);
 
 }  // namespace dollytrack

@@ -10,8 +10,8 @@
 namespace dollytrack {
 namespace {
 
-constexpr float kFarApart = 0.5F;      // m between things that are not one
-constexpr std::size_t kFewOthers = 5;  // with more objects beside it a shell is only a shell
+constexpr float kFarApart = 0.5F;      // m: smallest gap between separate objects
+constexpr std::size_t kFewOthers = 5;  // largest number of other objects beside a whole room
 
 std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const ObjectDraft& draft,
                                std::size_t least) {
@@ -31,7 +31,7 @@ std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const Ob
             raw.parts.push_back(std::move(mesh));
         }
         piece.label = labels.find(piece.name);
-        // "mat_3" is a material here, not what lies before the door.
+        // "mat" is a material here, not a door mat.
         if (piece.label.pattern == "mat") piece.label = {};
         if (piece.label.kind == LabelKind::None && isMaterialNumber(piece.name)) piece.name.clear();
         pieces.push_back(std::move(piece));
@@ -40,8 +40,8 @@ std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const Ob
     return pieces;
 }
 
-/// Sorts out most drafts without sorting: marks the cells a quarter of a metre wide that triangles
-/// reach; a gap of half a metre would leave one untouched.
+/// Whether a draft may have a gap of half a metre along an axis. A fast test: such a gap leaves a
+/// cell of a quarter of a metre without triangles.
 bool mayHaveGap(const RawScene& raw, const ObjectDraft& draft, const Eigen::AlignedBox3f& bounds,
                 int axis) {
     constexpr float kCell = 0.48F * kFarApart;
@@ -51,7 +51,7 @@ bool mayHaveGap(const RawScene& raw, const ObjectDraft& draft, const Eigen::Alig
     if (!(size > kFarApart)) return false;
     if (!(size < kMostCells * kCell)) return true;
     const auto cellOf = [&](float x) { return static_cast<std::size_t>((x - low) / kCell); };
-    std::vector<int> change(cellOf(bounds.max()[axis]) + 2, 0);  // of the number of triangles
+    std::vector<int> change(cellOf(bounds.max()[axis]) + 2, 0);  // change of the triangle count
     for (const std::size_t index : draft.parts) {
         const MeshPart& part = raw.parts[index];
         for (const Triangle& t : part.triangles) {
@@ -70,7 +70,7 @@ bool mayHaveGap(const RawScene& raw, const ObjectDraft& draft, const Eigen::Alig
     return false;
 }
 
-/// Whether some plane across an axis has nothing of the draft within half a metre.
+/// Whether a draft has a gap of half a metre along an axis.
 bool hasGap(const RawScene& raw, const ObjectDraft& draft) {
     const Eigen::AlignedBox3f bounds = boundsOf(raw, draft);
     for (int axis = 0; axis < 3; ++axis) {
@@ -95,7 +95,7 @@ bool hasGap(const RawScene& raw, const ObjectDraft& draft) {
     return false;
 }
 
-/// Joins pieces whose boxes are near each other.
+/// Clusters pieces whose boxes are near each other.
 std::vector<ObjectDraft> clusterPieces(const RawScene& raw, std::vector<ObjectDraft> pieces) {
     DisjointSets near(pieces.size());
     std::vector<Eigen::AlignedBox3f> boxes;

@@ -5,16 +5,16 @@
 
 namespace dollytrack {
 
-/// Takes drafts that hold a whole room apart into connected pieces (surfaces that share corners,
-/// to 0.1 mm): where one node is nearly all there is, or where an unnamed one spans a room that
-/// has hardly any other object. Each piece becomes a draft of its own, named after its material.
-/// Parts are in the world's frame. Returns how many drafts were taken apart.
+/// Splits drafts that contain a whole room into connected pieces (surfaces that share vertices, to
+/// 0.1 mm): if one node is nearly the whole scene, or if an unnamed node spans a room with hardly
+/// any other object. Each piece becomes a draft, named after its material. Parts must be in the
+/// world's frame. Returns the number of split drafts.
 std::size_t splitMergedScenes(RawScene& raw, const LabelTable& labels,
                               std::vector<ObjectDraft>& drafts);
 
-/// Takes drafts apart that hold several things far from each other (all spot lights of a room in
-/// one node): clusters with more than half a metre between them become drafts of their own, named
-/// alike with a number. Returns how many drafts were taken apart.
+/// Splits drafts that contain several distant objects (all spot lights of a room in one node):
+/// clusters more than half a metre apart become drafts with the same name and a number. Returns
+/// the number of split drafts.
 std::size_t splitScattered(RawScene& raw, const LabelTable& labels,
                            std::vector<ObjectDraft>& drafts);
 

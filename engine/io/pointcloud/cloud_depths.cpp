@@ -11,15 +11,15 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr double kNearest = 0.05;       // m before the camera
-constexpr std::size_t kFewest = 1'000;  // points of a picture
-constexpr std::size_t kPerValue = 100;  // points that share a depth, at least, where it has steps
-constexpr double kSteps = 1.5;          // that neighbours on one surface may lie apart
-constexpr int kReach = 7;               // cells to each side
+constexpr double kNearest = 0.05;       // m; smallest depth of a depth image
+constexpr std::size_t kFewest = 1'000;  // smallest number of points of a depth image
+constexpr std::size_t kPerValue = 100;  // mean number of points per value if depth is quantized
+constexpr double kSteps = 1.5;          // largest deviation of neighbours from the plane, in steps
+constexpr int kReach = 7;               // neighbourhood in cells, to each side
 constexpr std::size_t kLeastNeighbours = 12;
 constexpr std::size_t kMostCells = 64'000'000;
 
-/// A point as a depth camera sees it: where in the picture, and how far in inverse depth.
+/// A point in normalized image coordinates, with its inverse depth in 1/m.
 struct Pixel {
     double u = 0.0;
     double v = 0.0;
@@ -36,7 +36,8 @@ std::vector<Pixel> pixelsOf(const PointCloud& cloud, const Eigen::Vector3d& eye)
     return pixels;
 }
 
-/// The distance of neighbouring values where there are few of them; else 0.
+/// The quantization step of the inverse depths: the median gap of adjacent values; 0 if there are
+/// too many different values.
 double stepOf(const std::vector<Pixel>& pixels) {
     std::vector<double> values;
     values.reserve(pixels.size());
@@ -46,7 +47,7 @@ double stepOf(const std::vector<Pixel>& pixels) {
     std::size_t different = 1;
     for (std::size_t i = 1; i < values.size(); ++i) {
         const double gap = values[i] - values[i - 1];
-        if (gap < 1e-6) continue;  // roundings of one value
+        if (gap < 1e-6) continue;  // the same value, rounded differently
         ++different;
         gaps.push_back(gap);
     }
@@ -56,7 +57,7 @@ double stepOf(const std::vector<Pixel>& pixels) {
     return *middle;
 }
 
-/// Pixels by the cells of a grid over the picture, about one in each.
+/// A grid over the image with about one pixel per cell, for neighbour queries.
 class Picture {
   public:
     explicit Picture(const std::vector<Pixel>& pixels) : pixels_(pixels) {
@@ -111,16 +112,16 @@ class Picture {
     double pitch_ = 1.0;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::uint32_t> first_;  // by cell, into order_
+    std::vector<std::uint32_t> first_;  // index into order_ by cell
     std::vector<std::uint32_t> order_;
 };
 
-/// Inverse depth at the pixel of the plane through its neighbours; its own where there are few.
+/// Inverse depth at a pixel of the plane through its neighbours; its own if there are too few.
 double smoothed(const std::vector<Pixel>& pixels, const Picture& picture, std::size_t i,
                 double step) {
     const Pixel& at = pixels[i];
-    Eigen::Vector3d plane(at.inverse, 0.0, 0.0);  // value, slopes by the pitch
-    // The first plane is level: on surfaces seen askew the second finds those it left out.
+    Eigen::Vector3d plane(at.inverse, 0.0, 0.0);  // value, and slopes per cell
+    // The first plane faces the camera; on slanted surfaces later rounds include more neighbours.
     for (int round = 0; round < 3; ++round) {
         Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
         Eigen::Vector3d sums = Eigen::Vector3d::Zero();

@@ -5,12 +5,12 @@
 
 namespace dollytrack::io {
 
-/// Depth cameras of structured light measure disparity in whole steps: at 4 m their depths are 5 cm
-/// apart, and walls become stairs. Where a cloud is one picture of such a camera (its z axis looks
-/// forward from the viewpoint, or from the origin, and inverse depths take few values), every
-/// point is moved along its ray onto the plane through its neighbours: least squares in inverse
-/// depth, in which planes are linear (Khoshelham and Oude Elberink 2012), over those within one and
-/// a half steps. Returns the step, 1/m; 0 where the cloud is no such picture and stays as it is.
+/// Removes the quantization steps of structured-light depth cameras. These measure disparity in
+/// integer steps, so that depths at 4 m are 5 cm apart and walls become stairs. If the cloud is a
+/// single image of such a camera (all points are in front of the viewpoint or origin along +z, and
+/// inverse depth takes few values), each point is moved along its ray onto the plane through its
+/// neighbours within 1.5 steps: least squares in inverse depth, in which planes are linear
+/// (Khoshelham and Oude Elberink 2012). Returns the step in 1/m; 0 if the cloud was not changed.
 double smoothDepths(PointCloud& cloud_m, const JobContext& job);
 
 }  // namespace dollytrack::io

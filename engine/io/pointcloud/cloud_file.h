@@ -7,8 +7,7 @@
 
 namespace dollytrack::io {
 
-/// The points of a PLY, PCD, XYZ, TXT, ASC, CSV or PTS file, told by its extension. Error:
-/// BadInput.
+/// Reads a PLY, PCD, XYZ, TXT, ASC, CSV or PTS file, by its extension. Error: BadInput.
 Result<PointCloud> readCloudFile(const std::filesystem::path& path);
 
 }  // namespace dollytrack::io

@@ -13,19 +13,19 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr double kBelow = 0.02;    // m under what was scanned
-constexpr double kBeside = 0.5;    // m around whoever scanned, and beside what they scanned
-constexpr double kBefore = 1.5;    // m before surfaces, from where depth cameras see them well
-constexpr double kOneSided = 0.5;  // length of the mean normal where all face one way
+constexpr double kBelow = 0.02;    // m below the scanned points
+constexpr double kBeside = 0.5;    // m around the scanner's position
+constexpr double kBefore = 1.5;    // m in front of surfaces: typical position of a depth camera
+constexpr double kOneSided = 0.5;  // smallest length of the mean normal if all face one way
 
-/// The lowest height; 2 % of the points, the lowest, may be outliers.
+/// The lowest height without the lowest 2 %, which may be outliers.
 double lowest(std::vector<double> heights) {
     const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 50);
     std::nth_element(heights.begin(), at, heights.end());
     return *at;
 }
 
-/// Along the upward axis, whichever way its numbers run.
+/// Height of the floor along the up direction, which may be a negative axis.
 double floorHeight(const CloudSamples& samples, const CloudLabels& labels, UpAxis up) {
     std::vector<double> floor;
     std::vector<double> all;
@@ -64,7 +64,7 @@ void addFloor(const CloudSamples& samples, const CloudLabels& labels,
               const std::optional<Eigen::Vector3d>& viewpoint, UpAxis up, RawScene& raw) {
     const double height = floorHeight(samples, labels, up);
     const Eigen::AlignedBox3d reach = reachOf(samples, viewpoint);
-    // Its front faces up: seen from a negative axis the other two run the other way round.
+    // The floor's front faces up: for a negative up axis the other two axes are swapped.
     const int along = (up.index() + (up.negative ? 2 : 1)) % 3;
     const int across = (up.index() + (up.negative ? 1 : 2)) % 3;
     std::vector<Eigen::Vector3f> positions;

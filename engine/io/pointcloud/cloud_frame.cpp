@@ -8,17 +8,17 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr double kAlong = 0.87;  // cosine of 30 degrees: as far as a scan may be tilted
+constexpr double kAlong = 0.87;  // cosine of 30 degrees, the largest tilt of a scan
 
 struct Candidate {
     Eigen::Vector3d up;
     double score = 0.0;
-    double floor = 0.0;  // evidence of floors and ceilings alone
+    double floor = 0.0;  // score of floors and ceilings only
 };
 
 struct Spread {
-    double low = 0.0;   // where the lowest 2 % end
-    double high = 0.0;  // and the highest begin
+    double low = 0.0;   // 2nd percentile
+    double high = 0.0;  // 98th percentile
     double mean = 0.0;
 };
 
@@ -41,8 +41,8 @@ Spread spreadAlong(const CloudSamples& samples, const Eigen::Vector3d& up) {
     return spread;
 }
 
-/// Planes that face up at the bottom and down at the top speak for a direction; those that face
-/// the wrong way against it.
+/// Score of an up direction, -1..1: area of the planes that face up at the bottom or down at the
+/// top, minus that of the planes that face the wrong way, relative to the area of all planes.
 double floorEvidence(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
                      const Eigen::Vector3d& up, const Spread& spread) {
     const double size = std::max(spread.high - spread.low, 1e-9);
@@ -55,13 +55,13 @@ double floorEvidence(const CloudSamples& samples, const std::vector<CloudPlane>&
         double height = 0.0;
         for (const std::uint32_t i : plane.points) height += up.dot(samples.points[i]);
         height = (height / static_cast<double>(plane.points.size()) - spread.low) / size;
-        const bool floor_like = height < 0.5;  // below the middle
+        const bool floor_like = height < 0.5;  // in the lower half
         evidence += (floor_like == (facing > 0.0) ? 1.0 : -1.0) * plane.area_m2;
     }
     return total > 0.0 ? evidence / total : 0.0;
 }
 
-/// A camera's own axes: all that it saw faces against its z axis.
+/// Whether the axes are those of a camera: nearly all surfaces face against the z axis.
 bool isCameraFrame(const CloudSamples& samples) {
     std::size_t facing = 0;
     double mean_z = 0.0;
@@ -73,7 +73,7 @@ bool isCameraFrame(const CloudSamples& samples) {
     return static_cast<double>(facing) > 0.9 * n && mean_z < -0.3 * n;
 }
 
-/// The direction across the walls that is nearest to `up`.
+/// The vertical direction along the walls: perpendicular to their normals, and nearest to `up`.
 Eigen::Vector3d acrossWalls(const std::vector<CloudPlane>& planes, const Eigen::Vector3d& up) {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     double total = 0.0;
@@ -83,7 +83,7 @@ Eigen::Vector3d acrossWalls(const std::vector<CloudPlane>& planes, const Eigen::
         total += plane.area_m2;
     }
     if (total <= 0.0) return up;
-    // Where only one wall is seen, the old direction settles the rest.
+    // If there is only one wall, `up` determines the rotation about its normal.
     spread += 1e-3 * total * (Eigen::Matrix3d::Identity() - up * up.transpose());
     Eigen::Vector3d level =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
@@ -118,10 +118,10 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
             const Spread spread = spreadAlong(samples, one.up);
             const double size = std::max(spread.high - spread.low, 1e-9);
             one.floor = floorEvidence(samples, planes, one.up, spread);
-            // Things stand at the bottom, and rooms are lower than long.
+            // Most points are in the lower half, and rooms are lower than long.
             one.score = 2.0 * one.floor + 1.0 - 2.0 * (spread.mean - spread.low) / size;
             if (size < 1.001 * smallest) one.score += 0.4;
-            // Habit: surveys have z up, models y up, cameras y down.
+            // Common conventions: surveys have z up, models y up, cameras y down.
             if (i == 2 && sign > 0.0) one.score += 0.3;
             if (i == 1 && sign > 0.0) one.score += 0.15;
             if (i == 1 && sign < 0.0) one.score += camera ? 2.5 : 0.1;

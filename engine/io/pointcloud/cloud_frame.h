@@ -12,16 +12,17 @@
 
 namespace dollytrack::io {
 
-/// Which way is up in a cloud, in the file's axes.
+/// The up direction of a cloud, in the file's axes.
 struct CloudUp {
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  // unit
-    std::string source;                             // how it was found, for people
+    std::string source;                             // how it was found, as text for the user
     bool doubtful = false;
 };
 
-/// Judged from floors and ceilings (large planes that face up below and down above), from which
-/// way the scanner looked (a camera's y axis points down), and from habit; then levelled, within 30
-/// degrees, by the floor or across the walls. With `axis` no other one comes into question.
+/// Estimates the up axis from floors and ceilings (large planes that face up at the bottom and down
+/// at the top), the scanner's direction (a camera's y axis points down) and common conventions.
+/// Then tilts it by at most 30 degrees to the normal of the largest floor or ceiling, or to be
+/// parallel to the walls. If `axis` is given, only that one is considered.
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
                std::optional<UpAxis> axis);
 

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kLevel = 0.94;      // cosine of 20 degrees
 constexpr double kUpright = 0.26;    // sine of 15 degrees
-constexpr double kBehind = 0.15;     // m behind a wall's plane that noise and skirting may reach
-constexpr double kMostBehind = 0.1;  // share of the cloud that may lie behind a wall
-constexpr double kTopArea = 0.08;    // m2 of a flat top that things stand on
+constexpr double kBehind = 0.15;     // m: points within this distance of a plane are not behind it
+constexpr double kMostBehind = 0.1;  // largest share of the cloud behind a wall
+constexpr double kTopArea = 0.08;    // m2; smallest flat top on which objects stand
 
 struct Heights {
     double low = 0.0;
@@ -33,7 +33,7 @@ Heights spanOf(const CloudSamples& samples, const Eigen::Vector3d& up) {
     return {heights[cut], heights[heights.size() - 1 - cut]};
 }
 
-/// 0 where the plane is no structure, else its class.
+/// NYU40 class of a plane: floor, ceiling or wall; 0 for all others.
 int classOf(const CloudPlane& plane, const CloudSamples& samples, const Eigen::Vector3d& up,
             const Heights& room) {
     double low = 1e300;
@@ -56,7 +56,7 @@ int classOf(const CloudPlane& plane, const CloudSamples& samples, const Eigen::V
     return reaches && outside && plane.area_m2 > 0.5 ? int{kNyuWall} : 0;
 }
 
-/// Connected pieces of some samples: no two points of different pieces are within `reach`.
+/// Connected components of some samples; points within `reach` of each other are connected.
 std::vector<std::vector<std::uint32_t>> piecesOf(const CloudSamples& samples,
                                                  const std::vector<std::uint32_t>& some,
                                                  double reach) {
@@ -93,7 +93,7 @@ double diagonalOf(const CloudSamples& samples, const std::vector<std::uint32_t>&
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// The height of the largest flat top of a piece that has more above it; below all when none.
+/// The height of the largest flat top of a piece; -1e300 if there is none.
 double topOf(const CloudSamples& samples, const std::vector<std::uint32_t>& piece,
              const Eigen::Vector3d& up, double step) {
     std::map<long, std::size_t> levels;
@@ -131,14 +131,14 @@ class Labeller {
             const int nyu40 = classOf(plane, samples_, up_, room);
             if (nyu40 == 0) continue;
             auto [found, is_new] = thing_of_class.try_emplace(nyu40, -1);
-            // Walls are things of their own, as each is a surface of its own.
+            // Each wall is an object of its own; all floor planes form one, as do ceilings.
             if (is_new || nyu40 == kNyuWall) {
                 found->second = static_cast<int>(labels_.things.size());
                 std::string name(nyu40Name(nyu40));
                 if (nyu40 == kNyuWall) name = fmt::format("{}_{}", name, ++walls_);
                 labels_.things.push_back({std::move(name), nyu40, true});
             }
-            // Noise and what is flat on it belongs to a wall as well.
+            // Noise and flat objects on a plane belong to it as well.
             for (std::size_t i = 0; i < samples_.points.size(); ++i) {
                 const bool on =
                     std::abs(plane.height(samples_.points[i])) < 1.5 * params_.plane_m &&
@@ -196,7 +196,7 @@ class Labeller {
     const CloudSamples& samples_;
     Eigen::Vector3d up_;
     CloudParams params_;
-    double reach_;  // m between points of one thing
+    double reach_;  // m; largest distance between connected points
     int walls_ = 0;
     int things_ = 0;
     CloudLabels labels_;

@@ -12,23 +12,24 @@
 
 namespace dollytrack::io {
 
-/// Something that points of a cloud belong to.
+/// An object or structure in a cloud.
 struct CloudThing {
     std::string name;
     int nyu40 = 0;
     bool structure = false;
 };
 
-/// What every sample belongs to.
+/// The object of every sample.
 struct CloudLabels {
     std::vector<CloudThing> things;
-    std::vector<int> thing_of;  // by sample; -1: a speck, to be dropped
-    std::size_t specks = 0;     // samples dropped
+    std::vector<int> thing_of;  // index into `things` by sample; -1: too small a piece
+    std::size_t specks = 0;     // number of samples with -1
 };
 
-/// Floor, ceiling and walls are planes at the edge of the cloud (nothing lies behind them); what
-/// remains is one thing for each connected piece, and what stands on a flat top of a thing is a
-/// thing of its own. `up` is a unit vector.
+/// Segments a cloud. Floor, ceiling and walls are planes at its border, with hardly any points
+/// behind them. Each connected piece of the rest is one object; pieces that stand on its largest
+/// flat top are objects of their own. Objects are named furniture_1 and so on. `up` is a unit
+/// vector.
 CloudLabels labelCloud(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
                        const Eigen::Vector3d& up, const CloudParams& params);
 

@@ -6,16 +6,16 @@ namespace dollytrack {
 
 /// How a point cloud becomes a room.
 struct CloudParams {
-    double voxel_m = 0.02;     // one point is kept in each cube of this size
-    int max_points = 150'000;  // the cubes grow until no more are kept
-    double gap_m = 0.1;        // surfaces are not joined across more than this
-    double hole_m = 0.4;       // holes up to this wide are filled
-    double plane_m = 0.03;     // a wall or floor is this even
-    double object_m = 0.12;    // things with a smaller diagonal are none
+    double voxel_m = 0.02;     // edge length of voxels; one point per voxel is kept
+    int max_points = 150'000;  // largest number of points; the voxels grow until it is met
+    double gap_m = 0.1;        // largest gap across which surfaces are joined
+    double hole_m = 0.4;       // largest width of holes that are filled
+    double plane_m = 0.03;     // largest distance of a wall's or floor's points from its plane
+    double object_m = 0.12;    // smallest diagonal of an object
     bool operator==(const CloudParams&) const = default;
 };
 
-/// The one list of these fields: flags and the project's import section follow from it.
+/// The only list of these fields; flags and the project's import section are generated from it.
 template <class Params, class Visitor>
 void visitCloudParams(Params& p, Visitor&& visit) {
     visit.beginSection("cloud");

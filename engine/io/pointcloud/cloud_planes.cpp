@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostPlanes = 24;
 constexpr double kLeastArea = 0.3;     // m2
-constexpr int kDraws = 300;            // planes tried for each that is kept
-constexpr std::size_t kJudges = 4000;  // points that a draw is judged by
+constexpr int kDraws = 300;            // hypotheses per plane
+constexpr std::size_t kJudges = 4000;  // points with which a hypothesis is tested
 constexpr double kAlike = 0.87;        // cosine of 30 degrees
 
 bool agrees(const CloudPlane& plane, const CloudSamples& samples, std::uint32_t i,
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> membersOf(const CloudPlane& plane, const CloudSamples
     return members;
 }
 
-/// The plane through its points that is nearest to all of them.
+/// Least-squares fit of the plane to its points.
 void refit(const CloudSamples& samples, CloudPlane& plane) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const std::uint32_t i : plane.points) mean += samples.points[i];
@@ -78,7 +78,7 @@ std::vector<CloudPlane> findPlanes(const CloudSamples& samples, double tolerance
     std::vector<CloudPlane> planes;
     std::vector<std::uint32_t> left(samples.points.size());
     for (std::uint32_t i = 0; i < left.size(); ++i) left[i] = i;
-    Random random(1);  // the same planes every time
+    Random random(1);  // fixed seed, for reproducible planes
     const double face = samples.voxel_m * samples.voxel_m;
     while (planes.size() < kMostPlanes && static_cast<double>(left.size()) * face > kLeastArea &&
            !job.cancelled()) {

@@ -14,12 +14,12 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr double kNear = 3.0;  // voxels around a point that its normal is made of
-constexpr std::size_t kMostNeighboursOfSpeck = 4;  // a speck has no more, itself included
+constexpr double kNear = 3.0;                      // neighbourhood for normals, in voxels
+constexpr std::size_t kMostNeighboursOfSpeck = 4;  // of dropped samples, including themselves
 
 struct Thinned {
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> normals;  // sums of the cloud's own
+    std::vector<Eigen::Vector3d> normals;  // sums of the cloud's normals; zero if it has none
 };
 
 Thinned thin(const PointCloud& cloud, double voxel) {
@@ -47,11 +47,11 @@ Thinned thin(const PointCloud& cloud, double voxel) {
     return result;
 }
 
-constexpr double kSparse = 1.5;  // voxels; points that lie further apart need larger ones
+constexpr double kSparse = 1.5;  // in voxels: larger spacings need larger voxels
 constexpr double kVoxelsOfScatter = 1.5;
-constexpr double kRough = 0.25;  // of the voxel asked for: less scatter is left as it is
+constexpr double kRough = 0.25;  // in configured voxels: less scatter is not smoothed
 
-/// The normal of the plane through the neighbours; zero if there are too few.
+/// The unit normal of the plane through the neighbours; zero if there are too few.
 Eigen::Vector3d normalAt(const PointGrid& grid, const std::vector<Eigen::Vector3d>& points,
                          std::size_t i, double radius) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -79,7 +79,7 @@ CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
     Thinned thinned = thin(cloud_m, voxel);
     const auto most = static_cast<std::size_t>(params.max_points);
     while (thinned.points.size() > most && !job.cancelled()) {
-        // Surfaces: half the points with cubes wider by the root of two.
+        // Points are on surfaces, so their number is proportional to 1 / voxel^2.
         const double ratio = static_cast<double>(thinned.points.size()) / static_cast<double>(most);
         voxel *= std::max(1.05, std::sqrt(ratio));
         thinned = thin(cloud_m, voxel);

@@ -11,21 +11,22 @@
 
 namespace dollytrack::io {
 
-/// A cloud thinned out to one point a cube: metres, relative to `origin`, the file's axes.
+/// A cloud with one point per voxel, in the axes of the given cloud.
 struct CloudSamples {
-    std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> normals;  // unit, towards where it was seen from
-    double voxel_m = 0.0;                  // as it was in the end
-    double spacing_m = 0.0;                // of the points, where they lie further apart than asked
-    double scatter_m = 0.0;                // about their surfaces, where that was smoothed
-    double smoothed_m = 0.0;               // within this radius; 0: they are as they were scanned
+    std::vector<Eigen::Vector3d> points;   // m
+    std::vector<Eigen::Vector3d> normals;  // unit, towards the scanner
+    double voxel_m = 0.0;                  // final edge length of the voxels
+    double spacing_m = 0.0;                // of the points if larger than the voxels; otherwise 0
+    double scatter_m = 0.0;                // standard deviation from the surface, if smoothed
+    double smoothed_m = 0.0;               // radius of the smoothing; 0: not smoothed
 };
 
-/// Means of the points in cubes of `voxel_m`, which grow until no more than `max_points` are left,
-/// and are no smaller than the points lie apart or scatter about their surfaces, onto which they
-/// are moved then (see cloud_scatter.h); specks with fewer than 4 neighbours are dropped. Normals
-/// are of the plane through what is near (within 3 cubes), and point to where the cloud's own
-/// normals do, else to the viewpoint, else to the middle of the cloud.
+/// Samples a cloud: the mean of the points in each voxel of `voxel_m`. The voxels grow until at
+/// most `max_points` are left, and are enlarged for sparse points and for points that scatter about
+/// their surfaces; scattered points are also moved onto these (cloud_scatter.h). Samples with fewer
+/// than 4 neighbours are dropped. Normals are those of the plane through the neighbours within 3
+/// voxels; they point to the side of the cloud's normals, otherwise of its viewpoint, otherwise of
+/// its centre.
 CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
                          const JobContext& job);
 

@@ -12,10 +12,10 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr std::size_t kJudged = 2000;      // points that stand for all
-constexpr std::size_t kFewNeighbours = 6;  // besides the point itself
-constexpr double kMostRadius = 0.4;        // m; walls are even that far
-constexpr double kSurface = 0.2;           // of the radius: thinner is a surface, a ball has 0.45
+constexpr std::size_t kJudged = 2000;      // number of points that are measured
+constexpr std::size_t kFewNeighbours = 6;  // without the point itself
+constexpr double kMostRadius = 0.4;        // m; walls are flat at this scale
+constexpr double kSurface = 0.2;           // sigma / radius of a surface; a filled ball has 0.45
 constexpr int kRounds = 2;
 
 struct Plane {
@@ -25,7 +25,7 @@ struct Plane {
     bool found = false;
 };
 
-/// Through what is near, each weighted by (1 - (d / radius)^2)^2.
+/// The plane through the points within the radius, weighted by (1 - (d / radius)^2)^2.
 Plane planeAt(const PointGrid& grid, const std::vector<Eigen::Vector3d>& points,
               const Eigen::Vector3d& place, double radius) {
     double weight = 0.0;
@@ -69,7 +69,7 @@ std::vector<std::size_t> someOf(std::size_t count) {
 
 double spacingOf(const std::vector<Eigen::Vector3d>& points, double at_least) {
     const std::vector<std::size_t> some = someOf(points.size());
-    // On a grid of side s the sixth neighbour is at 1.41 s, at random at 1.38 s on the average.
+    // On a grid with spacing s the sixth neighbour is at 1.41 s; for random points at 1.38 s.
     constexpr double kSixth = 1.4;
     for (double cell = 2.0 * kSixth * at_least; cell < 100.0; cell *= 2.0) {
         const PointGrid grid(points, cell);

@@ -20,9 +20,9 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr double kFarAway = 5'000.0;          // file units from the origin; floats get coarse
-constexpr double kMuchScatter = 0.015;        // m; people should look at what became of it
-constexpr std::size_t kFewest = 50;           // samples that may be a surface
+constexpr double kFarAway = 5'000.0;          // file units from the origin; floats are coarse there
+constexpr double kMuchScatter = 0.015;        // m; from here on a warning instead of a note
+constexpr std::size_t kFewest = 50;           // smallest number of samples of a surface
 constexpr std::size_t kMostJudged = 100'000;  // points whose distance to the surface is measured
 
 tl::unexpected<Error> cancelled(const std::filesystem::path& path) {
@@ -37,7 +37,7 @@ tl::unexpected<Error> noSurface(std::size_t points, const std::filesystem::path&
                 path.string());
 }
 
-/// Where nearly all points are: 1 % at each end of each axis may be strays.
+/// The box from the 1st to the 99th percentile of the coordinates on each axis.
 Eigen::AlignedBox3d coreOf(const PointCloud& cloud) {
     Eigen::AlignedBox3d core;
     core.min().setZero();
@@ -56,14 +56,14 @@ Eigen::AlignedBox3d coreOf(const PointCloud& cloud) {
     return core;
 }
 
-/// Scanners write metres; what would be no building in metres is in centimetres or millimetres.
+/// Metres per unit: 1, as scanners write, or if that is too large for a building 0.01 or 0.001.
 double judgeUnit(const Eigen::AlignedBox3d& core) {
     const double longest = core.sizes().maxCoeff();
     if (longest > 2'500.0) return 0.001;
     return longest > 120.0 ? 0.01 : 1.0;
 }
 
-/// Moves the cloud near the origin and into metres; strays far outside are dropped.
+/// Converts the cloud to metres and moves it near the origin; drops and counts distant points.
 Eigen::Vector3d toMetres(PointCloud& cloud, const Eigen::AlignedBox3d& core, double unit_m,
                          std::size_t& strays) {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -86,8 +86,8 @@ Eigen::Vector3d toMetres(PointCloud& cloud, const Eigen::AlignedBox3d& core, dou
     return origin;
 }
 
-/// Turns the cloud so that `up` becomes the axis; first by quarters, so that a level cloud keeps
-/// its numbers.
+/// The rotation of `up` to the axis: first by multiples of 90 degrees, so that the coordinates of a
+/// level cloud are only permuted.
 Eigen::Matrix3d levelling(const Eigen::Vector3d& up, UpAxis axis) {
     const Eigen::Vector3d goal = axis.direction();
     Eigen::Index nearest = 0;
@@ -113,7 +113,7 @@ void turn(const Eigen::Matrix3d& rotation, PointCloud& cloud, CloudSamples& samp
     for (Eigen::Vector3d& n : samples.normals) n = rotation * n;
 }
 
-/// Specks are gone, and the labels' list with them.
+/// Removes samples without an object, from both lists.
 void dropSpecks(CloudSamples& samples, CloudLabels& labels) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
@@ -127,7 +127,7 @@ void dropSpecks(CloudSamples& samples, CloudLabels& labels) {
     labels.thing_of.resize(kept);
 }
 
-/// A triangle between things belongs to what most of its corners do.
+/// The object of a triangle: that of two of its corners, otherwise its first corner's.
 int thingOf(const CloudLabels& labels, const Triangle& t) {
     const int a = labels.thing_of[t[0]];
     const int b = labels.thing_of[t[1]];
@@ -156,7 +156,7 @@ Material plainMaterial(const CloudThing& thing) {
     return material;
 }
 
-/// One part for each thing and picture, in the order of the triangles.
+/// Builds one part per object and texture, in the order of the triangles.
 void buildParts(const CloudSamples& samples, const CloudLabels& labels,
                 const std::vector<Triangle>& sorted, const PointCloud& cloud, RawScene& raw) {
     const bool coloured = !cloud.colors.empty();
@@ -231,7 +231,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     std::size_t strays = 0;
     const Eigen::Vector3d origin = toMetres(cloud, core, unit_m, strays);
 
-    std::vector<Eigen::Vector3d> scanned = cloud.points;  // what the surface is measured by
+    std::vector<Eigen::Vector3d> scanned = cloud.points;  // to measure the surface's error
     const double step = smoothDepths(cloud, job);
     if (!cloud.viewpoint && step > 0.0) cloud.viewpoint = -unit_m * origin;
     CloudSamples samples = sampleCloud(cloud, options.cloud, job.stage(0.1, 0.3, "normals"));
@@ -266,7 +266,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     }
     buildParts(samples, labels, surface->triangles, cloud, raw);
     addFloor(samples, labels, cloud.viewpoint, axis, raw);
-    // The parts are in metres now; what follows divides by the unit again.
+    // Convert from metres to file units, as the caller expects.
     raw.file_up_axis = axis;
     raw.file_unit_m = unit_m;
     raw.file_from_parts.linear() = parts_from_file.transpose();

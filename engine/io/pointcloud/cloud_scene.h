@@ -9,9 +9,10 @@
 
 namespace dollytrack::io {
 
-/// A point cloud as a room: thinned out, levelled, its surface joined, floor, ceiling and walls
-/// told from the things that stand in it, its colours as textures. How well the surface lies on the
-/// points is said in the notes. Unit and upward axis are those of the options, else judged.
+/// Reads a point cloud as a room: samples and levels it, reconstructs its surface, separates floor,
+/// ceiling, walls and objects, and makes textures of its colours. The notes give the distances of
+/// the points from the surface. Unit and up axis are those of the options, otherwise estimated.
+/// Errors: BadInput, Cancelled.
 Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportOptions& options,
                                 const JobContext& job);
 

@@ -17,7 +17,7 @@
 namespace dollytrack::io {
 namespace {
 
-/// Cells and vertices are ordered by when they were made; otherwise CGAL takes their addresses.
+/// Lets CGAL order cells and vertices by their creation instead of their addresses.
 template <class Base>
 class Stamped : public Base {
   public:
@@ -34,7 +34,7 @@ class Stamped : public Base {
     std::size_t stamp_ = static_cast<std::size_t>(-1);
 };
 
-/// A kernel of our own makes types of our own, whose order can be told below.
+/// A kernel type of this file, so that std::less can be specialized below for types based on it.
 struct Kernel : CGAL::Exact_predicates_inexact_constructions_kernel {};
 using Vertex = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<
     Kernel, Stamped<CGAL::Triangulation_vertex_base_3<Kernel>>>;
@@ -44,7 +44,7 @@ using Tetrahedra =
     CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 using Candidate = Tetrahedra::Vertex::Radius_ptr_type;
 
-/// Numbers for edges of the front, in the order in which they were first asked for.
+/// Numbers of the front's edges, in the order of their first use.
 std::unordered_map<const void*, std::uint64_t>& edgeNumbers() {
     thread_local std::unordered_map<const void*, std::uint64_t> numbers;
     return numbers;
@@ -57,7 +57,7 @@ std::uint64_t numberOf(const void* edge) {
 
 struct Stopped {};
 
-/// What the front advances by: the smallest sphere first, and never over a long edge.
+/// Priority of the front's candidates: smallest circumscribed sphere first, never with a long edge.
 struct ShortEdges {
     double longest2 = 0.0;
     const JobContext* job = nullptr;
@@ -74,7 +74,7 @@ struct ShortEdges {
     }
 };
 
-/// Turned so that it faces where its corners' normals point.
+/// Orients a triangle in the direction of its corners' normals.
 void face(const CloudSamples& samples, Triangle& t) {
     const Eigen::Vector3d& a = samples.points[t[0]];
     const Eigen::Vector3d normal = (samples.points[t[1]] - a).cross(samples.points[t[2]] - a);
@@ -86,8 +86,8 @@ void face(const CloudSamples& samples, Triangle& t) {
 }  // namespace
 }  // namespace dollytrack::io
 
-/// The front holds its candidates in a set, equally good ones by where their edges lie in memory:
-/// another triangle would come first each time. Here it is the edge that came up first.
+/// CGAL orders equally good candidates by the addresses of their edges, which differ from run to
+/// run. This order uses the edges' numbers instead.
 template <>
 struct std::less<dollytrack::io::Candidate> {
     bool operator()(const dollytrack::io::Candidate& a, const dollytrack::io::Candidate& b) const {
@@ -105,7 +105,7 @@ Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& p
     if (samples.points.size() < 3) return surface;
     std::vector<std::pair<Kernel::Point_3, std::size_t>> points;
     points.reserve(samples.points.size());
-    // All in one plane, or many on one sphere, leave the tetrahedra open: nothing is moved visibly.
+    // Coplanar or cospherical points make the tetrahedra ambiguous, so move them imperceptibly.
     Random random(1);
     const double off = 1e-4 * samples.voxel_m;
     for (const Eigen::Vector3d& p : samples.points) {
@@ -116,7 +116,7 @@ Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& p
     }
     std::vector<std::array<std::size_t, 3>> faces;
     const double longest = std::max(params.gap_m, 5.0 * samples.voxel_m);
-    CGAL::get_default_random() = CGAL::Random(0);  // what ran before must not count
+    CGAL::get_default_random() = CGAL::Random(0);  // independent of earlier uses
     edgeNumbers().clear();
     try {
         Tetrahedra tetrahedra(points.begin(), points.end());
@@ -136,7 +136,7 @@ Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& p
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
         surface.triangles.push_back(t);
     }
-    // CGAL lists them as they lie in memory.
+    // CGAL's order depends on addresses.
     std::sort(surface.triangles.begin(), surface.triangles.end());
     const std::vector<Triangle> filling =
         fillHoles(samples.points, surface.triangles, params.hole_m, surface.holes_filled);

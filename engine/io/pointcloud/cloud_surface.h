@@ -11,17 +11,16 @@
 
 namespace dollytrack::io {
 
-/// Triangles over samples; they face where the samples' normals point.
+/// A triangle mesh over samples; triangles face in the direction of the samples' normals.
 struct CloudSurface {
     std::vector<Triangle> triangles;  // indices of samples
     std::size_t holes_filled = 0;
     std::size_t hole_triangles = 0;  // at the end of the list
 };
 
-/// Joins samples that lie in one surface, by an advancing front over their Delaunay tetrahedra
-/// (Cohen-Steiner and Da 2004): edges where the scan ends stay open, no edge is longer than
-/// `gap_m` or five voxels. Holes within a surface up to `hole_m` wide are then filled with the
-/// triangles of least area. Error: Cancelled.
+/// Reconstructs the surface by an advancing front over the Delaunay tetrahedra (Cohen-Steiner and
+/// Da 2004). The scan's borders stay open; no edge is longer than the larger of `gap_m` and five
+/// voxels. Holes of at most `hole_m` are filled with triangles of least area. Error: Cancelled.
 Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& params,
                                const JobContext& job);
 

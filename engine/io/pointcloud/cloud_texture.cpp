@@ -11,8 +11,8 @@ namespace dollytrack::io {
 namespace {
 
 constexpr std::size_t kSquare = 4;        // texels
-constexpr std::size_t kLargestRow = 512;  // squares: 2048 texels, as large as pictures are drawn
-constexpr std::uint8_t kGrey = 128;       // where the cloud has no colour
+constexpr std::size_t kLargestRow = 512;  // squares: 2048 texels, the largest texture size
+constexpr std::uint8_t kGrey = 128;       // without a colour nearby
 
 }  // namespace
 
@@ -29,8 +29,7 @@ std::size_t CloudTexture::pictureOf(std::size_t triangle) const {
 
 Eigen::Vector2f CloudTexture::uv(std::size_t triangle, std::size_t corner) const {
     const std::size_t square = triangle % per_picture_;
-    // Corners lie in the middle of texels: between them the picture is drawn without its
-    // neighbours.
+    // Corners are at texel centres, so that filtering does not mix in neighbouring squares.
     const double x =
         static_cast<double>(square % per_row_ * kSquare) + (corner == 1 ? kSquare - 0.5 : 0.5);
     const double y =
@@ -62,7 +61,7 @@ std::vector<TextureRequest> CloudTexture::paint(std::span<const Eigen::Vector3d>
             for (std::size_t x = 0; x < kSquare; ++x) {
                 std::size_t nearest = grid.nearest(a + static_cast<double>(x) * along +
                                                    static_cast<double>(y) * across);
-                // In a hole that was filled the corners alone have a colour.
+                // In a filled hole only the corners have points nearby.
                 if (nearest >= cloud_m.colors.size()) {
                     nearest = at_corner[2 * x >= kSquare ? 1 : 2 * y >= kSquare ? 2 : 0];
                 }

@@ -10,21 +10,20 @@
 
 namespace dollytrack::io {
 
-/// Pictures that hold a cloud's colours: each triangle has a square of 4 x 4 texels, half of which
-/// it covers.
+/// Textures with a cloud's colours: each triangle covers half of a square of 4 x 4 texels.
 class CloudTexture {
   public:
-    /// Room for this many triangles.
+    /// Lays out the textures for this number of triangles.
     explicit CloudTexture(std::size_t triangles);
 
     [[nodiscard]] std::size_t pictures() const { return pictures_; }
     [[nodiscard]] std::size_t pictureOf(std::size_t triangle) const;
-    /// Texture coordinates of a triangle's corner (0, 1, 2); v grows upwards.
+    /// Texture coordinates of a triangle's corner (0, 1, 2); v points up.
     [[nodiscard]] Eigen::Vector2f uv(std::size_t triangle, std::size_t corner) const;
 
-    /// The pictures, each texel of the colour that the cloud has nearest to it (within `reach_m`;
-    /// else nearest to the triangle's corner).
-    /// `corners` has three places for each triangle, in the order of the triangles.
+    /// Paints the textures: each texel has the colour of the nearest point within `reach_m`,
+    /// otherwise of the point nearest to a corner of the triangle, otherwise grey. `corners` has
+    /// three positions per triangle.
     [[nodiscard]] std::vector<TextureRequest> paint(std::span<const Eigen::Vector3d> corners,
                                                     const PointCloud& cloud_m,
                                                     double reach_m) const;

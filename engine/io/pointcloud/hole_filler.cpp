@@ -14,22 +14,23 @@
 namespace dollytrack::io {
 namespace {
 
-using Rim = std::vector<std::uint32_t>;  // corners in order
+using Rim = std::vector<std::uint32_t>;  // boundary loop: vertex indices in order
 
-constexpr std::size_t kLongestRim = 200;  // corners; filling takes their cube
+constexpr std::size_t kLongestRim = 200;  // vertices; the time of filling is cubic in it
 
 std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint64_t>(a) << 32U | b;
 }
 
-/// Closed rims, against the winding of their triangles. Rims that touch themselves are left out.
+/// The closed boundary loops, opposite to the triangles' orientation. Loops that touch themselves
+/// or each other are left out.
 std::vector<Rim> findRims(std::span<const Triangle> triangles) {
     std::unordered_map<std::uint64_t, int> edges;
     for (const Triangle& t : triangles) {
         for (std::size_t i = 0; i < 3; ++i) ++edges[edgeKey(t[i], t[(i + 1) % 3])];
     }
-    std::map<std::uint32_t, std::uint32_t> next;  // along the rim
-    std::set<std::uint32_t> touched;              // by two rims
+    std::map<std::uint32_t, std::uint32_t> next;  // next vertex along the boundary
+    std::set<std::uint32_t> touched;              // vertices with several boundary edges
     for (const Triangle& t : triangles) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i];
@@ -65,7 +66,7 @@ double lengthOf(std::span<const Eigen::Vector3d> points, const Rim& rim) {
     return length;
 }
 
-/// The connected pieces of a surface, as sets of corners.
+/// The connected components of a mesh, as sets of vertices.
 DisjointSets<std::uint32_t> joinCorners(std::size_t corners, std::span<const Triangle> triangles) {
     DisjointSets<std::uint32_t> pieces(corners);
     for (const Triangle& t : triangles) {
@@ -74,11 +75,11 @@ DisjointSets<std::uint32_t> joinCorners(std::size_t corners, std::span<const Tri
     return pieces;
 }
 
-/// The triangles of least area over a closed rim, by dynamic programming (Barequet and Sharir
-/// 1995).
+/// The triangulation of a boundary loop with the least area, by dynamic programming (Barequet and
+/// Sharir 1995).
 std::vector<Triangle> leastArea(std::span<const Eigen::Vector3d> points, const Rim& rim) {
     const std::size_t n = rim.size();
-    std::vector<double> area(n * n, 0.0);  // of the best filling between two corners
+    std::vector<double> area(n * n, 0.0);  // least area between two vertices
     std::vector<std::uint32_t> apex(n * n, 0);
     const auto areaOf = [&](std::size_t i, std::size_t j, std::size_t k) {
         const Eigen::Vector3d& a = points[rim[i]];
@@ -120,7 +121,7 @@ std::vector<Triangle> fillHoles(std::span<const Eigen::Vector3d> points,
     if (!(widest_m > 0.0)) return filling;
     const std::vector<Rim> rims = findRims(triangles);
     DisjointSets<std::uint32_t> pieces = joinCorners(points.size(), triangles);
-    std::map<std::uint32_t, std::pair<double, std::size_t>> outline;  // by piece: longest rim
+    std::map<std::uint32_t, std::pair<double, std::size_t>> outline;  // longest loop by component
     for (std::size_t i = 0; i < rims.size(); ++i) {
         auto& longest = outline[pieces.find(rims[i].front())];
         longest = std::max(longest, {lengthOf(points, rims[i]), i});

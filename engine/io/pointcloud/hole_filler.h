@@ -10,9 +10,9 @@
 
 namespace dollytrack::io {
 
-/// Triangles over the holes of a surface that are at most `widest_m` across; the outline of each
-/// connected piece (its longest rim) is no hole. Triangles must be wound alike where they meet.
-/// `holes` counts what was filled.
+/// Triangles that fill the holes of a mesh of at most `widest_m` width. The longest boundary of
+/// each connected component is its outline and not filled. Adjacent triangles must have consistent
+/// orientation. `holes` is increased by the number of filled holes.
 std::vector<Triangle> fillHoles(std::span<const Eigen::Vector3d> points,
                                 std::span<const Triangle> triangles, double widest_m,
                                 std::size_t& holes);

@@ -4,7 +4,7 @@ namespace dollytrack::io {
 
 std::optional<std::vector<std::uint8_t>> unpackLzf(std::span<const std::uint8_t> packed,
                                                    std::size_t size) {
-    // A copy of at most 264 bytes takes two bytes: more than this cannot come out.
+    // A copy of at most 264 bytes takes at least two bytes, which limits the size.
     if (size / 264 > packed.size()) return std::nullopt;
     std::vector<std::uint8_t> out;
     out.reserve(size);
@@ -28,7 +28,7 @@ std::optional<std::vector<std::uint8_t>> unpackLzf(std::span<const std::uint8_t>
         if (at >= packed.size()) return std::nullopt;
         const std::size_t back = ((control & 31U) << 8) + packed[at++] + 1;
         if (back > out.size() || count > size - out.size()) return std::nullopt;
-        // Byte by byte: a copy may overlap what it makes.
+        // Byte by byte, because source and target may overlap.
         for (std::size_t i = 0; i < count; ++i) out.push_back(out[out.size() - back]);
     }
     if (out.size() != size) return std::nullopt;

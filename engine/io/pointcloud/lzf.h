@@ -7,8 +7,8 @@
 
 namespace dollytrack::io {
 
-/// Unpacks LZF, the compression inside PCD files: runs of literal bytes, and copies of what came
-/// before. Nothing when the data do not give exactly `size` bytes or point outside of them.
+/// Unpacks LZF, the compression of PCD files: runs of literal bytes, and copies of earlier output.
+/// Returns nullopt if the data do not give exactly `size` bytes or refer to bytes outside.
 std::optional<std::vector<std::uint8_t>> unpackLzf(std::span<const std::uint8_t> packed,
                                                    std::size_t size);
 

@@ -11,7 +11,7 @@ namespace dollytrack::io {
 namespace {
 
 constexpr std::size_t kMostFields = 256;
-constexpr std::size_t kMostCount = 4096;  // numbers of one field: descriptors have 352
+constexpr std::size_t kMostCount = 4096;  // numbers per field; feature descriptors have 352
 
 template <class T>
 bool parse(std::string_view word, T& value) {
@@ -27,7 +27,7 @@ bool takeFields(const std::vector<std::string_view>& words, PcdHeader& header) {
     return !header.fields.empty();
 }
 
-/// SIZE, TYPE and COUNT have a word for each field.
+/// Reads SIZE, TYPE or COUNT, which have one word per field.
 bool takeColumn(const std::vector<std::string_view>& words, PcdHeader& header) {
     if (words.size() != header.fields.size() + 1) return false;
     for (std::size_t i = 0; i < header.fields.size(); ++i) {
@@ -72,7 +72,7 @@ bool takeLine(const std::vector<std::string_view>& words, PcdHeader& header) {
     return false;
 }
 
-/// Empty, or what does not fit together.
+/// A description of an inconsistency; empty if there is none.
 std::string checkHeader(PcdHeader& header) {
     for (PcdField& field : header.fields) {
         const bool real = field.type == 'F' && (field.size == 4 || field.size == 8);

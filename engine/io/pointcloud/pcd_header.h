@@ -16,7 +16,7 @@ struct PcdField {
     std::size_t size = 4;  // 1, 2, 4 or 8
     char type = 'F';       // F: float, I: signed, U: unsigned
     std::size_t count = 1;
-    std::size_t offset = 0;  // bytes from the begin of a point
+    std::size_t offset = 0;  // bytes from the start of a point
 };
 
 struct PcdHeader {
@@ -33,7 +33,7 @@ struct PcdHeader {
     [[nodiscard]] const PcdField* find(std::string_view name) const;
 };
 
-/// Checks that counts and types agree and that no number is beyond what a file may hold. Error:
+/// Parses a header, and checks that counts and types are consistent and within the limits. Error:
 /// BadInput, with the line.
 Result<PcdHeader> readPcdHeader(std::string_view bytes, const std::string& name);
 

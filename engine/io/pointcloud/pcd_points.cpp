@@ -45,7 +45,7 @@ std::array<std::uint8_t, 3> unpackColor(std::uint32_t packed) {
             static_cast<std::uint8_t>(packed)};
 }
 
-/// The fields that a point is made of.
+/// The fields with position, colour and normal.
 struct Wanted {
     std::array<const PcdField*, 3> place{};
     std::array<const PcdField*, 3> normal{};
@@ -62,7 +62,7 @@ struct Wanted {
     }
 };
 
-/// Adds one point, its fields' numbers and its packed colour given by functions.
+/// Adds a point. The functions return a field's number and the packed colour.
 template <class NumberOf, class ColorOf>
 void addPoint(const Wanted& wanted, const NumberOf& numberOf, const ColorOf& colorOf,
               PointCloud& cloud) {
@@ -81,7 +81,8 @@ void addPoint(const Wanted& wanted, const NumberOf& numberOf, const ColorOf& col
     }
 }
 
-/// `data` has the points one after the other, or (compressed files) each field of all points.
+/// Reads binary points. `by_field`: `data` is ordered by field instead of by point, as in
+/// compressed files.
 Status readBinary(const PcdHeader& header, std::span<const std::uint8_t> data, bool by_field,
                   const std::string& name, PointCloud& cloud) {
     if (header.point_bytes == 0 || data.size() / header.point_bytes < header.points) {
@@ -124,7 +125,7 @@ Status readCompressed(const PcdHeader& header, std::span<const std::uint8_t> dat
     return readBinary(header, *bytes, true, name, cloud);
 }
 
-/// A word of a text file; "nan" is written for what was not seen.
+/// A number in a text file; NaN ("nan" for unmeasured points) is permitted.
 double numberOf(std::string_view word) {
     double value = std::numeric_limits<double>::quiet_NaN();
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -133,7 +134,7 @@ double numberOf(std::string_view word) {
                : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Colours of text files are whole numbers, or the same bits taken for a float.
+/// A packed colour in a text file: an integer, or its bits written as a float.
 std::uint32_t colorOf(std::string_view word, const PcdField& field) {
     const double value = numberOf(word);
     if (!std::isfinite(value)) return 0;

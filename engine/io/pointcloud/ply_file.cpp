@@ -39,7 +39,7 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
         return i < words.size() && words[i] == word;
     };
     if (is(0, "comment") && is(1, "TextureFile") && words.size() >= 3) {
-        // All of them lie in one line; the name may hold blanks.
+        // The rest of the line is the file name, which may contain blanks.
         const char* const end = words.back().data() + words.back().size();
         header.texture.assign(words[2].data(), end);
     }

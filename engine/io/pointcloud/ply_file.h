@@ -24,31 +24,31 @@ enum class PlyKind { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
 struct PlyProperty {
     std::string name;
     PlyKind kind = PlyKind::Float;
-    std::optional<PlyKind> count;  // of a list: the type of its length
+    std::optional<PlyKind> count;  // for lists: the type of the length
 };
 
-/// A list of records: "vertex", "face".
+/// An element type, such as "vertex" or "face", with its number of records.
 struct PlyElement {
     std::string name;
     std::size_t count = 0;
     std::vector<PlyProperty> properties;
 };
 
-/// What a PLY file says of itself before its data.
+/// The header of a PLY file.
 struct PlyHeader {
     std::string format;   // "ascii", "binary_little_endian" or "binary_big_endian"
     std::string texture;  // file name in a "comment TextureFile"; empty: none
     std::vector<PlyElement> elements;
-    std::size_t size = 0;  // bytes; the data begins there, whatever its first byte is
+    std::size_t size = 0;  // bytes; offset of the data
 };
 
-/// Bytes that a number takes in a binary file.
+/// Size of a number in a binary file, bytes.
 std::size_t bytesOfPly(PlyKind kind);
 
-/// The header of a PLY file. Errors: BadInput, one sentence with the line.
+/// Parses the header of a PLY file. Error: BadInput, with the line.
 Result<PlyHeader> readPlyHeader(const std::filesystem::path& path, std::string_view bytes);
 
-/// Numbers one after the other, from text or from bytes.
+/// Reads the numbers of a PLY file's data in order, from text or binary.
 class PlyNumbers {
   public:
     PlyNumbers(std::string_view data, const std::string& format)
@@ -57,7 +57,7 @@ class PlyNumbers {
           swapped_((format == "binary_big_endian") ==
                    (std::endian::native == std::endian::little)) {}
 
-    /// Nothing at the end of the file and where there is no number.
+    /// The next number; nullopt at the end of the data and for a word that is not a number.
     std::optional<double> next(PlyKind kind) { return text_ ? word() : binary(kind); }
 
   private:

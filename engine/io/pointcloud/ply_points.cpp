@@ -24,8 +24,8 @@ tl::unexpected<Error> wrong(std::string message, const std::string& where) {
 
 constexpr std::size_t kOpacity = 9;
 
-/// The place of a property among x y z, red green blue, nx ny nz, opacity; -1: of no interest. A
-/// Gaussian splat's f_dc, the constant term of its colour, stands where the colour does.
+/// Index of a property in x y z, red green blue, nx ny nz, opacity; -1 for all others. For Gaussian
+/// splats, f_dc (the constant term of the colour) replaces the colour.
 int slotOf(std::string_view name, bool splats) {
     static constexpr std::array<std::string_view, 10> kPoint = {"x",    "y",  "z",  "red", "green",
                                                                 "blue", "nx", "ny", "nz",  ""};
@@ -46,15 +46,15 @@ bool holdsSplats(const PlyElement& element) {
     return found == 2;
 }
 
-/// Makes a point's colour of a splat's. Returns false for a splat that is hardly to be seen.
+/// Converts a splat's colour to 0..255. Returns false if its opacity is below 10 %.
 bool paintSplat(Slots& values) {
     constexpr double kHarmonic = 0.28209479177387814;  // the constant spherical harmonic
-    constexpr double kFaint = -2.197224577336219;      // an opacity of 0.1 before its sigmoid
+    constexpr double kFaint = -2.197224577336219;      // logit of an opacity of 0.1
     for (std::size_t i = 3; i < 6; ++i) values[i] = 255.0 * (0.5 + kHarmonic * values[i]);
     return values[kOpacity] >= kFaint;
 }
 
-/// One element's properties; those of a point are kept. False at the end of the file.
+/// Reads one record and stores the values that have a slot. Returns false at the end of the file.
 bool readElement(const PlyElement& element, const std::vector<int>& slots, PlyNumbers& numbers,
                  Slots& values) {
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
@@ -95,7 +95,7 @@ void addPoint(const Slots& values, double color_scale, bool normals, PointCloud&
     }
 }
 
-/// What a colour is multiplied with to go up to 255; 0: there is none.
+/// Factor that scales colour values to 0..255; 0 if there are no colours.
 double colorScale(const PlyElement& element, const std::vector<int>& slots) {
     for (std::size_t p = 0; p < slots.size(); ++p) {
         if (slots[p] != 3) continue;
@@ -156,7 +156,7 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
         if (Status read = readVertices(element, numbers, path, cloud); !read) {
             return tl::unexpected<Error>(read.error());
         }
-        if (element.name == "vertex") break;  // faces are of no interest
+        if (element.name == "vertex") break;  // later elements are not needed
     }
     if (cloud.points.empty())
         return wrong("The file contains no points with finite x, y and z.", path.string());

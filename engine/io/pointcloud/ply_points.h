@@ -11,15 +11,15 @@
 
 namespace dollytrack::io {
 
-/// The points of a PLY file (text, or binary of either byte order) with colours (red, green, blue)
-/// and normals (nx, ny, nz) where all have them. Errors: BadInput, one sentence with the place.
+/// Reads the points of a PLY file (text, or binary of either byte order), with colours (red, green,
+/// blue) and normals (nx, ny, nz) if it has them. Error: BadInput.
 Result<PointCloud> readPlyCloud(const std::filesystem::path& path);
 
-/// The corners or points of a PLY file, whatever else it holds. Points with a coordinate that is no
-/// number are left out. Errors: BadInput, one sentence with the place.
+/// Reads only the vertex positions of a PLY file, which may also have faces. Positions with a
+/// non-finite coordinate are left out. Error: BadInput.
 Result<std::vector<Eigen::Vector3d>> readPlyPoints(const std::filesystem::path& path);
 
-/// Whether a PLY file that begins like this holds points and no faces.
+/// Whether a PLY file that begins with `head` has points but no faces.
 bool isPlyOfPoints(std::string_view head);
 
 }  // namespace dollytrack::io

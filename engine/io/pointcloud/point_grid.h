@@ -11,14 +11,14 @@
 
 namespace dollytrack::io {
 
-/// Points by the cubes of a grid, for questions about what is near. The points have to outlive it,
-/// and must lie within a million cubes of the origin.
+/// A grid of points for neighbour queries. The points must outlive it and must be within a million
+/// cells of the origin.
 class PointGrid {
   public:
     PointGrid(std::span<const Eigen::Vector3d> points, double cell);
 
-    /// Calls `visit(index, squared distance)` for every point within `radius`, no more than the
-    /// cell's size; always in the same order.
+    /// Calls `visit(index, squared distance)` for every point within `radius`, which must not
+    /// exceed the cell size, in a deterministic order.
     template <class Visit>
     void forNear(const Eigen::Vector3d& place, double radius, Visit&& visit) const {
         const Eigen::Array3d middle = (place / cell_).array().floor();
@@ -36,7 +36,7 @@ class PointGrid {
         }
     }
 
-    /// The nearest point within the cell's size; the number of points when there is none.
+    /// Index of the nearest point within the cell size; the number of points if there is none.
     [[nodiscard]] std::size_t nearest(const Eigen::Vector3d& place) const;
 
     static std::uint64_t keyOf(const Eigen::Array3d& cell) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostColumns = 64;
 
-/// Where x y z, red green blue, nx ny nz stand; -1: nowhere.
+/// Column indices of x y z, red green blue, nx ny nz; -1: missing.
 using Columns = std::array<int, 9>;
 constexpr Columns kNone = {-1, -1, -1, -1, -1, -1, -1, -1, -1};
 
@@ -97,7 +97,8 @@ std::optional<Columns> columnsCounted(std::size_t count) {
     }
 }
 
-/// Six columns without names may be normals: they are no colours when one is below 0.
+/// Stores colours, scaled to 0..255. Without column names they may be normals instead: they are if
+/// any value is negative.
 void settleColors(std::vector<std::array<float, 3>>& colors, PointCloud& cloud) {
     float low = 0.0F;
     float high = 0.0F;
@@ -147,7 +148,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
         const std::string_view whole = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         ++line_number;
-        // Names may stand in a remark: "//X Y Z R G B".
+        // The column names may be in a comment: "//X Y Z R G B".
         const bool first = cloud.points.empty() && !columns;
         splitPoint(first && whole.starts_with("//") ? whole.substr(2) : withoutRemark(whole),
                    words);
@@ -159,7 +160,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
             if (!columns) columns = columnsNamed(words);
             continue;
         }
-        if (words.size() == 1 && cloud.points.empty()) continue;  // how many points follow
+        if (words.size() == 1 && cloud.points.empty()) continue;  // the number of points
         if (width == 0) width = words.size();
         if (words.size() != width) {
             return refuse(fmt::format("Here are {} numbers, and {} in the lines before.",

@@ -8,14 +8,14 @@
 
 namespace dollytrack::io {
 
-/// The points of a text file, one a line: x y z, then red green blue (0 to 255, or 0 to 1), then
-/// nx ny nz, in any of these: 3, 6, 7 (an intensity after xyz), 9 or 10 columns. Blanks, tabs,
-/// commas or semicolons separate; a first line of names or of a count is skipped, '#' and '//'
-/// begin remarks. With names (x, y, z, r, red, nx, ...) the columns may come in any order. Error:
-/// BadInput, with the line.
+/// Parses a text file with one point per line: x y z, red green blue (0..1, 0..255 or 0..65535),
+/// nx ny nz. The number of columns is 3, 6 or 9, or one more with an intensity after xyz.
+/// Separators are blanks, tabs, commas and semicolons; '#' and '//' begin comments. A leading line
+/// with the number of points is skipped. With a header line of names (x, y, z, r, red, nx, ...) the
+/// columns may be in any order. Error: BadInput, with the line.
 Result<PointCloud> readTextPoints(std::string_view text, const std::string& name);
 
-/// How many words a line of such a file has.
+/// Number of words in a line of such a file.
 std::size_t countPointNumbers(std::string_view line);
 
 }  // namespace dollytrack::io
