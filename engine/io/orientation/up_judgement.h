@@ -28,8 +28,8 @@ struct UpEvidence {
 /// more, in sparse rooms by 1; with hardly any evidence a wrong one leads by at most 0.4.
 std::vector<UpEvidence> judgeUp(const FrameEvidence& evidence);
 
-/// Whether the best direction leads `axis` by at least `lead`. A single object contradicts no axis,
-/// because it may lie on its side.
+/// Whether the best direction leads `axis` by at least `lead`. False for fewer than four objects,
+/// since these may lie on their side.
 [[nodiscard]] bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked,
                                UpAxis axis, double lead = 1.0);
 
