@@ -40,7 +40,8 @@ std::string extensionOf(const Path& path) {
     return ext;
 }
 
-/// assimp tries every reader it has on a file it does not know; ours are four.
+/// Unregisters all readers of assimp except those for our formats, since assimp tries each of its
+/// readers on unknown files.
 void keepOurReaders(Assimp::Importer& importer) {
     const auto isOurs = [](std::string_view extensions) {
         for (const std::string_view ours : {"obj", "fbx", "dae", "stl"}) {
@@ -70,8 +71,8 @@ class CancelWatch : public Assimp::ProgressHandler {
     JobContext job_;
 };
 
-/// Frees an importer's scene on a thread of its own: with many faces that takes long, and nobody
-/// needs to wait for it. Ends before the program does.
+/// Frees an importer's scene on a separate thread, because this takes long for many faces. The
+/// program waits for it before it ends.
 class BackgroundDisposal {
   public:
     ~BackgroundDisposal() {
@@ -107,7 +108,7 @@ ColladaAsset readColladaAsset(Assimp::IOSystem& files, const Path& path) {
     return parseColladaAsset(head);
 }
 
-/// assimp turns every Collada scene to y up and metres; this gets back to the file's own numbers.
+/// Undoes assimp's conversion of Collada scenes to y up and metres.
 Eigen::Affine3d undoCollada(const ColladaAsset& asset) {
     Eigen::Matrix3d assimp_from_file = Eigen::Matrix3d::Identity();
     if (asset.up_axis == 'z') assimp_from_file << 1, 0, 0, 0, 0, 1, 0, -1, 0;
@@ -134,7 +135,7 @@ void readFbxFrame(const aiScene& scene, RawScene& raw) {
     }
 }
 
-/// Collects each picture once, however many materials ask for it.
+/// Collects the textures of all materials, each once.
 class TextureList {
   public:
     TextureList(const aiScene& scene, RawScene& raw) : scene_(scene), raw_(raw) {}
@@ -179,7 +180,7 @@ class TextureList {
     std::map<std::string, int> indices_;
 };
 
-/// A picture that lies on the surface as the colours do; -1: none.
+/// A texture with the same texture coordinates as the base colour's; -1: none.
 int mapOf(const aiMaterial& source, aiTextureType type, TextureList& textures) {
     aiString file;
     unsigned uv_set = 0;
@@ -202,7 +203,7 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
     if (source.GetTexture(aiTextureType_BASE_COLOR, 0, &file) == AI_SUCCESS ||
         source.GetTexture(aiTextureType_DIFFUSE, 0, &file) == AI_SUCCESS) {
         material.texture = textures.request(file.C_Str(), false);
-        // The picture replaces the colour: exporters write anything beside it.
+        // The texture replaces the colour, because exporters write arbitrary colours beside one.
         color = {1.0F, 1.0F, 1.0F, color.a};
     }
     const auto clean = [](float value) {
@@ -212,10 +213,10 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
 
     float opacity = 1.0F;
     source.Get(AI_MATKEY_OPACITY, opacity);
-    // Some exporters write 0 for "opaque"; nobody models what cannot be seen.
+    // Some exporters write an opacity of 0 for opaque materials; invisible ones are not modelled.
     material.opacity = !(opacity > 0.0F) ? 1.0F : std::min(opacity, 1.0F);
 
-    // Ke in MTL files is more often a default than a lamp: without a map it does not count.
+    // Ke in MTL files is more often a default value than a lamp, so it is ignored without a map.
     aiColor3D emission;
     material.emission_map = mapOf(source, aiTextureType_EMISSIVE, textures);
     const bool says = source.Get(AI_MATKEY_COLOR_EMISSIVE, emission) == AI_SUCCESS;
@@ -226,7 +227,7 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
     const bool black = material.emission.isZero(0.0F);
     if (material.emission_map >= 0 && black) material.emission.setOnes();
 
-    // What Collada calls a bump and assimp a normal map is a picture of heights.
+    // Collada's bump map, which assimp reports as a normal map, is a height map.
     if (format != ".dae") material.normal_map = mapOf(source, aiTextureType_NORMALS, textures);
     material.roughness_map = mapOf(source, aiTextureType_DIFFUSE_ROUGHNESS, textures);
     material.metallic_map = mapOf(source, aiTextureType_METALNESS, textures);
@@ -251,7 +252,7 @@ struct Placement {
     int node = 0;
 };
 
-/// Walks the tree with a stack of our own: its depth is the file's choice.
+/// Traverses the nodes with an explicit stack, because a file's nesting depth is not limited.
 std::vector<Placement> collectPlacements(const aiScene& scene, const Eigen::Affine3d& root,
                                          RawScene& raw) {
     struct Visit {
@@ -309,7 +310,7 @@ RepairCounts readMesh(const Placement& placement, std::uint32_t material_count, 
     return buildMeshPart(source, placement.source_from_mesh, part);
 }
 
-/// A material of the mean vertex colour, for meshes (PLY above all) that have nothing else.
+/// A material with the mean vertex colour, for meshes without other materials.
 void useVertexColors(const aiScene& scene, const std::vector<Placement>& placements,
                      RawScene& raw) {
     for (std::size_t i = 0; i < placements.size(); ++i) {
@@ -373,7 +374,7 @@ void noteRepairs(const ModelTextRepairs& repairs, const Path& path,
                         faces == 1 ? "it has" : "they have"));
     }
     std::set<std::string> missing = repairs.missingMaterials();
-    // assimp tries the file of the model's own name in place of each that is missing.
+    // In place of a missing material file, assimp tries one with the model's name.
     if (missing.size() > 1) missing.erase(path.stem().string() + ".mtl");
     constexpr std::ptrdiff_t kMostNamed = 10;
     if (missing.empty()) return;

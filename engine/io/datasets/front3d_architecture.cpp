@@ -19,7 +19,7 @@ using nlohmann::json;
 constexpr float kTouching_m = 0.05F;
 constexpr std::size_t kMostPieces = 4000;  // compared with each other
 
-/// Two or three numbers a vertex; what is no number becomes NaN, which later steps know.
+/// Reads two or three numbers per vertex. Invalid values become NaN, which later steps handle.
 std::vector<Eigen::Vector3f> vectorsIn(const json& mesh, const char* key, std::size_t width) {
     const json::array_t& list = listIn(mesh, key);
     std::vector<Eigen::Vector3f> vectors(list.size() / width, Eigen::Vector3f::Zero());
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> facesIn(const json& mesh) {
     return indices;
 }
 
-/// Many scenes hold positions where normals should be.
+/// Whether the normals are valid; many scenes contain positions in their place.
 bool areNormals(const std::vector<Eigen::Vector3f>& normals) {
     for (const Eigen::Vector3f& normal : normals) {
         if (!(std::abs(normal.norm() - 1.0F) < 0.02F)) return false;
@@ -53,7 +53,7 @@ bool areNormals(const std::vector<Eigen::Vector3f>& normals) {
     return !normals.empty();
 }
 
-/// One object to be: meshes of one type that belong together.
+/// A future object: meshes of one type that belong together.
 struct Piece {
     std::string type;
     Label label;

@@ -10,10 +10,9 @@
 
 namespace dollytrack::io {
 
-/// Adds the "mesh" list of a 3D-FRONT scene: walls, floors and what is built in, already in the
-/// house's place. Meshes of one kind and one owner (the front part of their uid) become one object;
-/// so do built-in cabinets that touch. Materials are those of "material"; their pictures are looked
-/// up in the folders.
+/// Adds the "mesh" list of a 3D-FRONT scene: walls, floors and built-in parts, in the house's
+/// frame. Meshes with the same type and owner (the first part of their uid) become one object, and
+/// so do built-in cabinets that touch. Textures of their materials are searched for in the folders.
 void addFront3dArchitecture(const nlohmann::json& document, const LabelTable& labels,
                             const std::vector<std::filesystem::path>& texture_folders,
                             RawScene& scene);

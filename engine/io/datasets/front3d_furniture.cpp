@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// "bed/king-size bed" of a title, "Cabinet/Shelf/Desk" of a category: the word that names it.
+/// The object's name: the last part of the title ("bed/king-size bed"), otherwise the first part of
+/// the category ("Cabinet/Shelf/Desk").
 std::string nameOf(const Front3dFurniture& piece, const ModelInfo& info) {
     const std::string& category = info.category.empty() ? piece.category : info.category;
     std::string name = piece.title.empty() ? category.substr(0, category.find('/'))
@@ -29,9 +30,9 @@ std::string nameOf(const Front3dFurniture& piece, const ModelInfo& info) {
     return name.empty() ? "furniture" : name;
 }
 
-/// The first of what is said of it that is a thing's class; else a part of the building, else a
-/// vague word. The title goes before the scene's own category, which may be a place ("Living
-/// room").
+/// The most specific description: the first that names the class of a target, otherwise of a part
+/// of the building, otherwise any known word. The title precedes the scene's category, which may be
+/// a room ("Living room").
 std::string categoryOf(const Front3dFurniture& piece, const ModelInfo& info,
                        const LabelTable& labels) {
     const std::array<std::string, 6> words = {info.category,    piece.title,
@@ -50,7 +51,8 @@ fs::path modelOf(const std::vector<fs::path>& folders,
     return {};
 }
 
-/// ToolBox and ATISS paint every model with the picture beside it, whatever its MTL file says.
+/// Gives a model without textures the texture beside it. ToolBox and ATISS use that texture for
+/// every model, independent of its MTL file.
 void paintWithTexture(const fs::path& file, RawScene& model) {
     const fs::path folder = file.parent_path();
     const bool has_picture = std::any_of(model.materials.begin(), model.materials.end(),
@@ -66,7 +68,7 @@ void paintWithTexture(const fs::path& file, RawScene& model) {
     model.textures.push_back(std::move(request));
 }
 
-/// What was left out, for the report: "Bed (jid ...) x 2".
+/// Furniture that was left out, for the report: "Bed (jid ...) x 2".
 class LeftOut {
   public:
     void add(const std::string& name, const std::string& jid) {
@@ -91,7 +93,7 @@ class LeftOut {
     std::vector<std::string> order_;
 };
 
-/// One piece in its place.
+/// A placed piece of furniture.
 struct Placed {
     const Front3dChild* child = nullptr;
     const Front3dFurniture* piece = nullptr;

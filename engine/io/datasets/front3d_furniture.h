@@ -13,9 +13,9 @@
 namespace dollytrack::io {
 
 /// Places the furniture of a 3D-FRONT scene: models <jid>/raw_model.obj of 3D-FUTURE below the
-/// folders, in metres, front +Z. Entries that are not valid are left out, as by the data set's own
-/// tools; where no entry of a file says so, all count. What has no model is left out and told by
-/// name. Errors: BadInput for too much of it, Cancelled.
+/// folders, in metres, front +Z. Entries that are not valid are left out, as in the dataset's own
+/// tools; if no entry has that flag, all are used. Warnings name furniture without a model, which
+/// is left out. Errors: BadInput for too many triangles, Cancelled.
 Status addFront3dFurniture(const Front3dScene& source, const LabelTable& labels,
                            const std::vector<std::filesystem::path>& model_folders,
                            const std::string& where, const JobContext& job, RawScene& scene);

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The id of a texture: "https://host/i/<id>/wallfloor.jpg" has it as the last but one part.
+/// The id of a texture: the last folder of a URL like "https://host/i/<id>/wallfloor.jpg".
 std::string idOfUrl(const std::string& url) {
     const auto last = url.rfind('/');
     if (last == std::string::npos || last == 0) return {};
@@ -39,7 +39,7 @@ std::uint32_t Front3dMaterials::indexOf(const std::string& uid, std::vector<Eige
     }
     Entry& entry = found->second;
     if (entry.index < 0) entry.index = static_cast<int>(add(*entry.source));
-    // Its shift is left out, as by the data set's own tools: a picture that repeats lies elsewhere.
+    // The offset is ignored, as in the dataset's own tools; a repeating texture is only shifted.
     const json::array_t& transform = listIn(*entry.source, "UVTransform");
     if (transform.size() == 9) {
         Eigen::Matrix2f turn;
@@ -81,7 +81,7 @@ int Front3dMaterials::textureOf(const json& source) {
         const auto file = findBelow(folders_, std::filesystem::path(id) / "texture.png");
         if (file) return request("texture.png", file->parent_path());
     }
-    // Named and not there: it counts as missing.
+    // A texture that is named but not found is reported as missing.
     if (isPlainName(url_id) && !folders_.empty()) {
         return request(url_id + "/texture.png", folders_.front());
     }

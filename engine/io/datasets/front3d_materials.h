@@ -12,20 +12,21 @@
 
 namespace dollytrack::io {
 
-/// The "material" list of a 3D-FRONT scene, added to a scene as meshes ask for it.
+/// The "material" list of a 3D-FRONT scene. Materials are added to the scene when first used.
 class Front3dMaterials {
   public:
-    /// `folders`: where pictures are looked up as <id>/texture.png. All have to outlive this.
+    /// `folders` are searched for textures <id>/texture.png. All arguments must outlive this.
     Front3dMaterials(const nlohmann::json& document,
                      const std::vector<std::filesystem::path>& folders, RawScene& scene);
 
-    /// The scene's material of this uid, grey where there is none; `uvs` are turned as it says.
+    /// The index of the material with this uid, a grey one if there is none. Applies the material's
+    /// texture rotation to `uvs`.
     std::uint32_t indexOf(const std::string& uid, std::vector<Eigen::Vector3f>& uvs);
 
   private:
     struct Entry {
         const nlohmann::json* source = nullptr;
-        int index = -1;  // into the scene's; -1: not asked for yet
+        int index = -1;  // in the scene's materials; -1: not added yet
     };
     std::uint32_t add(const nlohmann::json& source);
     int textureOf(const nlohmann::json& source);

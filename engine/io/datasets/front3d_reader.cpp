@@ -17,7 +17,7 @@
 namespace dollytrack::io {
 namespace {
 
-/// What the rooms say that comes to nothing.
+/// Notes the content of rooms that is not used.
 void noteRooms(const Front3dScene& source, const nlohmann::json& document, RawScene& scene) {
     if (!source.rooms.empty()) {
         scene.notes.push_back(counted(source.rooms.size(), "room: ", "rooms: ") +

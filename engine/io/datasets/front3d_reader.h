@@ -10,15 +10,15 @@
 
 namespace dollytrack::io {
 
-/// Whether the first bytes of a file may be a 3D-FRONT scene's.
+/// Whether a file that begins with `head` may be a 3D-FRONT scene.
 bool likeFront3d(std::string_view head);
 
-/// A house of 3D-FRONT (2021): one JSON file with the architecture, and where the models of
-/// 3D-FUTURE stand. Right-handed, y up, metres. Errors: BadInput, Cancelled.
+/// Reads a house of 3D-FRONT (2021): a JSON file with the architecture and the placement of
+/// 3D-FUTURE's models. Right-handed, y up, metres. Errors: BadInput, Cancelled.
 Result<RawScene> readFront3dScene(const std::filesystem::path& path, const ImportOptions& options,
                                   const JobContext& job);
 
-/// What readFront3dScene() opens besides the scene's own folder.
+/// Files and folders that readFront3dScene() opens in addition to the scene's folder.
 std::vector<std::filesystem::path> front3dInputs(const std::filesystem::path& path,
                                                  const ImportOptions& options);
 

@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Nothing when there are not `count` finite numbers; the usual value when the key is missing.
+/// Reads `count` finite numbers; returns the default if the key is missing and nullopt if invalid.
 std::optional<Eigen::Vector4d> numbersIn(const json& object, const char* key, std::size_t count,
                                          const Eigen::Vector4d& usual) {
     if (!object.contains(key) || object[key].is_null()) return usual;
@@ -32,7 +32,7 @@ struct Pose {
     }
 };
 
-/// "rot" is x, y, z, w. What is missing stays where it is.
+/// Reads a placement. "rot" is x, y, z, w. Missing keys mean no movement.
 std::optional<Pose> poseOf(const json& object) {
     const auto position = numbersIn(object, "pos", 3, Eigen::Vector4d::Zero());
     const auto turn = numbersIn(object, "rot", 4, Eigen::Vector4d::UnitW());

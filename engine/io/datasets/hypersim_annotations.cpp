@@ -24,7 +24,7 @@ constexpr const char* kCameras = "metadata_cameras.csv";
 constexpr std::uint64_t kMostAnnotationBytes = std::uint64_t{512} << 20U;
 constexpr const char* kBox = "metadata_semantic_instance_bounding_box_object_aligned_2d_";
 
-/// The lines after the first, without blanks at the ends and quotes around.
+/// The lines after the header, without surrounding blanks and quotes.
 Result<std::vector<std::string>> readColumn(const fs::path& path) {
     const Result<std::string> text = readNamedFile(path, kMostAnnotationBytes);
     if (!text) return tl::unexpected(text.error());
@@ -41,7 +41,7 @@ Result<std::vector<std::string>> readColumn(const fs::path& path) {
     return cells;
 }
 
-/// A number an object, as an id of 1..highest; what is none is 0.
+/// One id per object: 1..highest; all other values become 0.
 Result<std::vector<int>> readIds(const fs::path& path, std::size_t count, int highest) {
     const Result<Hdf5Numbers> read = readHdf5Numbers(path);
     if (!read) return tl::unexpected(read.error());
@@ -58,7 +58,7 @@ Result<std::vector<int>> readIds(const fs::path& path, std::size_t count, int hi
     return ids;
 }
 
-/// metadata_scene.csv lies in _detail, or beside the objects where someone flattened the folders.
+/// metadata_scene.csv is in _detail, or beside the objects if the folders were flattened.
 fs::path besideOrAbove(const fs::path& mesh_folder, const char* name) {
     for (const fs::path& folder : {mesh_folder.parent_path(), mesh_folder}) {
         if (hasFile(folder / name)) return folder / name;
@@ -103,7 +103,7 @@ Status readBoxes(HypersimAnnotations& scene) {
                     "The boxes' extents, positions and orientations have different lengths.",
                     file("extents").string());
     }
-    for (std::size_t i = 1; i < count; ++i) {  // a row a semantic instance
+    for (std::size_t i = 1; i < count; ++i) {  // one row per semantic instance
         HypersimBox box;
         box.size = Eigen::Map<const Eigen::Vector3d>(&extents->values[3 * i]);
         box.center = Eigen::Map<const Eigen::Vector3d>(&positions->values[3 * i]);

@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Annotated boxes may be this far from ours: of their diagonal, or in metres.
+/// Largest differences of annotated and computed boxes: share of the diagonal, and metres.
 constexpr double kBoxShare = 0.02;
 constexpr double kBox_m = 0.02;
 
-/// The rows of equal names, in order: the k-th node of a name is the k-th row of it.
+/// Rows by name: the k-th node with a name belongs to the k-th row with that name.
 class RowsByName {
   public:
     explicit RowsByName(const HypersimAnnotations& annotations) {
@@ -30,7 +30,7 @@ class RowsByName {
             rows_[cleanText(annotations.objects[i])].rows.push_back(i);
         }
     }
-    /// -1 when there is none (left).
+    /// The next row of a name; -1 if there is none left.
     int take(const std::string& name) {
         const auto found = rows_.find(name);
         if (found == rows_.end() || found->second.used == found->second.rows.size()) return -1;
@@ -45,9 +45,8 @@ class RowsByName {
     std::map<std::string, Rows> rows_;
 };
 
-/// How far the annotated box is from the upright box of the points, in asset units: the larger of
-/// the distance of the centres and the largest difference of a side. Which horizontal side is
-/// whose x is a matter of front, so both ways count.
+/// Difference of an annotated box and the computed one, in asset units: the larger of the distance
+/// of their centres and the largest difference of a side. The horizontal sides may be swapped.
 double boxDifference(const HypersimBox& annotated, const OrientedBox& ours) {
     const double center = (annotated.center - ours.center).norm();
     const Eigen::Vector3d size = 2.0 * ours.half_size;
@@ -89,8 +88,8 @@ void compareBoxes(const HypersimAnnotations& annotations, const std::map<int, st
 }
 
 struct Matches {
-    std::size_t nodes = 0;    // with a mesh and a row
-    std::size_t unknown = 0;  // with a mesh, without a row
+    std::size_t nodes = 0;    // nodes with a mesh and a row
+    std::size_t unknown = 0;  // nodes with a mesh but no row
     std::size_t other_class = 0;
 };
 
@@ -154,7 +153,7 @@ void applyHypersim(const HypersimAnnotations& annotations, RawScene& scene) {
         object.parts = parts;
         objects.push_back(std::move(object));
     }
-    // Another scene's annotations: better the file as it is.
+    // These are another scene's annotations, so leave the scene unchanged.
     if (matches.nodes == 0) {
         scene.warnings.push_back("none of the meshes that the annotations in " +
                                  annotations.folder.string() +

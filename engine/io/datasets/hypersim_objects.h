@@ -8,12 +8,12 @@
 
 namespace dollytrack::io {
 
-/// The folder of annotations that belongs to an OBJ file: in its own folder or the one above it.
+/// The annotation folder of an OBJ file, in its folder or the one above; empty if there is none.
 std::filesystem::path findHypersimBeside(const std::filesystem::path& scene_file);
 
-/// Makes objects of a model's nodes by their names: the meshes of a semantic instance become one,
-/// of its NYU40 class; all others stay as they are named. The unit is the asset's, z is up. The
-/// annotated boxes are compared with those of the meshes, for the report.
+/// Makes objects of a model's nodes by their names: the meshes of a semantic instance become one
+/// object of its NYU40 class; all others keep their names. Sets the asset's unit and z up. The
+/// notes compare the annotated boxes with those of the meshes.
 void applyHypersim(const HypersimAnnotations& annotations, RawScene& scene);
 
 }  // namespace dollytrack::io

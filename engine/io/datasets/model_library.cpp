@@ -28,7 +28,7 @@ std::size_t countTriangles(const RawScene& model) {
     return count;
 }
 
-/// What a copy of the part costs: vertices beyond those of its triangles are copied, too.
+/// The cost of a copy of a part, in triangles; includes vertices that no triangle uses.
 std::size_t costOf(const MeshPart& part) {
     return std::max({part.triangles.size(), part.positions.size() / 3, std::size_t{1}});
 }

@@ -13,36 +13,36 @@
 
 namespace dollytrack::io {
 
-/// Whether a number or name from a file can be a folder's name: letters, digits, '-', '_', '.', no
-/// more than 128 of them, and no "..".
+/// Whether a text from a file is safe as a folder name: at most 128 letters, digits, '-', '_' and
+/// '.', without "..".
 bool isPlainName(const std::string& text);
 
-/// The folders that may hold a data set's models: those given, then `usual` names beside the scene
-/// and beside its folder. Each is tried as it is and with the usual names below it.
+/// Candidate folders for a dataset's models: the given ones, then folders with the `usual` names
+/// beside the scene and beside its folder; each itself, and its subfolders with the usual names.
 std::vector<std::filesystem::path> foldersFor(const std::filesystem::path& scene,
                                               const std::vector<std::filesystem::path>& given,
                                               const std::vector<std::string>& usual);
 
-/// The file of this relative path in the first folder that has it. A path that is absolute or
-/// leaves the folder, by dots or by links, is not found.
+/// The file with this relative path in the first folder that contains it; nullopt if there is none.
+/// Absolute paths and paths that leave the folder, by ".." or symbolic links, are not found.
 std::optional<std::filesystem::path> findBelow(const std::vector<std::filesystem::path>& folders,
                                                const std::filesystem::path& relative);
 
-/// Where the textures of a library's models are looked up. ShapeNet and 3D-FUTURE have folders
-/// "models" with the textures in a folder beside.
+/// Where textures of models are searched for: beside the model, or around its folder "models", for
+/// ShapeNet and 3D-FUTURE, whose textures are in a folder beside that one.
 enum class TexturePlace { BesideModel, AroundModelsFolder };
 
-/// Models read once each, however often they are placed.
+/// Reads models, each once, for any number of placements.
 class ModelLibrary {
   public:
     explicit ModelLibrary(TexturePlace textures = TexturePlace::BesideModel)
         : textures_(textures) {}
 
-    /// Notes that a model will be needed; the same number for the same path.
+    /// Adds a model to be read. Returns its index; equal paths have the same index.
     std::size_t add(const std::filesystem::path& path);
-    /// Reads all that were added, in parallel. Error: Cancelled.
+    /// Reads all added models in parallel. Error: Cancelled.
     Status read(const JobContext& job);
-    /// Null, with a reason, for one that cannot be read or is empty.
+    /// The model; null if it is empty or cannot be read, with the cause in reason().
     [[nodiscard]] RawScene* model(std::size_t index);
     [[nodiscard]] const std::string& reason(std::size_t index) const;
     [[nodiscard]] const std::filesystem::path& path(std::size_t index) const {
@@ -57,11 +57,11 @@ class ModelLibrary {
     std::vector<std::string> reasons_;
 };
 
-/// Warnings and notes of models, each once with the names of the models that have it.
+/// Collects the warnings and notes of models, each once with the names of its models.
 class ModelRemarks {
   public:
     void add(const RawScene& model, const std::string& name);
-    /// Adds at most 20 warnings and 20 notes to the scene's, and how many more there are.
+    /// Adds at most 20 warnings and 20 notes to the scene, and the number of further ones.
     void addTo(RawScene& scene) const;
 
   private:
@@ -76,17 +76,17 @@ class ModelRemarks {
 
       private:
         std::vector<Remark> remarks_;
-        std::map<std::string, std::size_t> numbers_;  // by text
+        std::map<std::string, std::size_t> numbers_;  // index by text
     };
     List warnings_;
     List notes_;
 };
 
-/// Counts triangles as models are placed, so that few bytes cannot ask for endless memory or work:
-/// each part counts at least as one, and three vertices as one.
+/// Limits the number of placed triangles, because a small file can place a large model many times.
+/// Each part counts as at least one triangle, and three vertices as one.
 class TriangleBudget {
   public:
-    /// Error: BadInput, beyond 6e7 in all.
+    /// Counts a placement of a model. Error: BadInput beyond 6e7 triangles in all.
     Status take(const RawScene& model, const std::string& where);
     /// Counts only the parts of the model with these indices.
     Status take(const RawScene& model, const std::vector<std::size_t>& parts,

@@ -6,7 +6,7 @@
 
 namespace dollytrack::io {
 
-/// Gives each of several objects a name of its own: "Dining Chair", "Dining Chair_2", ...
+/// Makes unique object names: "Dining Chair", "Dining Chair_2", ...
 class ObjectNames {
   public:
     std::string next(const std::string& base);
@@ -15,10 +15,10 @@ class ObjectNames {
     std::map<std::string, int> used_;
 };
 
-/// "a, b and 7 more": at most `most` of them.
+/// A list of at most `most` names as text: "a, b and 7 more".
 std::string listOf(const std::vector<std::string>& names, std::size_t most = 20);
 
-/// "1 model was", "2 models were".
+/// A count with the singular or plural: "1 model was", "2 models were".
 std::string counted(std::size_t count, const char* one, const char* many);
 
 }  // namespace dollytrack::io

@@ -18,12 +18,12 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// The lines that say something, with their numbers.
+/// The non-empty lines of a file, with their numbers.
 class Lines {
   public:
     Lines(std::string_view text, const std::string& file) : lines_(splitLines(text)), file_(file) {}
 
-    /// False at the end, or where the poses begin.
+    /// Whether there is another line; false at the end and where the poses begin.
     bool more() {
         while (at_ < lines_.size() && trimmed(lines_[at_]).empty()) ++at_;
         return at_ < lines_.size() && trimmed(lines_[at_]).front() != '#';
@@ -75,7 +75,7 @@ class Lines {
     std::filesystem::path file_;
 };
 
-/// "<wnid>/<hash>", or a path that ends in <hash>/models/model_normalized.obj.
+/// The model's hash in "<wnid>/<hash>" or in a path <hash>/models/model_normalized.obj.
 std::string hashOf(std::string_view path) {
     std::vector<std::string> parts;
     for (const auto& part : std::filesystem::path(path)) parts.push_back(part.string());
@@ -84,7 +84,7 @@ std::string hashOf(std::string_view path) {
     return parts.empty() ? std::string() : parts.back();
 }
 
-/// The number of the category, the height and the three rows, with their words or without.
+/// Reads WordNet number, height and three matrix rows, with or without keywords.
 Result<SceneNetObject> readObject(Lines& lines, bool has_words) {
     SceneNetObject object;
     object.line = lines.number();
@@ -139,7 +139,7 @@ Result<SceneNetDescription> parseSceneNet(std::string_view text, const std::stri
     scene.layout_file = std::string(trimmed(lines.peek().substr(kLayout.size())));
     lines.skip();
     const bool has_words = lines.more() && lines.peek() == "object";
-    while (lines.more() && lines.peek() != "end") {  // lights follow the end
+    while (lines.more() && lines.peek() != "end") {  // lights follow after "end"
         Result<SceneNetObject> object = readObject(lines, has_words);
         if (!object) return tl::unexpected(object.error());
         scene.objects.push_back(std::move(*object));

@@ -13,21 +13,21 @@ namespace dollytrack::io {
 /// A ShapeNet model in a SceneNet RGB-D scene.
 struct SceneNetObject {
     std::string wnid;       // WordNet number of its category
-    std::string hash;       // of the model
-    double height_m = 0.0;  // it is scaled to
+    std::string hash;       // id of the model
+    double height_m = 0.0;  // height to which it is scaled
     Eigen::Affine3d scene_from_object = Eigen::Affine3d::Identity();
     int line = 0;
 };
 
-/// The text file of a SceneNet RGB-D scene. y up, metres.
+/// The content of a SceneNet RGB-D scene file. y up, metres.
 struct SceneNetDescription {
-    std::string layout_file;  // as it is written
+    std::string layout_file;  // as written in the file
     std::vector<SceneNetObject> objects;
 };
 
-/// Reads both forms: that of the scene generator (a path, the number, the height, three rows a
-/// model), and that of the trajectory generator, where each is announced by a word and the poses
-/// may follow. Errors: BadInput, with the line.
+/// Parses both variants: that of the scene generator (path, WordNet number, height and three matrix
+/// rows per model), and that of the trajectory generator, in which each value has a keyword and
+/// poses may follow. Error: BadInput, with the line.
 Result<SceneNetDescription> parseSceneNet(std::string_view text, const std::string& file);
 
 }  // namespace dollytrack::io

@@ -35,8 +35,8 @@ std::vector<fs::path> layoutFolders(const fs::path& scene, const ImportOptions& 
     return foldersFor(scene, given, {"layouts"});
 }
 
-/// "./bathroom/bathroom1_layout.obj": as it is written, else by its last folder and name, else by
-/// its name, below the scene's folder or those of the models.
+/// Finds a layout such as "./bathroom/bathroom1_layout.obj" below the scene's folder or the model
+/// folders: by the written path, otherwise by its last folder and name, otherwise by its name.
 std::optional<fs::path> findLayout(const std::vector<fs::path>& folders, const std::string& name) {
     const fs::path written = fs::path(name).lexically_normal();
     const fs::path file = written.filename();
@@ -46,7 +46,7 @@ std::optional<fs::path> findLayout(const std::vector<fs::path>& folders, const s
     return std::nullopt;
 }
 
-/// ShapeNetCore.v2 and v1.
+/// Path of a model in ShapeNetCore.v2 or v1.
 std::optional<fs::path> findModel(const std::vector<fs::path>& folders,
                                   const SceneNetObject& object) {
     const fs::path folder = fs::path(object.wnid) / object.hash;
@@ -56,8 +56,9 @@ std::optional<fs::path> findModel(const std::vector<fs::path>& folders,
     return std::nullopt;
 }
 
-/// Where the scene generator puts a model: scaled to its height, its middle over the origin, and
-/// its origin a tenth of its height above its base, as its program has it (its notes say the base).
+/// The scene generator's placement of a model: scaled to its height and centred horizontally over
+/// the origin, with its base a tenth of the height above the origin. (The generator's documentation
+/// puts the base at the origin; its code does this.)
 std::optional<Eigen::Affine3d> placementOf(const SceneNetObject& object, const RawScene& model) {
     Eigen::AlignedBox3d box;
     for (const MeshPart& part : model.parts) {
@@ -72,7 +73,7 @@ std::optional<Eigen::Affine3d> placementOf(const SceneNetObject& object, const R
            Eigen::Translation3d(-origin);
 }
 
-/// The layout's parts: what has a name of a thing is one, all else is the building.
+/// Adds the layout: parts with the name of a target are objects, the rest is the building.
 void addLayoutObjects(const LabelTable& labels, RawScene& scene) {
     for (const ObjectDraft& draft : groupByNodes(scene, labels)) {
         SourceObject object;

@@ -10,16 +10,16 @@
 
 namespace dollytrack::io {
 
-/// Whether the first bytes of a text file may be a SceneNet RGB-D scene's.
+/// Whether a text file that begins with `head` may be a SceneNet RGB-D scene.
 bool likeSceneNet(std::string_view head);
 
-/// A scene of SceneNet RGB-D (McCormac et al., ICCV 2017): a layout, and ShapeNet models put into
-/// it, looked up below the folders of models. Right-handed, y up, metres. Errors: BadInput,
+/// Reads a scene of SceneNet RGB-D (McCormac et al., ICCV 2017): a layout with ShapeNet models,
+/// which are searched for below the model folders. Right-handed, y up, metres. Errors: BadInput,
 /// Cancelled.
 Result<RawScene> readSceneNetScene(const std::filesystem::path& path, const ImportOptions& options,
                                    const JobContext& job);
 
-/// What readSceneNetScene() opens besides the scene's own folder.
+/// Files and folders that readSceneNetScene() opens in addition to the scene's folder.
 std::vector<std::filesystem::path> sceneNetInputs(const std::filesystem::path& path,
                                                   const ImportOptions& options);
 

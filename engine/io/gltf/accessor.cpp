@@ -10,7 +10,7 @@
 namespace dollytrack::gltf {
 namespace {
 
-/// Elements that a sparse accessor may have besides those that are in the file: zeros.
+/// Largest number of elements of a sparse accessor that are not in the file, and so are zero.
 constexpr std::size_t kMostZeros = std::size_t{1} << 24U;
 
 std::size_t bytesOf(std::size_t component_type) {
@@ -37,7 +37,7 @@ std::size_t componentsOf(const std::string& type) {
     throw damaged("an accessor is neither of numbers nor of vectors");
 }
 
-/// Where the numbers of an accessor lie. Everything is within the bytes.
+/// Location of an accessor's numbers, which is checked to be within the bytes.
 struct Layout {
     const std::uint8_t* first = nullptr;
     std::size_t stride = 0;
@@ -47,7 +47,7 @@ struct Layout {
     bool normalized = false;
 };
 
-/// Elements begin `stride` bytes apart; of the last one only its own bytes have to be there.
+/// Elements begin `stride` bytes apart; the last one needs only its own size.
 Layout place(const Document& document, const Json& where, std::size_t count, std::size_t components,
              std::size_t component_type, bool may_interleave) {
     const std::size_t index = requireCount(where, "bufferView");
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> copyIndices(const Layout& from) {
     return indices;
 }
 
-/// Puts the elements of a sparse accessor over those that are there.
+/// Replaces elements by those of a sparse accessor.
 void overlay(const Document& document, const Json& sparse, std::size_t component_type,
              bool normalized, Elements& elements) {
     const std::size_t count = requireCount(sparse, "count");

@@ -18,8 +18,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
-/// Extensions that change no shape, or that this folder reads. Whatever else a file requires would
-/// be drawn wrongly.
+/// Extensions that this folder reads or that do not change shapes. Files that require others are
+/// refused, because they would be rendered wrongly.
 constexpr std::array kKnown = {
     std::string_view("KHR_draco_mesh_compression"),
     std::string_view("EXT_meshopt_compression"),
@@ -54,7 +54,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t offset) {
     return word;
 }
 
-/// The two chunks of a .glb that count; others may follow and are passed over.
+/// The JSON and BIN chunks of a .glb; further chunks are ignored.
 struct Chunks {
     std::string_view json;
     std::string_view binary;

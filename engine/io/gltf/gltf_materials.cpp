@@ -15,12 +15,13 @@
 namespace dollytrack::gltf {
 namespace {
 
-/// Extensions that name a picture besides or instead of a texture's own `source`.
+/// Extensions that name an image in addition to or instead of a texture's `source`.
 constexpr const char* kWebp = "EXT_texture_webp";
 constexpr std::array kUndecoded = {"KHR_texture_basisu", "KHR_texture_ktx", "EXT_texture_avif",
                                    "MSFT_texture_dds"};
 
-/// By first bytes or extension: KTX, Basis, AVIF and DDS, which no decoder here reads.
+/// Whether an image is KTX, Basis, AVIF or DDS, which cannot be decoded; by first bytes or
+/// extension.
 bool isUndecoded(std::string_view bytes, std::string_view uri) {
     if (bytes.starts_with("\xABKTX ") || bytes.starts_with("DDS ")) return true;
     if (bytes.size() >= 12 && bytes.substr(4, 8) == "ftypavif") return true;
@@ -28,7 +29,7 @@ bool isUndecoded(std::string_view bytes, std::string_view uri) {
                                [&](std::string_view end) { return uri.ends_with(end); });
 }
 
-/// Collects each picture once, however many materials ask for it.
+/// Collects the images of all materials, each once.
 class TextureList {
   public:
     TextureList(const Document& document, RawScene& raw) : document_(document), raw_(raw) {}
@@ -129,7 +130,7 @@ PictureCoordinates coordinatesOf(const Json& info) {
     Eigen::Vector2d scale = Eigen::Vector2d::Ones();
     readNumbers(extension, "offset", offset);
     readNumbers(extension, "scale", scale);
-    // Counter-clockwise as one looks at the picture, whose v points down.
+    // Counter-clockwise as seen in the image, whose v points down.
     const double turn = -numberOr(extension, "rotation", 0.0);
     coordinates.transform = Eigen::Translation2d(offset) * Eigen::Rotation2Dd(turn) *
                             Eigen::Scaling(scale.x(), scale.y());
@@ -170,7 +171,7 @@ class MaterialReader {
             material.roughness = share(1.0 - numberOr(specular, "glossinessFactor", 1.0));
         }
         material.base_color = colorOf(color.head<3>());
-        // Some exporters write 0 for "opaque"; nobody models what cannot be seen.
+        // Some exporters write an opacity of 0 for opaque materials.
         material.opacity = opaque || !(color.w() > 0.0) ? 1.0F : share(color.w());
 
         Eigen::Vector3d emission = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@ constexpr std::size_t kTriangles = 4;
 constexpr std::size_t kStrip = 5;
 constexpr std::size_t kFan = 6;
 
-/// The attributes of a primitive, packed or not.
+/// The attributes of a primitive, compressed or not.
 class Attributes {
   public:
     Attributes(const Document& document, const Json& primitive)
@@ -52,7 +52,7 @@ class Attributes {
         return vectors;
     }
 
-    /// Triangles of packed data, which need no index accessor.
+    /// Triangles of Draco data, which have no index accessor.
     [[nodiscard]] const std::vector<std::uint32_t>* dracoIndices() const {
         return draco_ ? &draco_->indices : nullptr;
     }
@@ -73,7 +73,7 @@ class Attributes {
     std::optional<DracoMesh> draco_;
 };
 
-/// The triangles that these vertices in this order are.
+/// The vertex indices of the triangles in a list, strip or fan.
 std::vector<std::uint32_t> asTriangles(std::size_t mode, std::vector<std::uint32_t> order) {
     if (mode == kTriangles) {
         order.resize(order.size() / 3 * 3);
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> asTriangles(std::size_t mode, std::vector<std::uint32
     return triangles;
 }
 
-/// How many points or lines so many vertices are.
+/// Number of points or lines of a primitive with this number of vertices.
 std::size_t linesOf(std::size_t mode, std::size_t vertices) {
     if (mode == 1) return vertices / 2;
     if (mode == 3) return vertices > 0 ? vertices - 1 : 0;

@@ -19,11 +19,11 @@ struct MaterialMeshes {
 
 /// Finds drafts that contain parts of several objects, which exporters make if they split a scene
 /// by material ("ChairMetal" with the frames of all chairs), and regroups their connected pieces
-/// into objects. Pieces belong to one object if they touch or are within 3 cm and their names do not
-/// indicate different classes. A draft is regrouped only if this is certain: if it is larger than
-/// its class can be and the resulting objects are not, if the same arrangement of pieces of several
-/// drafts occurs at least three times, or if the draft is spread over a room. Parts must be in the
-/// world's frame. If `apply` is false, nothing is changed.
+/// into objects. Pieces belong to one object if they touch or are within 3 cm and their names do
+/// not indicate different classes. A draft is regrouped only if this is certain: if it is larger
+/// than its class can be and the resulting objects are not, if the same arrangement of pieces of
+/// several drafts occurs at least three times, or if the draft is spread over a room. Parts must be
+/// in the world's frame. If `apply` is false, nothing is changed.
 MaterialMeshes regroupMaterialMeshes(RawScene& raw, const LabelTable& labels,
                                      std::vector<ObjectDraft>& drafts, bool apply);
 

@@ -12,39 +12,39 @@
 
 namespace dollytrack {
 
-/// One object's measures, in the source's axes and unit: evidence for the upward axis and the unit.
+/// Measurements of one object, as evidence for the up axis and the unit.
 struct MeasuredThing {
     Eigen::AlignedBox3d box;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // of its surface
-    std::array<double, 3> facing{};                      // area that faces along x, y, z
+    std::array<double, 3> facing{};                      // area facing along x, y, z
     double area = 0.0;
     int nyu40 = 0;
-    bool building = false;  // part of it, by name or shape
-    bool by_shape = false;  // perhaps judged so by its shape, which presumes what is up
+    bool building = false;  // part of the building, by name or shape
+    bool by_shape = false;  // `building` may be due to the shape, which assumes an up axis
     SideSupport support{};
 };
 
-/// How the surfaces that lie across an axis are spread along it: area by height, in equal steps of
-/// the core from its low end to its high end.
+/// Histogram of the area of surfaces perpendicular to an axis, by position along the axis, in equal
+/// steps from the low to the high end of the core.
 struct LevelAreas {
     static constexpr std::size_t kSteps = 50;
-    std::array<double, kSteps> all{};        // facing either way
-    std::array<double, kSteps> furniture{};  // without what is named as part of the building
-    std::array<double, kSteps> floors{};     // of what is named a floor or a ceiling
+    std::array<double, kSteps> all{};        // facing in either direction
+    std::array<double, kSteps> furniture{};  // without objects named as parts of the building
+    std::array<double, kSteps> floors{};     // of objects named floor or ceiling
 };
 
 struct FrameEvidence {
     std::vector<MeasuredThing> things;
-    /// The part of the scene that holds nearly all things: 5 % of them at each end may be strays.
+    /// The box of nearly all objects, without up to 5 % of outliers at each end of each axis.
     Eigen::AlignedBox3d core;
-    std::array<LevelAreas, 3> levels;  // across x, y, z
+    std::array<LevelAreas, 3> levels;  // for x, y, z
 };
 
-/// In the source's axes and unit.
+/// Measures the drafts, in the source's axes and unit.
 FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft>& drafts);
 
-/// In the world's axes, metres. `classes_by_shape`: what is part of the building may have been
-/// judged so by its shape.
+/// Measures a scene, in the world's axes and metres. `classes_by_shape`: objects may have been
+/// classified as parts of the building by their shape.
 FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape = false);
 
 }  // namespace dollytrack

@@ -12,17 +12,17 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kSlightly = 0.15;     // scores of upward axes that are no nearer are told apart
-constexpr double kDoubtfulLead = 0.7;  // a lead from which on another axis is proposed
-constexpr double kOverwhelming = 2.0;  // a lead from which on the file's axis is not believed
+constexpr double kSlightly = 0.15;     // smallest significant difference of up axis scores
+constexpr double kDoubtfulLead = 0.7;  // lead from which another axis is proposed
+constexpr double kOverwhelming = 2.0;  // lead from which the file's axis is ignored
 
-/// How much an axis is favoured before anything is looked at: files have y up or z up.
+/// Prior score of an axis: most files have y up or z up.
 double habit(UpAxis axis) {
     const double letter = axis.letter == 'x' ? -0.3 : axis.letter == 'y' ? 0.05 : 0.0;
     return letter - (axis.negative ? 0.3 : 0.0);
 }
 
-/// The six axes by how much speaks for each, with habit.
+/// The six axes by decreasing score, including the prior.
 std::vector<UpEvidence> rankAxes(const FrameEvidence& evidence) {
     std::vector<UpEvidence> ranked = judgeUp(evidence);
     for (UpEvidence& one : ranked) one.score += habit(one.axis);
@@ -30,8 +30,9 @@ std::vector<UpEvidence> rankAxes(const FrameEvidence& evidence) {
     return ranked;
 }
 
-/// What the file says counts, unless all evidence is against it. What a data set or a home has for
-/// its axis is no setting of an exporter. Lesser doubts are told by proposeImport().
+/// Uses the file's axis unless the evidence against it is overwhelming. The axis of a dataset or
+/// home is always used, because it is not an exporter's setting. proposeImport() reports smaller
+/// doubts.
 void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoice& choice) {
     choice.up_axis = raw.file_up_axis;
     choice.up_source = "file";
@@ -97,14 +98,14 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
         return;
     }
     const UnitEvidence evidence = measureForUnit(all, choice.up_axis);
-    // A data set's or home's own unit is no setting of an exporter.
+    // The unit of a dataset or home is not an exporter's setting, so it is always used.
     if (raw.file_unit_m && !raw.objects.empty()) {
         choice.unit_m = *raw.file_unit_m;
         choice.unit_source = "file";
         return;
     }
     constexpr double kDoubtfulScore = 0.35;
-    constexpr double kBelievable = 0.9;  // of what a file says; rooms of usual sizes score 1
+    constexpr double kBelievable = 0.9;  // score from which a file's unit is not questioned
     constexpr std::array<double, 5> kUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
     double best_unit = 1.0;
     UnitScore best;

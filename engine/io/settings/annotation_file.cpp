@@ -65,7 +65,8 @@ AnnotatedObject readObject(const JsonReader& from) {
     return object;
 }
 
-/// Keys that nobody knows may be anybody's own; those that look like known ones are slips.
+/// Warns of unknown keys that resemble known ones. Other unknown keys are accepted, because other
+/// programs may use them.
 void doubtKeys(const json& entry, const std::vector<std::string>& known, const std::string& of,
                std::vector<std::string>& doubts) {
     if (!entry.is_object()) return;
@@ -170,7 +171,7 @@ std::string annotationText(const json& earlier, const json& import, const json& 
     }
     json& section = content["edits"];
     if (!section.is_object()) section = json::object();
-    for (const char* key : {"start", "end"}) section.erase(key);  // absent where there is none
+    for (const char* key : {"start", "end"}) section.erase(key);  // absent if not set
     const json before = section;
     section.update(edits);
     keepUnknownKeys(before, section);

@@ -27,7 +27,7 @@ constexpr const char* kLabelFormat = "dollytrack-labels";
 constexpr const char* kIgnore = "ignore";
 constexpr std::size_t kLongestName = 100;
 
-/// People mistype keys; one that is not known would be without effect.
+/// Rejects unknown keys, which are probably misspelt and would have no effect.
 void checkKeys(const JsonReader& from, const std::vector<std::string>& known) {
     if (!from.json().is_object()) return from.refuse("This must be an object.");
     for (const auto& [key, value] : from.json().items()) {
@@ -36,7 +36,7 @@ void checkKeys(const JsonReader& from, const std::vector<std::string>& known) {
     }
 }
 
-/// A text that can stand in a line of any format.
+/// A name that can be written in all formats, on one line.
 std::string readName(const JsonReader& from) {
     std::string name = from.text();
     const bool blank = name.find_first_not_of(' ') == std::string::npos;
@@ -71,7 +71,7 @@ Color readColor(const JsonReader& from) {
     return color;
 }
 
-/// Names that a format would write alike: KITTI has `_` for blanks.
+/// A key that is equal for names that some format would write alike; KITTI replaces blanks by `_`.
 std::string comparable(const std::string& name) {
     std::string result = inSmallLetters(name);
     std::ranges::replace(result, ' ', '_');
@@ -82,7 +82,7 @@ class TableReader {
   public:
     explicit TableReader(const JsonReader& from) : from_(from) {}
 
-    /// Only if `from` is good afterwards.
+    /// The table; valid only if `from` has no error afterwards.
     ClassTable read() {
         const JsonReader classes = from_.at("classes");
         if (!classes.json().is_array() || classes.json().empty()) {
@@ -146,7 +146,7 @@ class TableReader {
         }
     }
 
-    /// A class by its name or id; "ignore" and nothing are no class.
+    /// The class with a name or id; none for "ignore" and a missing value.
     std::optional<std::size_t> readOther(const JsonReader& from) {
         if (!from.good() || from.absent() || from.json() == kIgnore) return std::nullopt;
         if (from.json().is_number()) {
@@ -166,7 +166,7 @@ class TableReader {
         return std::nullopt;
     }
 
-    /// Given, or else 0 where no class has it, or else the largest that fits the pixels.
+    /// The id of void: the given one, otherwise 0 if no class has it, otherwise 255 or 65535.
     int readVoid(const JsonReader& from) {
         if (!from.good()) return 0;
         if (!from.absent()) {
@@ -204,7 +204,7 @@ std::optional<ClassTable> readTable(const JsonReader& from) {
             version.refuse("It was made by a newer Dollytrack; use that one.");
         }
     }
-    // One that only has words keeps to NYU40.
+    // A file with only words uses NYU40's classes.
     const bool words_alone = from.at("classes").absent() && !from.at("words").absent();
     if (words_alone) {
         for (const char* key : {"other", "void"}) {

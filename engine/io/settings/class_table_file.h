@@ -13,21 +13,22 @@
 
 namespace dollytrack::io {
 
-/// What a label file says: classes of one's own, or more words for NYU40's, or both.
+/// The content of a label file: classes for datasets, further words for NYU40's classes, or both.
 struct LabelFile {
-    std::shared_ptr<const ClassTable> classes;  // null: the file keeps to NYU40
-    std::string word_lines;                     // as of LabelTable::add()
-    std::string word_place;                     // where those are, for errors
+    std::shared_ptr<const ClassTable> classes;  // null: NYU40's classes
+    std::string word_lines;                     // lines for LabelTable::add()
+    std::string word_place;                     // their file and field, for errors
 };
 
-/// Reads a label file: JSON (it begins with `{`) by assets/schemas/labels.schema.json, else lines
-/// of words. Errors: BadInput, a sentence with file and field.
+/// Reads a label file: JSON of assets/schemas/labels.schema.json if it begins with `{`, otherwise
+/// lines of words. Error: BadInput, with file and field.
 Result<LabelFile> readLabelFile(const std::filesystem::path& path);
 
-/// The table that such JSON describes. `where` names it in errors.
+/// Reads the class table in the JSON of a label file. `where` is the file, for errors. Error:
+/// BadInput.
 Result<ClassTable> classTableFromJson(const nlohmann::json& content, const std::string& where);
 
-/// The same again: ids, names, colours, patterns and all that was left to defaults.
+/// Converts a table to JSON, including all values that were defaults.
 nlohmann::ordered_json classTableToJson(const ClassTable& table);
 
 }  // namespace dollytrack::io

@@ -48,7 +48,7 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
 }
 
 nlohmann::json importOptionsToJson(const ImportOptions& options) {
-    // By name, so that a new option that is forgotten here does not compile.
+    // By name, so that this does not compile if a new option is missing here.
     const auto& [unit_m, up_axis, labels, model_folders, annotations, cloud, regroup, read_textures,
                  small_volume_m3, size_ratio, in_process, use_cache] = options;
     (void)read_textures, (void)small_volume_m3, (void)size_ratio, (void)in_process, (void)use_cache;

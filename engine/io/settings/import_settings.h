@@ -7,14 +7,12 @@
 
 namespace dollytrack::io {
 
-/// The import section of a project (`unit_m`, `up_axis`, `labels`, `model_folders`, `annotations`,
-/// `regroup`:
-/// what a person said of the scene file) as options of importScene(). Error: BadInput for a wrong
-/// type.
+/// Converts a project's section `import` (`unit_m`, `up_axis`, `labels`, `model_folders`,
+/// `annotations`, `regroup` ...) to options of importScene(). Error: BadInput for a wrong type.
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings);
 
-/// The other way round. What is no matter of the scene file (textures, sizes, where it is read) is
-/// not in it.
+/// The inverse conversion. Options that do not describe the scene file (textures, sizes, sandbox,
+/// cache) are left out.
 nlohmann::json importOptionsToJson(const ImportOptions& options);
 
 }  // namespace dollytrack::io

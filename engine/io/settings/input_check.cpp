@@ -19,7 +19,7 @@ using Path = std::filesystem::path;
 
 constexpr std::size_t kHeadBytes = 4096;
 
-/// ".obj, .fbx and .stl".
+/// A list of extensions, such as ".obj, .fbx and .stl".
 std::string listOfExtensions() {
     const std::vector<std::string> all = sceneExtensions();
     std::string list;
@@ -35,8 +35,7 @@ bool has(const SceneFormat& format, const std::string& extension) {
            format.extensions.end();
 }
 
-/// What to do with a kind that cannot be read, told by its extension or its first bytes; empty for
-/// others.
+/// Advice for unsupported formats, by extension or first bytes; empty for others.
 std::string_view adviceFor(std::string_view extension, std::string_view head) {
     struct Kind {
         std::array<std::string_view, 4> extensions;
@@ -73,7 +72,7 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
     return {};
 }
 
-/// What to do with JSON that is no scene.
+/// Advice for JSON files that are not scenes.
 std::string_view adviceForJson(std::string_view head) {
     const auto all = [&](std::initializer_list<std::string_view> keys) {
         return std::ranges::all_of(
@@ -92,8 +91,7 @@ std::string_view adviceForJson(std::string_view head) {
            "scene instances and dataset configs";
 }
 
-/// What to do with a file that belongs to a scene and is none itself, by its whole ending; empty
-/// for others.
+/// Advice for files that belong to a scene but are not scenes, by their ending; empty for others.
 std::string_view adviceForPart(const Path& path) {
     struct Part {
         std::string_view ending;
@@ -144,7 +142,7 @@ std::string_view adviceForPart(const Path& path) {
     return {};
 }
 
-/// What to do with the files of other programs, by their extension; empty for others.
+/// Advice for files of other programs, by extension; empty for others.
 std::string adviceForProgram(const std::string& extension) {
     struct Program {
         std::string_view extension;

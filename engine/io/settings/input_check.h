@@ -8,9 +8,9 @@ namespace dollytrack {
 
 struct SceneFormat;
 
-/// Cheap tests before a model reader sees the file: it exists, is a file with something in it, has
-/// an extension we read and the first bytes that go with it, and is no Git-LFS pointer. Returns
-/// how it is to be read.
+/// Quick checks before a file is read: it must be a non-empty file with a supported extension and
+/// matching first bytes, and not a Git LFS pointer. Returns its format. Error: BadInput, with what
+/// to do for known unsupported formats.
 Result<const SceneFormat*> checkSceneFile(const std::filesystem::path& path);
 
 }  // namespace dollytrack

@@ -18,7 +18,7 @@ tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string 
                 path.string() + (field.empty() ? "" : ": " + field));
 }
 
-/// A member that has to be an object, empty where it is absent.
+/// A member that must be an object; empty if it is absent.
 nlohmann::json objectAt(const JsonReader& from, const char* key) {
     const JsonReader member = from.at(key);
     if (member.absent()) return nlohmann::json::object();
@@ -26,7 +26,7 @@ nlohmann::json objectAt(const JsonReader& from, const char* key) {
     return member.json();
 }
 
-/// All fields but the result's, whose form is checkStoredPlan()'s.
+/// Reads all fields; the result's structure is checked by checkStoredPlan().
 void readFields(const JsonReader& from, const std::filesystem::path& folder, ProjectFile& project) {
     const JsonReader scene = from.at("scene");
     project.scene = (folder / scene.at("path").text()).lexically_normal();
@@ -74,7 +74,7 @@ std::string projectText(const ProjectFile& project, const std::filesystem::path&
     const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
     const std::filesystem::path scene = std::filesystem::absolute(project.scene);
     const std::filesystem::path relative = scene.lexically_relative(folder);
-    // Without edits an older program reads the file just as well.
+    // Older programs can read files without edits, so write the older version for these.
     json["dollytrack_project"] = project.edits.empty() ? 1 : ProjectFile::kVersion;
     json["scene"] = {{"path", (relative.empty() ? scene : relative).generic_string()},
                      {"sha256", project.scene_sha256}};

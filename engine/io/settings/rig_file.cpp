@@ -35,7 +35,7 @@ std::string unknownKey(const std::string& key, const Names& names) {
                        nameHint(key, {names.begin(), names.end()}));
 }
 
-/// One field from JSON; the sentence of what is wrong, empty where nothing is.
+/// Reads a field from JSON. Returns an error message; empty if it is valid.
 std::string setOne(RigCamera& camera, const std::string& key, const json& value) {
     const Status status = setFromJson(listRigCameraFields(camera), {{"camera", {{key, value}}}});
     return status ? std::string() : status.error().message;

@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The form of a stored plan. A text is the type of a value; "?" lets it be null. A list has
-/// entries of one form. Members of an object may be absent, but for those whose name ends in "!".
+/// The schema of a stored plan. A text is the type of a value; "?" permits null. All entries of a
+/// list have the same schema. Members of an object are optional unless their name ends in "!".
 json planForm() {
     const json tally = {{"frames!", "count"}, {"low!", "count"}, {"mean_score!", "number"}};
     const json remedy = {{"text", "text"},

@@ -8,9 +8,9 @@
 
 namespace dollytrack::io {
 
-/// Checks the type of every field that resultJson() writes, as far as it is there; fields of other
-/// names may hold anything. Readers of a stored plan rely on it. Null is no plan, and is accepted.
-/// Error: BadInput, with the field ("result.metrics.ledger[3].frame"); `where` names the section.
+/// Checks the types of all fields in a stored plan that resultJson() writes; readers rely on them.
+/// Absent fields, unknown fields and null (no plan) are accepted. `where` names the section in
+/// errors. Error: BadInput, with the field ("result.metrics.ledger[3].frame").
 Status checkStoredPlan(const nlohmann::json& result, const std::string& where);
 
 }  // namespace dollytrack::io

@@ -14,7 +14,7 @@
 namespace dollytrack::io {
 namespace {
 
-/// The angle of view of the first camera in cameras.txt beside the images.
+/// Horizontal field of view of the first camera in cameras.txt beside images.txt.
 std::optional<double> hfovBeside(const std::filesystem::path& images) {
     const Result<std::string> text = readText(images.parent_path() / "cameras.txt");
     if (!text) return std::nullopt;

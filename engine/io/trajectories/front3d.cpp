@@ -14,8 +14,8 @@ Eigen::Vector3d vectorFrom(const nlohmann::json& value) {
 
 }  // namespace
 
-// 3D-FRONT's camera list and ours (camera.json): y up, metres. Without times it is a list of views
-// that no motion joins; with them, motion ends where the room changes.
+// The camera lists of 3D-FRONT and Dollytrack (camera.json): y up, metres. Without times, the views
+// are independent; with times, a motion ends where the room changes.
 Result<PoseList> readFront3d(const PoseFile& file) {
     PoseList list;
     std::size_t view = 0;

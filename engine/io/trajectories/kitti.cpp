@@ -35,7 +35,7 @@ Result<PoseList> readKitti(const PoseFile& file) {
     }
     for (std::size_t i = 0; i < times->size(); ++i) {
         list.poses[i].time_s = (*times)[i].values[0];
-        // Looked at here and not with all formats', because the place is in this other file.
+        // Checked here instead of in loadTrajectory(), because the error is in this second file.
         if (i > 0 && *list.poses[i].time_s <= *list.poses[i - 1].time_s) {
             return fail(ErrorCode::BadInput, "The time is not after the one before it.",
                         placeOf(times_path, (*times)[i].line));

@@ -11,7 +11,7 @@
 
 namespace dollytrack::io {
 namespace {
-constexpr double kUnitTolerance = 1e-2;  // files have as few as three decimals
+constexpr double kUnitTolerance = 1e-2;  // some files have only three decimals
 }  // namespace
 
 std::vector<std::string_view> splitWords(std::string_view line) {
@@ -50,8 +50,8 @@ std::optional<double> numberFrom(std::string_view text) {
         return std::nullopt;
     }
     if (error == std::errc()) return value;
-    // Out of range. Whether it is too large or too small is said by the power of ten of its first
-    // digit that is not 0.
+    // Out of range: the decimal exponent of its first non-zero digit tells whether it is too large
+    // or too small.
     const std::size_t end = std::min(text.find_first_of("eE"), text.size());
     const std::string_view digits = text.substr(0, end);
     std::string_view power = text.substr(std::min(end + 1, text.size()));
@@ -125,7 +125,7 @@ Result<Eigen::Matrix3d> rotationFrom(double w, double x, double y, double z,
 Result<Eigen::Matrix3d> rotationAlong(const Eigen::Vector3d& forward, const Eigen::Vector3d& up,
                                       const std::string& where) {
     const Eigen::Vector3d right = forward.cross(up);
-    // Numbers so large that their squares overflow give no direction either.
+    // Vectors whose squared length overflows have no direction either.
     if (!(right.norm() > 1e-9) || !std::isfinite(right.norm()) || !std::isfinite(forward.norm())) {
         return fail(ErrorCode::BadInput,
                     "The camera looks at its own place, or straight up or down, which leaves its "

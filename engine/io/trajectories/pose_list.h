@@ -10,29 +10,29 @@
 
 namespace dollytrack::io {
 
-/// One pose as a file has it, in the file's own world, but with our camera axes: x right, y down,
-/// z forward.
+/// A pose of a file, in the file's world, with the camera's axes converted to x right, y down, z
+/// forward.
 struct ReadPose {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file's world from camera
     std::optional<double> time_s;
-    int motion = 0;  // changes where the camera was carried over
-    int line = 0;    // of the text, 1..; 0 where lines do not count
+    int motion = 0;  // number of the continuous motion; changes where the camera jumps
+    int line = 0;    // in the file, from 1; 0 if the format has no lines
 };
 
 struct PoseList {
     std::vector<ReadPose> poses;
-    std::optional<double> hfov_deg;  // of the lens, where the file tells it
+    std::optional<double> hfov_deg;  // horizontal field of view, if the file contains it
 };
 
-/// A file as its reader gets it, read once: a pipe tells its text only once.
+/// Path and text of a file. The text is read only once, because it may be a pipe.
 struct PoseFile {
     std::filesystem::path path;
-    std::string text;  // empty for Hypersim, which is a folder of two files that are no text
+    std::string text;  // empty for Hypersim, which is a folder of two binary files
 };
 
-/// Readers of one format each. Their errors are BadInput, one sentence with file and line. That
-/// positions and times make sense is looked after by loadTrajectory(), for all alike.
+/// Readers of one format each. Error: BadInput, with file and line. loadTrajectory() checks
+/// positions and times for all formats.
 Result<PoseList> readTum(const PoseFile& file);
 Result<PoseList> readKitti(const PoseFile& file);
 Result<PoseList> readTartanAir(const PoseFile& file);

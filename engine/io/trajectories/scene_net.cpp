@@ -6,7 +6,7 @@
 namespace dollytrack::io {
 namespace {
 
-/// After the objects of a scene description, where there are some.
+/// The line where the poses begin: their header after a scene description, otherwise line 1.
 int firstLine(std::string_view text) {
     int number = 0;
     for (const std::string_view line : splitLines(text)) {
@@ -42,7 +42,7 @@ Result<PoseList> readSceneNet(const PoseFile& file) {
         if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
         list.poses.push_back({eye, *rotation, middle[0], 0, line});
     }
-    // Some writers give every line the same time: that is none.
+    // Some programs write the same time in every line, which then counts as no time.
     const bool rising = std::adjacent_find(list.poses.begin(), list.poses.end(),
                                            [](const ReadPose& a, const ReadPose& b) {
                                                return *b.time_s <= *a.time_s;

@@ -36,7 +36,7 @@ Result<PoseList> readSweetHome(const PoseFile& file) {
     int motion = 0;
     for (const homes::HomeCamera& camera : home->cameras) {
         ReadPose pose = poseOf(camera);
-        // The visitor often stands where a view was stored.
+        // The visitor's view is often equal to a stored one.
         const bool known = std::any_of(list.poses.begin(), list.poses.end(), [&](const auto& p) {
             return (p.position - pose.position).norm() < 1e-3 &&
                    (p.rotation - pose.rotation).norm() < 1e-6;

@@ -55,7 +55,8 @@ std::string listOf(const Table& table, NameOf&& name_of) {
     return list;
 }
 
-/// Lines of seven numbers are TartanAir's when the last four are a rotation, else SceneNet's.
+/// Lines of seven numbers are TartanAir's if the last four are a unit quaternion, otherwise
+/// SceneNet's.
 std::string_view byNumbers(const std::vector<std::string_view>& words,
                            const std::filesystem::path& path) {
     if (words.size() == 8) return "tum";
@@ -69,7 +70,7 @@ std::string_view byNumbers(const std::vector<std::string_view>& words,
     return std::abs(std::sqrt(square) - 1.0) < 1e-2 ? "tartanair" : "scenenet";
 }
 
-/// The format that the name tells, without a look inside; null when it tells none.
+/// The format by the file name; null if it is not specific.
 const TrajectoryFormat* byName(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
@@ -84,7 +85,7 @@ const TrajectoryFormat* byName(const std::filesystem::path& path) {
     return path.filename() == "images.txt" ? formatNamed("colmap") : nullptr;
 }
 
-/// The format that the text tells; null when it tells none.
+/// The format by the file's content; null if it is unknown.
 const TrajectoryFormat* byContent(const PoseFile& file) {
     const std::size_t first = file.text.find_first_not_of(" \t\r\n");
     if (first == std::string::npos) return nullptr;
@@ -102,7 +103,7 @@ const TrajectoryFormat* byContent(const PoseFile& file) {
     return nullptr;
 }
 
-/// Reads the file with the format given, or found out when that is null.
+/// Reads the file with the given format; null: detects it.
 Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format, bool has_options) {
     if (!format) format = byName(file.path);
     if (format && format->read == readHypersim) return format->read(file);
@@ -127,8 +128,8 @@ Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format, bool 
         file.path.string());
 }
 
-/// Whether a frame can follow the one before it. No scene is as large as kFarthest: what is
-/// beyond is a file of another kind or in another unit, and a way there has no end.
+/// Checks a frame's position, and its time against the previous frame's. Positions beyond kFarthest
+/// indicate another format or unit.
 Status checkFrame(const TrajectoryFrame& frame, const TrajectoryFrame* before, bool has_options,
                   const std::string& where) {
     constexpr double kFarthest = 1e6;  // m
@@ -165,7 +166,8 @@ Eigen::Affine3d worldFromFile(FileWorld world, const TrajectoryReading& reading)
     return result;
 }
 
-/// By where it looks and where its down is: so a mirrored or scaled file still gives a rotation.
+/// The camera's rotation by its forward and down directions, so that mirrored and scaled files also
+/// give a rotation.
 Pose placed(const ReadPose& read, const Eigen::Affine3d& world_from_file) {
     const Eigen::Vector3d forward = (world_from_file.linear() * read.rotation.col(2)).normalized();
     const Eigen::Vector3d down = world_from_file.linear() * read.rotation.col(1);

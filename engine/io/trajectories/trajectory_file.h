@@ -11,47 +11,48 @@
 
 namespace dollytrack::io {
 
-/// What a file's positions are measured in.
+/// The coordinate system of a file's positions.
 enum class FileWorld {
-    Scene,   // the scene file's own axes and units
+    Scene,   // the scene file's axes and unit
     YUp,     // metres, y up: the axes of camera.json
-    ZUp,     // metres, z up: our world
-    Ned,     // metres, x north, y east, z down; north is our x
-    Camera,  // metres, x right, y down, z forward; forward is our y
+    ZUp,     // metres, z up: the scene's world
+    Ned,     // metres, x north, y east, z down; north is the world's x
+    Camera,  // metres, x right, y down, z forward; forward is the world's y
 };
 
-/// A row of the one table of formats.
+/// A supported format.
 struct TrajectoryFormat {
-    const char* name;  // as one asks for it
-    const char* text;
-    FileWorld world;  // what its positions usually are
+    const char* name;  // on the command line
+    const char* text;  // description
+    FileWorld world;   // default coordinate system
     Result<PoseList> (*read)(const PoseFile& file);
 };
 
 std::span<const TrajectoryFormat> trajectoryFormats();
 
-/// Their names, for people: "tum, kitti, ...".
+/// The names of all formats as text: "tum, kitti, ...".
 std::string trajectoryFormatNames();
 
 struct TrajectoryReading {
-    std::string format;  // empty: found by name and content
-    std::string world;   // "scene", "y-up", "z-up", "ned", "camera"; empty: the format's own
+    std::string format;  // empty: detected by file name and content
+    std::string world;   // "scene", "y-up", "z-up", "ned", "camera"; empty: the format's default
     Eigen::Affine3d source_from_world = Eigen::Affine3d::Identity();  // see Scene
     Eigen::Isometry3d camera_json_from_world = Eigen::Isometry3d::Identity();
-    double interval_s = 0.1;  // from frame to frame, where the file has no times
-    bool has_options = true;  // --trajectory-format and --trajectory-world are there to be named
+    double interval_s = 0.1;  // frame interval, if the file has no times
+    bool has_options = true;  // whether errors may suggest --trajectory-format and
+                              // --trajectory-world
 };
 
 struct LoadedTrajectory {
     Trajectory trajectory;
     std::string format;
-    bool timed = false;              // the times are the file's
-    std::optional<double> hfov_deg;  // of its images, where it tells
+    bool timed = false;              // whether the times are from the file
+    std::optional<double> hfov_deg;  // of its images, if the file contains it
 };
 
-/// Reads a trajectory that some other program wrote, into our world. Errors: Usage for an unknown
-/// format or world, with what there is; BadInput, with file and line, also for positions beyond
-/// 1000 km and times that do not rise. The file is read once, so it may be a pipe.
+/// Reads a trajectory of another program and converts it to the scene's world. The file is read
+/// once, so it may be a pipe. Errors: Usage for an unknown format or world; BadInput, with file and
+/// line, also for positions beyond 1000 km and times that do not increase.
 Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                         const TrajectoryReading& reading);
 

@@ -3,7 +3,7 @@
 
 namespace dollytrack::io {
 
-// TUM RGB-D, groundtruth.txt: the optical centre in the world, camera axes as ours.
+// TUM RGB-D, groundtruth.txt: the optical centre in the world; camera x right, y down, z forward.
 Result<PoseList> readTum(const PoseFile& file) {
     const auto lines = readNumberLines(file.path, file.text, 8, "timestamp tx ty tz qx qy qz qw");
     if (!lines) return tl::unexpected<Error>(lines.error());
