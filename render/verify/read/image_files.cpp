@@ -1,6 +1,7 @@
 #include "render/verify/read/image_files.h"
 
 #include "engine/io/files/text_file.h"
+#include "render/dataset/picture_file.h"
 
 #include <fmt/format.h>
 
@@ -37,13 +38,8 @@ Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kBegin = "\x89PNG\r\n\x1a\n";
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
     if (!bytes.starts_with(kBegin)) return unreadableImage("it is not a PNG file");
-    // Width and height in big-endian order, checked before any memory is allocated.
     std::uint64_t pixels = 1;
-    for (const std::size_t at : {16U, 20U}) {
-        std::uint64_t side = 0;
-        for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
-            side = 256 * side + static_cast<std::uint8_t>(bytes[at + i]);
-        }
+    for (const std::uint64_t side : render::pngSides(bytes)) {
         if (side > kLargestImageSide)
             return unreadableImage(fmt::format("it claims to be {} px", side));
         pixels *= side;
