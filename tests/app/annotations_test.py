@@ -192,7 +192,7 @@ class Annotations(FolderCase):
             ("[]", [name, "an object"]),
             ({"version": 1}, [name, "format", "dollytrack-objects"]),
             (dict(self.said(), up_axis="up"), [name, "up_axis", "x, y, z, -x, -y or -z"]),
-            (dict(self.said(), objects=[{"name": "a"}]), [name, "objects[0]", "made of"]),
+            (dict(self.said(), objects=[{"name": "a"}]), [name, "objects[0]", "parts of the object"]),
             (dict(self.said(), objects=[{"name": "a", "nodes": ["mug"], "front": [0, 0]}]),
              [name, "objects[0].front", "three numbers"]),
             (dict(self.said(), relations=[{"object": "a", "relation": "at", "holder": "b"}]),

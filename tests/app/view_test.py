@@ -119,7 +119,7 @@ class Command(ViewCase):
         unfinished = self.folder / "unfinished"
         shutil.copytree(self.dataset, unfinished)
         (unfinished / "dataset.json").unlink()
-        self.assertFails(run("view", unfinished), 4, "has not ended")
+        self.assertFails(run("view", unfinished), 4, "did not finish")
         rooms = self.folder / "rooms"
         rooms.mkdir()
         (rooms / "rooms.json").write_text('{"rooms": [{"name": "kitchen"}, {"name": "hall"}]}')
