@@ -117,7 +117,7 @@ Json notesOf(const PageOrder& order, const FramePictures& pictures, std::size_t 
     }
     if (pictures.unreadable > 0) {
         notes.push_back(
-            fmt::format("{} images of the dataset are missing or damaged.", pictures.unreadable));
+            fmt::format("Missing or damaged images in the dataset: {}.", pictures.unreadable));
     }
     return notes;
 }

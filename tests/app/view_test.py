@@ -173,14 +173,14 @@ class Command(ViewCase):
         copy = changed_copy(self.dataset, self.folder / "column", lambda card: None)
         cv2.imwrite(str(copy / "rgb" / "000002.png"), np.zeros((50, 1, 3), np.uint8))
         page = self.folder / "column.html"
-        self.assertIn("1 images", self.view(copy, "-o", page).stderr)
+        self.assertIn("damaged images in the dataset: 1;", self.view(copy, "-o", page).stderr)
         files = data_of(page, "pictures")[0]["files"]
         self.assertEqual([i for i, file in enumerate(files) if not file], [2])
 
     def test_a_picture_larger_than_any_export_is_a_damaged_one(self):
         copy = changed_copy(self.dataset, self.folder / "huge", lambda card: None)
         cv2.imwrite(str(copy / "rgb" / "000002.png"), np.zeros((9000, 9000), np.uint8))
-        self.assertIn("1 images", self.view(copy, "-o", self.folder / "huge.html").stderr)
+        self.assertIn("damaged images in the dataset: 1;", self.view(copy, "-o", self.folder / "huge.html").stderr)
 
     def test_many_large_pictures_stay_below_the_limit(self):
         noise = np.random.default_rng(1).integers(0, 256, (240, 320, 3), np.uint8)

@@ -96,10 +96,9 @@ Result<ExitCode> runView(const ViewArguments& arguments, const Session& session)
     const auto page = view::makeDatasetPage(order, job.stage(0.4, 1.0, "page"));
     if (!page) return tl::unexpected<Error>(page.error());
     if (page->unreadable_pictures > 0) {
-        log::warn("view",
-                  fmt::format("{} images of the dataset are missing or damaged; 'dollytrack "
-                              "verify' says which.",
-                              page->unreadable_pictures));
+        log::warn("view", fmt::format("Missing or damaged images in the dataset: {}; 'dollytrack "
+                                      "verify' names them.",
+                                      page->unreadable_pictures));
     }
     const Status written = folder->write(file.filename().string(), page->html);
     if (!written) return tl::unexpected<Error>(written.error());

@@ -354,6 +354,10 @@ class SceneReader {
     Status addArticulated(const json& instance) {
         if (!instance.is_object()) return {};
         keys_.check(instance, KeyCheck::Place::Instance, path_.filename().string());
+        if (isOff(instance, "is_instance_visible")) {
+            ++hidden_;
+            return {};
+        }
         const std::string name = io::textIn(instance, "template_name");
         if (job_.cancelled()) return cancelled();
         const auto found = dataset_.find(Kind::ArticulatedObject, name);

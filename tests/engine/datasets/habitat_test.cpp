@@ -116,6 +116,10 @@ TEST(Habitat, InstancesShareMaterialsAndWarningsOfModels) {
     const Scene both = sceneWith(R"({"template_name": "left", "translation": [1, 0.5, -1]},
  {"template_name": "right", "translation": [3, 0.5, -1]})");
     EXPECT_TRUE(says(both.report.warnings, "left, right: "));
+    const Scene hidden = sceneWith(R"({"template_name": "left", "translation": [1, 0.5, -1]},
+ {"template_name": "left", "translation": [3, 0.5, -1], "is_instance_visible": false})");
+    EXPECT_EQ(test::countTargets(hidden), 1);
+    EXPECT_TRUE(says(hidden.report.notes, "1 object is marked as invisible"));
 }
 
 // The semantic mesh has z up and looks along -y: half a turn that its box does not show.
