@@ -104,6 +104,25 @@ void warnOfMissingClasses(const std::vector<Source>& sources, const ClassUnion& 
     }
 }
 
+/// A detector learns little, and its score means little, where nearly all boxes have one class.
+void warnOfOneClass(const GatherSummary& summary, const ClassUnion& classes) {
+    constexpr double kNearlyAll = 0.9;
+    if (classes.classes().size() < 2) return;
+    for (PartIndex part = 0; part < kParts.size(); ++part) {
+        const PartSummary& one = summary.parts[part];
+        const auto most = std::ranges::max_element(one.boxes_of_class);
+        if (one.annotations == 0 ||
+            static_cast<double>(*most) < kNearlyAll * static_cast<double>(one.annotations)) {
+            continue;
+        }
+        const auto index = static_cast<std::size_t>(most - one.boxes_of_class.begin());
+        log::warn(kSubsystem,
+                  fmt::format("{}: {} of {} boxes have the class '{}'; give the scenes' objects "
+                              "classes with --labels or 'dollytrack edit' before exporting",
+                              kParts[part], *most, one.annotations, classes.classes()[index].name));
+    }
+}
+
 Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDataset>& found,
                              const JobContext& job) {
     SourceNeeds needs;
@@ -144,17 +163,19 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
 DatasetIdentity identityOf(const GatherOrder& order, const Gathered& all,
                            const std::vector<PartIndex>& part_of) {
     std::string sources;
+    std::string parts;
     for (std::size_t i = 0; i < all.sources.size(); ++i) {
-        sources +=
-            fmt::format("{} {} {}\n", all.sources[i].name, all.sources[i].card_sha256, part_of[i]);
+        sources += fmt::format("{} {}\n", all.sources[i].name, all.sources[i].card_sha256);
+        parts += kParts[part_of[i]][1];  // r, a, e
     }
     for (const SkippedDataset& one : all.skipped) sources += one.name + "\n";
     const nlohmann::json map = order.class_map.value_or(ClassMap());
     return {{"the datasets", io::sha256Of(std::string_view(sources))},
             {"the format", order.layout->name},
             {"the images", fmt::format("{}", fmt::join(all.modalities, ","))},
-            {"the split", fmt::format("{} {} {}", order.split.by_room,
-                                      fmt::join(order.split.shares, "/"), order.split.seed)},
+            {"the split",
+             fmt::format("{} {} {} {}", order.split.by_room, fmt::join(order.split.shares, "/"),
+                         order.split.seed, io::sha256Of(std::string_view(parts)))},
             {"the class map", map.dump()},
             {"the shards", fmt::format("{} {}", order.shards.bytes, order.shards.frames)},
             {"the title", order.title},
@@ -261,7 +282,11 @@ class PartWriter {
         }
         ++part.datasets;
         part.frames += source.frames;
-        for (const auto& frame : opened->annotations) part.annotations += frame.size();
+        part.boxes_of_class.resize(classes_.classes().size());
+        for (const auto& frame : opened->annotations) {
+            part.annotations += frame.size();
+            for (const Annotation& one : frame) ++part.boxes_of_class[one.class_index];
+        }
         return {};
     }
 
@@ -337,6 +362,12 @@ Result<GatherSummary> gatherDatasets(const GatherOrder& order, const JobContext&
     const Status written = writeAll(order, *out, std::move(*finished), card, *all, *part_of,
                                     summary, job.stage(kReading, 1.0, "frames"));
     if (!written) return tl::unexpected(written.error());
+    warnOfOneClass(summary, *classes);
+    if (order.license.empty()) {
+        log::warn(kSubsystem,
+                  "README.md says 'license: unknown'; name the licence with --license, and heed "
+                  "those of the scenes' models");
+    }
     return summary;
 }
 

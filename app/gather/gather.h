@@ -39,6 +39,7 @@ struct PartSummary {
     std::size_t scenes = 0;
     std::size_t frames = 0;
     std::size_t annotations = 0;
+    std::vector<std::size_t> boxes_of_class;  // by index into the gathered classes; empty: none
 };
 
 /// A dataset that was left out, and why.

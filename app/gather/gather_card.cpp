@@ -43,11 +43,13 @@ std::string licenseLines(const std::string& license) {
     return fmt::format("license: other\nlicense_name: {}\n", quoted(license));
 }
 
+bool hasMasks(const GatherCard& card) {
+    return card.order.layout == &kCocoLayout || card.order.layout == &kWebDatasetLayout;
+}
+
 std::vector<std::string> tasksOf(const GatherCard& card) {
     std::vector<std::string> tasks = {"object-detection"};
-    if (card.order.layout == &kCocoLayout || card.order.layout == &kWebDatasetLayout) {
-        tasks.emplace_back("image-segmentation");
-    }
+    if (hasMasks(card)) tasks.emplace_back("image-segmentation");
     if (card.modalities.contains(kDepth)) tasks.emplace_back("depth-estimation");
     return tasks;
 }
@@ -81,12 +83,25 @@ std::string partTable(const GatherCard& card) {
 }
 
 std::string classTable(const GatherCard& card) {
-    std::string text = "| number | id | name |\n|---|---|---|\n";
-    int number = 0;
+    const std::vector<PartIndex> parts = partsOf(card.part_of);
+    std::string text = "| number | id | name |";
+    std::string line = "|---|---|---|";
+    for (const PartIndex part : parts) {
+        text += fmt::format(" boxes in {} |", kParts[part]);
+        line += "---|";
+    }
+    text += "\n" + line + "\n";
+    std::size_t number = 0;
     for (const GatheredClass& one : card.classes.classes()) {
         std::string name;
         for (const char c : one.name) name += c == '|' ? std::string("\\|") : std::string(1, c);
-        text += fmt::format("| {} | {} | {} |\n", number++, one.id, name);
+        text += fmt::format("| {} | {} | {} |", number, one.id, name);
+        for (const PartIndex part : parts) {
+            const std::vector<std::size_t>& boxes = card.summary.parts[part].boxes_of_class;
+            text += fmt::format(" {} |", number < boxes.size() ? boxes[number] : 0);
+        }
+        text += "\n";
+        ++number;
     }
     return text;
 }
@@ -169,18 +184,20 @@ std::string readmeText(const GatherCard& card) {
     for (const PartSummary& part : card.summary.parts) scenes += part.scenes;
     std::string text = headerOf(card);
     text += fmt::format(
-        "\n# {}\n\nPictures of {} indoor scenes rendered with labels by Dollytrack {}: {} frames "
-        "of "
-        "{} x {} px with a box and a mask of every visible object. It was put together of {} "
-        "datasets with `dollytrack gather --format {}`.\n\n",
+        "\n# {}\n\nImages of {} indoor scenes rendered with labels by Dollytrack {}: {} frames of "
+        "{} x {} px with {} of each visible target object; walls, floors and excluded objects have "
+        "none. Merged from {} datasets with `dollytrack gather --format {}`.\n\n",
         order.title, scenes, order.product_version, allFrames(card.summary),
-        card.sources.front().width, card.sources.front().height, card.sources.size(),
-        order.layout->name);
+        card.sources.front().width, card.sources.front().height,
+        hasMasks(card) ? "a box and a mask" : "a box", card.sources.size(), order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
     text += fmt::format(
         "## Parts\n\n{}\n{}\n\n", partTable(card),
         order.split.by_room
-            ? fmt::format("No scene, and so no room, is in two parts (seed {}).", order.split.seed)
+            ? fmt::format(
+                  "No scene, and so no room, is in two parts (seed {}). `gather.json` lists "
+                  "the part of each source.",
+                  order.split.seed)
             : "The dataset is not split.");
     text += fmt::format("## Images\n\nOf each frame: {}.\n\n", fmt::join(card.modalities, ", "));
     text += fmt::format("## Classes\n\n{}\n", classTable(card));

@@ -100,6 +100,14 @@ Result<SplitOrder> parseSplit(const std::string& kind, const std::string& shares
                     "Shares are those of train, val and test, as in 80/10/10; train's is above 0.",
                     fmt::format("--split by-room {}", shares));
     }
+    constexpr double kSlip = 0.001;  // of rounded shares, as in 0.333/0.333/0.333
+    if (std::abs(sum - 100.0) > 100.0 * kSlip && std::abs(sum - 1.0) > 2.0 * kSlip) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("The shares add up to {:g}, and must add up to 100 or 1, as in "
+                                "80/10/10.",
+                                sum),
+                    fmt::format("--split by-room {}", shares));
+    }
     order.by_room = true;
     order.shares = {};
     for (std::size_t i = 0; i < numbers.size(); ++i) order.shares[i] = numbers[i] / sum;

@@ -56,6 +56,11 @@ class DatasetSearch {
             ++looks_;  // named twice
             return {};
         }
+        // What a dataset's dataset.json would list, without it: a copy that lacks it, say.
+        if (fs::is_regular_file(folder / "annotations.json", error) &&
+            fs::is_directory(folder / "rgb", error)) {
+            return add(folder);
+        }
         for (const fs::path& within : foldersIn(folder)) {
             if (within.filename().string().front() == '.') continue;
             if (Status status = look(within, levels - 1); !status) return status;

@@ -259,6 +259,10 @@ class Gather(FolderCase):
         self.assertEqual(header["task_categories"], ["object-detection", "image-segmentation"])
         for word in ["| 4 | 5 | chair |", "camera_axes", "## Parts", "gather --format coco"]:
             self.assertIn(word, text)
+        rows = [row.strip("| ").split(" | ") for row in text.splitlines() if row.startswith("| 4 | 5 | chair")]
+        written = [json.loads((out / "annotations" / f"instances_{part}.json").read_text())["annotations"]
+                   for part in ("train", "val", "test")]
+        self.assertEqual(rows[0][3:], [str(sum(one["category_id"] == 5 for one in part)) for part in written])
         card = self.card(out)
         self.assertEqual(card["format"], "dollytrack gather")
         self.assertEqual(card["split"]["seed"], 3)
@@ -271,6 +275,26 @@ class Gather(FolderCase):
         named = self.gather("--format", "coco", "--license", "Our own licence")
         header = yaml.safe_load((named / "README.md").read_text().split("---\n")[1])
         self.assertEqual((header["license"], header["license_name"]), ("other", "Our own licence"))
+
+    def test_boxes_of_one_class_and_an_unknown_licence_are_warned_of(self):
+        boxes = collections.Counter()
+        for path in self.datasets.glob("room_*/annotations.json"):
+            boxes.update(one["category_id"] for one in json.loads(path.read_text())["annotations"])
+        self.assertLess(max(boxes.values()), 0.9 * sum(boxes.values()))
+        done = run("gather", self.datasets, "--out", self.new_folder(), "--format", "yolo",
+                   "--license", "cc-by-4.0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("boxes have the class", done.stderr)
+        self.assertNotIn("license", done.stderr)
+        table = json.loads((self.datasets / "room_0" / "annotations.json").read_text())["categories"]
+        one_class = self.new_folder()
+        (self.folder / "all.csv").write_text("".join(
+            f"{name},thing\n" for name in {one["name"] for one in table} - {"wall"}))
+        done = run("gather", self.datasets / "room_0", "--out", one_class, "--format", "YOLO",
+                   "--class-map", self.folder / "all.csv")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("boxes have the class 'thing'", done.stderr)
+        self.assertIn("license: unknown", done.stderr)
 
     def test_a_title_that_is_no_utf_8_is_cleaned(self):
         out = self.gather("--format", "coco", "--title", "Rooms \udcff\nof mine",
@@ -393,9 +417,12 @@ class Gather(FolderCase):
             (folder / "dataset.json").unlink()
             (folder / ".dollytrack-export").write_text("{}\n")
 
+        def copy_without_card(folder):
+            (folder / "dataset.json").unlink()
+
         for damage, word in [(flip, "000002.png"), (cut_annotations, "annotations.json"),
                              (lambda folder: (folder / "rgb" / "000001.png").unlink(), "000001.png"),
-                             (unfinish, "dataset.json"),
+                             (unfinish, "dataset.json"), (copy_without_card, "dataset.json"),
                              (lambda folder: (folder / "dataset.json").write_text("{"), "dataset.json")]:
             with self.subTest(word):
                 around = self.damaged(damage)
@@ -421,6 +448,7 @@ class Gather(FolderCase):
             self.assertFails(run("-q", "gather", argument, "--out", self.new_folder(), "--format",
                                  "yolo"), 4, str(argument), word)
         for arguments, word in [(["--format", "yolo", "--split", "by-room", "0/1"], "80/10/10"),
+                                (["--format", "yolo", "--split", "by-room", "50/50/50"], "add up to 150"),
                                 (["--format", "yolo", "--split", "by-scene"], "by-room"),
                                 (["--format", "webdataset", "--shard-size", "1"], "1GB")]:
             self.assertFails(run("-q", "gather", self.datasets, "--out", self.new_folder(),

@@ -2,6 +2,7 @@
 #include "app/cli/plan/metrics_table.h"
 #include "app/gather/gather.h"
 #include "engine/core/clean_text.h"
+#include "engine/core/name_pattern.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -30,8 +31,8 @@ struct GatherArguments {
 std::optional<std::uint64_t> bytesOf(const std::string& text) {
     double number = 0.0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    const std::string unit(read.ptr, text.data() + text.size());
-    const double factor = unit == "kB" ? 1e3 : unit == "MB" ? 1e6 : unit == "GB" ? 1e9 : 0.0;
+    const std::string unit = inSmallLetters(std::string(read.ptr, text.data() + text.size()));
+    const double factor = unit == "kb" ? 1e3 : unit == "mb" ? 1e6 : unit == "gb" ? 1e9 : 0.0;
     constexpr double kMost = 1e13;
     const double bytes = number * factor;
     if (read.ec != std::errc() || !(bytes >= 1.0) || !(bytes <= kMost)) return std::nullopt;
@@ -57,12 +58,13 @@ Status readGatherArguments(GatherArguments& arguments) {
     order.split.seed = seed;
     const std::optional<std::uint64_t> bytes = bytesOf(arguments.shard_size);
     if (!bytes) {
-        return fail(ErrorCode::Usage, "A size is a number with its unit, as in 500MB or 1GB.",
+        return fail(ErrorCode::Usage,
+                    "A size is a number with the unit kB, MB or GB, such as 500MB.",
                     "--shard-size " + arguments.shard_size);
     }
     order.shards.bytes = *bytes;
     if (order.datasets.empty()) {
-        return fail(ErrorCode::Usage, "Name the folders of the datasets.", "DATASET");
+        return fail(ErrorCode::Usage, "Give the folders of the datasets.", "datasets");
     }
     if (!arguments.class_map.empty()) {
         Result<gather::ClassMap> map = gather::readClassMap(arguments.class_map);
@@ -134,21 +136,23 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
     for (const gather::LayoutKind* kind : gather::layouts()) names.emplace_back(kind->name);
     command.add_option("--format", arguments.layout, "Layout of the files")
         ->required()
-        ->check(CLI::IsMember(names))
+        ->transform(CLI::IsMember(names, CLI::ignore_case))
         ->type_name("yolo|coco|imagefolder|webdataset");
     command
         .add_option("--split", arguments.split,
-                    "'none' (default), or 'by-room' with shares of train, val and test: whole "
-                    "scenes go to one part")
+                    "'none' (default), or 'by-room' with the shares of train, val and test in % "
+                    "(80/10/10): each scene goes to one part")
         ->expected(1, 2)
         ->allow_extra_args(false)
         ->type_name("KIND [SHARES]");
-    command.add_option("--seed", order.split.seed, "Another way to split")->capture_default_str();
+    command
+        .add_option("--seed", order.split.seed, "Seed of the split: each gives another assignment")
+        ->capture_default_str();
     command
         .add_option(
             "--class-map", arguments.class_map,
-            "New names of classes: JSON {\"from\": \"to\"} or lines 'from,to'; joins tables "
-            "that contradict each other")
+            "New names of classes: JSON {\"from\": \"to\"} or lines 'from,to'; merges class "
+            "tables that contradict each other")
         ->type_name("FILE");
     command.add_flag("--mixed-lenses", order.mixed_lenses,
                      "Datasets may have different focal lengths; sizes must agree");
@@ -171,12 +175,11 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
                      "Link pictures to those of the datasets on the same disk, instead of copying");
     command.add_flag("--skip-damaged", order.skip_damaged,
                      "Leave out unfinished and damaged datasets; reads all files first");
-    command.add_flag("--resume", order.resume,
-                     "Continue what an interrupted run with the same arguments left");
+    command.add_flag("--resume", order.resume, "Resume an interrupted run with the same arguments");
     command.add_flag(
         "--overwrite", order.overwrite,
-        "Replace a complete gathered dataset once the new one is complete; write among "
-        "other files, of which those with names of new ones are replaced");
+        "Replace a complete gathered dataset once the new one is complete, and files of the same "
+        "names in the folder; other files stay");
     command.add_flag("--json", arguments.as_json, "Print the summary as JSON");
 }
 
@@ -184,12 +187,12 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
 
 void addGatherCommand(CLI::App& app, Session& session) {
     CLI::App* command =
-        app.add_subcommand("gather", "Put exported datasets together into one for publishing");
+        app.add_subcommand("gather", "Merge exported datasets into one for publication");
     auto arguments = std::make_shared<GatherArguments>();
     arguments->order.title = "Indoor scenes";
     command
         ->add_option("datasets", arguments->order.datasets,
-                     "Folders of datasets, folders around them, that of a batch, or patterns")
+                     "Datasets, folders that contain datasets, batch folders, or quoted patterns")
         ->type_name("DIR");
     command->add_option("--out", arguments->out, "Folder for the result; made if missing")
         ->required()
@@ -199,10 +202,10 @@ void addGatherCommand(CLI::App& app, Session& session) {
         ->type_name("DIR");
     addGatherOptions(*command, *arguments);
     command->footer(
-        "Datasets need the modality rgb and the format coco, which 'export' writes unasked.\n"
-        "Files are copied as they are, each proven by its hash. The result has README.md (a "
-        "dataset\n"
-        "card for Hugging Face), gather.json (sources, parts, classes) and SHA256SUMS.\n"
+        "Datasets need the modality rgb and the format coco, which 'export' writes by default.\n"
+        "Files are copied unchanged, and each copy is checked by its hash. The result has "
+        "README.md\n"
+        "(a dataset card for Hugging Face), gather.json (sources, parts, classes) and SHA256SUMS.\n"
         "Datasets with other image sizes, conventions or contradicting class tables are refused.\n"
         "Example: dollytrack gather datasets --out published --format yolo --split by-room "
         "80/10/10");
