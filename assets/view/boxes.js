@@ -89,6 +89,7 @@ class Labels {
   constructor(place) {
     this.place = place;
     this.spans = [];
+    this.taken = [];
     this.ranks = new Map(objects.map(object =>
       [object.id, (captureOf(object) === "missed" ? 1e6 : 0) + boxVolume(object)]));
   }
@@ -98,21 +99,29 @@ class Labels {
   show(candidates, camera, toScreen, most) {
     this.used = 0;
     this.taken = [];
-    if (camera) this.#put(camera.text, "camera", toScreen(camera.point));
+    if (camera) this.#put(camera.text, "camera", toScreen(camera.point), null);
     const ranked = candidates.slice().sort((a, b) => this.#rank(b) - this.#rank(a));
     for (const object of ranked) {
       if (this.used >= most) break;
       const top = new THREE.Vector3(0, 0, 0.5).applyMatrix4(boxMatrix(object));
-      this.#put(shortName(object.name), object.id === state.object ? "chosen" : "", toScreen(top));
+      this.#put(shortName(object.name), object.id === state.object ? "chosen" : "", toScreen(top),
+        object.id);
     }
     for (const span of this.spans.slice(this.used)) span.hidden = true;
   }
 
-  /// Unless there is no room.
-  #put(text, kind, at) {
+  /// The object whose label covers a position in the view, in pixels; null for none.
+  hit(x, y) {
+    const found = this.taken.find(box =>
+      x >= box.left && x <= box.right && y >= box.top && y <= box.bottom);
+    return found ? found.id : null;
+  }
+
+  /// Does nothing if another label is in the way.
+  #put(text, kind, at, id) {
     if (!at) return;
     const half = 3.3 * text.length + 6;
-    const box = {left: at.x - half, top: at.y - 22, right: at.x + half, bottom: at.y - 3};
+    const box = {left: at.x - half, top: at.y - 22, right: at.x + half, bottom: at.y - 3, id};
     const covers = this.taken.some(other => box.left < other.right && box.right > other.left &&
       box.top < other.bottom && box.bottom > other.top);
     if (covers || box.left < 2 || box.top < 2 || box.right > this.place.clientWidth - 2) return;

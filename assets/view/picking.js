@@ -3,8 +3,10 @@
 const pickRadius_px = 8;
 const farthestClick_px = 4;  // what moves more is a drag
 
-/// What lies under a place in the view: {frame}, {object}, or null.
+/// What is at a position in the view: {frame}, {object}, or null. Labels are in front of the rest.
 function pickAt(view, x, y) {
+  const labelled = view.labels.hit(x, y);
+  if (labelled !== null) return {object: labelled};
   let nearest = null;
   if (view.layers.cameras.visible) {
     for (const frame of frames) {
@@ -69,7 +71,7 @@ function startPicking(view) {
 
 function startSwitches(view) {
   const layers = document.getElementById("layers");
-  const words = {room: "Room", path: "Path", cameras: "Cameras", boxes: "Boxes", labels: "Labels"};
+  const words = {room: "Room", path: "Path", cameras: "Cameras", boxes: "Boxes", labels: "Names"};
   for (const [name, layer] of Object.entries(view.layers)) {
     if (!layer) continue;
     const box = make("input", {type: "checkbox", checked: true, id: `show-${name}`});

@@ -290,6 +290,19 @@ class Page(ViewCase):
             self.assertEqual(int(np.argmin(apart)), frame)
             self.assertLess(apart[frame], 6)
 
+    def test_a_click_on_a_name_selects_its_object(self):
+        tags = self.browser.run("""return [...document.querySelectorAll("#labels span")]
+            .filter(span => !span.hidden && !span.className).map(span => {
+              const box = span.getBoundingClientRect();
+              return [span.textContent, box.left + box.width / 2, box.top + box.height / 2];
+            });""")
+        self.assertGreater(len(tags), 1)
+        for name, x, y in tags[:2]:
+            self.browser.click_at(x, y)
+            chosen = self.browser.run("return objectById.get(state.object).name")
+            self.assertEqual(chosen, name)
+            self.browser.click_at(40, 700)  # beside everything
+
     def test_a_click_on_an_object_shows_its_row(self):
         self.browser.click("#show-cameras")
         places = self.open_places("object", [self.sofa])
