@@ -238,10 +238,10 @@ void Editor::queueExport(const ui::ExportView& view) {
     if (found.kind == FolderFinding::Kind::Dataset) return askToReplace(request, add);
     if (found.kind != FolderFinding::Kind::NewInNew) return add(request);
     // Several missing folders suggest a typing error.
-    questions_.ask(
-        {"Create the folders?",
-         fmt::format("Of {}\nonly {} exists.", request.folder.string(), found.around.string()),
-         {{"Create and export", [add, request] { add(request); }}}});
+    questions_.ask({"Create the folders?",
+                    fmt::format("{}\ndoes not exist; only {} does.", request.folder.string(),
+                                found.around.string()),
+                    {{"Create and export", [add, request] { add(request); }}}});
 }
 
 void Editor::askToReplace(const ui::ExportRequest& request,

@@ -164,7 +164,7 @@ class Exporting(Task):
         self.assertFalse(self.editor.idle()["exports"])
         self.assertFalse(out.parent.exists())
         self.press_in_panel("export.add")
-        self.dismiss("make_it_and_export")
+        self.dismiss("create_and_export")
         job = self.editor.wait(lambda now: now["exports"], "the job")["exports"][0]
         self.finished(job["id"])
         self.assertTrue((out / "dataset.json").exists())
