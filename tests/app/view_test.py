@@ -147,7 +147,7 @@ class Command(ViewCase):
         (copy / "depth" / "000003.png").unlink()
         page = self.folder / "damaged.html"
         made = self.view(copy, "-o", page)
-        self.assertIn("2 images", made.stderr)
+        self.assertIn("images in the dataset: 2;", made.stderr)
         kinds = {kind["modality"]: kind for kind in data_of(page, "pictures")}
         self.assertEqual(list(kinds), ["rgb", "depth", "instance", "semantic"])
         self.assertEqual([i for i, file in enumerate(kinds["rgb"]["files"]) if not file], [2])

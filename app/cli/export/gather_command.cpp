@@ -59,7 +59,7 @@ Status readGatherArguments(GatherArguments& arguments) {
     const std::optional<std::uint64_t> bytes = bytesOf(arguments.shard_size);
     if (!bytes) {
         return fail(ErrorCode::Usage,
-                    "A size is a number with the unit kB, MB or GB, such as 500MB.",
+                    "A size is a number with the unit kB, MB or GB, such as 500MB or 1GB.",
                     "--shard-size " + arguments.shard_size);
     }
     order.shards.bytes = *bytes;
