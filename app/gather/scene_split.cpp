@@ -1,5 +1,6 @@
 #include "app/gather/scene_split.h"
 
+#include "engine/core/disjoint_sets.h"
 #include "engine/core/random.h"
 
 #include <fmt/format.h>
@@ -73,11 +74,6 @@ double imbalance(const std::vector<double>& frames, const Assignment& parts,
     return sum;
 }
 
-std::size_t rootOf(std::vector<std::size_t>& parents, std::size_t at) {
-    while (parents[at] != at) at = parents[at] = parents[parents[at]];
-    return at;
-}
-
 }  // namespace
 
 bool looksLikeShares(const std::string& text) {
@@ -115,20 +111,19 @@ Result<SplitOrder> parseSplit(const std::string& kind, const std::string& shares
 }
 
 std::vector<std::size_t> scenesOf(std::span<const Source> sources) {
-    std::vector<std::size_t> parents(sources.size());
-    std::iota(parents.begin(), parents.end(), std::size_t{0});
+    DisjointSets sets(sources.size());
     std::map<std::string, std::size_t> first;  // dataset of a hash
     for (std::size_t i = 0; i < sources.size(); ++i) {
         for (const std::string* hash : {&sources[i].scene_sha256, &sources[i].geometry_sha256}) {
             if (hash->empty()) continue;
             const std::size_t other = first.emplace(*hash, i).first->second;
-            parents[rootOf(parents, i)] = rootOf(parents, other);
+            sets.join(i, other);
         }
     }
     std::map<std::size_t, std::size_t> numbers;  // by root
     std::vector<std::size_t> scenes;
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        scenes.push_back(numbers.emplace(rootOf(parents, i), numbers.size()).first->second);
+        scenes.push_back(numbers.emplace(sets.find(i), numbers.size()).first->second);
     }
     return scenes;
 }
