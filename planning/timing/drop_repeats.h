@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 /// share poses. Not thread-safe.
 struct FrameLooks {
     explicit FrameLooks(const ViewEstimator& views)
-        : glances(views, SurfaceSampler::Detail::LookAside), closer(views) {}
+        : glances(views, SurfaceSampler::Detail::Coarse), closer(views) {}
     SurfaceSampler glances;
     SurfaceSampler closer;
 };

@@ -35,7 +35,7 @@ struct Fixture {
 TEST(SurfaceSampler, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
     const Fixture f;
     const Trajectory twice = twiceAround(6);
-    for (const auto detail : {SurfaceSampler::Detail::Full, SurfaceSampler::Detail::LookAside}) {
+    for (const auto detail : {SurfaceSampler::Detail::Full, SurfaceSampler::Detail::Coarse}) {
         SurfaceSampler looks(f.views, detail);
         const auto shown = looks.look(twice, JobContext{});
         ASSERT_TRUE(shown);

@@ -10,8 +10,8 @@
 namespace dollytrack::homes {
 
 /// Bounding boxes of a model, before and after the piece's `model_rotation` about the centre of
-/// the first box. The second is computed from the vertices, because rotations that straighten a
-/// model would enlarge the box.
+/// the first box. The second encloses the rotated vertices, because the rotated box itself would
+/// have a larger bounding box.
 struct ModelBounds {
     Eigen::AlignedBox3d own;
     Eigen::AlignedBox3d turned;
