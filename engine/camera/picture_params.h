@@ -53,7 +53,7 @@ void visitPictureParams(Params& p, Visitor&& visit) {
     visit("anisotropy", p.anisotropy,
           FieldInfo{0, 16, "",
                     "Samples of anisotropic texture filtering, which keeps distant floors and "
-                    "walls sharp; 0: 8 on a GPU, 1 on the CPU, where 8 take half as long again"});
+                    "walls sharp; 0: 8 on a GPU, 1 on the CPU, where 8 take 50 % more time"});
     visit("reference_samples", p.reference_samples,
           FieldInfo{1, 65536, "",
                     "Paths per pixel of path-traced images; noise falls with the square root"});

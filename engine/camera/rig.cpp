@@ -68,16 +68,16 @@ Status validateLens(const RigCamera& camera) {
     }
     if (camera.lens == Lens::Fisheye && !risesEverywhere(camera)) {
         return refuse(camera,
-                      "With these k1 .. k4 two directions within fov_deg share a pixel; lower "
-                      "fov_deg, or check the signs.");
+                      "With these k1 .. k4, two directions within fov_deg map to one pixel; lower "
+                      "fov_deg, or check the signs of k1 .. k4.");
     }
     if (camera.lens == Lens::Fisheye) {
         const double side_px = sidePx(LensModel(camera));
         if (side_px > kMostSide_px) {
-            return refuse(camera, fmt::format("k1 .. k4 stretch its picture so far that {:.0f} px "
-                                              "a side would be drawn, more than {:g}; lower them, "
-                                              "or width_px.",
-                                              side_px, kMostSide_px));
+            return refuse(camera,
+                          fmt::format("With these k1 .. k4, {:.0f} px per side would have to be "
+                                      "rendered, more than {:g}; lower k1 .. k4 or width_px.",
+                                      side_px, kMostSide_px));
         }
     }
     return {};

@@ -85,7 +85,8 @@ void visitSensorParams(Params& p, Visitor&& visit) {
                      "of structured light (redwood)"});
     visit("depth_noise_strength", p.depth_noise_strength,
           FieldInfo{0, 10, "",
-                    "Factor on the deviation and jitter of depth_noise; holes do not change"});
+                    "Scale factor of the standard deviation and lateral jitter of depth_noise; "
+                    "holes do not change"});
     visit("sensor_seed", p.sensor_seed, FieldInfo{0, 2e9, "", "Random seed of the sensor noise"});
 }
 

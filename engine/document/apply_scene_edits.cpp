@@ -26,7 +26,8 @@ std::vector<int> findAll(const Scene& scene, const std::vector<ObjectRef>& wante
         const int id = findObject(scene, ref);
         if (id == 0) {
             warnings.push_back(
-                fmt::format("{} was left out: the scene has no object \"{}\" any more, or several",
+                fmt::format("{} was left out: the scene has no object \"{}\" any more, or several "
+                            "with this name",
                             what, ref.name));
             return {};
         }
@@ -112,8 +113,8 @@ Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
     assignDatasetClasses(scene);  // the lists of targets may name them
     if (scene.objects.size() > kMostObjects) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("After the split the scene has {} objects, more than the {} that "
-                                "images can number; split fewer.",
+                    fmt::format("After the split the scene has {} objects, but instance images can "
+                                "number {} at most; split fewer objects.",
                                 scene.objects.size(), kMostObjects),
                     imported.name);
     }
@@ -132,7 +133,7 @@ PlanEdits findObjects(const PlanEdits& edits, const Scene& edited,
     PlanEdits found = edits;
     for (PinnedPoint& pin : found.pinned) {
         // The pose is still wanted; it then stands for what it captures.
-        const std::string what = fmt::format("what \"{}\" stands for", pin.name);
+        const std::string what = fmt::format("the object list of \"{}\"", pin.name);
         if (!update(pin.objects, edited, what, warnings)) pin.objects.clear();
     }
     std::erase_if(found.removed, [&](RemovedPoint& removed) {

@@ -189,7 +189,8 @@ std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
         }
     }
     std::map<std::size_t, std::vector<ObjectRef>> by_first;
-    for (std::size_t i = 0; i < parts.size(); ++i) by_first[connected.find(i)].push_back(objects[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        by_first[connected.find(i)].push_back(objects[i]);
     std::vector<std::vector<ObjectRef>> groups;
     for (auto& [first, group] : by_first) {
         if (group.size() > 1) groups.push_back(std::move(group));
@@ -216,8 +217,8 @@ std::string merge(ProjectState& state, const OperationContext& context,
         fields.field("name").refuse("The new object needs a name.");
     }
     if (fields.good() && isTaken(scene, definition.name, definition.objects)) {
-        fields.field("name").refuse(
-            fmt::format("Another object is called '{}' already.", definition.name));
+        fields.field("name").refuse(fmt::format(
+            "Another object is already called '{}'; choose another name.", definition.name));
     }
     if (!fields.good()) return {};
     std::string name =
@@ -233,8 +234,8 @@ std::string group(ProjectState& state, const OperationContext& context,
     const std::string name = fields.has("name") ? fields.field("name").text() : "";
     const double gap_m = fields.has("gap_m") ? fields.field("gap_m").number(0.0, 10.0) : kTouch_m;
     if (fields.good() && objects.size() > kMostGrouped) {
-        said.refuse(fmt::format("These are {} objects; group at most {} at once.", objects.size(),
-                                kMostGrouped));
+        said.refuse(fmt::format("{} objects are selected; group at most {} at a time.",
+                                objects.size(), kMostGrouped));
     }
     if (fields.good()) refuseMoved(state, context, objects, said);
     if (!fields.good()) return {};

@@ -108,7 +108,7 @@ std::vector<ObjectRef> readRefs(const JsonReader& from, std::size_t least) {
     for (std::size_t i = 0; i < from.size(); ++i) {
         refs.push_back(readRef(from.at(i)));
         if (i > 0 && refs[i].id > 0 && refs[i].id <= refs[i - 1].id) {
-            from.at(i).refuse("Objects must be listed by rising id, each once.");
+            from.at(i).refuse("Objects must be listed once each, in order of increasing id.");
         }
     }
     if (refs.size() < least) from.refuse(fmt::format("This must name at least {}.", least));
@@ -148,7 +148,7 @@ std::vector<TrackKey> readTrack(const JsonReader& from) {
     for (std::size_t i = 0; i < from.size() && from.good(); ++i) {
         track.push_back({from.at(i).at("time_s").number(0.0, kLatest_s), readMove(from.at(i))});
         if (i > 0 && !(track[i].time_s > track[i - 1].time_s)) {
-            from.at(i).refuse("The keys of a track must be listed by rising time.");
+            from.at(i).refuse("The keys of a track must be listed in order of increasing time.");
         }
     }
     return track;
@@ -296,7 +296,7 @@ Result<Edits> editsFromJson(const json& section) {
     if (!section.is_object()) from.refuse("This must be an object.");
     const JsonReader version = from.at("version");
     if (status && version.integer(1, 1'000'000) > kVersion && status) {
-        version.refuse("The edits were made by a newer Dollytrack; use that one.");
+        version.refuse("The edits were made by a newer version of Dollytrack; use that version.");
     }
     edits.scene.definitions = readList<ObjectDefinition>(from.at("definitions"), readDefinition);
     edits.scene.changes = readList<ObjectChange>(from.at("changes"), readChange);

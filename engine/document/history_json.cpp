@@ -46,7 +46,7 @@ Result<CommandStack::History> historyFromJson(const nlohmann::json& json) {
             ProjectState read;
             read.parameters = state.at("parameters");
             if (!read.parameters.is_object()) {
-                return badStep(history.steps.size(), "its parameters are no object");
+                return badStep(history.steps.size(), "its parameters are not a JSON object");
             }
             Result<Edits> edits = editsFromJson(state.at("edits"));
             if (!edits) return badStep(history.steps.size(), describe(edits.error()));

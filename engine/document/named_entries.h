@@ -48,7 +48,7 @@ std::string freeName(const std::vector<Entry>& entries, const OperationReader& f
         std::string name = from.text();
         if (from.good() && name.empty()) from.refuse("A name must not be empty.");
         if (isTaken(entries, name)) {
-            from.refuse(fmt::format("Something else is called '{}' already.", name));
+            from.refuse(fmt::format("The name '{}' is already used; choose another one.", name));
         }
         return name;
     }

@@ -19,7 +19,8 @@ void sortById(std::vector<T>& list, IdOf&& idOf) {
 bool number(ObjectRef& ref, const Scene& scene, std::vector<std::string>& warnings) {
     if (ref.id > 0) return true;
     ref.id = findObject(scene, ref);
-    if (ref.id == 0) warnings.push_back("no object, or several, are named \"" + ref.name + "\"");
+    if (ref.id == 0)
+        warnings.push_back("there is not exactly one object named \"" + ref.name + "\"");
     return ref.id > 0;
 }
 

@@ -47,7 +47,8 @@ Eigen::Vector3d readOffset(const JsonReader& from) {
 TrackKey readKey(const JsonReader& from) {
     for (const auto& [name, value] : from.json().items()) {
         if (name == "time_s" || name == "offset" || name == "turn_deg") continue;
-        from.refuse(fmt::format("A key has time_s, offset and turn_deg, and no '{}'.", name));
+        from.refuse(
+            fmt::format("A key has the fields time_s, offset and turn_deg, but not '{}'.", name));
     }
     TrackKey key;
     key.time_s = from.at("time_s").number(0.0, kLatest_s);
@@ -86,8 +87,7 @@ std::string excludeObject(ProjectState& state, const OperationContext& context,
     });
     if (objects.empty()) {
         fields.field(fields.has("object") ? "object" : "class")
-            .refuse(fmt::format("'{}' is a part of the building, which is not a target anyway.",
-                                first));
+            .refuse(fmt::format("'{}' is a part of the building and is never a target.", first));
         return {};
     }
     for (const ObjectRef& object : objects) {
@@ -177,7 +177,7 @@ std::string setTrack(ProjectState& state, const OperationContext& context,
     for (std::size_t i = 0; fields.good() && i < keys.size(); ++i) {
         track.push_back(readKey(keys.at(i)));
         if (i > 0 && !(track[i].time_s > track[i - 1].time_s)) {
-            keys.at(i).refuse("The keys must be listed by rising time_s.");
+            keys.at(i).refuse("The keys must be listed in order of increasing time_s.");
         }
     }
     if (!fields.good()) return {};

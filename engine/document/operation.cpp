@@ -19,9 +19,9 @@ const OperationField kOneOrMore = {"object", "objects", true,
 const OperationField kSelected = {"object", "objects", false,
                                   "its name or number, a class, a name with * and ?, or a list"};
 const OperationField kOfClass = {"class", "class", false,
-                                 "instead of object: all objects of this class, NYU40"};
+                                 "instead of object: all objects of this NYU40 class"};
 const OperationField kObjects = {"objects", "objects", true,
-                                 "the objects of the observation point"};
+                                 "objects that the observation point is for"};
 const OperationField kName = {"name", "text", false, "a unique name; default: generated"};
 const OperationField kPosition = {"position", "point", true, "position of the camera, m"};
 const OperationField kTarget = {"target", "point", false, "point the camera looks at, m"};
@@ -74,8 +74,10 @@ const std::vector<OperationInfo>& infos() {
          {kOneOrMore, {"class", "class", true, "NYU40, as a name or a number"}}},
         {"set_front",
          setFront,
-         "Sets the side of an object with its best view.",
-         {kObject, {"front", "direction", true, "degrees (0: along x, 90: along y) or [x, y]"}}},
+         "Sets the front of an object, the side that it should be viewed from.",
+         {kObject,
+          {"front", "direction", true,
+           "direction in degrees (0: along x, 90: along y) or as [x, y]"}}},
         {"set_size",
          setSize,
          "Makes objects large or small for the planner; auto measures them.",

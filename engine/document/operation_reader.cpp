@@ -170,7 +170,7 @@ Eigen::Vector3d OperationReader::front(const std::string& name) const {
         return Eigen::Vector3d::UnitX();
     }
     const Eigen::Vector3d front(from.at(0).number(-1e6, 1e6), from.at(1).number(-1e6, 1e6), 0.0);
-    if (from.good() && !(front.norm() > 1e-9)) from.refuse("A direction must have a length.");
+    if (from.good() && !(front.norm() > 1e-9)) from.refuse("A direction must not be [0, 0].");
     return from.good() ? front.normalized() : Eigen::Vector3d::UnitX();
 }
 

@@ -83,7 +83,7 @@ std::string setHeightBand(ProjectState& state, const OperationContext& context,
         fields.has("max_m") ? fields.field("max_m").number(0.0, kHighest) : kHighest;
     if (fields.good() && !(low < high)) {
         fields.field("max_m").refuse(
-            fmt::format("The band must end above its start at {:g} m.", low));
+            fmt::format("The upper limit must be above the lower limit of {:g} m.", low));
     }
     if (!fields.good()) return {};
     for (const auto& [name, value] : {std::pair{"min_height_m", low}, {"max_height_m", high}}) {
@@ -212,7 +212,8 @@ std::string renameNoGo(ProjectState& state, const OperationContext&,
     if (!fields.good()) return {};
     if (name.empty()) to.refuse("A name must not be empty.");
     if (name != found->name && isTaken(boxes, name)) {
-        to.refuse(fmt::format("Another no-go box is called '{}' already.", name));
+        to.refuse(
+            fmt::format("Another no-go box is already called '{}'; choose another name.", name));
     }
     std::string done = fmt::format("Rename {} to {}", found->name, name);
     found->name = name;

@@ -24,8 +24,9 @@ std::string whatWasDone(const Region& before, const Region& after) {
         done.push_back(fmt::format("Set the weight of {} to {:g}", before.name, after.weight));
     }
     if (before.must_see != after.must_see) {
-        done.push_back(after.must_see ? fmt::format("Ask to see all of {}", before.name)
-                                      : fmt::format("No longer ask to see all of {}", before.name));
+        done.push_back(after.must_see
+                           ? fmt::format("Ask to see all of {}", before.name)
+                           : fmt::format("No longer require all of {} to be seen", before.name));
     }
     if (before.name != after.name) {
         done.push_back(fmt::format("Rename {} to {}", before.name, after.name));
@@ -61,7 +62,8 @@ std::string changeRegion(ProjectState& state, const OperationContext&,
         const std::string name = to.text();
         if (to.good() && name.empty()) to.refuse("A name must not be empty.");
         if (name != found->name && isTaken(regions, name)) {
-            to.refuse(fmt::format("Another region is called '{}' already.", name));
+            to.refuse(
+                fmt::format("Another region is already called '{}'; choose another name.", name));
         }
         found->name = name;
     }

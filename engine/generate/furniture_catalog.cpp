@@ -41,7 +41,7 @@ Status FurnitureCatalog::take(const fs::path& path) {
     if (!text) return tl::unexpected(text.error());
     if (!*text) {
         return fail(ErrorCode::BadInput,
-                    std::string("the library holds no ") + kCatalogName + "; is it one?",
+                    std::string("the library contains no ") + kCatalogName + "; is it one?",
                     path.string());
     }
     CatalogText catalog = parseCatalog(std::string((*text)->begin(), (*text)->end()));

@@ -127,7 +127,7 @@ Result<std::vector<RoleRule>> parseRoles(std::string_view csv, const std::string
         if (!rule) {
             return fail(ErrorCode::BadInput,
                         "a line must be role,place,category,width,depth,height,names with sizes "
-                        "like 40-180, and a role and place that there are",
+                        "like 40-180, and a known role and place",
                         where + ":" + std::to_string(line_number));
         }
         rules.push_back(std::move(*rule));

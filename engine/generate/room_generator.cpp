@@ -56,12 +56,12 @@ Result<GeneratedRoom> RoomGenerator::make(const RoomSpec& spec, std::uint64_t se
                                           std::uint64_t number, const JobContext& job) {
     if (!pool_.hasPieces()) {
         return fail(ErrorCode::BadInput,
-                    "none of the libraries' models plays a role in a room; roles are told by the "
-                    "words of the models' names, as in those of Sweet Home 3D");
+                    "no model of the libraries can furnish a room; models are recognized by words "
+                    "in their names, as in Sweet Home 3D's libraries");
     }
     Random random(seed, number);
     const RoomLayout layout = layOut(spec, pool_, random, job);
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "generating was cancelled");
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "room generation was cancelled");
     const std::vector<std::string> names = namesOf(layout);
     GeneratedRoom room;
     room.licenses = licensesOf(layout, catalog_);

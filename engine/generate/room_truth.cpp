@@ -91,7 +91,7 @@ std::string licensesOf(const RoomLayout& layout, const FurnitureCatalog& catalog
                      " (" + piece.library + ")");
         libraries.insert(piece.library);
     }
-    std::string text = "The models in this room, by whom they are and under which licence:\n\n";
+    std::string text = "The models in this room, with their authors and licences:\n\n";
     for (const std::string& line : lines) text += line + "\n";
     for (const LibraryNotice& notice : catalog.notices()) {
         if (!libraries.contains(notice.library)) continue;

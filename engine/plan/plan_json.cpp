@@ -244,7 +244,7 @@ Result<Trajectory> trajectoryFromJson(const json& value) {
             const double norm = frame.pose.rotation.norm();
             if (!frame.pose.position.allFinite() || !(std::abs(norm - 1.0) < 1e-3)) {
                 return fail(ErrorCode::BadInput,
-                            "The pose is not finite or its quaternion not unit.",
+                            "The pose is not finite, or its quaternion does not have length 1.",
                             fmt::format("trajectory frame {}", index));
             }
             // Only what is off: normalising again would change the last bits of our own poses.

@@ -16,13 +16,12 @@ std::vector<std::string> describe(const ImportProposal& proposal) {
     std::vector<std::string> lines;
     if (!proposal.up_doubt.empty()) {
         lines.push_back(
-            fmt::format("{}; likelier is --up {}", proposal.up_doubt, proposal.up_axis->text()));
+            fmt::format("{}; try --up {}", proposal.up_doubt, proposal.up_axis->text()));
     }
     if (!proposal.unit_doubt.empty()) {
         lines.push_back(proposal.unit_doubt +
-                        (proposal.unit_m
-                             ? fmt::format("; likelier is --unit {:.4g}", *proposal.unit_m)
-                             : "; give metres per unit if it is wrong"));
+                        (proposal.unit_m ? fmt::format("; try --unit {:.4g}", *proposal.unit_m)
+                                         : "; give metres per unit if it is wrong"));
     }
     return lines;
 }

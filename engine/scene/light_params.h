@@ -71,11 +71,12 @@ void visitLightParams(Params& p, Visitor&& visit) {
         FieldInfo{0, 1, "",
                   "Random variation of time, sun, strengths, temperature and exposure around their "
                   "values and, slightly, of material colour and roughness; 0: none, 1: widest"});
-    visit("light_varies", p.light_varies,
-          ChoiceInfo{{"scene", "frame"},
-                     "Scope of light_variation: scene: one draw for the scene; frame: new sun, sky "
-                     "and lamp strengths, temperature and exposure in each frame. Time, azimuth, "
-                     "materials and the editor's view use the scene's draw"});
+    visit(
+        "light_varies", p.light_varies,
+        ChoiceInfo{{"scene", "frame"},
+                   "Scope of light_variation: scene: the same random values in all frames; frame: "
+                   "new sun, sky and lamp strengths, temperature and exposure in each frame. Time, "
+                   "azimuth, materials and the editor's view always have the scene's values"});
     visit("light_seed", p.light_seed, FieldInfo{0, 2e9, "", "Random seed of the light variation"});
 }
 

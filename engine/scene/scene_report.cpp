@@ -169,7 +169,7 @@ std::string describeScene(const Scene& scene) {
         format("  objects    %zu, of them %d targets\n", scene.objects.size(), countTargets(scene));
     if (scene.class_table) {
         text +=
-            format("  classes    %zu of the label file; %td objects have none of them\n",
+            format("  classes    %zu in the label file; %td objects have none of them\n",
                    scene.classes().classes().size(), countOf(scene, scene.classes().voidClass()));
     }
     text += format("  triangles  %zu\n", scene.triangles.size());

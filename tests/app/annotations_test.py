@@ -173,9 +173,9 @@ class Annotations(FolderCase):
         ]})
         said = self.info(path)
         warnings = "\n".join(said["warnings"])
-        self.assertIn('nothing reads "clas" of "a"; did you mean "class"?', warnings)
-        self.assertIn('nothing is left for "b"', warnings)
-        self.assertIn('"flurbl", the class of "c", is in no table', warnings)
+        self.assertIn('unknown key "clas" of "a"; did you mean "class"?', warnings)
+        self.assertIn('no triangles are left for "b"', warnings)
+        self.assertIn('"flurbl", the class of "c", is unknown', warnings)
         self.assertIn('the front given for "d" points up or down', warnings)
         self.assertNotIn("my_note", warnings)
         # Without a class the words of what it is made of count, as they did before.

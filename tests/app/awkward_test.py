@@ -137,7 +137,7 @@ class Awkward(FolderCase):
         info, plan, other = self.plan(turned(text), planning=CLOSE_VIEWS)
         self.assertAllSeen(plan, len(THINGS))
         self.assertEqual(self.positions(other), self.positions(project))
-        self.assertTrue(any("inside out" in note for note in info["notes"]))
+        self.assertTrue(any("point inwards" in note for note in info["notes"]))
         self.assertAllSeen(self.plan(turned(text))[1], len(THINGS))
 
     def test_one_mesh_is_taken_apart(self):
@@ -150,7 +150,7 @@ class Awkward(FolderCase):
         dome(obj, 100.0)
         info, plan, project = self.plan(obj.text())
         self.assertAllSeen(plan, len(THINGS))
-        self.assertTrue(any('"dome" lies outside or around' in note for note in info["notes"]))
+        self.assertTrue(any('"dome" is outside or around' in note for note in info["notes"]))
         for position in self.positions(project):
             for x, size in zip(position, ROOM):
                 self.assertTrue(0 < x < size, position)
@@ -192,7 +192,7 @@ class Awkward(FolderCase):
             obj.object(f"lamp_{where}").box((0.3, 5.3, z), (0.6, 5.6, z + 1.5))
             obj.object(f"chair_{where}").box((6.8, 2.2, z), (7.25, 2.65, z + 0.9))
         info, plan, project = self.plan(obj.text())
-        self.assertTrue(any("2 storeys, their floors at 0.00, 2.85 m" in n for n in info["notes"]))
+        self.assertTrue(any("2 storeys, with floors at 0.00, 2.85 m" in n for n in info["notes"]))
         self.assertAllSeen(plan, 8)
         self.assertEqual(len(project["result"]["paths"]), 1)
         inside = [p for p in self.positions(project) if 2.6 <= p[2] <= 2.85]

@@ -156,7 +156,7 @@ class CamerasTest(FolderCase):
         self.assertEqual(self.export(out, "--range", "0:1").returncode, 0)
         large = "a:lens=fisheye,width_px=4096,height_px=4096,fov_deg=220,k1=10,k2=10,k3=10,k4=10"
         self.assertFails(self.export(out, "--range", "0:1", "--overwrite", "--camera", large), 2,
-                         "would be drawn")
+                         "have to be rendered")
         self.assertTrue((out / "dataset.json").exists(), "the dataset before is as it was")
 
     def test_a_camera_that_is_the_planned_one_again_is_warned_of(self):

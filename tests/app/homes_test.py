@@ -78,7 +78,7 @@ class Homes(FolderCase):
     def test_names_that_lead_out_are_refused(self):
         for name in ("../evil.obj", "/etc/evil", "a/../../evil", "..\\evil"):
             path = self.home("slip.sh3d", [(name, "x")])
-            self.assertFails(run("info", path), 4, "leads out of it")
+            self.assertFails(run("info", path), 4, "leads out of the archive")
         self.assertFalse((self.folder.parent / "evil.obj").exists())
 
     def test_bombs_are_refused(self):

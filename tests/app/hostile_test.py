@@ -166,9 +166,9 @@ class HandMade(HostileCase):
         document, _ = small_models.gltf_json()
         document = {**json.loads(small_models.gltf()), "nodes": chain,
                     "scenes": [{"nodes": [0]}]}
-        self.refused(self.gltf("chain.gltf", document), "nest too deep", seconds=5)
+        self.refused(self.gltf("chain.gltf", document), "nested too deep", seconds=5)
         document["nodes"] = [{"children": [1]}, {"children": [0]}]
-        self.refused(self.gltf("cycle.gltf", document), "nodes[0] is in the scene twice", seconds=5)
+        self.refused(self.gltf("cycle.gltf", document), "nodes[0] occurs twice in the scene", seconds=5)
 
     def test_nested_brackets(self):
         self.refused(self.write("deep.gltf", b'{"asset":' + b"[" * 200_000), seconds=5)

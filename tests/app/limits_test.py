@@ -151,7 +151,7 @@ class Limits(FolderCase):
                               ("beneath.mtl", None), (None, None)]:
             lines = [f"mtllib {name}\n"] if name else []
             scene.write_text("".join(lines) + self.room.read_text())
-            told = re.findall(r"files of materials are missing or cannot be read: (.*)",
+            told = re.findall(r"material files are missing or cannot be read: (.*)",
                               run("info", scene).stdout)
             self.assertEqual(told, [missing] if missing else [], name)
 

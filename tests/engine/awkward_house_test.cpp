@@ -64,7 +64,7 @@ void expectTheSameRoom(const Scene& scene) {
 
 TEST(AwkwardHouse, AnOrdinaryRoomIsNotOdd) {
     const Scene scene = importedText(furnished().text());
-    for (const char* words : {"storeys", "twice", "inside out", "mirror"}) {
+    for (const char* words : {"storeys", "twice", "point inwards", "mirror"}) {
         EXPECT_FALSE(says(scene.report.notes, words)) << words;
     }
 }
@@ -72,7 +72,7 @@ TEST(AwkwardHouse, AnOrdinaryRoomIsNotOdd) {
 TEST(AwkwardHouse, ThingsInsideOutAreSeenAllTheSame) {
     const Scene scene = importedText(withFaces(furnished().text(), turned));
     expectTheSameRoom(scene);
-    EXPECT_TRUE(says(scene.report.notes, "4 objects are inside out"));
+    EXPECT_TRUE(says(scene.report.notes, "4 objects have faces that point inwards"));
 }
 
 /// Three walls of a niche look inwards and are no thing turned inside out.
@@ -84,8 +84,8 @@ TEST(AwkwardHouse, WhatIsOpenIsNotInsideOut) {
     obj.quad({4.2, 3.6, 0.5}, {4.2, 3.2, 0.5}, {4.2, 3.2, 1.0}, {4.2, 3.6, 1.0});
     for (const std::string& text : {obj.text(), withFaces(obj.text(), turned)}) {
         const Scene scene = importedText(text);
-        EXPECT_FALSE(says(scene.report.notes, "5 objects are inside out"));
-        EXPECT_FALSE(says(scene.report.notes, "1 object is inside out"));
+        EXPECT_FALSE(says(scene.report.notes, "5 objects have faces that point inwards"));
+        EXPECT_FALSE(says(scene.report.notes, "1 object has faces that point inwards"));
     }
 }
 
@@ -106,7 +106,7 @@ TEST(AwkwardHouse, FacesForBothSidesAreOneThing) {
     const Scene scene = importedText(withFaces(furnished().text(), bothSides));
     expectTheSameRoom(scene);
     EXPECT_TRUE(says(scene.report.notes, "10 objects have each face twice"));
-    EXPECT_FALSE(says(scene.report.notes, "inside out"));
+    EXPECT_FALSE(says(scene.report.notes, "point inwards"));
 }
 
 TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
@@ -137,7 +137,7 @@ TEST(AwkwardHouse, MirrorsAndWindowsAreNoHoles) {
     obj.object("mirror").box({4.95, 1.0, 0.8}, {5.0, 2.0, 1.8});
     obj.object("window").box({2.0, 0.0, 0.9}, {3.0, 0.02, 2.1});
     const Scene scene = importedText(obj.text());
-    EXPECT_TRUE(says(scene.report.notes, "1 mirror is drawn as a plain surface"));
+    EXPECT_TRUE(says(scene.report.notes, "1 mirror is rendered without reflections"));
     Scene silvered = scene;
     for (Material& material : silvered.materials) {
         material.metallic = 1.0F;
@@ -187,7 +187,7 @@ TEST(AwkwardHouse, StoreysAreCounted) {
     const Scene scene = importedText(obj.text());
     EXPECT_DOUBLE_EQ(scene.report.unit_m, 1.0);
     EXPECT_NEAR(scene.room_bounds.max().z(), 5.55, 1e-3);
-    EXPECT_TRUE(says(scene.report.notes, "2 storeys, their floors at 0.00, 2.85 m"));
+    EXPECT_TRUE(says(scene.report.notes, "2 storeys, with floors at 0.00, 2.85 m"));
 }
 
 /// A bungalow with a hipped roof, none of it named, and things in the garden.

@@ -46,7 +46,7 @@ TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
     obj.object("ship_hull").box({3.0, 3.2, 0.0}, {3.8, 3.5, 0.4});
     const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 6);
-    EXPECT_TRUE(says(scene.report.notes, "5 meshes are for physics and were left out: "));
+    EXPECT_TRUE(says(scene.report.notes, "5 meshes are collision shapes and were left out: "));
 }
 
 TEST(AwkwardScene, ASceneOfPhysicsMeshesAloneIsShown) {
@@ -61,7 +61,7 @@ TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
     obj.object("chair_beside").box({2.2, 0.6, 0.0}, {2.65, 1.05, 0.9});  // alike, elsewhere
     const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 5);
-    EXPECT_TRUE(says(scene.report.notes, "1 mesh occurs twice in one place"));
+    EXPECT_TRUE(says(scene.report.notes, "1 mesh occurs twice at the same position"));
 }
 
 /// A hall with crates of a metre.

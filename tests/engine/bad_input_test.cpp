@@ -53,7 +53,7 @@ TEST(BadInput, PartsOfScenesSayWhatToName) {
     expectRefused(folder.write("room.mtl", "newmtl a"), "name the .obj beside it");
     expectRefused(folder.write("room.bin", "x"), "name the .gltf beside it");
     expectRefused(folder.write("room.zip", "PK"), "unpack it");
-    expectRefused(folder.write("wood.PNG", "x"), "name the scene that uses it");
+    expectRefused(folder.write("wood.PNG", "x"), "open the scene that uses it");
     expectRefused(folder.write("a.navmesh", "x"), "name the scene instance");
     expectRefused(folder.write("house.semantic.txt", "HM3D"), "name its .glb");
     expectRefused(folder.write("info_semantic.json", "{}"), "mesh_semantic.ply");
@@ -122,7 +122,7 @@ TEST(BadInput, NothingThatCanBeDrawn) {
     expectRefused(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "");
     expectRefused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "area");
     expectRefused(folder.write("far.obj", "v 1e30 0 0\nv 1e30 1 0\nv 1e30 0 1\nf 1 2 3\n"),
-                  "further than 1e9 units");
+                  "more than 1e9 units");
     expectRefused(folder.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
                   "non-finite corner");
 }

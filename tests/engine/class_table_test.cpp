@@ -147,10 +147,10 @@ TEST_P(BadTables, AreRefusedWithTheirPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Tables, BadTables,
     testing::Values(
-        BadTable{"{}", ": classes", "one class or more"}, BadTable{"[]", "", "object"},
-        BadTable{R"({"classes": []})", ": classes", "one class or more"},
+        BadTable{"{}", ": classes", "at least one class"}, BadTable{"[]", "", "object"},
+        BadTable{R"({"classes": []})", ": classes", "at least one class"},
         BadTable{R"({"classes": [{"id": 1, "name": "a"}, {"id": 1, "name": "b"}]})",
-                 ": classes[1].id", "'a' has the id 1"},
+                 ": classes[1].id", "'a' also has the id 1"},
         BadTable{R"({"classes": [{"id": 1, "name": "a b"}, {"id": 2, "name": "A_b"}]})",
                  ": classes[1].name", "Another class"},
         BadTable{R"({"classes": [{"id": 65536, "name": "a"}]})", ": classes[0].id", "0 to 65535"},

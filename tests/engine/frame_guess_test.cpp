@@ -282,8 +282,7 @@ TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
         }
         EXPECT_EQ(proposal.up_axis, axis) << axis.text() << joined(scene.report.warnings);
         EXPECT_EQ(proposal.unit_m, std::nullopt) << axis.text();
-        EXPECT_NE(joined(scene.report.warnings).find("likelier is --up " + axis.text()),
-                  std::string::npos)
+        EXPECT_NE(joined(scene.report.warnings).find("try --up " + axis.text()), std::string::npos)
             << axis.text();
         EXPECT_EQ(settingsText(proposal), axis.text() + " up");
     }

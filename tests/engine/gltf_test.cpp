@@ -348,7 +348,8 @@ TEST(Gltf, EachInstanceIsANodeOfItsOwn) {
         EXPECT_EQ(node.name, "sheet_" + std::to_string(i + 1));
     }
     file.json["accessors"][turn]["count"] = 2;
-    EXPECT_NE(refusalOf(file.glb()).find("ROTATION does not fit"), std::string::npos);
+    EXPECT_NE(refusalOf(file.glb()).find("ROTATION has another number of elements"),
+              std::string::npos);
 }
 
 TEST(Gltf, SparseAccessorsReplaceElements) {
@@ -503,13 +504,13 @@ TEST(Gltf, BuffersBesideTheFile) {
     static_cast<void>(folder.write("a sheet.bin", file.buffer().substr(0, 100)));
     const Result<RawScene> cut = readModel(path, {});
     ASSERT_FALSE(cut);
-    EXPECT_NE(cut.error().message.find("of which 100 are there"), std::string::npos);
+    EXPECT_NE(cut.error().message.find("but has 100"), std::string::npos);
 }
 
 TEST(Gltf, NodesThatMakeNoTree) {
     GlbWriter file = plainSheet();
     file.json["nodes"][0]["children"] = {0};
-    EXPECT_NE(refusalOf(file.glb()).find("nodes[0] is in the scene twice"), std::string::npos);
+    EXPECT_NE(refusalOf(file.glb()).find("nodes[0] occurs twice in the scene"), std::string::npos);
     file.json["nodes"][0]["children"] = {5};
     EXPECT_NE(refusalOf(file.glb()).find("nodes[5] is missing"), std::string::npos);
     file.json["nodes"][0].erase("children");
@@ -549,15 +550,17 @@ TEST(Gltf, DamagedPackings) {
         return refusalOf(file.glb());
     };
     for (const std::size_t count : {std::size_t{100'000'000}, std::size_t{1} << 62U}) {
-        EXPECT_NE(changed("count", count).find("more than its bytes can hold"), std::string::npos);
+        EXPECT_NE(changed("count", count).find("more data than its bytes can contain"),
+                  std::string::npos);
     }
-    EXPECT_NE(changed("byteLength", 20).find("more than its bytes can hold"), std::string::npos);
-    EXPECT_NE(changed("byteLength", 200).find("not whole"), std::string::npos);
-    EXPECT_NE(changed("byteStride", 10).find("not whole"), std::string::npos);
-    EXPECT_NE(changed("byteStride", 0).find("more than its bytes"), std::string::npos);
-    EXPECT_NE(changed("mode", "OTHER").find("not whole"), std::string::npos);
-    EXPECT_NE(changed("filter", "OTHER").find("not whole"), std::string::npos);
-    EXPECT_NE(changed("filter", "QUATERNION").find("not whole"), std::string::npos);
+    EXPECT_NE(changed("byteLength", 20).find("more data than its bytes can contain"),
+              std::string::npos);
+    EXPECT_NE(changed("byteLength", 200).find("is damaged"), std::string::npos);
+    EXPECT_NE(changed("byteStride", 10).find("is damaged"), std::string::npos);
+    EXPECT_NE(changed("byteStride", 0).find("more data than its bytes"), std::string::npos);
+    EXPECT_NE(changed("mode", "OTHER").find("is damaged"), std::string::npos);
+    EXPECT_NE(changed("filter", "OTHER").find("is damaged"), std::string::npos);
+    EXPECT_NE(changed("filter", "QUATERNION").find("is damaged"), std::string::npos);
     EXPECT_NE(changed("buffer", 1).find("has no data"), std::string::npos);
 }
 
@@ -571,13 +574,14 @@ TEST(Gltf, CountsThatLie) {
         EXPECT_NE(changed("count", count).find("reach beyond"), std::string::npos) << count;
     }
     for (const json& count : {json(-1), json(0.5), json(1e300), json("8"), json(json::array())}) {
-        EXPECT_NE(changed("count", count).find("no whole number"), std::string::npos) << count;
+        EXPECT_NE(changed("count", count).find("not a whole number"), std::string::npos) << count;
     }
     EXPECT_NE(changed("byteOffset", 1ULL << 63U).find("reach beyond"), std::string::npos);
     EXPECT_NE(changed("bufferView", 99).find("bufferViews[99] is missing"), std::string::npos);
-    EXPECT_NE(changed("componentType", 5124).find("5124 is no type"), std::string::npos);
-    EXPECT_NE(changed("type", "MAT4").find("neither of numbers nor of vectors"), std::string::npos);
-    EXPECT_NE(changed("type", "VEC2").find("POSITION has too few numbers"), std::string::npos);
+    EXPECT_NE(changed("componentType", 5124).find("5124 is not a component type"),
+              std::string::npos);
+    EXPECT_NE(changed("type", "MAT4").find("neither SCALAR nor VEC2"), std::string::npos);
+    EXPECT_NE(changed("type", "VEC2").find("POSITION has too few components"), std::string::npos);
     GlbWriter empty = plainSheet();
     empty.json["accessors"][0].erase("bufferView");
     EXPECT_NE(refusalOf(empty.glb()).find("accessors[0] has no data"), std::string::npos);

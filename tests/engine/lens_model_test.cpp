@@ -237,7 +237,7 @@ TEST_F(RigFile, RefusesWithTheSentenceAndThePlace) {
     } cases[] = {
         {R"({"name": "a", "fov": 90})", "fov_deg", "cameras[0]"},
         {R"({"name": "a", "fov_deg": 900})", "10 .. 220", "cameras[0].fov_deg"},
-        {R"({"name": "a", "lens": "fisheye", "px_per_m": 9})", "means nothing",
+        {R"({"name": "a", "lens": "fisheye", "px_per_m": 9})", "does not apply",
          "cameras[0].px_per_m"},
         {R"({"name": "a", "lens": "bottle"})", "fisheye", "cameras[0].lens"},
         {R"({"name": "a/b"})", "folder", "cameras[0]"},
@@ -250,7 +250,7 @@ TEST_F(RigFile, RefusesWithTheSentenceAndThePlace) {
         EXPECT_NE(said.find(one.word), std::string::npos) << said;
         EXPECT_NE(said.find(one.place), std::string::npos) << said;
     }
-    EXPECT_NE(refusal(with("")).find("one camera or more"), std::string::npos);
+    EXPECT_NE(refusal(with("")).find("at least one camera"), std::string::npos);
     EXPECT_NE(refusal("[]").find("A rig is an object"), std::string::npos);
     EXPECT_NE(refusal(R"({"format": "x", "version": 1, "cameras": []})").find("dollytrack-rig"),
               std::string::npos);

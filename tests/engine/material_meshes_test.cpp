@@ -82,7 +82,7 @@ TEST(MaterialMeshes, AreRegroupedToTheObjectsTheyHoldPartsOf) {
     EXPECT_EQ(chair->triangle_count, 8U * 12U);  // frame, seat and feet
     EXPECT_LT((2.0 * chair->box.half_size - Vector3d(0.4, 0.4, 0.82)).norm(), 0.01);
     EXPECT_TRUE(says(scene.report.notes,
-                     "5 meshes hold parts of several objects: ChairFrame, ChairSeat, Rubber, "
+                     "5 meshes contain parts of several objects: ChairFrame, ChairSeat, Rubber, "
                      "DeskTop, DeskLegs; they were regrouped into 20 objects"))
         << (scene.report.notes.empty() ? "no notes" : scene.report.notes.front());
     EXPECT_TRUE(scene.report.warnings.empty());
@@ -91,8 +91,8 @@ TEST(MaterialMeshes, AreRegroupedToTheObjectsTheyHoldPartsOf) {
 TEST(MaterialMeshes, AreKeptAndDoubtfulWhereTheyAreToBeKept) {
     const Scene scene = importedWith(classroom(), false);
     EXPECT_LT(targetsOf(scene, nyu40FromName("chair")), 10);
-    EXPECT_TRUE(says(scene.report.warnings, "5 meshes hold parts of several objects"));
-    EXPECT_TRUE(says(scene.report.warnings, "of sizes that their classes do not have"));
+    EXPECT_TRUE(says(scene.report.warnings, "5 meshes contain parts of several objects"));
+    EXPECT_TRUE(says(scene.report.warnings, "have unusual sizes for their classes"));
 }
 
 TEST(MaterialMeshes, ObjectsOfSeveralPiecesStayWhole) {
@@ -129,8 +129,8 @@ TEST(MaterialMeshes, AlikePiecesOfNoClassAreDoubtful) {
     for (int i = 0; i < 5; ++i) obj.box({0.5 + 0.8 * i, 3.2, 0.9}, {1.0 + 0.8 * i, 3.6, 1.3});
     const Scene scene = importedWith(obj.text(), true);
     EXPECT_NE(find(scene, "Blorb"), nullptr);
-    EXPECT_TRUE(says(scene.report.warnings,
-                     "1 mesh may hold several objects, alike and apart from each other: Blorb"));
+    EXPECT_TRUE(
+        says(scene.report.warnings, "1 mesh may contain several similar, separate objects: Blorb"));
 }
 
 /// Beside the furniture six chairs whose seat, frame, back, legs and screws are meshes of a
@@ -265,7 +265,7 @@ TEST(SizeDoubts, NameWhatItsClassCannotBe) {
     obj.object("stool_low").box({4.5, 0.3, 0.0}, {4.8, 0.6, 0.2});
     const Scene scene = importedWith(obj.text(), true);
     EXPECT_TRUE(says(scene.report.warnings,
-                     "1 object is of a size that its class does not have: chair_small (chair, "
+                     "1 object has an unusual size for its class: chair_small (chair, "
                      "0.04 m)"));
 }
 

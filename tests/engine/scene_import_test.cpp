@@ -342,7 +342,7 @@ TEST(SceneImport, KeepsNamedThingsThatTouchNothingAndNamesWhatItPutsTogether) {
         << notes(mounted);
     const Scene away = imported(folder.write("away.obj", room(0.1)));
     EXPECT_TRUE(find(away, "handle"));
-    EXPECT_EQ(notes(away).find("put together"), std::string::npos) << notes(away);
+    EXPECT_EQ(notes(away).find("merged with"), std::string::npos) << notes(away);
 }
 
 TEST(SceneImport, MakesScatteredThingsOfOneNodeObjectsOfTheirOwn) {

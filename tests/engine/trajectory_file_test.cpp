@@ -272,7 +272,8 @@ TEST(TrajectoryFile, DeepNestingIsRefused) {
         const auto loaded = loadTrajectory(folder.write("deep.json", text), {});
         ASSERT_FALSE(loaded);
         EXPECT_EQ(loaded.error().code, ErrorCode::BadInput);
-        EXPECT_NE(loaded.error().message.find("nested more than 64 deep"), std::string::npos);
+        EXPECT_NE(loaded.error().message.find("nested more than 64 levels deep"),
+                  std::string::npos);
     }
 }
 

@@ -368,8 +368,8 @@ void noteRepairs(const ModelTextRepairs& repairs, const Path& path,
                  std::vector<std::string>& notes) {
     if (const std::size_t faces = repairs.mended_faces; faces > 0) {
         notes.push_back(
-            fmt::format("{} texture coordinates that are not in the file; without them "
-                        "{} one colour of the picture",
+            fmt::format("{} texture coordinates that are not in the file; without them {} a single "
+                        "colour of the texture",
                         faces == 1 ? "1 face names" : fmt::format("{} faces name", faces),
                         faces == 1 ? "it has" : "they have"));
     }
@@ -381,8 +381,7 @@ void noteRepairs(const ModelTextRepairs& repairs, const Path& path,
     const auto end = std::next(missing.begin(),
                                std::min(kMostNamed, static_cast<std::ptrdiff_t>(missing.size())));
     notes.push_back(fmt::format(
-        "files of materials are missing or cannot be read: {}{}",
-        fmt::join(missing.begin(), end, ", "),
+        "material files are missing or cannot be read: {}{}", fmt::join(missing.begin(), end, ", "),
         end == missing.end() ? "" : fmt::format(" and {} more", missing.size() - kMostNamed)));
 }
 

@@ -122,7 +122,7 @@ class Architecture {
         }
         if (joined_ > 0) {
             scene_.notes.push_back(counted(joined_, "built-in piece was", "built-in pieces were") +
-                                   " put together with what they touch");
+                                   " merged with the objects that they touch");
         }
     }
 

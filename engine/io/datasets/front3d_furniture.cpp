@@ -159,9 +159,10 @@ class Furnishing {
         say(scene_.warnings, missing_, "piece of furniture has no model and was left out",
             "pieces of furniture have no model and were left out");
         if (missing_with_size_ > 0) {
-            scene_.notes.push_back("of what has no model " + std::to_string(missing_with_size_) +
+            scene_.notes.push_back("of the furniture without a model, " +
+                                   std::to_string(missing_with_size_) +
                                    (missing_with_size_ == 1 ? " has" : " have") +
-                                   " a size; no box is put in its place");
+                                   " a size, but no box is put in its place");
         }
         if (missing_.count() > 0) {
             scene_.notes.push_back(
@@ -174,13 +175,13 @@ class Furnishing {
         say(scene_.notes, invalid_, "piece of furniture is marked as not valid and was left out",
             "pieces of furniture are marked as not valid and were left out");
         say(scene_.notes, unsaid_,
-            "piece of furniture is not marked as valid, others are; it was left out",
-            "pieces of furniture are not marked as valid, others are; they were left out");
+            "piece of furniture was left out because it is not marked as valid, unlike others",
+            "pieces of furniture were left out because they are not marked as valid, unlike "
+            "others");
         const std::size_t unused = pieces_.size() - used_.size();
         if (unused > 0) {
-            scene_.notes.push_back(counted(unused,
-                                           "piece of the list of furniture stands in no room",
-                                           "pieces of the list of furniture stand in no room"));
+            scene_.notes.push_back(counted(unused, "listed piece of furniture is in no room",
+                                           "listed pieces of furniture are in no room"));
         }
     }
 
@@ -192,7 +193,8 @@ class Furnishing {
         if (read) {
             info_ = std::move(*read);
         } else {
-            scene_.warnings.push_back("the categories were left out: " + describe(read.error()));
+            scene_.warnings.push_back("the categories of the furniture were not read: " +
+                                      describe(read.error()));
         }
     }
 

@@ -42,8 +42,11 @@ void noteRooms(const Front3dScene& source, const nlohmann::json& document, RawSc
     };
     note(nothing, "entry of the rooms names neither furniture nor mesh",
          "entries of the rooms name neither furniture nor mesh");
-    note(moved, "mesh has a placement, which is not applied: meshes are in the house's place",
-         "meshes have placements, which are not applied: meshes are in the house's place");
+    note(
+        moved,
+        "mesh has a placement, which is not applied: meshes are already in the house's coordinates",
+        "meshes have placements, which are not applied: meshes are already in the house's "
+        "coordinates");
     note(source.moved_rooms, "room has a placement of its own, which is not applied",
          "rooms have placements of their own, which are not applied");
     if (source.bad_children > 0) {

@@ -47,7 +47,7 @@ Result<std::vector<int>> readIds(const fs::path& path, std::size_t count, int hi
     if (!read) return tl::unexpected(read.error());
     if (read->values.size() != count) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("It has {} numbers for the {} objects of {}.", read->values.size(),
+                    fmt::format("It has {} values for the {} objects of {}.", read->values.size(),
                                 count, kObjects),
                     path.string());
     }
@@ -160,7 +160,7 @@ std::string describeHypersimFolder(const fs::path& folder) {
     if (mesh_folder.empty()) return {};
     const Result<HypersimAnnotations> read = readHypersimAnnotations(mesh_folder);
     if (!read) {
-        return "this is a folder of Hypersim, but what it says cannot be used (" +
+        return "this is a folder of Hypersim annotations, but they cannot be used (" +
                describe(read.error()) + ")";
     }
     const auto kindsOf = [](const std::vector<int>& ids) {
@@ -169,8 +169,8 @@ std::string describeHypersimFolder(const fs::path& folder) {
         return kinds.size();
     };
     std::string text = fmt::format(
-        "this folder of Hypersim says of {} what they are ({} of NYU40, {}), names {}{} and {}, "
-        "but has no geometry",
+        "this folder has Hypersim annotations for {} ({} of NYU40, {}), {}{} and {}, but no "
+        "geometry",
         counted(read->objects.size(), "mesh", "meshes"),
         counted(kindsOf(read->nyu40), "class", "classes"),
         counted(kindsOf(read->instance), "instance", "instances"),

@@ -94,20 +94,18 @@ struct Matches {
 };
 
 void noteMatches(const HypersimAnnotations& annotations, const Matches& matches, RawScene& scene) {
-    scene.notes.push_back(fmt::format("{} of {} that Hypersim's annotations name are in the file",
+    scene.notes.push_back(fmt::format("{} of {} with Hypersim annotations are in the file",
                                       matches.nodes,
                                       counted(annotations.objects.size(), "mesh", "meshes")));
     if (matches.unknown > 0) {
         scene.warnings.push_back(counted(
-            matches.unknown,
-            "mesh is not named by Hypersim's annotations and is judged by "
-            "its name",
-            "meshes are not named by Hypersim's annotations and are judged by their names"));
+            matches.unknown, "mesh has no Hypersim annotation, so its class is found by its name",
+            "meshes have no Hypersim annotations, so their classes are found by their names"));
     }
     if (matches.other_class > 0) {
         scene.warnings.push_back(
             counted(matches.other_class, "mesh has", "meshes have") +
-            " another class than the first of the same instance, which counts");
+            " another class than the first mesh of the same instance, whose class is used");
     }
 }
 

@@ -68,16 +68,17 @@ Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
     if (size.depth > kDeepestJson) {
         return fail(
             ErrorCode::BadInput,
-            fmt::format("The JSON is nested more than {} deep, deeper than any supported file.",
-                        kDeepestJson),
+            fmt::format(
+                "The JSON is nested more than {} levels deep, deeper than any supported file.",
+                kDeepestJson),
             where);
     }
     if (size.memory > kMostMemory) {
-        return fail(ErrorCode::BadInput,
-                    fmt::format("The JSON holds too many values: they would take more than {} GiB "
-                                "of memory.",
-                                kMostMemory >> 30U),
-                    where);
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("The JSON has too many values: they would need more than {} GiB of memory.",
+                        kMostMemory >> 30U),
+            where);
     }
     try {
         return Json::parse(text, keep);

@@ -69,7 +69,7 @@ Error writeError(int error_number, const std::filesystem::path& path) {
             case ENOTDIR:
                 return "a part of the path is a file, not a folder; choose another path";
             case EISDIR:
-                return "a folder stands where the file should go; choose another name";
+                return "a folder has the name of this file; choose another name";
             case ENAMETOOLONG:
                 return "the name is too long; choose a shorter one";
             case ENXIO:

@@ -85,7 +85,7 @@ tl::unexpected<Error> GuardedFolder::failure(int error, const Place& at) const {
     const auto found = statusAt(at.folder, at.name);
     if (found && S_ISLNK(found->st_mode) && (error == ELOOP || error == ENOTDIR)) {
         return fail(ErrorCode::CannotWrite,
-                    "a symbolic link is in the way and is not followed; remove it or choose "
+                    "a symbolic link is in its place and is not followed; remove it or choose "
                     "another folder",
                     path.string());
     }
@@ -111,7 +111,7 @@ Result<std::optional<GuardedFolder::Place>> GuardedFolder::findPlace(const std::
                                                                      bool make) const {
     if (!isPlain(name)) {
         return fail(ErrorCode::CannotWrite,
-                    "the name '" + name + "' leads out of the folder; it is not used",
+                    "the name '" + name + "' leads out of the folder, so it is not used",
                     path_.string());
     }
     Place place{{}, folder_->get(), {}, path_};

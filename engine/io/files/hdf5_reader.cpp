@@ -69,7 +69,7 @@ Result<std::unique_ptr<const OpenDataset>> openDataset(const std::filesystem::pa
     if (dataset->file < 0) return refused("The file is missing or is not an HDF5 file.");
     if (dataset->id < 0) return refused("There is no dataset named \"" + name + "\" in it.");
     if (!liesInFile(*library, dataset->file, dataset->id, name)) {
-        return refused("The dataset \"" + name + "\" lies in another file.");
+        return refused("The dataset \"" + name + "\" is a link to another file.");
     }
     return dataset;
 }
@@ -122,7 +122,7 @@ Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::s
                       h5.H5Sget_simple_extent_npoints(space) == 1;
     const std::size_t length = text ? h5.H5Tget_size(type) : 0;
     if (length == 0 || length > kMost) {
-        return fail(ErrorCode::BadInput, "\"" + name + "\" is no text of up to 16 MiB.",
+        return fail(ErrorCode::BadInput, "\"" + name + "\" is not a text of at most 16 MiB.",
                     path.string());
     }
     std::string read(length, '\0');

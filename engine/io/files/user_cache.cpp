@@ -46,7 +46,7 @@ std::optional<UserCache> userCache(const char* name) {
     if (!folder) {
         std::error_code error;
         if (fs::is_symlink(folder.error().where, error)) {
-            log::warn("cache", describe(folder.error()) + "; nothing is kept there");
+            log::warn("cache", describe(folder.error()) + "; nothing is cached there");
         }
         return std::nullopt;
     }

@@ -40,7 +40,7 @@ class ZipSource : public Archive {
         zip_error_fini(&error);
         if (!archive_) return refuse("it is not a complete zip archive; save or download it again");
         const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
-        if (count > kMostEntries) return refuse("it holds more than 100,000 files");
+        if (count > kMostEntries) return refuse("it contains more than 100,000 files");
         std::uint64_t total = 0;
         for (zip_int64_t i = 0; i < count; ++i) {
             if (Status ok = takeEntry(static_cast<zip_uint64_t>(i), total); !ok) return ok;
@@ -105,7 +105,7 @@ class ZipSource : public Archive {
         if (!name.empty() && name.back() == '/' && safeRelativeName(name)) return {};  // a folder
         const std::optional<std::string> safe = safeRelativeName(name);
         if (!safe || name.find("..") == 0 || name.find("/../") != std::string::npos) {
-            return refuse(fmt::format("the name \"{}\" in it leads out of it", clean));
+            return refuse(fmt::format("the name \"{}\" in it leads out of the archive", clean));
         }
         if ((stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
             stat.encryption_method != ZIP_EM_NONE) {

@@ -35,7 +35,7 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
     if (!text) return tl::unexpected(text.error());
     if (text->size() > most) {
         return fail(ErrorCode::BadInput,
-                    "the scene's files hold more than 64 MiB of XML; split the scene",
+                    "the scene's files have more than 64 MiB of XML; split the scene",
                     path.string());
     }
     XmlFile file;
@@ -53,7 +53,7 @@ Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
     }
     if (file.document.find_node(isMacro)) {
         return fail(ErrorCode::BadInput,
-                    "the file holds xacro macros; expand it with ROS's \"xacro in.urdf.xacro -o "
+                    "the file contains xacro macros; expand it with ROS's \"xacro in.urdf.xacro -o "
                     "out.urdf\" and name the result",
                     path.string());
     }

@@ -77,7 +77,7 @@ Result<Eigen::Affine3d> poseOfName(Scope& scope, const std::string& name,
     const auto steps = locate(scope, name);
     if (steps.empty()) {
         return wrongAt("a <pose> is relative to '" + cleanText(name) +
-                           "', which is not there; correct the name",
+                           "', which does not exist; correct the name",
                        scope, element);
     }
     for (const auto& [around, frame] : steps) {
@@ -93,8 +93,8 @@ Result<Eigen::Affine3d> poseOf(Scope& scope, Frame& frame, int depth) {
     if (frame.state == Frame::State::Known) return frame.scope_from_frame;
     if (frame.state == Frame::State::Busy || depth > kDeepestFrames) {
         return wrongAt("the pose of '" + cleanText(frame.node.attribute("name").value()) +
-                           "' is relative to itself, or to more than 200 others in a row; "
-                           "correct relative_to",
+                           "' is relative to itself, or has a chain of more than 200 relative "
+                           "poses; correct relative_to",
                        scope, frame.node);
     }
     frame.state = Frame::State::Busy;

@@ -43,7 +43,7 @@ class SdfReader {
         const pugi::xml_node world = sdf.child("world");
         const pugi::xml_node model = sdf.child("model");
         if (!world && !model) {
-            return wrongAt("the file holds neither a <world> nor a <model>; name a world or model",
+            return wrongAt("the file has neither a <world> nor a <model>; name a world or model",
                            scene_, sdf);
         }
         scene_.node = world ? world : sdf;
@@ -52,8 +52,8 @@ class SdfReader {
         if (Status joined = joinLinks(scene_); !joined) return joined;
         if (world.child("state").child("model")) {
             warnings_.emplace_back(
-                "the <state> of the world is ignored, models stand at their own <pose>; copy the "
-                "poses that matter from <state> to the models");
+                "the world's <state> is ignored, and models are placed by their own <pose>; copy "
+                "poses you need from <state> to the models");
         }
         return {};
     }
@@ -102,7 +102,7 @@ class SdfReader {
     /// model, for a file without a world.
     Status openChildren(Scope& scope, bool first_only = false) {
         if (scope.depth > kDeepestModel) {
-            return wrongAt("models lie within models more than 16 deep; leave some out", scope,
+            return wrongAt("models are nested more than 16 levels deep; leave some out", scope,
                            scope.node);
         }
         for (const pugi::xml_node& child : scope.node.children()) {
@@ -184,9 +184,10 @@ class SdfReader {
         }
         for (const Scope* around = &scope; around != nullptr; around = around->parent) {
             if (around->path != *file) continue;
-            return wrongAt("the model '" + cleanText(uri) +
-                               "' includes itself, perhaps through others; remove that <include>",
-                           scope, frame.node);
+            return wrongAt(
+                "the model '" + cleanText(uri) +
+                    "' includes itself, directly or through other models; remove that <include>",
+                scope, frame.node);
         }
         auto at = documents_.find(*file);
         if (at == documents_.end()) {
@@ -198,8 +199,8 @@ class SdfReader {
         expanded_bytes_ += at->second->bytes;
         if (expanded_bytes_ > kMostExpandedBytes) {
             return wrongAt(
-                "the models that are included, counted each time, are more than 1 GiB of "
-                "XML; leave some out",
+                "the included models are more than 1 GiB of XML in total, repeated includes "
+                "counted each time; leave some out",
                 scope, frame.node);
         }
         const pugi::xml_node sdf = at->second->document.child("sdf");
@@ -207,7 +208,7 @@ class SdfReader {
         if (model) return openModel(model, *file, *at->second, scope, frame);
         if (sdf.child("light") || sdf.child("actor")) return {};  // such as model://sun
         return fail(ErrorCode::BadInput,
-                    "the file is included as a model and holds no <model>; name another file",
+                    "the file is included as a model, but has no <model>; name another file",
                     file->string());
     }
 

@@ -36,7 +36,7 @@ class UrdfReader {
             if (links_.size() >= kMostLinks) return tooMany("links", link);
             const std::string name = link.attribute("name").value();
             if (!links_.try_emplace(name, link).second) {
-                doubt(link, fmt::format("there are two links '{}'; joints mean the first",
+                doubt(link, fmt::format("there are two links '{}'; joints refer to the first",
                                         cleanText(name)));
             }
         }
@@ -104,14 +104,16 @@ class UrdfReader {
                 continue;
             }
             if (!joints_.try_emplace(child, joint).second) {
-                doubt(joint, fmt::format("the link '{}' hangs on two joints; '{}' is left out",
-                                         cleanText(child), name));
+                doubt(joint,
+                      fmt::format(
+                          "the link '{}' is the child of two joints; the joint '{}' is left out",
+                          cleanText(child), name));
                 continue;
             }
             if (links_.contains(parent)) continue;
             cut_off_.insert(child);
             doubt(joint, fmt::format("the joint '{}' names the parent link '{}', which does not "
-                                     "exist{}; the link '{}' and all that hangs on it are left out",
+                                     "exist{}; the link '{}' and all links below it are left out",
                                      name, cleanText(parent), hintFor(parent), cleanText(child)));
         }
         return {};
@@ -132,7 +134,7 @@ class UrdfReader {
         std::vector<std::string> names;
         for (const std::string& name : cut_off_) names.push_back(cleanText(name));
         doubts_.push_back(
-            fmt::format("{} left out, since a joint above names a parent that does not exist: {}",
+            fmt::format("{} left out because a joint above names a parent that does not exist: {}",
                         io::counted(names.size(), "link is", "links are"), io::listOf(names)));
     }
 
@@ -231,7 +233,7 @@ class UrdfReader {
                 break;
             }
             if (!seen.insert(at).second) {
-                return wrong("the joints form a circle at link '" + cleanText(at) +
+                return wrong("the joints form a cycle at link '" + cleanText(at) +
                                  "'; each link needs a path to the root",
                              joint->second);
             }

@@ -159,8 +159,8 @@ class SceneOfLinks {
         const std::size_t shown = std::min(doubts.size(), kMostDoubts);
         for (std::size_t i = 0; i < shown; ++i) scene_.warnings.push_back(doubts[i]);
         if (shown == doubts.size()) return;
-        scene_.warnings.push_back(io::counted(doubts.size() - shown, "more fault of this kind",
-                                              "more faults of this kind"));
+        scene_.warnings.push_back(io::counted(doubts.size() - shown, "more problem of this kind",
+                                              "more problems of this kind"));
     }
 
     Status placeMesh(const Visual& visual, std::size_t number, SourceObject& object) {
@@ -287,7 +287,7 @@ class SceneOfLinks {
         for (const auto& [shape, count] : unknown_shapes_) {
             scene_.warnings.push_back(io::counted(count, "visual is", "visuals are") +
                                       " left out, since <" + shape +
-                                      "> is not read; replace it by a mesh");
+                                      "> is not supported; replace it by a mesh");
         }
         if (scene_.objects.empty()) {
             std::string message = "no link has a visual that can be drawn, so there is no scene";

@@ -25,7 +25,7 @@ std::size_t bytesOf(std::size_t component_type) {
         case 5126:
             return 4;
         default:
-            throw damaged(fmt::format("{} is no type of numbers", component_type));
+            throw damaged(fmt::format("{} is not a component type", component_type));
     }
 }
 
@@ -34,7 +34,7 @@ std::size_t componentsOf(const std::string& type) {
     if (type == "VEC2") return 2;
     if (type == "VEC3") return 3;
     if (type == "VEC4") return 4;
-    throw damaged("an accessor is neither of numbers nor of vectors");
+    throw damaged("an accessor's type is neither SCALAR nor VEC2, VEC3 or VEC4");
 }
 
 /// Location of an accessor's numbers, which is checked to be within the bytes.
@@ -112,7 +112,7 @@ std::vector<std::uint32_t> copyIndices(const Layout& from) {
     } else if (from.component_type == 5125) {
         copyAs<std::uint32_t>(from, indices.data());
     } else {
-        throw damaged("indices are no unsigned integers");
+        throw damaged("indices are not unsigned integers");
     }
     return indices;
 }
@@ -131,7 +131,7 @@ void overlay(const Document& document, const Json& sparse, std::size_t component
     copyFloats(layout, values.data());
     for (std::size_t i = 0; i < count; ++i) {
         if (indices[i] >= elements.count) {
-            throw damaged("a sparse accessor replaces an element that is not there");
+            throw damaged("a sparse accessor replaces an element that does not exist");
         }
         std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * elements.components),
                     elements.components,
@@ -169,7 +169,7 @@ Elements readElements(const Document& document, std::size_t accessor) {
 std::vector<std::uint32_t> readIndices(const Document& document, std::size_t accessor) {
     const Json& description = document.entry("accessors", accessor);
     if (textOr(description, "type") != "SCALAR" || description.contains("sparse")) {
-        throw damaged(fmt::format("accessors[{}] holds no plain list of indices", accessor));
+        throw damaged(fmt::format("accessors[{}] is not a plain list of indices", accessor));
     }
     if (!description.contains("bufferView")) {
         throw damaged(fmt::format("accessors[{}] has no data", accessor));

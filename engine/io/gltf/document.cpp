@@ -78,7 +78,7 @@ Chunks findChunks(std::string_view file) {
         at += kChunkHeader;
         if (length > file.size() - at) {
             throw damaged(
-                fmt::format("a chunk claims {} bytes, but {} exist", length, file.size() - at));
+                fmt::format("a chunk should have {} bytes, but has {}", length, file.size() - at));
         }
         if (kind == kJson && chunks.json.empty()) chunks.json = file.substr(at, length);
         if (kind == kBinary && !chunks.binary.data()) chunks.binary = file.substr(at, length);
@@ -111,7 +111,8 @@ void checkVersion(const Json& json) {
 void checkExtensions(const Json& json) {
     std::vector<std::string> unknown;
     for (const Json& name : listAt(json, "extensionsRequired")) {
-        if (!name.is_string()) throw damaged("extensionsRequired holds something that is no name");
+        if (!name.is_string())
+            throw damaged("extensionsRequired contains an entry that is not a name");
         const std::string extension = cleanText(name.get<std::string>());
         if (!isKnown(extension)) unknown.push_back(extension);
     }
@@ -204,8 +205,7 @@ Bytes Document::buffer(std::size_t index) const {
                 Result<std::string> beside = read_beside_(uri);
                 if (!beside) {
                     throw Fault(
-                        fmt::format("the file cannot be read without its buffer \"{}\", "
-                                    "which is not there; put it beside the file",
+                        fmt::format("the file's buffer \"{}\" is missing; put it beside the file",
                                     cleanText(uri)));
                 }
                 inside = std::move(*beside);
@@ -217,8 +217,8 @@ Bytes Document::buffer(std::size_t index) const {
         throw damaged(fmt::format("buffers[{}] has no data", index));
     }
     if (claimed > bytes.size()) {
-        throw damaged(fmt::format("buffers[{}] claims {} bytes, of which {} are there", index,
-                                  claimed, bytes.size()));
+        throw damaged(fmt::format("buffers[{}] should have {} bytes, but has {}", index, claimed,
+                                  bytes.size()));
     }
     return asBytes(bytes.substr(0, claimed));
 }

@@ -63,7 +63,7 @@ DracoMesh unpackDraco(const Document& document, const Json& description,
     draco::Decoder decoder;
     auto outcome = decoder.DecodeMeshFromBuffer(&buffer);
     if (!outcome.ok()) {
-        throw damaged("its Draco data is not whole: " +
+        throw damaged("its Draco data is damaged: " +
                       cleanText(outcome.status().error_msg_string()));
     }
     const std::unique_ptr<draco::Mesh> mesh = std::move(outcome).value();

@@ -15,7 +15,7 @@ class Fault : public std::runtime_error {
 /// The fault of a file that contradicts itself or the specification: "accessors[3] has no data".
 [[nodiscard]] inline Fault damaged(const std::string& what) {
     return Fault("the file cannot be read as glTF (" + what +
-                 "); it is damaged or was cut off, export it again");
+                 "); it is damaged or truncated, export it again");
 }
 
 }  // namespace dollytrack::gltf

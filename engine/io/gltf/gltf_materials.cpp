@@ -56,9 +56,9 @@ class TextureList {
                 "export them as PNG, JPEG or WebP");
         }
         if (elsewhere_ > 0) {
-            raw_.notes.push_back(counted(elsewhere_, "map lies", "maps lie") +
-                                 " elsewhere on its surface than the base colour's picture and was "
-                                 "left out");
+            raw_.notes.push_back(
+                counted(elsewhere_, "texture map was", "texture maps were") +
+                " left out because its texture coordinates differ from those of the base colour");
         }
     }
 

@@ -39,7 +39,7 @@ class Attributes {
     [[nodiscard]] std::vector<Eigen::Vector3f> readVectors(const char* name, std::size_t fewest) {
         const Elements elements = read(name);
         if (elements.components < fewest) {
-            throw damaged(std::string(name) + " has too few numbers in a vector");
+            throw damaged(std::string(name) + " has too few components per vector");
         }
         std::vector<Eigen::Vector3f> vectors(elements.count, Eigen::Vector3f::Zero());
         const std::size_t kept = std::min<std::size_t>(elements.components, 3);

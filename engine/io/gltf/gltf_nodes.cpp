@@ -65,8 +65,8 @@ Eigen::Affine3d transformOf(const Json& node) {
 
 void checkInstances(std::size_t count) {
     if (count <= kMostInstances) return;
-    throw Fault(fmt::format(
-        "it holds more than {} instances of meshes; split it into several files", kMostInstances));
+    throw Fault(fmt::format("it contains more than {} mesh instances; split it into several files",
+                            kMostInstances));
 }
 
 /// The transforms of a node's instances.
@@ -78,7 +78,8 @@ std::vector<Eigen::Affine3d> instancesOf(const Document& document, const Json& i
         if (!accessor) return Elements{};
         Elements elements = readElements(document, *accessor);
         if (elements.components != components || (count && *count != elements.count)) {
-            throw damaged(std::string(name) + " does not fit the other instances");
+            throw damaged(std::string(name) +
+                          " has another number of elements than the other instance attributes");
         }
         count = elements.count;
         return elements;
@@ -112,7 +113,8 @@ std::vector<std::size_t> rootsOf(const Document& document) {
     std::vector<std::size_t> roots;
     const auto add = [&](const Json::array_t& list) {
         for (const Json& node : list) {
-            if (!node.is_number_unsigned()) throw damaged("a list of nodes holds no numbers");
+            if (!node.is_number_unsigned())
+                throw damaged("a list of nodes contains an entry that is not a number");
             roots.push_back(node.get<std::size_t>());
         }
     };
@@ -175,7 +177,7 @@ class NodeWalk {
 
     template <class List>
     void push(const List& children, int parent, const Eigen::Affine3d& here, int depth) {
-        if (depth > kDeepest) throw damaged("its nodes nest too deep");
+        if (depth > kDeepest) throw damaged("its nodes are nested too deep");
         for (auto child = children.rbegin(); child != children.rend(); ++child) {
             stack_.push_back({numberOf(*child), parent, here, depth});
         }
@@ -183,7 +185,8 @@ class NodeWalk {
 
     static std::size_t numberOf(std::size_t node) { return node; }
     static std::size_t numberOf(const Json& node) {
-        if (!node.is_number_unsigned()) throw damaged("a list of nodes holds no numbers");
+        if (!node.is_number_unsigned())
+            throw damaged("a list of nodes contains an entry that is not a number");
         return node.get<std::size_t>();
     }
 
@@ -197,7 +200,7 @@ class NodeWalk {
     void enter(const Visit& visit) {
         const Json& node = document_.entry("nodes", visit.node);
         if (seen_[visit.node]) {
-            throw damaged(fmt::format("nodes[{}] is in the scene twice", visit.node));
+            throw damaged(fmt::format("nodes[{}] occurs twice in the scene", visit.node));
         }
         seen_[visit.node] = true;
         const Eigen::Affine3d here = visit.source_from_parent * transformOf(node);

@@ -13,7 +13,8 @@ const Json& member(const Json& object, const char* key) {
 
 const Json& objectAt(const Json& object, const char* key) {
     const Json& value = member(object, key);
-    if (!value.is_null() && !value.is_object()) throw damaged(std::string(key) + " is no object");
+    if (!value.is_null() && !value.is_object())
+        throw damaged(std::string(key) + " is not an object");
     return value;
 }
 
@@ -21,7 +22,7 @@ const Json::array_t& listAt(const Json& object, const char* key) {
     static const Json::array_t nothing;
     const Json& value = member(object, key);
     if (value.is_null()) return nothing;
-    if (!value.is_array()) throw damaged(std::string(key) + " is no list");
+    if (!value.is_array()) throw damaged(std::string(key) + " is not a list");
     return value.get_ref<const Json::array_t&>();
 }
 
@@ -37,7 +38,7 @@ std::optional<std::size_t> findCount(const Json& object, const char* key) {
     constexpr double kLargest = 9007199254740992.0;
     const double number = value.is_number_float() ? value.get<double>() : -1.0;
     if (!(number >= 0.0 && number <= kLargest) || number != std::floor(number)) {
-        throw damaged(std::string(key) + " is no whole number of zero or more");
+        throw damaged(std::string(key) + " is not a whole number of zero or more");
     }
     return static_cast<std::size_t>(number);
 }
@@ -55,14 +56,14 @@ std::size_t requireCount(const Json& object, const char* key) {
 double numberOr(const Json& object, const char* key, double otherwise) {
     const Json& value = member(object, key);
     if (value.is_null()) return otherwise;
-    if (!value.is_number()) throw damaged(std::string(key) + " is no number");
+    if (!value.is_number()) throw damaged(std::string(key) + " is not a number");
     return value.get<double>();
 }
 
 std::string textOr(const Json& object, const char* key) {
     const Json& value = member(object, key);
     if (value.is_null()) return {};
-    if (!value.is_string()) throw damaged(std::string(key) + " is no text");
+    if (!value.is_string()) throw damaged(std::string(key) + " is not a text");
     return value.get<std::string>();
 }
 

@@ -52,13 +52,13 @@ std::vector<std::uint8_t> unpackMeshopt(std::span<const std::uint8_t> packed,
     const std::size_t stride = requireCount(description, "byteStride");
     const std::size_t most = kTightest * (packed.size() + 1);
     if (stride == 0 || count > most / stride) {
-        throw damaged("a packed buffer view claims more than its bytes can hold");
+        throw damaged("a compressed buffer view claims more data than its bytes can contain");
     }
     std::vector<std::uint8_t> bytes(count * stride);
     if (count == 0) return bytes;
     const bool whole = decode(packed, textOr(description, "mode"), count, stride, bytes) &&
                        unfilter(textOr(description, "filter"), count, stride, bytes);
-    if (!whole) throw damaged("the data of EXT_meshopt_compression is not whole");
+    if (!whole) throw damaged("the data of EXT_meshopt_compression is damaged");
     return bytes;
 }
 

@@ -108,10 +108,10 @@ Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
         Result<json> read = readConfig(config, scope.most_config_bytes);
         if (!read) return tl::unexpected(read.error());
         if (!read->is_object()) {
-            return fail(ErrorCode::BadInput,
-                        "the dataset config is not a JSON object; it is damaged or of another "
-                        "program",
-                        config.string());
+            return fail(
+                ErrorCode::BadInput,
+                "the dataset config is not a JSON object; it is damaged or not a Habitat file",
+                config.string());
         }
         document = std::move(*read);
         dataset.config_name_ = config.filename().string();
@@ -234,7 +234,7 @@ Result<std::shared_ptr<const Template>> Dataset::load(Kind kind, const fs::path&
         if (!read) return tl::unexpected(read.error());
         if (!read->is_object()) {
             return fail(ErrorCode::BadInput,
-                        "the file is not a JSON object; it is damaged or of another program",
+                        "the file is not a JSON object; it is damaged or not a Habitat file",
                         file.string());
         }
         checkKeys(*read, kind, file.filename().string());
@@ -367,7 +367,7 @@ std::string Dataset::uselessPaths(Kind kind) const {
     if (config_name_.empty() || at == sections_.end()) return {};
     const Section& section = at->second;
     if (section.patterns == 0 || section.useless_patterns.size() < section.patterns) return {};
-    return fmt::format("the paths of {} in {} lead to no file ({}); correct them",
+    return fmt::format("the paths of {} in {} match no file ({}); correct them",
                        wordsOf(kind).section, cleanText(config_name_),
                        cleanText(io::listOf(section.useless_patterns, 5)));
 }
@@ -380,7 +380,7 @@ std::vector<std::string> Dataset::warnings(bool something_missing) const {
         const bool matters = something_missing || kind == Kind::SceneInstance;
         std::string line = matters ? uselessPaths(kind) : std::string();
         if (line.empty() && something_missing && !section.useless_patterns.empty()) {
-            line = fmt::format("some paths of {} in {} lead to no file: {}", wordsOf(kind).section,
+            line = fmt::format("some paths of {} in {} match no file: {}", wordsOf(kind).section,
                                cleanText(config_name_),
                                cleanText(io::listOf(section.useless_patterns, 5)));
         }
@@ -389,14 +389,14 @@ std::vector<std::string> Dataset::warnings(bool something_missing) const {
     std::size_t names = 0;
     for (const auto& [name, files] : several_) {
         if (++names > kMostNames) break;
-        lines.push_back(cleanText(fmt::format(
-            "the template name \"{}\" fits several files ({}), of which the first is used; name "
-            "one",
-            name, io::listOf(files, 3))));
+        lines.push_back(
+            cleanText(fmt::format("the template name \"{}\" matches several files ({}), and the "
+                                  "first is used; name one of them",
+                                  name, io::listOf(files, 3))));
     }
     if (several_.size() > kMostNames) {
-        lines.push_back(
-            fmt::format("{} more template names fit several files", several_.size() - kMostNames));
+        lines.push_back(fmt::format("{} more template names match several files",
+                                    several_.size() - kMostNames));
     }
     const std::vector<std::string> slips = keys_.warnings();
     lines.insert(lines.end(), slips.begin(), slips.end());

@@ -72,8 +72,8 @@ tl::unexpected<Error> FolderSearch::tooManyPatterns(const std::string& section) 
 
 tl::unexpected<Error> FolderSearch::tooMany(const char* what) const {
     return fail(ErrorCode::BadInput,
-                std::string("the paths of the dataset config lead to too many ") + what +
-                    "; write paths that lead to fewer",
+                std::string("the paths of the dataset config match too many ") + what +
+                    "; write paths that match fewer",
                 where_);
 }
 

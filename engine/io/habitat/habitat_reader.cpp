@@ -101,13 +101,13 @@ tl::unexpected<Error> readWithAnother(const fs::path& other, const DatasetScene&
     if (other.empty()) {
         return fail(ErrorCode::BadInput,
                     "the scene " + name +
-                        " does not find this config, which is a link or too far above it; put "
-                        "the config itself at most four folders above",
+                        " does not use this config, which is a link or too far above the scene; "
+                        "put the file itself at most four folders above",
                     config.string());
     }
     return fail(ErrorCode::BadInput,
                 "the scene " + name + " is read with " + cleanText(other.string()) +
-                    ", not with this config; name that one, or move it elsewhere",
+                    ", not with this config; name the other config, or move it elsewhere",
                 config.string());
 }
 
@@ -199,8 +199,9 @@ Result<std::vector<fs::path>> scenesOfDataset(const fs::path& given,
     if (files.empty()) return severalScenes({}, config, *dataset);
     const std::string useless = dataset->uselessPaths(Kind::SceneInstance);
     if (!useless.empty()) {
-        log::warn("import", fmt::format("{}; without scene instances each of {} stages is a scene",
-                                        useless, files.size()));
+        log::warn("import",
+                  fmt::format("{}; there are no scene instances, so each of {} stages is a scene",
+                              useless, files.size()));
     }
     return files;
 }

@@ -142,8 +142,9 @@ class SceneReader {
         if (labelled || !semantic || *semantic == asset) return labelled;
         labelled = semantics::findLabelledFiles(*semantic);
         if (!labelled) {
-            scene_.notes.push_back("the semantic mesh " + cleanText(semantic->filename().string()) +
-                                   " has no file of names beside it; it was not used");
+            scene_.notes.push_back(
+                "the semantic mesh " + cleanText(semantic->filename().string()) +
+                " was not used because no file with its object names is beside it");
         } else if (labelled->textured.empty() && labelsCanBeMoved(stage.attributes)) {
             labelled->textured = asset;
         }
@@ -433,8 +434,8 @@ class SceneReader {
             "objects have no valid translation, rotation or scale and were left out");
         if (dataset_.searchesWereCut()) {
             scene_.warnings.emplace_back(
-                "more than 2,000 names of templates are no file's name; the rest were not looked "
-                "up by parts of names, so name their files");
+                "more than 2,000 template names match no file name; partial matches were not "
+                "searched for the rest, so write their full file names");
         }
         for (std::string& line : classes_.warnings()) scene_.warnings.push_back(std::move(line));
         scene_.notes.insert(scene_.notes.end(), classes_.notes().begin(), classes_.notes().end());
@@ -450,7 +451,7 @@ class SceneReader {
         bool anything = false;
         for (const MeshPart& part : scene_.parts) anything = anything || !part.triangles.empty();
         if (!anything) {
-            std::string message = "the scene holds nothing that can be drawn";
+            std::string message = "the scene contains nothing that can be rendered";
             for (const std::string& warning : scene_.warnings) message += "; " + warning;
             return fail(ErrorCode::BadInput, message, path_.string());
         }

@@ -153,8 +153,9 @@ void SemanticClasses::readOnlyLexicon(const Dataset& dataset) {
 
 void SemanticClasses::readLexicon(const fs::path& file) {
     if (file.extension() != ".json") {
-        problems_.push_back("the semantic file " + shownName(file) +
-                            " is no lexicon of classes (JSON), so that classes are found by name");
+        problems_.push_back(
+            "the semantic file " + shownName(file) +
+            " is not a lexicon of classes (JSON), so that classes are found by name");
         return;
     }
     const Result<json> document = io::readBoundedJson(file);
@@ -255,9 +256,8 @@ std::vector<std::string> SemanticClasses::warnings() const {
         lines.push_back(fmt::format("{} a semantic_id, but {}", have, no_lexicon_));
     } else if (problems_.empty()) {
         lines.push_back(
-            fmt::format("{} a semantic_id, but no semantic lexicon says its class; "
-                        "list one in semantic_scene_descriptor_instances of the "
-                        "dataset config",
+            fmt::format("{} a semantic_id, but no semantic lexicon has its class; list one in "
+                        "semantic_scene_descriptor_instances of the dataset config",
                         have));
     }
     return lines;

@@ -125,7 +125,7 @@ Status addFurniture(const Home& home, ModelLibrary& library, HomeMaterials& mate
     }
     for (const auto& [name, reason] : missing) {
         scene.notes.push_back(
-            "the model " + cleanText(name) + " " + reason.first + "; a box stands for it " +
+            "the model " + cleanText(name) + " " + reason.first + "; it was replaced by a box " +
             (reason.second == 1 ? "once" : std::to_string(reason.second) + " times"));
     }
     return {};

@@ -29,7 +29,7 @@ int HomeMaterials::texture(const std::string& image) {
     if (bytes && *bytes) {
         request.embedded = **bytes;
     } else {
-        scene_.notes.push_back("the picture " + cleanText(image) + " is not among the home's " +
+        scene_.notes.push_back("the texture " + cleanText(image) + " is not among the home's " +
                                "files");
     }
     scene_.textures.push_back(std::move(request));

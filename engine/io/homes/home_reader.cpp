@@ -30,8 +30,8 @@ Result<Home> homeIn(const FileSource& archive, const std::string& where) {
     const auto serialized = archive.read("Home");
     if (serialized && *serialized) {
         return fail(ErrorCode::BadInput,
-                    "the home was saved by Sweet Home 3D before 5.3, in a form that only Java "
-                    "reads; open it with version 5.3 or later and save it again",
+                    "the home was saved by Sweet Home 3D before 5.3, in a Java format that cannot "
+                    "be read; open it with version 5.3 or later and save it again",
                     where);
     }
     return fail(ErrorCode::BadInput, "the archive has no Home.xml, so it is not a home", where);

@@ -267,7 +267,7 @@ Result<Home> parseHomeXml(std::string_view text, const std::string& where) {
     const pugi::xml_node root = document.document_element();
     if (std::strcmp(root.name(), "home") != 0) {
         return fail(ErrorCode::BadInput,
-                    "the XML is not a home of Sweet Home 3D: its outermost element is <" +
+                    "the XML is not a home of Sweet Home 3D: its root element is <" +
                         cleanText(root.name()) + ">, not <home>",
                     where);
     }

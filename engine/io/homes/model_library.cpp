@@ -56,7 +56,7 @@ ModelLibrary::Entry ModelLibrary::read(const std::string& name, const JobContext
         const std::string extension = lowerExtension(name);
         if (std::find(known.begin(), known.end(), extension) == known.end()) {
             if (!looksLikeObj(**bytes)) {
-                entry.why = "is of a kind that cannot be read; OBJ, DAE and glTF can";
+                entry.why = "is in a format that cannot be read; use OBJ, DAE or glTF";
                 continue;
             }
             readable += ".obj";

@@ -37,7 +37,7 @@ double XmlAttributes::parse(const char* name, std::string_view text) {
     double value = 0.0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-        wrong(name, "is no number (\"" + cleanText(text.substr(0, 40)) + "\")");
+        wrong(name, "is not a number (\"" + cleanText(text.substr(0, 40)) + "\")");
         return 0.0;
     }
     if (std::abs(value) > kLargest) {
@@ -71,7 +71,7 @@ std::optional<Eigen::Vector3f> XmlAttributes::color(const char* name) {
     std::uint32_t argb = 0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), argb, 16);
     if (status != std::errc{} || end != text.data() + text.size()) {
-        wrong(name, "is no colour");
+        wrong(name, "is not a colour");
         return std::nullopt;
     }
     return Eigen::Vector3f(toLinear(argb >> 16U & 255U), toLinear(argb >> 8U & 255U),

@@ -145,7 +145,7 @@ class Taker {
             missing(object, "mesh", range.mesh);
         } else if (count > 0) {
             result_.warnings.push_back("annotations: \"" + range.mesh + "\" has fewer triangles " +
-                                       "than \"" + object.name + "\" asks for");
+                                       "than \"" + object.name + "\" names");
         }
     }
 
@@ -179,8 +179,7 @@ Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
         const Label said = labels.find(object.category);
         if (said.kind == LabelKind::None && !object.nyu40) {
             warnings.push_back("annotations: \"" + object.category + "\", the class of \"" +
-                               object.name +
-                               "\", is in no table of labels; add it with --labels, or give nyu40");
+                               object.name + "\", is unknown; add it with --labels, or give nyu40");
         }
         return said;
     }
@@ -202,8 +201,8 @@ AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
         ObjectDraft draft;
         taker.take(object, draft);
         if (draft.parts.empty()) {
-            result.warnings.push_back("annotations: nothing is left for \"" + object.name +
-                                      "\"; it is no object");
+            result.warnings.push_back("annotations: no triangles are left for \"" + object.name +
+                                      "\", so it is not an object");
             continue;
         }
         draft.name = object.name;

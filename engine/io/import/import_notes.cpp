@@ -23,8 +23,8 @@ void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
         {repairs.bad_numbers, report.warnings, "face with a non-finite corner was dropped",
          "faces with a non-finite corner were dropped"},
         {repairs.too_far, report.warnings,
-         "face reaches further than 1e9 units from the origin and was dropped",
-         "faces reach further than 1e9 units from the origin and were dropped"},
+         "face extends more than 1e9 units from the origin and was dropped",
+         "faces extend more than 1e9 units from the origin and were dropped"},
         {repairs.bad_indices, report.warnings, "face that names a missing vertex was dropped",
          "faces that name a missing vertex were dropped"},
         {repairs.no_area, report.notes, "face without area was dropped",
@@ -67,22 +67,21 @@ void noteMerges(const std::vector<MergedPiece>& merges, const std::vector<Object
         list += "; " + std::to_string(nameless) + " without a name of their own";
     }
     report.notes.push_back(counted(merges.size(),
-                                   "piece was put together with what it is attached to",
-                                   "pieces were put together with what they are attached to") +
+                                   "piece was merged with the object it is attached to",
+                                   "pieces were merged with the objects they are attached to") +
                            (list.empty() ? "" : ": " + list));
 }
 
 void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportReport& report) {
     if (!found.doubtful.empty()) {
-        report.warnings.push_back(
-            counted(found.doubtful.size(), "mesh", "meshes") +
-            fmt::format(" may hold several objects, alike and apart from each other: {}; split if "
-                        "so (dollytrack edit)",
-                        fmt::join(found.doubtful, ", ")));
+        report.warnings.push_back(counted(found.doubtful.size(), "mesh", "meshes") +
+                                  fmt::format(" may contain several similar, separate objects: {}; "
+                                              "split them if so (dollytrack edit)",
+                                              fmt::join(found.doubtful, ", ")));
     }
     if (found.names.empty()) return;
     const std::string meshes =
-        counted(found.names.size(), "mesh holds", "meshes hold") +
+        counted(found.names.size(), "mesh contains", "meshes contain") +
         fmt::format(" parts of several objects: {}; ", fmt::join(found.names, ", "));
     if (regrouped) {
         report.notes.push_back(
@@ -119,14 +118,15 @@ void noteUnseen(const std::vector<std::string>& proxies, std::size_t twice, Impo
     if (!proxies.empty()) {
         std::string list;
         for (const std::string& name : proxies) list += (list.empty() ? "" : ", ") + name;
-        report.notes.push_back(counted(proxies.size(), "mesh is for physics and was left out: ",
-                                       "meshes are for physics and were left out: ") +
+        report.notes.push_back(counted(proxies.size(),
+                                       "mesh is a collision shape and was left out: ",
+                                       "meshes are collision shapes and were left out: ") +
                                list);
     }
     if (twice > 0) {
-        report.notes.push_back(counted(twice,
-                                       "mesh occurs twice in one place and was left out once",
-                                       "meshes occur twice in one place and were left out once"));
+        report.notes.push_back(
+            counted(twice, "mesh occurs twice at the same position and was left out once",
+                    "meshes occur twice at the same position and were left out once"));
     }
 }
 
@@ -142,23 +142,22 @@ void noteFarAway(const RawScene& raw, double unit_m, ImportReport& report) {
     const double step_m = unit_m * away * std::numeric_limits<float>::epsilon();
     if (step_m < kCoarsest_m) return;
     report.warnings.push_back(
-        fmt::format("the scene lies {:.3g} m from the origin, where corners have a precision of "
-                    "{:.2g} m only; move it to the origin and export it again",
+        fmt::format("the scene is {:.3g} m from the origin, where vertices have a precision of "
+                    "only {:.2g} m; move it to the origin and export it again",
                     unit_m * away, step_m));
 }
 
 Error nothingToDraw(const RawScene& raw, const std::filesystem::path& path) {
     if (raw.repairs.no_area > 0) {
         return Error{ErrorCode::BadInput,
-                     "none of its faces has an area, their corners lie in one place or line; if it "
-                     "was made millions of units from the origin, where numbers keep no corners "
-                     "apart, move it to the origin and export it again",
+                     "all its faces have an area of 0; if it is millions of units from the origin, "
+                     "where numbers are imprecise, move it to the origin and export it again",
                      path.string()};
     }
     if (raw.repairs.too_far > 0) {
         return Error{ErrorCode::BadInput,
-                     "all its faces reach further than 1e9 units from the origin; move the scene "
-                     "to the origin, in a unit that fits, and export it again",
+                     "all its faces extend more than 1e9 units from the origin; move the scene to "
+                     "the origin, choose a suitable unit, and export it again",
                      path.string()};
     }
     if (raw.repairs.bad_numbers + raw.repairs.bad_indices > 0) {

@@ -91,7 +91,7 @@ void noteOddities(const Scene& scene, ImportReport& report) {
     std::vector<double> storeys;
     for (const FloorLevel& floor : labelledFloors(scene)) storeys.push_back(floor.top_m);
     if (storeys.size() > 1) {
-        report.notes.push_back(fmt::format("{} storeys, their floors at {:.2f} m", storeys.size(),
+        report.notes.push_back(fmt::format("{} storeys, with floors at {:.2f} m", storeys.size(),
                                            fmt::join(storeys, ", ")));
     }
     std::size_t two_sided = 0;
@@ -106,17 +106,20 @@ void noteOddities(const Scene& scene, ImportReport& report) {
         }
     }
     if (two_sided > 0) {
-        report.notes.push_back(counted(two_sided, "object has each face twice, for both sides",
-                                       "objects have each face twice, for both sides"));
+        report.notes.push_back(counted(two_sided, "object has each face twice, once per side",
+                                       "objects have each face twice, once per side"));
     }
     if (inside_out > 0) {
-        report.notes.push_back(
-            counted(inside_out, "object is inside out; both sides of its faces are drawn",
-                    "objects are inside out; both sides of their faces are drawn"));
+        report.notes.push_back(counted(
+            inside_out, "object has faces that point inwards; both of their sides are rendered",
+            "objects have faces that point inwards; both of their sides are rendered"));
     }
     if (mirrors > 0) {
-        report.notes.push_back(counted(mirrors, "mirror is drawn as a plain surface",
-                                       "mirrors are drawn as plain surfaces"));
+        report.notes.push_back(counted(
+            mirrors,
+            "mirror is rendered without reflections, because its material is not reflective",
+            "mirrors are rendered without reflections, because their materials are not "
+            "reflective"));
     }
 }
 

@@ -23,7 +23,8 @@ UpAxis inFile(UpAxis in_world, const Scene& scene) {
 
 std::string upDoubt(UpAxis likelier, const Scene& scene) {
     return fmt::format(
-        "the upward axis is doubtful: {} ({}) is up, but floors and what stands on them say {}",
+        "the upward axis is doubtful: {} ({}) is up, but floors and the objects on them indicate "
+        "{}",
         scene.report.up_axis, scene.report.up_source, likelier.text());
 }
 

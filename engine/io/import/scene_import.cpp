@@ -61,8 +61,8 @@ AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTabl
     if (said.objects.empty()) return {};
     if (!raw.objects.empty()) {
         report.warnings.push_back(
-            "annotations: this kind of scene names its objects itself; what " + file +
-            " says they are made of is left out");
+            "annotations: this scene format defines its own objects, so the object list of " +
+            file + " was not used");
         return {};
     }
     AnnotatedDrafts annotated = takeAnnotated(said.objects, labels, raw);
@@ -75,8 +75,9 @@ AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTabl
 void noteUprightFronts(const std::vector<ObjectDraft>& drafts, Scene& scene) {
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         if (!drafts[i].front || scene.objects[i].front_source == FrontSource::Annotation) continue;
-        scene.report.warnings.push_back("the front given for \"" + scene.objects[i].name +
-                                        "\" points up or down; the shape decides instead");
+        scene.report.warnings.push_back(
+            "the front given for \"" + scene.objects[i].name +
+            "\" points up or down; the front is found by the object's shape instead");
     }
 }
 
@@ -272,8 +273,8 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     scene.room_bounds = findRoomBounds(scene.objects, &left_out);
     for (const std::string& name : left_out) {
         scene.report.notes.push_back("\"" + name +
-                                     "\" lies outside or around the building and "
-                                     "does not count for its size");
+                                     "\" is outside or around the building, so the size of the "
+                                     "building does not include it");
     }
     if (!(*format)->frame_is_specified) {
         scene.report.proposal = proposeImport(scene, frame, !knows_objects);

@@ -33,8 +33,8 @@ void noteSizeDoubts(const Scene& scene, ImportReport& report) {
     }
     if (count == 0) return;
     if (count > kMostNamed) list += fmt::format(" and {} more", count - kMostNamed);
-    report.warnings.push_back(counted(count, "object is of a size that its class does not have: ",
-                                      "objects are of sizes that their classes do not have: ") +
+    report.warnings.push_back(counted(count, "object has an unusual size for its class: ",
+                                      "objects have unusual sizes for their classes: ") +
                               list + "; set the class, split or merge (dollytrack edit)");
 }
 

@@ -45,10 +45,10 @@ void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoi
         return;
     }
     choice.up_axis = ranked.front().axis;
-    choice.up_source = "judged from floors and what stands on them, against the file";
+    choice.up_source = "found by floors and the objects on them, unlike the file";
     choice.warnings.push_back(
-        fmt::format("the file says {0} is up, but floors and what stands on them say {1}, which "
-                    "was taken; pass --up {0} to keep the file's",
+        fmt::format("the file says {0} is up, but floors and the objects on them indicate {1}, "
+                    "which was used; pass --up {0} to keep the file's axis",
                     raw.file_up_axis.text(), choice.up_axis.text()));
 }
 
@@ -62,7 +62,7 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     if (raw.file_up_axis.isAxis()) return weighFileAxis(raw, evidence, choice);
     const std::vector<UpEvidence> ranked = rankAxes(evidence);
     choice.up_axis = ranked[0].axis;
-    choice.up_source = "judged from floors, ceilings and what stands on them";
+    choice.up_source = "found by floors, ceilings and the objects on them";
     const std::string axis = choice.up_axis.text();
     if (ranked[0].score - ranked[1].score < kSlightly) {
         choice.warnings.push_back(
@@ -70,10 +70,10 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
                         "--up {} if it is wrong",
                         axis, ranked[1].axis.text(), ranked[1].axis.text()));
     } else if (choice.up_axis.negative) {
-        choice.warnings.push_back(fmt::format(
-            "the file is upside down for its kind: floors and what stands on them say {} is up; "
-            "pass --up {} if not",
-            axis, axis.substr(1)));
+        choice.warnings.push_back(
+            fmt::format("the file is upside down for its format: floors and the objects on them "
+                        "indicate that {} is up; pass --up {} if not",
+                        axis, axis.substr(1)));
     }
 }
 
@@ -144,15 +144,14 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
             return;
         }
         preferStandingHeight(evidence, best_unit, best);
-        choice.warnings.push_back(
-            fmt::format("the file says 1 unit = {:.3g} m, which makes the {}; {:.3g} m was taken "
-                        "instead",
-                        unit, by_file.evidence, best_unit));
+        choice.warnings.push_back(fmt::format(
+            "the file says 1 unit = {:.3g} m, which makes the {}; {:.3g} m was used instead", unit,
+            by_file.evidence, best_unit));
     }
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;
     if (maybe_feet) {
-        choice.warnings.push_back("the unit is doubtful: this is a hall in metres (" +
+        choice.warnings.push_back("the unit is doubtful: this may be a hall in metres (" +
                                   best.evidence +
                                   "), or a room in feet; give 0.3048 metres per unit for feet");
     } else if (best.score < kDoubtfulScore) {

@@ -135,19 +135,19 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
     result.up = candidates[0].up;
     result.source = axis                             ? "given"
                     : camera && result.up.y() < -0.5 ? "a camera's axes: y points down"
-                    : candidates[0].floor > 0.1      ? "judged from floors and ceilings"
+                    : candidates[0].floor > 0.1      ? "found by floors and ceilings"
                                                      : "default: no floor was found";
     result.doubtful =
         !axis && candidates.size() > 1 && candidates[0].score - candidates[1].score < 0.3;
     if (const CloudPlane* floor = levelPlane(planes, result.up)) {
         result.up =
             floor->normal.dot(result.up) < 0.0 ? Eigen::Vector3d(-floor->normal) : floor->normal;
-        result.source += ", level as the largest floor or ceiling";
+        result.source += ", levelled by the largest floor or ceiling";
     } else {
         const Eigen::Vector3d level = acrossWalls(planes, result.up);
         if (level.dot(result.up) > kAlong && !level.isApprox(result.up)) {
             result.up = level;
-            result.source += ", upright as the walls";
+            result.source += ", levelled by the walls";
         }
     }
     return result;

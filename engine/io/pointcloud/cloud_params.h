@@ -22,7 +22,8 @@ void visitCloudParams(Params& p, Visitor&& visit) {
     visit("voxel_m", p.voxel_m,
           FieldInfo{0.002, 0.5, "m", "Detail: one point is kept in each cube of this size"});
     visit("max_points", p.max_points,
-          FieldInfo{100, 2e6, "", "Largest number of points kept; the cubes grow until it is met"});
+          FieldInfo{100, 2e6, "",
+                    "Largest number of points kept; the cubes are enlarged until it is met"});
     visit("gap_m", p.gap_m,
           FieldInfo{0.005, 2.0, "m", "Largest gap across which surfaces are joined"});
     visit("hole_m", p.hole_m, FieldInfo{0.0, 5.0, "m", "Holes up to this wide are filled"});

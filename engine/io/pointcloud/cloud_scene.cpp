@@ -31,8 +31,8 @@ tl::unexpected<Error> cancelled(const std::filesystem::path& path) {
 
 tl::unexpected<Error> noSurface(std::size_t points, const std::filesystem::path& path) {
     return fail(ErrorCode::BadInput,
-                fmt::format("Its {} points form no surface: they are too few or too far apart; "
-                            "raise the cloud's voxel_m and gap_m.",
+                fmt::format("The {} points form no surface because they are too few or too far "
+                            "apart; raise the cloud's voxel_m and gap_m.",
                             points),
                 path.string());
 }
@@ -284,42 +284,42 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
             cloud.left_out, strays, labels.specks));
     }
     raw.notes.push_back(
-        fmt::format("{} points became {} samples {:.0f} mm apart and {} triangles; {} holes were "
-                    "filled with {} "
-                    "of them",
+        fmt::format("{} points were reduced to {} samples {:.0f} mm apart and meshed as {} "
+                    "triangles; {} holes were filled with {} triangles",
                     points, samples.points.size(), samples.voxel_m * 1e3, surface->triangles.size(),
                     surface->holes_filled, surface->hole_triangles));
-    raw.notes.push_back(
-        fmt::format("the points lie {:.1f} mm (median) and {:.1f} mm (95 %) from the surface",
-                    error.median_m * 1e3, error.p95_m * 1e3));
+    raw.notes.push_back(fmt::format(
+        "distance of the points from the surface: {:.1f} mm (median), {:.1f} mm (95th percentile)",
+        error.median_m * 1e3, error.p95_m * 1e3));
     if (step > 0.0) {
         raw.notes.push_back(fmt::format(
-            "depths come in steps ({:.0f} mm at 4 m); points were smoothed along their rays",
+            "depths are quantized ({:.0f} mm at 4 m); points were smoothed along their rays",
             16.0e3 * step));
     }
     if (cloud.splats) {
         raw.warnings.push_back(
-            "the file holds Gaussian splats, not a scan: their centres were read as points, which "
-            "scatter around the surfaces; a mesh of the same scene is more exact");
+            "the file contains Gaussian splats, whose centres were read as points with scatter "
+            "around the surfaces; a mesh of the scene is more exact");
     }
     if (samples.spacing_m > 0.0) {
         raw.warnings.push_back(
-            fmt::format("the points are {:.0f} mm apart, and details below a few times that are "
-                        "lost; scan from closer, or check the objects",
+            fmt::format("the points are {:.0f} mm apart, and details smaller than a few times this "
+                        "distance are lost; scan from closer, or check the objects",
                         samples.spacing_m * 1e3));
     }
     if (samples.smoothed_m > 0.0) {
         auto& told = samples.scatter_m > kMuchScatter ? raw.warnings : raw.notes;
         told.push_back(
-            fmt::format("the points scatter by {:.0f} mm about their surfaces; they were moved "
-                        "onto planes through neighbours within {:.0f} mm, which rounds edges",
+            fmt::format("the points have {:.0f} mm of noise; they were moved onto planes fitted to "
+                        "neighbours within {:.0f} mm, which rounds edges",
                         samples.scatter_m * 1e3, samples.smoothed_m * 1e3));
     }
     raw.notes.push_back(
-        "a level floor, \"floor_unseen\", was added below the scan, which has gaps behind "
-        "furniture and where the scanner stood");
+        "a level floor, \"floor_unseen\", was added below the scan to close gaps behind furniture "
+        "and below the scanner");
     if (!options.unit_m) {
-        raw.notes.push_back(fmt::format("1 unit of the cloud is {} m, judged by its size", unit_m));
+        raw.notes.push_back(
+            fmt::format("1 unit of the cloud is {} m, estimated by its size", unit_m));
     }
     raw.notes.push_back("up in the cloud: " + up.source);
     if (up.doubtful) raw.notes.push_back("the cloud's upward axis is doubtful; give it if wrong");

@@ -88,11 +88,11 @@ std::string checkHeader(PcdHeader& header) {
     }
     if (header.points == 0) header.points = header.width * header.height;
     if (header.width * header.height != header.points && header.width != 0) {
-        return fmt::format("WIDTH {} times HEIGHT {} are not its {} POINTS.", header.width,
+        return fmt::format("WIDTH {} times HEIGHT {} does not equal POINTS {}.", header.width,
                            header.height, header.points);
     }
     if (header.points == 0 || header.points > kMostCloudPoints) {
-        return fmt::format("It claims to contain {} points; 1 to {} can be read.", header.points,
+        return fmt::format("Its header declares {} points; 1 to {} can be read.", header.points,
                            kMostCloudPoints);
     }
     return {};
@@ -118,7 +118,7 @@ Result<PcdHeader> readPcdHeader(std::string_view bytes, const std::string& name)
         header.size = end + 1;
         if (words.empty() || words[0].starts_with('#')) continue;
         if (!takeLine(words, header)) {
-            return fail(ErrorCode::BadInput, "It is not a line of a PCD header.",
+            return fail(ErrorCode::BadInput, "This line does not belong in a PCD header.",
                         placeOf(name, header.lines));
         }
     }

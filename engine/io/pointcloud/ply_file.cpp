@@ -54,7 +54,7 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
             std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count);
         if (error != std::errc()) {
             return plyFault("The count of \"" + cleanText(words[1]) +
-                                "\" is no whole number; export the file again.",
+                                "\" is not a whole number; export the file again.",
                             where);
         }
         header.elements.push_back(std::move(element));
@@ -67,12 +67,12 @@ Status takeLine(const std::vector<std::string_view>& words, const std::string& w
         if (list) property.count = kindNamed(words[2]);
         if (!list && words[1] == "string") {
             return plyFault(
-                "Labels as texts cannot be read; write numbers, and name them in "
-                "NAME.labels.json beside NAME.ply ({\"3\": \"chair\"}).",
+                "Text labels cannot be read; write numbers, and their names into NAME.labels.json "
+                "beside NAME.ply ({\"3\": \"chair\"}).",
                 where);
         }
         if (!kind || (list && !property.count)) {
-            return plyFault("The type of this property is unknown to PLY; export the file again.",
+            return plyFault("The type of this property is not a PLY type; export the file again.",
                             where);
         }
         property.kind = *kind;

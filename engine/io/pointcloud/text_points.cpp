@@ -163,14 +163,14 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
         if (words.size() == 1 && cloud.points.empty()) continue;  // the number of points
         if (width == 0) width = words.size();
         if (words.size() != width) {
-            return refuse(fmt::format("Here are {} numbers, and {} in the lines before.",
+            return refuse(fmt::format("This line has {} numbers, but the lines before have {}.",
                                       words.size(), width));
         }
         if (!columns) columns = columnsCounted(width);
         if (!columns) {
             return refuse(
-                fmt::format("A point has x y z, then maybe red green blue and a normal; "
-                            "here are {} numbers.",
+                fmt::format("A point has x y z, optionally followed by red green blue and a "
+                            "normal; this line has {} numbers.",
                             width));
         }
         std::array<double, 9> values{};
@@ -178,10 +178,12 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
             const int column = (*columns)[slot];
             if (column < 0) continue;
             if (static_cast<std::size_t>(column) >= words.size()) {
-                return refuse("The names in the first line and the numbers here do not agree.");
+                return refuse(
+                    "The number of values in this line differs from the number of column names in "
+                    "the first line.");
             }
             const auto number = numberIfAny(words[static_cast<std::size_t>(column)]);
-            if (!number) return refuse("This is no number.");
+            if (!number) return refuse("This is not a number.");
             values[slot] = *number;
         }
         const Eigen::Vector3d point(values[0], values[1], values[2]);

@@ -45,9 +45,10 @@ int openByRealPath(const fs::path& folder, const std::string& relative) {
 
 Error cannotOpen(int error, const std::string& name) {
     if (error == EXDEV || error == ELOOP) {
-        return {ErrorCode::BadInput,
-                "it lies outside the scene's folder and is not opened; copy it into that folder",
-                name};
+        return {
+            ErrorCode::BadInput,
+            "the file is outside the scene's folder and was not opened; copy it into that folder",
+            name};
     }
     return {ErrorCode::BadInput,
             std::string("the file cannot be opened (") + std::strerror(error) + ")", name};

@@ -19,13 +19,14 @@ constexpr int kLowestDescriptor = 10;
 Error noMemory(int error) {
     // EINVAL: the lowest descriptor that is wanted is above the limit.
     if (error == EMFILE || error == ENFILE || error == EINVAL) {
-        return {ErrorCode::Failed,
-                "too few files may be open at a time to read scenes; raise the limit (ulimit -n) "
-                "to 64 or more",
-                {}};
+        return {
+            ErrorCode::Failed,
+            "the limit on open files is too low to read scenes; raise it (ulimit -n) to 64 or more",
+            {}};
     }
     return {ErrorCode::Failed,
-            std::string("there is no memory to import into (") + std::strerror(error) + ")",
+            std::string("there is not enough memory for the imported scene (") +
+                std::strerror(error) + ")",
             {}};
 }
 
@@ -53,12 +54,13 @@ Result<std::span<const std::uint8_t>> FrameMemory::close(std::size_t used) {
         return fail(ErrorCode::BadInput, "its length is none");
     }
     if (view_ || ::fcntl(memory_.get(), F_ADD_SEALS, F_SEAL_WRITE) != 0) {
-        return fail(ErrorCode::BadInput, "what was handed back can still be written to");
+        return fail(ErrorCode::BadInput, "the returned data can still be modified");
     }
     void* view = ::mmap(nullptr, used, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_.get(), 0);
     if (view == MAP_FAILED) {
-        return fail(ErrorCode::Failed, std::string("there is no memory for what was imported (") +
-                                           std::strerror(errno) + ")");
+        return fail(ErrorCode::Failed,
+                    std::string("there is not enough memory for the imported scene (") +
+                        std::strerror(errno) + ")");
     }
     view_ = {static_cast<const std::uint8_t*>(view), Unmap{used}};
     return std::span(view_.get(), used);

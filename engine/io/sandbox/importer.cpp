@@ -108,12 +108,12 @@ Error outOfMemory(const std::string& where) {
     const std::string size = std::to_string(limit.bytes >> 20U) + " MiB";
     if (limit.inherited) {
         return {ErrorCode::Failed,
-                "out of memory: reading it takes more than the limit of " + size +
+                "out of memory: reading it needs more than the limit of " + size +
                     " for this program; raise it (ulimit, memory_mb)",
                 where};
     }
     return {ErrorCode::BadInput,
-            "reading it takes more than " + size +
+            "reading it needs more than " + size +
                 " of memory; if it is not damaged, make it smaller or split it",
             where};
 }
@@ -183,12 +183,12 @@ tl::unexpected<Error> tooLarge(const std::string& where) {
     const std::string size = std::to_string(mostFrameBytes() >> 20U) + " MiB";
     if (mostFrameBytes() < kMostFrameBytes / 2) {
         return fail(ErrorCode::Failed,
-                    "what it holds takes more than the " + size +
-                        " that the limit on file sizes leaves; raise it (ulimit -f)",
+                    "its contents need more than the " + size +
+                        " that the file size limit allows; raise it (ulimit -f)",
                     where);
     }
     return fail(ErrorCode::BadInput,
-                "what it holds takes more than " + size + "; make its meshes or pictures smaller",
+                "its contents need more than " + size + "; make its meshes or textures smaller",
                 where);
 }
 

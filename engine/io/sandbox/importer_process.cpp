@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::milliseconds kStep{40};
 
 constexpr const char* kExportAgain =
-    "; the file is damaged or beyond its reader: export it again, preferably as glTF";
+    "; the file is damaged or not supported: export it again, preferably as glTF";
 
 std::vector<std::string> commandFor(const fs::path& scene, const ImportOptions& options,
                                     const std::vector<fs::path>& more_inputs) {
@@ -89,22 +89,21 @@ void hear(const ImporterMessage& message, const JobContext& job, ReadingClock& c
 tl::unexpected<Error> tookTooLong(const ReadingClock& clock, const std::string& where) {
     if (!clock.reads()) {
         return fail(ErrorCode::Failed,
-                    "the program that reads scene files did not begin within " +
+                    "the program that reads scene files did not start within " +
                         std::to_string(std::lround(clock.allowed().count())) +
                         " s; try again when the machine is less busy",
                     where);
     }
     return fail(ErrorCode::BadInput,
                 "reading it took longer than " +
-                    std::to_string(std::lround(clock.allowed().count())) + " s and was given up" +
+                    std::to_string(std::lround(clock.allowed().count())) + " s and was stopped" +
                     kExportAgain,
                 where);
 }
 
 tl::unexpected<Error> damagedHandBack(const std::string& reason, const std::string& where) {
     return fail(ErrorCode::BadInput,
-                "the importer handed back something damaged (" + reason + ")" + kExportAgain,
-                where);
+                "the importer returned invalid data (" + reason + ")" + kExportAgain, where);
 }
 
 /// Nothing when it ended well.
@@ -127,8 +126,8 @@ std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs:
                      importerProgram().string()};
     }
     return Error{ErrorCode::BadInput,
-                 "the importer ended with nothing (exit code " +
-                     std::to_string(WEXITSTATUS(status)) + ")" + kExportAgain,
+                 "the importer returned nothing (exit code " + std::to_string(WEXITSTATUS(status)) +
+                     ")" + kExportAgain,
                  where};
 }
 

@@ -48,7 +48,7 @@ Result<std::string> InputFile::readAll(std::uint64_t most) const {
             ErrorCode::BadInput,
             "the file is larger than " +
                 (small ? std::to_string(most) + " bytes" : std::to_string(most >> 20U) + " MiB") +
-                ", the most that is read of its kind",
+                ", the limit for files of this type",
             where_);
     }
     std::string bytes(size(), '\0');

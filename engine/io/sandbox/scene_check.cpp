@@ -84,7 +84,7 @@ Status checkNodes(RawScene& raw) {
     for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
         SourceNode& node = raw.nodes[i];
         if (node.parent < -1 || node.parent >= static_cast<std::int64_t>(i)) {
-            return wrong("node " + std::to_string(i) + " does not follow its parent");
+            return wrong("node " + std::to_string(i) + " does not come after its parent");
         }
         if (node.parent >= 0) ++children[static_cast<std::size_t>(node.parent)];
         node.name = cleanText(node.name);
@@ -125,10 +125,11 @@ Status checkObjects(RawScene& raw) {
     for (SourceObject& object : raw.objects) {
         const bool front_is_sound = !object.front || object.front->norm() < kLongestFront;
         if (object.nyu40 < 0 || object.nyu40 > kMostClasses || !front_is_sound) {
-            return wrong("an object's class or front is none");
+            return wrong("an object's class or front is invalid");
         }
         for (const std::size_t part : object.parts) {
-            if (part >= taken.size() || taken[part]) return wrong("an object's mesh is none");
+            if (part >= taken.size() || taken[part])
+                return wrong("an object's mesh does not exist or is used twice");
             taken[part] = true;
         }
         object.name = cleanText(object.name);
@@ -145,10 +146,10 @@ Status checkTextures(ReadScene& scene) {
                                                set.textures.size();
     // None at all: they were not to be read.
     if (!counted || (set.textures.size() != asked && !set.textures.empty())) {
-        return wrong("the pictures are not those that were asked for");
+        return wrong("the textures are not the requested ones");
     }
     for (Texture& texture : set.textures) {
-        if (!soundTexture(texture)) return wrong("a picture is not whole");
+        if (!soundTexture(texture)) return wrong("a texture is incomplete");
         texture.name = cleanText(texture.name);
     }
     for (TextureRequest& request : scene.raw.textures) request.name = cleanText(request.name);
@@ -162,14 +163,14 @@ Status checkTextures(ReadScene& scene) {
 Status checkScene(ReadScene& scene) {
     RawScene& raw = scene.raw;
     if (raw.file_unit_m && !(*raw.file_unit_m > 0.0 && *raw.file_unit_m < 1e9)) {
-        return wrong("the file's unit is no length");
+        return wrong("the file's unit is not a valid length");
     }
     if (raw.file_up_axis.letter != 0 && !raw.file_up_axis.isAxis()) {
-        return wrong("the file's upward axis is none");
+        return wrong("the file's upward axis is not an axis");
     }
     const double volume = std::abs(raw.file_from_parts.linear().determinant());
     if (!raw.file_from_parts.matrix().allFinite() || !(volume > 0.0 && volume < HUGE_VAL)) {
-        return wrong("the way back to the file's axes is none");
+        return wrong("the transform to the file's axes is not invertible");
     }
     for (Material& material : raw.materials) {
         if (!soundMaterial(material, raw.textures.size())) {

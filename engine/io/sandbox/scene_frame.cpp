@@ -111,8 +111,8 @@ void repairMembers(Archive& archive, T& repairs) {
 template <class Archive, class T>
 void sceneMembers(Archive& archive, T& scene) {
     auto& [raw, set] = scene;
-    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis,
-           file_from_parts, notes, warnings] = raw;
+    auto& [nodes, parts, objects, materials, requests, repairs, unit_m, up_axis, file_from_parts,
+           notes, warnings] = raw;
     auto& [textures, missing, broken, found] = set;
     const auto text = [](Archive& to, auto& line) { to.text(line); };
     archive.list(nodes, 16, [](Archive& to, auto& node) { nodeMembers(to, node); });
@@ -195,12 +195,13 @@ Result<ReadScene> readFrame(std::span<const std::uint8_t> frame, bool& damaged) 
     Header header;
     if (frame.size() < sizeof(header)) return tl::unexpected(damage("it is too short"));
     std::memcpy(&header, frame.data(), sizeof(header));
-    if (header.magic != kFrameMagic) return tl::unexpected(damage("it does not begin like one"));
-    if (header.version != kFrameVersion) return tl::unexpected(damage("its version is another"));
+    if (header.magic != kFrameMagic)
+        return tl::unexpected(damage("it does not start with the expected bytes"));
+    if (header.version != kFrameVersion) return tl::unexpected(damage("it has another version"));
     if (header.is_error > 1) return tl::unexpected(damage("its kind is unknown"));
     if (header.size != frame.size()) return tl::unexpected(damage("its length is wrong"));
     const auto body = frame.subspan(sizeof(header));
-    if (header.sum != frameSum(body)) return tl::unexpected(damage("its check sum is wrong"));
+    if (header.sum != frameSum(body)) return tl::unexpected(damage("its checksum is wrong"));
     FrameReader reader(body);
     if (header.is_error == 1) {
         Error error;
@@ -211,7 +212,7 @@ Result<ReadScene> readFrame(std::span<const std::uint8_t> frame, bool& damaged) 
     }
     ReadScene scene;
     sceneMembers(reader, scene);
-    if (!reader.finished()) return tl::unexpected(damage("its counts do not fit its length"));
+    if (!reader.finished()) return tl::unexpected(damage("its counts do not match its length"));
     if (Status sound = checkScene(scene); !sound) return tl::unexpected(sound.error());
     damaged = false;
     return scene;

@@ -81,7 +81,7 @@ Result<ReadScene> readApart(const std::filesystem::path& path, const ImportOptio
     Result<ReadScene> scene = readFrame(back->frame, damaged);
     if (!scene && damaged) {
         return fail(ErrorCode::BadInput,
-                    "the importer handed back something damaged (" + scene.error().message +
+                    "the importer returned invalid data (" + scene.error().message +
                         "); the file is damaged: export it again, preferably as glTF",
                     path.string());
     }

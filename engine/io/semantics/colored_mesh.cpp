@@ -62,7 +62,7 @@ class ColoredMesh {
                         "no colour of the labelled mesh is one of " +
                             std::to_string(names_.of_color.size()) +
                             " in its .semantic.txt; the two files do not belong together, or its "
-                            "pictures are in a form that cannot be decoded (KTX2)",
+                            "textures have a format that cannot be decoded (KTX2)",
                         path_.string());
         }
         return std::move(mesh_);
@@ -86,8 +86,8 @@ class ColoredMesh {
             placed += cost[placement.mesh];
             if (placed <= kMostTriangles) continue;
             return fail(ErrorCode::BadInput,
-                        fmt::format("the nodes of the labelled mesh place more than {} triangles "
-                                    "in all; split the scene",
+                        fmt::format("the instances of the labelled mesh have more than {} "
+                                    "triangles in total; split the scene",
                                     kMostTriangles),
                         path_.string());
         }

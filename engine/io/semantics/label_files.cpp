@@ -76,8 +76,8 @@ Result<LabelNames> readHabitatText(const fs::path& path) {
         if (!id || error != std::errc() || end != hex.data() + hex.size() || color > 0xFFFFFFU ||
             close == line.npos) {
             return fail(ErrorCode::BadInput,
-                        "The line does not read NUMBER,RRGGBB,\"NAME\",...; download the file "
-                        "again.",
+                        "The line does not have the form NUMBER,RRGGBB,\"NAME\",...; download the "
+                        "file again.",
                         io::placeOf(path, number));
         }
         names.categories[*id] = cleanText(line.substr(open + 1, close - open - 1));

@@ -22,7 +22,7 @@ std::string shown(const fs::path& file) {
 std::string gapBetween(const fs::path& first, const fs::path& second, const char* without) {
     const bool has_first = io::hasFile(first);
     if (has_first == io::hasFile(second)) return {};
-    return fmt::format("{} is there, but {} is missing, so that {}; download it to the same folder",
+    return fmt::format("{} exists, but {} is missing, so that {}; download it to the same folder",
                        shown(has_first ? first : second), shown(has_first ? second : first),
                        without);
 }
@@ -61,7 +61,7 @@ std::string replicaGap(const fs::path& mesh) {
         }
         if (labelled) continue;
         if (both) {
-            return fmt::format("this mesh has no labels; name {} to have Replica's objects",
+            return fmt::format("this mesh has no labels; open {} to get Replica's objects",
                                cleanText(numbers.lexically_relative(mesh.parent_path()).string()));
         }
         if (std::string gap = gapBetween(names, numbers, kNoObjects); !gap.empty()) return gap;

@@ -88,8 +88,8 @@ Status checkCount(const LabelledFaces& faces, const fs::path& path) {
     constexpr std::size_t kMostObjects = 100'000;
     if (faces.objects.size() <= kMostObjects) return {};
     return fail(ErrorCode::BadInput,
-                fmt::format("its labels make {} objects, and at most {} can be read; check that "
-                            "they number objects and not faces",
+                fmt::format("its labels define {} objects, but at most {} can be read; check that "
+                            "they number objects, not faces",
                             faces.objects.size(), kMostObjects),
                 path.string());
 }
@@ -148,8 +148,8 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
     const std::optional<LabelledFaces> faces = labelFaces(*mesh, *names, files.nyu40);
     if (!faces) {
         return fail(ErrorCode::BadInput,
-                    "the labelled mesh has no numbers of objects (object_id, label); download it "
-                    "again together with its file of names",
+                    "the labelled mesh has no object numbers (object_id, label); download it again "
+                    "together with the file with the object names",
                     files.labelled.string());
     }
     if (Status few = checkCount(*faces, files.labelled); !few) return tl::unexpected(few.error());
@@ -161,7 +161,7 @@ Result<RawScene> readLabelled(const LabelledFiles& files, const JobContext& job)
         scene.file_up_axis = UpAxis();  // these datasets use z up in glTF as well
     } else if (!is_ply) {
         scene.notes.push_back(
-            "the mesh with the room's colours is not beside the labelled one; objects have flat "
+            "the mesh with the room's colours is not beside the labelled mesh; objects have flat "
             "colours");
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled");

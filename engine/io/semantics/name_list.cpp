@@ -110,9 +110,10 @@ Result<std::map<std::int64_t, std::string>> readNameList(const fs::path& file) {
         names = namesInLines(*text);
     }
     if (!names.empty()) return names;
-    return fail(ErrorCode::BadInput,
-                "it names no number; write {\"3\": \"chair\"} as JSON, or lines \"3,chair\"",
-                file.string());
+    return fail(
+        ErrorCode::BadInput,
+        "it contains no numbers with names; write {\"3\": \"chair\"} as JSON, or lines \"3,chair\"",
+        file.string());
 }
 
 }  // namespace dollytrack::semantics

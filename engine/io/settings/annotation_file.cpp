@@ -60,7 +60,7 @@ AnnotatedObject readObject(const JsonReader& from) {
     object.structure = readFlag(from.at("structure"));
     if (const JsonReader front = from.at("front"); !front.absent()) {
         object.front = front.point();
-        if (object.front->norm() < 1e-9) front.refuse("A front must have a direction.");
+        if (object.front->norm() < 1e-9) front.refuse("A front must not be [0, 0, 0].");
     }
     return object;
 }
@@ -74,7 +74,7 @@ void doubtKeys(const json& entry, const std::vector<std::string>& known, const s
         if (std::ranges::find(known, key) != known.end()) continue;
         const std::string close = closestName(key, known);
         if (close.empty()) continue;
-        doubts.push_back("annotations: nothing reads \"" + cleanText(key) + "\"" + of +
+        doubts.push_back("annotations: unknown key \"" + cleanText(key) + "\"" + of +
                          "; did you mean \"" + close + "\"?");
     }
 }
@@ -96,7 +96,8 @@ void readAll(const JsonReader& from, Annotations& into) {
         from.at("format").refuse("This must be \"dollytrack-objects\".");
     }
     if (from.at("version").integer(1, 1'000'000) > kVersion && from.good()) {
-        from.at("version").refuse("It was made by a newer Dollytrack; use that one.");
+        from.at("version").refuse(
+            "The file was made by a newer version of Dollytrack; use that version.");
     }
     if (const JsonReader unit = from.at("unit_m"); !unit.absent()) {
         into.unit_m = unit.number(1e-9, 1e6 - 1.0);

@@ -86,7 +86,7 @@ class TableReader {
     ClassTable read() {
         const JsonReader classes = from_.at("classes");
         if (!classes.json().is_array() || classes.json().empty()) {
-            classes.refuse("A table has a list of one class or more.");
+            classes.refuse("A class table needs a list of at least one class.");
         }
         for (std::size_t i = 0; i < classes.size() && from_.good(); ++i) {
             readClass(classes.at(i));
@@ -107,8 +107,9 @@ class TableReader {
         if (!from.good()) return;
         const auto [owner, is_new_id] = by_id_.emplace(rule.made.id, rules_.size());
         if (!is_new_id) {
-            return from.at("id").refuse(fmt::format("The class '{}' has the id {} as well.",
-                                                    rules_[owner->second].made.name, rule.made.id));
+            return from.at("id").refuse(
+                fmt::format("The class '{}' also has the id {}; give each class its own id.",
+                            rules_[owner->second].made.name, rule.made.id));
         }
         const std::string name = comparable(rule.made.name);
         if (name == ClassTable::kVoidName || name == kIgnore) {
@@ -117,10 +118,9 @@ class TableReader {
                 "\"void\".");
         }
         if (!by_name_.emplace(name, rules_.size()).second) {
-            return from.at("name").refuse(
-                fmt::format("Another class is named '{}', too; case and blanks do not "
-                            "tell names apart.",
-                            rule.made.name));
+            return from.at("name").refuse(fmt::format(
+                "Another class is also named '{}'; names must differ in more than case and blanks.",
+                rule.made.name));
         }
         const JsonReader color = from.at("color");
         colors_.push_back(color.absent() ? std::nullopt : std::optional(readColor(color)));
@@ -172,7 +172,7 @@ class TableReader {
         if (!from.absent()) {
             const int id = from.integer(0, ClassTable::kLargestId);
             if (const auto owner = by_id_.find(id); from.good() && owner != by_id_.end()) {
-                from.refuse(fmt::format("The class '{}' has this id; give void one of its own.",
+                from.refuse(fmt::format("The class '{}' has this id; give void another one.",
                                         rules_[owner->second].made.name));
             }
             return id;
@@ -181,7 +181,8 @@ class TableReader {
         for (const int id : {255, ClassTable::kLargestId}) {
             if (by_id_.rbegin()->first < id) return id;
         }
-        from_.refuse("Give \"void\", the id of pixels without a class, a number no class has.");
+        from_.refuse(
+            "Set \"void\", the id of pixels without a class, to a number that no class has.");
         return 0;
     }
 
@@ -201,14 +202,15 @@ std::optional<ClassTable> readTable(const JsonReader& from) {
     }
     if (const JsonReader version = from.at("version"); !version.absent()) {
         if (version.integer(1, 1'000'000) > 1 && from.good()) {
-            version.refuse("It was made by a newer Dollytrack; use that one.");
+            version.refuse("The file was made by a newer version of Dollytrack; use that version.");
         }
     }
     // A file with only words uses NYU40's classes.
     const bool words_alone = from.at("classes").absent() && !from.at("words").absent();
     if (words_alone) {
         for (const char* key : {"other", "void"}) {
-            if (!from.at(key).absent()) from.at(key).refuse("This needs \"classes\".");
+            if (!from.at(key).absent())
+                from.at(key).refuse("This key is only allowed together with \"classes\".");
         }
         return std::nullopt;
     }
@@ -226,7 +228,9 @@ Result<ClassTable> classTableFromJson(const json& content, const std::string& wh
     const JsonReader from(content, "", status);
     std::optional<ClassTable> table = readTable(from);
     if (!status) return tl::unexpected<Error>(atPlace(status.error(), where));
-    if (!table) return fail(ErrorCode::BadInput, "A table has a list of one class or more.", where);
+    if (!table)
+        return fail(ErrorCode::BadInput, "A class table needs a list of at least one class.",
+                    where);
     return std::move(*table);
 }
 

@@ -107,13 +107,13 @@ std::string_view adviceForPart(const Path& path) {
          {".7z", "this is an archive; unpack it and name the scene file inside"},
          {".rar", "this is an archive; unpack it and name the scene file inside"},
          {".sh3f", "this is a library of furniture, not a home; pass it as --library to generate"},
-         {".png", "this is a picture; name the scene that uses it"},
-         {".jpg", "this is a picture; name the scene that uses it"},
-         {".jpeg", "this is a picture; name the scene that uses it"},
-         {".hdr", "this is a picture; name the scene that uses it"},
-         {".exr", "this is a picture; name the scene that uses it"},
-         {".ktx2", "this is a picture; name the scene that uses it"},
-         {".dds", "this is a picture; name the scene that uses it"},
+         {".png", "this is an image; open the scene that uses it"},
+         {".jpg", "this is an image; open the scene that uses it"},
+         {".jpeg", "this is an image; open the scene that uses it"},
+         {".hdr", "this is an image; open the scene that uses it"},
+         {".exr", "this is an image; open the scene that uses it"},
+         {".ktx2", "this is an image; open the scene that uses it"},
+         {".dds", "this is an image; open the scene that uses it"},
          {".navmesh", "this is Habitat's navigation mesh; name the scene instance or the stage"},
          {".semantic.txt", "this names the colours of an HM3D scene; name its .glb"},
          {".house", "this names the objects of a Matterport3D scene; name its .glb"},
@@ -199,8 +199,8 @@ Status checkExtension(const Path& path, const std::string& where) {
     const std::string ext = lowerExtension(path);
     if (ext == ".xacro") {
         return fail(ErrorCode::BadInput,
-                    "xacro files are macros; expand it with ROS's \"xacro in.urdf.xacro -o "
-                    "out.urdf\", or without ROS by PyPI's \"xacrodoc\" with the same options",
+                    "xacro files cannot be read; expand it with ROS's \"xacro in.urdf.xacro -o "
+                    "out.urdf\", or with PyPI's \"xacrodoc\" and the same options",
                     where);
     }
     if (const std::string_view advice = adviceForPart(path); !advice.empty()) {
@@ -236,8 +236,8 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
     const std::string extension = lowerExtension(path);
     if (extension == ".xml" && head.find("<scene") != std::string_view::npos) {
         return fail(ErrorCode::BadInput,
-                    "scenes of Mitsuba cannot be read; name the OBJ or PLY file that it is made "
-                    "of, or put them together in Blender and export glTF",
+                    "Mitsuba scenes cannot be read; open the OBJ or PLY file of its mesh, or "
+                    "combine its meshes in Blender and export glTF",
                     where);
     }
     std::string kinds;

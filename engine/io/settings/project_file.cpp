@@ -54,9 +54,10 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     const JsonReader from(*json, "", status);
     const int version = from.at("dollytrack_project").integer(1, 1'000'000);
     if (from.good() && version > ProjectFile::kVersion) {
-        return badProject(path, fmt::format("The project has version {}, this program knows up "
-                                            "to {}; use a newer Dollytrack.",
-                                            version, ProjectFile::kVersion));
+        return badProject(path,
+                          fmt::format("The project has format version {}, but this program reads "
+                                      "versions up to {}; use a newer version of Dollytrack.",
+                                      version, ProjectFile::kVersion));
     }
     readFields(from, std::filesystem::absolute(path).parent_path(), project);
     if (status) status = checkStoredPlan(project.result, "result");

@@ -26,7 +26,8 @@ Result<Lens> lensOf(std::string_view name) {
 }
 
 std::string uselessKey(Lens lens, std::string_view key) {
-    return fmt::format("'{}' means nothing to a camera whose lens is {}.", key, lensName(lens));
+    return fmt::format("'{}' does not apply to a camera with the lens {}; remove it.", key,
+                       lensName(lens));
 }
 
 template <class Names>
@@ -83,7 +84,8 @@ void readAll(const JsonReader& from, Rig& rig) {
         from.at("format").refuse("This must be \"dollytrack-rig\".");
     }
     if (from.at("version").integer(1, 1'000'000) > 1 && from.good()) {
-        from.at("version").refuse("It was made by a newer Dollytrack; use that one.");
+        from.at("version").refuse(
+            "The file was made by a newer version of Dollytrack; use that version.");
     }
     constexpr std::array<const char*, 4> kKeys = {"format", "version", "cameras", "$schema"};
     for (const auto& [key, value] : from.json().items()) {
@@ -93,7 +95,7 @@ void readAll(const JsonReader& from, Rig& rig) {
     }
     const JsonReader cameras = from.at("cameras");
     if (from.good() && (!cameras.json().is_array() || cameras.json().empty())) {
-        cameras.refuse("A rig has a list of one camera or more.");
+        cameras.refuse("A rig needs a list of at least one camera.");
     }
     for (std::size_t i = 0; i < cameras.size() && from.good(); ++i) {
         rig.push_back(readCamera(cameras.at(i)));

@@ -71,7 +71,7 @@ Result<PoseList> readColmap(const PoseFile& file) {
         points_follow = true;
     }
     if (images.empty()) {
-        return fail(ErrorCode::BadInput, "There is no image in it.", path.string());
+        return fail(ErrorCode::BadInput, "The file has no images.", path.string());
     }
     std::stable_sort(images.begin(), images.end(),
                      [](const auto& a, const auto& b) { return comesBefore(a.first, b.first); });

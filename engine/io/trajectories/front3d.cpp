@@ -42,12 +42,13 @@ Result<PoseList> readFront3d(const PoseFile& file) {
             ++view;
         }
     } catch (const nlohmann::json::exception& error) {
-        return fail(ErrorCode::BadInput,
-                    fmt::format("It is not a list of {{pos, target, fov}} ({}).", error.what()),
-                    where());
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("The file is not a list of {{pos, target, fov}} ({}).", error.what()),
+            where());
     }
     if (list.poses.empty()) {
-        return fail(ErrorCode::BadInput, "There is no view in it.", file.path.string());
+        return fail(ErrorCode::BadInput, "The file has no views.", file.path.string());
     }
     return list;
 }

@@ -37,7 +37,7 @@ Result<PoseList> readKitti(const PoseFile& file) {
         list.poses[i].time_s = (*times)[i].values[0];
         // Checked here instead of in loadTrajectory(), because the error is in this second file.
         if (i > 0 && *list.poses[i].time_s <= *list.poses[i - 1].time_s) {
-            return fail(ErrorCode::BadInput, "The time is not after the one before it.",
+            return fail(ErrorCode::BadInput, "The time is not later than the previous one.",
                         placeOf(times_path, (*times)[i].line));
         }
     }

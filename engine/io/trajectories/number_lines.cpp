@@ -102,7 +102,7 @@ Result<std::vector<NumberLine>> readNumberLines(const std::filesystem::path& pat
         result.push_back(std::move(read));
     }
     if (result.empty()) {
-        return fail(ErrorCode::BadInput, fmt::format("There is no pose in it ({}).", meaning),
+        return fail(ErrorCode::BadInput, fmt::format("The file has no poses ({}).", meaning),
                     path.string());
     }
     return result;
@@ -128,8 +128,8 @@ Result<Eigen::Matrix3d> rotationAlong(const Eigen::Vector3d& forward, const Eige
     // Vectors whose squared length overflows have no direction either.
     if (!(right.norm() > 1e-9) || !std::isfinite(right.norm()) || !std::isfinite(forward.norm())) {
         return fail(ErrorCode::BadInput,
-                    "The camera looks at its own place, or straight up or down, which leaves its "
-                    "roll open.",
+                    "The camera looks at its own position, or straight up or down, so its roll is "
+                    "undefined.",
                     where);
     }
     Eigen::Matrix3d rotation;

@@ -26,7 +26,7 @@ Result<PoseList> readSceneNet(const PoseFile& file) {
     if (!lines) return tl::unexpected<Error>(lines.error());
     if (lines->size() % 2 != 0) {
         return fail(ErrorCode::BadInput,
-                    "The last frame lacks its second line, where the shutter closes.",
+                    "The last frame lacks its second line, the pose at shutter close.",
                     placeOf(file.path, lines->back().line));
     }
     PoseList list;

@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::array kFormats = {
     TrajectoryFormat{"tum", "TUM RGB-D: timestamp tx ty tz qx qy qz qw", FileWorld::ZUp, readTum},
-    TrajectoryFormat{"kitti", "KITTI odometry: 3x4 matrices, times.txt beside", FileWorld::Camera,
-                     readKitti},
-    TrajectoryFormat{"colmap", "COLMAP: images.txt, cameras.txt beside", FileWorld::ZUp,
-                     readColmap},
+    TrajectoryFormat{"kitti", "KITTI odometry: 3x4 matrices, with times.txt beside the file",
+                     FileWorld::Camera, readKitti},
+    TrajectoryFormat{"colmap", "COLMAP: images.txt, with cameras.txt beside the file",
+                     FileWorld::ZUp, readColmap},
     TrajectoryFormat{"transforms", "transforms.json of nerfstudio and instant-ngp", FileWorld::ZUp,
                      readTransforms},
-    TrajectoryFormat{"3d-front", "camera lists of 3D-FRONT, and our camera.json", FileWorld::YUp,
-                     readFront3d},
+    TrajectoryFormat{"3d-front", "camera lists of 3D-FRONT, and Dollytrack's camera.json",
+                     FileWorld::YUp, readFront3d},
     TrajectoryFormat{"hypersim", "Hypersim: camera_keyframe_positions.hdf5 and _orientations.hdf5",
                      FileWorld::Scene, readHypersim},
     TrajectoryFormat{"scenenet", "SceneNet RGB-D: eye and look-at, shutter open and closed",
@@ -142,7 +142,7 @@ Status checkFrame(const TrajectoryFrame& frame, const TrajectoryFrame* before, b
                     where);
     }
     if (before && !(frame.time_s > before->time_s)) {
-        return fail(ErrorCode::BadInput, "The time is not after the one before it.", where);
+        return fail(ErrorCode::BadInput, "The time is not later than the previous one.", where);
     }
     return {};
 }
@@ -202,9 +202,10 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                         const TrajectoryReading& reading) {
     const TrajectoryFormat* format = formatNamed(reading.format);
     if (!reading.format.empty() && !format) {
-        return fail(ErrorCode::Usage,
-                    "There is no such format; there are " + trajectoryFormatNames() + ".",
-                    reading.format);
+        return fail(
+            ErrorCode::Usage,
+            "The trajectory format is unknown; the formats are " + trajectoryFormatNames() + ".",
+            reading.format);
     }
     std::optional<FileWorld> world;
     if (!reading.world.empty()) {
@@ -212,7 +213,7 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                       [&](const auto& row) { return reading.world == row.first; });
         if (at == kWorlds.end()) {
             return fail(ErrorCode::Usage,
-                        "There is no such world; there are " +
+                        "The world convention is unknown; the conventions are " +
                             listOf(kWorlds, [](const auto& row) { return row.first; }) + ".",
                         reading.world);
         }

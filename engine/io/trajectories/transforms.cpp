@@ -50,10 +50,10 @@ Result<PoseList> readTransforms(const PoseFile& file) {
         list.hfov_deg = hfovOf(*root);
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("It is not a transforms.json ({}).", error.what()), where());
+                    fmt::format("The file is not a transforms.json ({}).", error.what()), where());
     }
     if (list.poses.empty()) {
-        return fail(ErrorCode::BadInput, "There is no frame in it.", file.path.string());
+        return fail(ErrorCode::BadInput, "The file has no frames.", file.path.string());
     }
     return list;
 }

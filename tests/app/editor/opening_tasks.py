@@ -81,7 +81,7 @@ class Opening(Task):
         tiny_room.write_as_one_mesh(turned)
         said = subprocess.run([Programs.command_line, "info", turned], capture_output=True,
                               text=True, check=True)
-        self.assertIn("likelier is --up z", said.stdout)
+        self.assertIn("try --up z", said.stdout)
         self.start(turned)
         self.editor.click("import_doubt.0")
         state = self.editor.wait(lambda state: "import_changed" in state["items"],

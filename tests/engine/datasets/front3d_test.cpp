@@ -128,13 +128,14 @@ TEST(Front3d, TellsByNameWhatItLeavesOut) {
     EXPECT_TRUE(says(warnings,
                      "2 pieces of furniture have no model and were left out: pendant "
                      "lamp (jid-2), Bed (../../etc)"));
-    EXPECT_TRUE(says(notes, "of what has no model 1 has a size; no box is put in its place"));
+    EXPECT_TRUE(says(
+        notes, "of the furniture without a model, 1 has a size, but no box is put in its place"));
     EXPECT_TRUE(says(notes,
                      "1 piece of furniture is marked as not valid and was left out: "
                      "L-shaped Sofa (jid-1)"));
     EXPECT_TRUE(says(notes,
-                     "1 piece of furniture is not marked as valid, others are; it was left "
-                     "out: Bed (jid-1)"));
+                     "1 piece of furniture was left out because it is not marked as valid, "
+                     "unlike others: Bed (jid-1)"));
     EXPECT_TRUE(says(notes, "1 room: LivingRoom-7"));
     EXPECT_TRUE(says(notes, "1 entry of the rooms names neither furniture nor mesh"));
     EXPECT_TRUE(says(warnings, "1 entry of the rooms has an invalid placement"));
@@ -166,7 +167,8 @@ TEST(Front3d, CategoriesComeFromModelInfo) {
     // The number is the last to be asked: the scene's own word is known.
     EXPECT_EQ(nyu40Name(find(imported(path), "L-shaped Sofa")->nyu40), "sofa");
     static_cast<void>(folder.write("model_info.json", "[[["));
-    EXPECT_TRUE(says(imported(path).report.warnings, "the categories were left out"));
+    EXPECT_TRUE(
+        says(imported(path).report.warnings, "the categories of the furniture were not read"));
 }
 
 TEST(Front3d, PaintsModelsWithThePictureBesideThem) {
@@ -214,7 +216,7 @@ TEST(Front3d, RefusesWhatIsNoSceneInOneSentence) {
               std::string::npos);
     EXPECT_NE(messageOf(R"({"mesh":[3]})").find("nothing that can be drawn"), std::string::npos);
     const std::string deep = R"({"mesh":)" + std::string(1'000'000, '[');
-    EXPECT_NE(messageOf(deep).find("nested more than 64 deep"), std::string::npos);
+    EXPECT_NE(messageOf(deep).find("nested more than 64 levels deep"), std::string::npos);
 }
 
 TEST(BoundedJson, CountsBracketsOutsideOfTextsOnly) {

@@ -45,7 +45,7 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
         {"<model name='m'><pose relative_to='m::l'/><link name='l'/></model>",
          "relative to itself"},
         {"<model name='m'><link name='l'><pose relative_to='n::l'/></link></model>",
-         "which is not there"},
+         "which does not exist"},
         {"<model name='m'><link name='l'><pose relative_to='l'>0 0 0 0 0 0</pose></link></model>",
          "relative to itself"},
         {"<model name='m'><link name='l'><pose>0 0 nan 0 0 0</pose></link></model>",

@@ -135,7 +135,7 @@ TEST(HabitatSemantics, WhatCannotBeUsedIsNamed) {
     // Nothing names a lexicon, though objects have numbers.
     const TempFolder bare;
     EXPECT_TRUE(says(imported(writeHssd(bare, R"("scene_instances": {})")).report.warnings,
-                     "2 objects have a semantic_id, but no semantic lexicon says its class"));
+                     "2 objects have a semantic_id, but no semantic lexicon has its class"));
 }
 
 // A drawer's class and size are in its ao_config.json, as in HSSD's articulated scenes.

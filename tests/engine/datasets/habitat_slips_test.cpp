@@ -58,13 +58,14 @@ TEST(HabitatSlips, NamesOfTemplatesThatFitSeveralOrNoFilesAreNamed) {
                                    R"({"render_asset": "gone.glb"})"));
     const Scene scene = imported(path);
     EXPECT_NE(find(scene, "chair"), nullptr);
-    EXPECT_TRUE(says(scene.report.warnings,
-                     "the template name \"chair\" fits several files (chair_1.object_config.json, "
-                     "chair_2.object_config.json), of which the first is used"));
+    EXPECT_TRUE(
+        says(scene.report.warnings,
+             "the template name \"chair\" matches several files (chair_1.object_config.json, "
+             "chair_2.object_config.json), and the first is used"));
     EXPECT_TRUE(says(scene.report.warnings, "soofa (no file has this name; did you mean \"sofa\""));
     EXPECT_TRUE(says(scene.report.warnings, "hollow (gone.glb)"));
     // A whole name is no doubt.
-    EXPECT_FALSE(says(imported(writeDataset(folder, kSofa)).report.warnings, "fits several"));
+    EXPECT_FALSE(says(imported(writeDataset(folder, kSofa)).report.warnings, "matches several"));
 }
 
 /// The dataset of writeDataset() whose config has other paths of scene instances.
@@ -81,7 +82,7 @@ TEST(HabitatSlips, PathsOfScenesThatLeadNowhereAreSaid) {
     const auto config = writeConfig(
         folder, R"("scene_instances": {"paths": {".json": ["configs/scene", "more/*"]}})");
     const std::string words =
-        "the paths of scene_instances in flat.scene_dataset_config.json lead to no file "
+        "the paths of scene_instances in flat.scene_dataset_config.json match no file "
         "(configs/scene";
     // The only stage is a scene.
     EXPECT_TRUE(says(imported(config).report.warnings, words));
@@ -103,7 +104,7 @@ TEST(HabitatSlips, PathsOfScenesThatLeadNowhereAreSaid) {
 TEST(HabitatSlips, AConfigWithStagesAloneHasAScenePerStage) {
     const TempFolder folder;
     const auto config = writeConfig(folder, R"("light_setups": {})");
-    EXPECT_FALSE(says(imported(config).report.warnings, "lead to no file"));
+    EXPECT_FALSE(says(imported(config).report.warnings, "match no file"));
     static_cast<void>(folder.write("set/configs/stages/attic.stage_config.json",
                                    R"({"render_asset": "../../models/flat.obj"})"));
     const auto scenes = habitat::scenesOfDataset(config);
@@ -117,12 +118,12 @@ TEST(HabitatSlips, PathsOfObjectsMatterWhenOneIsMissing) {
     static_cast<void>(
         writeConfig(folder, R"("scene_instances": {"paths": {".json": ["configs/scenes"]}})"));
     const auto path = folder.path() / "set/configs/scenes/flat.scene_instance.json";
-    EXPECT_FALSE(says(imported(path).report.warnings, "lead to no file"));
+    EXPECT_FALSE(says(imported(path).report.warnings, "match no file"));
     static_cast<void>(folder.write("set/configs/scenes/flat.scene_instance.json",
                                    R"({"stage_instance": {"template_name": "flat"},
  "object_instances": [{"template_name": "table"}]})"));
     EXPECT_TRUE(says(imported(path).report.warnings,
-                     "some paths of objects in flat.scene_dataset_config.json lead to no file: "
+                     "some paths of objects in flat.scene_dataset_config.json match no file: "
                      "configs/more/*"));
 }
 

@@ -275,7 +275,7 @@ TEST(Habitat, NamesThatAreNotSearchedForAreSaid) {
     const Scene scene = imported(writeDataset(
         folder,
         R"({"stage_instance": {"template_name": "flat"}, "object_instances": [)" + objects + "]}"));
-    EXPECT_TRUE(says(scene.report.warnings, "more than 2,000 names of templates"));
+    EXPECT_TRUE(says(scene.report.warnings, "more than 2,000 template names"));
 }
 
 TEST(Habitat, DamagedFilesAreRefused) {

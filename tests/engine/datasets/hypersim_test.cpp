@@ -88,10 +88,10 @@ TEST(Hypersim, LabelsAnObjFileBesideItsDetail) {
     const Result<Scene> scene = importScene(folder.write("scene.obj", room()));
     ASSERT_TRUE(scene) << describe(scene.error());
     expectLabelled(*scene);
-    EXPECT_TRUE(says(scene->report.notes, "5 of 5 meshes that Hypersim's annotations name are in"));
+    EXPECT_TRUE(says(scene->report.notes, "5 of 5 meshes with Hypersim annotations are in"));
     EXPECT_TRUE(says(scene->report.notes,
                      "annotated boxes that agree with the measured ones to 2 cm or 2 %: 1 of 1"));
-    EXPECT_TRUE(says(scene->report.warnings, "1 mesh is not named by Hypersim's annotations"));
+    EXPECT_TRUE(says(scene->report.warnings, "1 mesh has no Hypersim annotation"));
 }
 
 TEST(Hypersim, AnnotationsCanBeElsewhere) {
@@ -140,11 +140,10 @@ TEST(Hypersim, AFolderWithoutGeometrySaysWhatItHas) {
     const Result<Scene> scene = importScene(folder.path());
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().code, ErrorCode::Usage);
-    EXPECT_NE(
-        scene.error().message.find(
-            "says of 5 meshes what they are (3 classes of NYU40, 1 instance), names 2 cameras "
-            "(cam_00, cam_01) and a unit of 0.0254 m, but has no geometry"),
-        std::string::npos)
+    EXPECT_NE(scene.error().message.find(
+                  "annotations for 5 meshes (3 classes of NYU40, 1 instance), 2 cameras "
+                  "(cam_00, cam_01) and a unit of 0.0254 m, but no geometry"),
+              std::string::npos)
         << scene.error().message;
     const TempFolder empty;
     EXPECT_TRUE(io::describeHypersimFolder(empty.path()).empty());
@@ -158,7 +157,7 @@ TEST(Hypersim, RefusesAnnotationsThatDoNotGoTogether) {
     const Result<Scene> scene = importScene(path);
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
-    EXPECT_NE(scene.error().message.find("3 numbers for the 5 objects"), std::string::npos);
+    EXPECT_NE(scene.error().message.find("3 values for the 5 objects"), std::string::npos);
     writeDetail(folder);
     static_cast<void>(folder.write("_detail/mesh/mesh_objects_sii.hdf5", "no HDF5"));
     EXPECT_FALSE(importScene(path));

@@ -95,11 +95,11 @@ TEST(LabelHints, FilesOfScanNetThatAreMissingAreNamed) {
     static_cast<void>(folder.write("s_vh_clean_2.ply", roomWith("flags")));
     static_cast<void>(folder.write("s.aggregation.json", "{}"));
     expectGap(folder, "s_vh_clean_2.ply",
-              "s.aggregation.json is there, but s_vh_clean_2.0.010000.segs.json is missing");
+              "s.aggregation.json exists, but s_vh_clean_2.0.010000.segs.json is missing");
     std::filesystem::rename(folder.path() / "s.aggregation.json",
                             folder.path() / "s_vh_clean_2.0.010000.segs.json");
     expectGap(folder, "s_vh_clean_2.ply",
-              "s_vh_clean_2.0.010000.segs.json is there, but s.aggregation.json is missing");
+              "s_vh_clean_2.0.010000.segs.json exists, but s.aggregation.json is missing");
     // The classes of its vertices are read, and the sentence is the same.
     static_cast<void>(folder.write("s_vh_clean_2.labels.ply", roomWith("label", false)));
     expectGap(folder, "s_vh_clean_2.labels.ply", "s.aggregation.json is missing");
@@ -112,12 +112,12 @@ TEST(LabelHints, FilesOfReplicaAndHm3dThatAreMissingAreNamed) {
     const TempFolder folder;
     static_cast<void>(folder.write("mesh.ply", roomWith("flags")));
     static_cast<void>(folder.write("habitat/info_semantic.json", "{\"objects\": []}"));
-    expectGap(folder, "mesh.ply", "info_semantic.json is there, but mesh_semantic.ply is missing");
+    expectGap(folder, "mesh.ply", "info_semantic.json exists, but mesh_semantic.ply is missing");
     static_cast<void>(folder.write("habitat/mesh_semantic.ply", roomWith("object_id")));
-    expectGap(folder, "mesh.ply", "name habitat/mesh_semantic.ply to have Replica's objects");
+    expectGap(folder, "mesh.ply", "open habitat/mesh_semantic.ply to get Replica's objects");
     std::filesystem::remove(folder.path() / "habitat/info_semantic.json");
     expectGap(folder, "habitat/mesh_semantic.ply",
-              "mesh_semantic.ply is there, but info_semantic.json is missing");
+              "mesh_semantic.ply exists, but info_semantic.json is missing");
     // A name like Matterport3D's alone tells nothing.
     static_cast<void>(folder.write("abc_semantic.ply", roomWith("object_id")));
     EXPECT_FALSE(says(imported(folder.path() / "abc_semantic.ply").report.warnings, "missing"));

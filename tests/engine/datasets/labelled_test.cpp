@@ -339,7 +339,7 @@ TEST(Labelled, MoreThanAHundredThousandObjectsAreRefused) {
     const Result<Scene> scene = importScene(folder.write("many.ply", text));
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().code, ErrorCode::BadInput);
-    EXPECT_NE(scene.error().message.find("100001 objects, and at most 100000"), std::string::npos)
+    EXPECT_NE(scene.error().message.find("100001 objects, but at most 100000"), std::string::npos)
         << scene.error().message;
 }
 

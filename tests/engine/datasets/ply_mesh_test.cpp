@@ -196,7 +196,7 @@ TEST(Splats, AreToldFromScans) {
     EXPECT_NEAR(cloud->colors[0][0], 255, 1);
     EXPECT_NEAR(cloud->colors[0][1], 0, 1);
     EXPECT_NEAR(cloud->colors[0][2], 127, 1);
-    EXPECT_TRUE(says(imported(path).report.warnings, "Gaussian splats, not a scan"));
+    EXPECT_TRUE(says(imported(path).report.warnings, "Gaussian splats, whose centres"));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(Urdf, JointsInACircleAreRefused) {
  <joint name="1"><parent link="a"/><child link="b"/></joint>
  <joint name="2"><parent link="b"/><child link="a"/></joint></robot>)"));
     ASSERT_FALSE(circle);
-    EXPECT_NE(circle.error().message.find("form a circle"), std::string::npos);
+    EXPECT_NE(circle.error().message.find("form a cycle"), std::string::npos);
 }
 
 // The origins of the joints add up to 30 m.
@@ -163,7 +163,7 @@ TEST(Urdf, JointsOfMissingLinksAreNamedWithTheirLine) {
                      "robot.urdf:6: the joint 'hold' names the parent link "
                      "'lost', which does not exist"));
     EXPECT_TRUE(says(scene.report.warnings,
-                     "2 links are left out, since a joint above names a "
+                     "2 links are left out because a joint above names a "
                      "parent that does not exist: door, handle"));
     EXPECT_EQ(scene.objects.size(), 1U);
     const Scene twice =
@@ -171,7 +171,8 @@ TEST(Urdf, JointsOfMissingLinksAreNamedWithTheirLine) {
                                joint("one", "fixed", "a", "b", "1 0 0") +
                                joint("two", "fixed", "a", "b", "2 0 0") + "</robot>",
                            "twice.urdf");
-    EXPECT_TRUE(says(twice.report.warnings, "the link 'b' hangs on two joints; 'two' is left out"));
+    EXPECT_TRUE(says(twice.report.warnings,
+                     "the link 'b' is the child of two joints; the joint 'two' is left out"));
 }
 
 TEST(Urdf, FaultsAreNamedWithTheirLine) {

@@ -63,7 +63,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "move_object"}, {"object", "mug"}, {"turn_deg", 400}}, "-360"},
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", 3}}, "must be a list"},
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}}, {{"time_s", 1}}}}},
-         "rising time_s"},
+         "increasing time_s"},
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}, {"turn", 9}}}}},
          "no 'turn'"},
         {{{"op", "at_time"}, {"time_s", 1}}, "No object has a track"},
@@ -83,7 +83,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "rename_no_go"}, {"name", "x"}, {"to", "y"}}, "no no-go box"},
         {{{"op", "restore_point"}, {"objects", {"mug"}}}, "was not removed"},
         {{{"op", "set"}, {"name", "fil"}, {"value", 1}}, "no parameter 'fil'"},
-        {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "end above its start at 2 m"},
+        {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "above the lower limit at 2 m"},
         {json("exclude"), "An operation is an object"},
     };
     for (const auto& [operation, words] : wrong) {

@@ -112,7 +112,7 @@ TEST(Pcd, SaysWhatIsWrong) {
                   "POINTS 1\nDATA ascii\n1 2\n")
             .find("no field 'x'"),
         std::string::npos);
-    EXPECT_NE(messageOf(pcdHeader("ascii", 2'000'000'000)).find("not a line of a PCD header"),
+    EXPECT_NE(messageOf(pcdHeader("ascii", 2'000'000'000)).find("does not belong in a PCD header"),
               std::string::npos);
 }
 

@@ -174,7 +174,7 @@ TEST(CloudRoom, NoisyScansKeepTheirFloorsAndSaySo) {
     EXPECT_EQ(targetsOf(*scene).size(), 2U);
     EXPECT_TRUE(std::any_of(
         scene->report.warnings.begin(), scene->report.warnings.end(),
-        [](const std::string& line) { return line.find("scatter by") != std::string::npos; }));
+        [](const std::string& line) { return line.find("mm of noise") != std::string::npos; }));
 }
 
 TEST(CloudRoom, SparseScansGetLargerCubesAndSaySo) {
@@ -210,9 +210,9 @@ TEST(CloudRoom, FarAwayMillimetresComeOutInMetres) {
     ASSERT_TRUE(scene) << describe(scene.error());
     EXPECT_DOUBLE_EQ(scene->report.unit_m, 0.001);
     const auto& notes = scene->report.notes;
-    EXPECT_NE(
-        std::find(notes.begin(), notes.end(), "1 unit of the cloud is 0.001 m, judged by its size"),
-        notes.end());
+    EXPECT_NE(std::find(notes.begin(), notes.end(),
+                        "1 unit of the cloud is 0.001 m, estimated by its size"),
+              notes.end());
     expectTheRoom(*scene, 0.05);
     const auto targets = targetsOf(*scene);
     const Eigen::Vector3d at = scene->source_from_world * targets[0]->box.center;
