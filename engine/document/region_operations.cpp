@@ -25,7 +25,7 @@ std::string whatWasDone(const Region& before, const Region& after) {
     }
     if (before.must_see != after.must_see) {
         done.push_back(after.must_see
-                           ? fmt::format("Ask to see all of {}", before.name)
+                           ? fmt::format("Require all of {} to be seen", before.name)
                            : fmt::format("No longer require all of {} to be seen", before.name));
     }
     if (before.name != after.name) {

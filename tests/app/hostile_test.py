@@ -217,7 +217,7 @@ class HandMade(HostileCase):
         document["nodes"][1]["extensions"] = {
             "EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 2}}}
         many = small_models.container(document, data + bytes(16))
-        self.refused(self.write("many.glb", many), "more than 65536 instances")
+        self.refused(self.write("many.glb", many), "more than 65536 mesh instances")
 
     def test_bad_indices_and_corners(self):
         obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"

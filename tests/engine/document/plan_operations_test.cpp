@@ -137,7 +137,7 @@ TEST(Operation, NamesEachThingThatIsAnotherInARegion) {
     EXPECT_EQ(nameOf({{"size", {2, 1, 1}}}), "Resize altar");
     EXPECT_EQ(nameOf({{"yaw_deg", 20}}), "Turn altar");
     EXPECT_EQ(nameOf({{"weight", 2.5}}), "Set the weight of altar to 2.5");
-    EXPECT_EQ(nameOf({{"must_see", true}}), "Ask to see all of altar");
+    EXPECT_EQ(nameOf({{"must_see", true}}), "Require all of altar to be seen");
     EXPECT_EQ(nameOf({{"must_see", false}, {"weight", 1}}),
               "Set the weight of altar to 1, No longer require all of altar to be seen");
     EXPECT_EQ(nameOf({{"to", "choir"}}), "Rename altar to choir");
