@@ -36,7 +36,7 @@ template <class Params, class Visitor>
 void visitBodyParams(Params& p, Visitor&& visit) {
     visit("camera_preset", p.camera_preset,
           ChoiceInfo{{"free", "handheld", "drone", "robot"},
-                     "What carries the camera: sets heights, body, heading, pitch band, radius and "
+                     "Kind of camera carrier: sets heights, body, heading, pitch band, radius and "
                      "shake; parameters set explicitly override it"});
     visit("camera_height_m", p.camera_height_m,
           FieldInfo{0, 10, "m",
@@ -49,11 +49,10 @@ void visitBodyParams(Params& p, Visitor&& visit) {
     visit("body_radius_m", p.body_radius_m, FieldInfo{0.01, 2, "m", "Radius of the cylinder"});
     visit("body_height_m", p.body_height_m,
           FieldInfo{0.05, 10, "m", "Top of the cylinder above the floor"});
-    visit(
-        "max_step_m", p.max_step_m,
-        FieldInfo{
-            0.001, 0.5, "m",
-            "Height of thresholds and rugs that can be driven over; the cylinder starts above it"});
+    visit("max_step_m", p.max_step_m,
+          FieldInfo{0.001, 0.5, "m",
+                    "Height of thresholds and rugs that the cylinder passes over; its bottom is at "
+                    "this height"});
     visit("heading", p.heading,
           ChoiceInfo{{"free", "along"},
                      "free: the camera looks anywhere while it moves; along: it looks along its "
@@ -117,7 +116,8 @@ void visitRoadmapParams(Params& p, Visitor&& visit) {
     visit("size_weight", p.size_weight,
           FieldInfo{0, 100, "1/m", "Weight of the target's size in the priority", "\u03b4"});
     visit("refusal_limit", p.refusal_limit,
-          FieldInfo{1, 100, "", "Colliding edges after which a sample is given up", "step"});
+          FieldInfo{1, 100, "", "Number of colliding edges after which a sample is abandoned",
+                    "step"});
 }
 
 /// RRT* that links separate parts of the roadmap (paper, 3.2.3).
@@ -151,8 +151,8 @@ void visitPathParams(Params& p, Visitor&& visit) {
                      "tour: every key frame; longest_branch: the tree's longest branch (paper)"});
     visit("max_length_m", p.max_length_m,
           FieldInfo{0, 1e5, "m",
-                    "Longest tour, all its parts together; objects that cost most metres are "
-                    "dropped; 0: no limit"});
+                    "Largest total length of the tour with all its parts; objects that add most "
+                    "metres are dropped; 0: no limit"});
 }
 
 struct SmoothingParams {
@@ -179,8 +179,8 @@ void visitGazeParams(Params& p, Visitor&& visit) {
     visit("view_mix", p.view_mix,
           FieldInfo{0, 1, "",
                     "Weight of views that show many objects at once: room views take this share of "
-                    "the spare frames, and looking across the room between close views costs less "
-                    "turning time as it rises; 0: close views only"});
+                    "the spare frames, and higher values make looking across the room between "
+                    "close views cheaper in turning time; 0: close views only"});
 }
 
 /// Named sets of motion limits; see motionLimits().

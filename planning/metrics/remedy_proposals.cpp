@@ -157,7 +157,7 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
         Proposal made = unchanged(what, view);
         made.change.without_object = gone;
         made.remedy.move_object = gone;
-        made.remedy.text = fmt::format("move {} out of the way, which hides {:.0f} % of it",
+        made.remedy.text = fmt::format("move {} away, which hides {:.0f} % of it",
                                        scene.object(gone).name, 100.0 * place->seen.occluder_share);
         done.insert(gone);
         proposals.push_back(std::move(made));

@@ -56,7 +56,7 @@ Status writeDatasetFiles(const io::GuardedFolder& folder, const DatasetContents&
     for (const auto& [name, picture] : pictureLinks(contents, card.formats)) {
         const auto written = card.sha256s.find(picture);
         if (written == card.sha256s.end()) {
-            return fail(ErrorCode::Failed, "the picture was not written", picture);
+            return fail(ErrorCode::Failed, "the image was not written", picture);
         }
         if (Status status = folder.link(picture, name); !status) return status;
         card.sha256s[name] = written->second;

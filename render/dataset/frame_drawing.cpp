@@ -23,7 +23,7 @@ void warnOfTouching(const DatasetContents& contents) {
     if (first == contents.frames.end()) return;
     const auto count = std::ranges::count_if(
         contents.frames, [&](const DatasetFrame& frame) { return frame.clearance_m < radius; });
-    log::warn("export", "moving objects come closer to the camera than camera_radius_m in " +
+    log::warn("export", "moving objects are closer to the camera than camera_radius_m in " +
                             std::to_string(count) + " frames, first in frame " +
                             std::to_string(first->source_frame) +
                             "; plan with them at other poses (--time), or export with --still");
@@ -37,11 +37,9 @@ void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
             names += (names.empty() ? "" : ", ") + std::string(format->name);
     }
     if (names.empty() || lens.largestShift_px() < 0.05) return;
-    log::warn(
-        "export",
-        fmt::format("boxes and masks of {} belong to the clean pictures (rgb): in rgb_sensor, "
-                    "whose lens distorts, objects are displaced by up to {:.1f} px",
-                    names, lens.largestShift_px()));
+    log::warn("export", fmt::format("boxes and masks of {} fit the clean images (rgb); the lens "
+                                    "distortion of rgb_sensor displaces objects by up to {:.1f} px",
+                                    names, lens.largestShift_px()));
 }
 
 /// Warns that path tracing does not blur moving objects.
@@ -51,8 +49,8 @@ void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origi
         return;
     }
     log::warn("export",
-              "path-traced sensor pictures show moving objects without motion blur of their own; "
-              "render_mode=fast blurs them");
+              "path-traced sensor images have no motion blur from moving objects; use "
+              "render_mode=fast for it");
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ std::string unusableText(const PictureTally& tally) {
         kinds += fmt::format("{} {} {} ({})", kinds.empty() ? ":" : ",", frames->size(),
                              kPictureQualities[static_cast<std::size_t>(kind)], rangesOf(*frames));
     }
-    return fmt::format("{} of {} pictures {} unusable{}", tally.unusable(), tally.pictures,
+    return fmt::format("{} of {} images {} unusable{}", tally.unusable(), tally.pictures,
                        tally.unusable() == 1 ? "is" : "are", kinds);
 }
 

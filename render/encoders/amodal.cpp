@@ -36,10 +36,10 @@ FrameFiles encodeAmodal(const FrameContext& /*context*/, const FrameRecord& fram
 
 Json amodalConvention(const DatasetContents& /*contents*/) {
     return {{"folder", "amodal"},
-            {"type", "JSON: COCO's compressed run lengths by object"},
+            {"type", "JSON: compressed run lengths (COCO) by object"},
             {"meaning",
-             "what each object seen would cover of the image if nothing stood before "
-             "it; structure has none"}};
+             "amodal masks: the pixels that each visible object would cover if nothing occluded "
+             "it; walls, floors and other structure have none"}};
 }
 
 }  // namespace dollytrack::render

@@ -62,17 +62,16 @@ FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame) 
 
 nlohmann::ordered_json camerasConvention(const DatasetContents& contents) {
     const ClassTable& table = contents.scene.classes();
-    return {
-        {"folder", kRigModality},
-        {"images", kRigImages},
-        {"meaning",
-         "cameras/NAME/IMAGE/NNNNNN.png of every camera under \"cameras\", which says its lens and "
-         "poses; types and units as of the images of the same name of the planned camera, but "
-         "depth along the axis or along the ray as each camera says; ids, classes, depth and "
-         "normals are those of the exact rays of the lens through pixel centres, 0 where there is "
-         "nothing and outside of a fisheye's image circle" +
-             (table.isNyu40() ? std::string()
-                              : fmt::format(" ({} in classes)", table.voidClass().id))}};
+    return {{"folder", kRigModality},
+            {"images", kRigImages},
+            {"meaning",
+             "cameras/NAME/IMAGE/NNNNNN.png of every camera in \"cameras\", which has its lens and "
+             "poses; types and units are those of the planned camera's images of the same name, "
+             "but depth is along the axis or along the ray (see each camera); ids, classes, depth "
+             "and normals are sampled by the exact rays of the lens through pixel centres; 0 where "
+             "no surface is visible and outside a fisheye's image circle" +
+                 (table.isNyu40() ? std::string()
+                                  : fmt::format(" ({} in classes)", table.voidClass().id))}};
 }
 
 }  // namespace dollytrack::render

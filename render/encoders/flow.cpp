@@ -53,9 +53,9 @@ Json flowConvention(const DatasetContents& contents, const char* folder, const c
             {"invalid", kNoMotion},
             {"mask", {{"seen", 0}, {"occluded", 1}, {"outside", 2}, {"nothing", 255}}},
             {"meaning",
-             "where in B lies what the pixel's centre shows in A, by motion of the "
-             "camera and of objects; invalid where nothing is seen, and where it is nearer to B's "
-             "camera than near_m or behind it"}};
+             "motion from A to B, of camera and objects, of the surface point at the pixel's "
+             "centre; invalid where no surface is visible, and where the point is behind B's "
+             "camera or nearer than near_m"}};
 }
 
 }  // namespace

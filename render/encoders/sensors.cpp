@@ -24,7 +24,7 @@ Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int quality,
         cv::Mat bgr;
         cv::cvtColor(given, bgr, cv::COLOR_RGB2BGR);
         if (!cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, quality})) {
-            return fail(ErrorCode::Failed, "a JPEG picture could not be encoded");
+            return fail(ErrorCode::Failed, "a JPEG image could not be encoded");
         }
     } catch (const cv::Exception& problem) {
         return fail(ErrorCode::Failed, std::string("a JPEG picture: ") + problem.what());
@@ -64,10 +64,10 @@ Json rgbSensorConvention(const DatasetContents& contents) {
         {"folder", "rgb_sensor"},
         {"ending", pictureEnding(params)},
         {"type", "uint8 x 3"},
-        {"encoding", "sRGB after the clean pictures' tone curve"},
+        {"encoding", "sRGB, with the tone curve of the clean images"},
         {"meaning",
-         "what a real camera makes of it; pose, depth and labels of the frame are sharp and "
-         "undistorted, at its time_s"},
+         "image of the simulated camera sensor; pose, depth and labels of the frame have no blur "
+         "and distortion and are at its time_s"},
         {"distortion",
          {{"model", "opencv"},
           {"k1", params.k1},
@@ -76,8 +76,8 @@ Json rgbSensorConvention(const DatasetContents& contents) {
           {"p2", params.p2},
           {"k3", params.k3},
           {"intrinsics",
-           "fx fy cx cy as above; for OpenCV, whose pixel centres are whole, "
-           "subtract 0.5 from cx and cy"}}},
+           "fx fy cx cy of conventions.intrinsics; for OpenCV, whose pixel centres have integer "
+           "coordinates, subtract 0.5 from cx and cy"}}},
         {"exposure",
          {{"shutter_s", params.shutter_s},
           {"readout_s", params.readout_s},
@@ -86,21 +86,22 @@ Json rgbSensorConvention(const DatasetContents& contents) {
           {"row_time",
            "time_s + readout_s * (row / (height - 1) - 0.5), the middle of that row's exposure"},
           {"motion",
-           "twice continuously differentiable spline through the trajectory's poses; "
-           "things that move go straight on and turn evenly between frames"}}},
+           "C2 spline through the trajectory's poses; moving objects have constant linear and "
+           "angular velocity between frames"}}},
         {"lens",
          {{"aperture_mm", params.aperture_mm},
           {"focus_m", params.focus_m},
           {"focus",
-           "0: median depth of the targets in the middle half of the frame, else of all there"},
+           "0: median depth of the targets in the middle half of the image, or of all its pixels "
+           "if it shows no targets"},
           {"vignetting", params.vignetting},
           {"vignetting_law", "1 - vignetting * (1 - cos^4 of the angle off axis)"}}},
         {"noise",
          {{"white_e", params.white_e},
           {"read_noise_e", params.read_noise_e},
           {"law",
-           "in linear light, white 1: variance light / white_e + (read_noise_e / "
-           "white_e)^2; 0 is none"},
+           "in linear light with white = 1: variance = light / white_e + (read_noise_e / "
+           "white_e)^2; white_e = 0: no noise"},
           {"sensor_seed", params.sensor_seed}}},
         {"jpeg_quality", params.jpeg_quality}};
 }
@@ -118,8 +119,8 @@ Json depthSensorConvention(const DatasetContents& contents) {
             {"scale_m", 0.001},
             {"invalid", 0},
             {"meaning",
-             "distance along the viewing axis as a depth camera delivers it; undistorted, all at "
-             "the frame's time"},
+             "distance along the viewing axis, with the errors of the simulated depth camera; "
+             "undistorted, all pixels at the frame's time"},
             {"model", model},
             {"strength", params.depth_noise_strength},
             {"nearest_m", limits.nearest_m},

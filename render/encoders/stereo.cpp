@@ -55,11 +55,12 @@ FrameFiles encodeDisparity(const FrameContext& context, const FrameRecord& frame
 }
 
 Json rgbRightConvention(const DatasetContents& contents) {
-    return {{"folder", "rgb_right"},
-            {"type", "uint8 x 3"},
-            {"encoding", "sRGB"},
-            {"baseline_m", contents.stereo_baseline_m},
-            {"meaning", "the same camera, moved by the baseline along its x axis"}};
+    return {
+        {"folder", "rgb_right"},
+        {"type", "uint8 x 3"},
+        {"encoding", "sRGB"},
+        {"baseline_m", contents.stereo_baseline_m},
+        {"meaning", "a second camera like that of rgb, shifted by the baseline along its x axis"}};
 }
 
 Json depthRightConvention(const DatasetContents& contents) {
@@ -77,8 +78,8 @@ Json disparityConvention(const DatasetContents& contents) {
             {"baseline_m", contents.stereo_baseline_m},
             {"mask", {{"seen", 0}, {"occluded", 1}, {"outside", 2}, {"nothing", 255}}},
             {"meaning",
-             "x in the left picture less x in the right one; 0 also from 256 px on; "
-             "NNNNNN_mask.png: what becomes of the pixel's surface in the right one"}};
+             "x in the left image minus x in the right image; also 0 for 256 px or more; "
+             "NNNNNN_mask.png: visibility of the pixel's surface in the right image"}};
 }
 
 }  // namespace dollytrack::render

@@ -28,8 +28,7 @@ Json normalConvention(const char* folder, const char* axes) {
             {"type", "uint16 x 3"},
             {"encoding", "(n + 1) / 2 * 65535, x y z in red green blue"},
             {"invalid", {0, 0, 0}},
-            {"meaning",
-             std::string("unit normal of the shaded surface, on the camera's side, in ") + axes}};
+            {"meaning", std::string("unit shading normal, facing the camera, in ") + axes}};
 }
 
 }  // namespace
@@ -92,16 +91,16 @@ Json albedoConvention(const DatasetContents& /*contents*/) {
     return {{"folder", "albedo"},
             {"type", "uint8 x 3"},
             {"encoding", "sRGB"},
-            {"meaning", "base colour without light; glass has its tint"}};
+            {"meaning", "base colour without lighting; for glass its tint"}};
 }
 
 Json objectCoordinatesConvention(const DatasetContents& /*contents*/) {
     return {{"folder", "object_coordinates"},
             {"type", "uint16 x 3"},
-            {"encoding", "65535 * share, x y z in red green blue"},
+            {"encoding", "65535 * coordinate, x y z in red green blue"},
             {"invalid", {0, 0, 0}},
             {"meaning",
-             "place in the object's own box (objects[].box), from 0 to 1 along each of its axes"}};
+             "coordinates in the object's own box (objects[].box), 0 to 1 along each of its axes"}};
 }
 
 }  // namespace dollytrack::render

@@ -60,8 +60,8 @@ Files writeCocoPolygons(const DatasetContents& contents) {
 Json cocoPolygonsConvention(const DatasetContents& /*contents*/) {
     return {{"file", kCocoPolygonFiles[0]},
             {"format",
-             "as annotations.json, with outlines along the borders of pixels, holes filled; "
-             "attributes as in instances.csv"}};
+             "like annotations.json, but with outlines along pixel borders (holes filled) and the "
+             "attributes of instances.csv"}};
 }
 
 /// Largest distance from a camera to a corner of the building; rendering has no far plane.
@@ -93,7 +93,7 @@ Files writeCameraJson(const DatasetContents& contents) {
 
 Json cameraJsonConvention(const DatasetContents& /*contents*/) {
     return {{"file", kCameraJsonFiles[0]},
-            {"format", "3D-FRONT: y up, metres, fov horizontal degrees"}};
+            {"format", "3D-FRONT: y up, metres, horizontal fov in degrees"}};
 }
 
 Files writeFrames(const DatasetContents& contents) {
@@ -103,9 +103,9 @@ Files writeFrames(const DatasetContents& contents) {
 Json framesConvention(const DatasetContents& /*contents*/) {
     return {{"file", kFramesFiles[0]},
             {"format",
-             "a row a frame: clearance (m), mean speed (m/s) and turning (deg/s) since the frame "
-             "before, targets of 120 px or more (at 640 x 480), those shown well, and the image "
-             "score from their boxes; where light_varies is frame, the light of each"}};
+             "one row per frame: clearance (m), mean speed (m/s) and turning rate (deg/s) since "
+             "the previous frame, number of targets of 120 px or more (at 640 x 480) and of well "
+             "shown ones, image score of their boxes; with light_varies=frame also the light"}};
 }
 
 Files writeImu(const DatasetContents& contents) {
@@ -113,12 +113,12 @@ Files writeImu(const DatasetContents& contents) {
 }
 
 Json imuConvention(const DatasetContents& /*contents*/) {
-    return {{"file", kImuFiles[0]},
-            {"format",
-             "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2, at rest "
-             "9.80665 against gravity) in the camera's axes; free of noise and bias; along "
-             "a twice continuously differentiable spline through all poses of each continuous "
-             "motion, of frames that are not exported, too"}};
+    return {
+        {"file", kImuFiles[0]},
+        {"format",
+         "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2; at rest "
+         "9.80665 upwards) in the camera's axes, without noise and bias, along a C2 spline through "
+         "all poses of each continuous motion, including frames that are not exported"}};
 }
 
 Files writeInstances(const DatasetContents& contents) {
@@ -128,12 +128,12 @@ Files writeInstances(const DatasetContents& contents) {
 Json instancesConvention(const DatasetContents& /*contents*/) {
     return {{"file", kInstancesFiles[0]},
             {"format",
-             "a row a frame and thing seen, structure has none: visible_px; silhouette_px, with "
-             "nothing before it, inside the image; whole_px, also beyond its borders; "
-             "visible_fraction of the whole; truncation, the share outside the image; what hides "
-             "most of the silhouette, and which share; box of the visible pixels and of the "
-             "silhouette (px); the oriented box in the camera's axes: center, size along its own "
-             "axes (m), quaternion camera_from_box"}};
+             "one row per frame and visible object (none for structure): visible_px; "
+             "silhouette_px, unoccluded, inside the image; whole_px, also outside the image; "
+             "visible_fraction, of whole_px; truncation, the share outside the image; occluder_id, "
+             "the object that hides most of the silhouette, and the share it hides; boxes of the "
+             "visible pixels and of the silhouette (px); the oriented box in the camera's axes: "
+             "center, size along its own axes (m), quaternion camera_from_box"}};
 }
 
 const std::vector<Format>& table() {
@@ -152,7 +152,7 @@ const std::vector<Format>& table() {
          0.0,
          true},
         {"camera_json",
-         "camera poses and the targets each shows well, as 3D-FRONT's, in camera.json",
+         "camera poses and the targets that each shows well, in 3D-FRONT's format, in camera.json",
          true,
          0,
          kCameraJsonFiles,
@@ -161,7 +161,7 @@ const std::vector<Format>& table() {
          nullptr,
          cameraJsonConvention},
         {"frames",
-         "what can be measured about each frame, its image score too, in frames.csv",
+         "measurements of each frame, such as speed, clearance and image score, in frames.csv",
          true,
          kNeedsMasks,
          kFramesFiles,
@@ -179,9 +179,8 @@ const std::vector<Format>& table() {
          nullptr,
          imuConvention},
         {"instances",
-         "how each frame shows each thing: visible part, truncation, what hides it, boxes in the "
-         "image "
-         "and in space, in instances.csv",
+         "visibility of each object in each frame: visible part, truncation, occluder, 2D and 3D "
+         "boxes, in instances.csv",
          false,
          kNeedsWhole,
          kInstancesFiles,

@@ -41,7 +41,7 @@ Status checkErrors(const std::string& during) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return {};
     if (error == GL_OUT_OF_MEMORY) {
-        return fail(ErrorCode::Failed, "the graphics memory is used up while " + during +
+        return fail(ErrorCode::Failed, "out of graphics memory while " + during +
                                            "; use smaller images or a smaller scene");
     }
     char code[16];

@@ -12,7 +12,7 @@ Result<std::unique_ptr<Context>> openFirst(std::span<const ContextChoice> choice
         tried += (tried.empty() ? "" : ", ") + choice.name + " (" + context.error().message + ")";
     }
     return fail(ErrorCode::NoOpenGl,
-                "no OpenGL driver works without a window; " +
+                "no OpenGL driver can render without a window; " +
                     (tried.empty() ? std::string("none is available") : "tried: " + tried));
 }
 

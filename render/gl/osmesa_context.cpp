@@ -56,8 +56,8 @@ Result<std::unique_ptr<Context>> createOsMesaContext() {
     OSMesaContext raw = OSMesaCreateContextAttribs(attributes.data(), nullptr);
     if (raw == nullptr) {
         return fail(ErrorCode::NoOpenGl,
-                    "no OpenGL 4.5 without a display; install Mesa's libosmesa6 or unset "
-                    "GALLIUM_DRIVER and LIBGL variables that restrict it");
+                    "OpenGL 4.5 without a display is not available; install Mesa's libosmesa6, or "
+                    "unset GALLIUM_DRIVER and LIBGL variables");
     }
     auto context = std::make_unique<OsMesaContext>(raw);
     if (Status status = context->makeCurrent(); !status) return tl::unexpected(status.error());

@@ -47,7 +47,7 @@ Status OverlayRenderer::draw(std::span<const OverlayLayer> layers, const View& v
                              const RenderTarget& target, OverlayCanvas& canvas,
                              double pixel_scale) {
     if (canvas.width() != target.width() || canvas.height() != target.height()) {
-        return fail(ErrorCode::Failed, "the overlays' canvas must have the picture's size");
+        return fail(ErrorCode::Failed, "the overlays' canvas must have the image's size");
     }
     glCopyImageSubData(target.picture(), GL_TEXTURE_2D, 0, 0, 0, 0, canvas.picture_.get(),
                        GL_TEXTURE_2D, 0, 0, 0, 0, canvas.width(), canvas.height(), 1);

@@ -196,7 +196,8 @@ std::string figureSvg(const Figure& figure) {
 
 Status checkFigureName(const std::filesystem::path& path) {
     if (path.extension() == ".svg" || path.extension() == ".png") return {};
-    return fail(ErrorCode::Usage, "The picture's name must end in .svg or .png.", path.string());
+    return fail(ErrorCode::Usage, "The figure's file name must end in .svg or .png.",
+                path.string());
 }
 
 Status writeFigure(const Figure& figure, const std::filesystem::path& path) {
@@ -204,7 +205,7 @@ Status writeFigure(const Figure& figure, const std::filesystem::path& path) {
         const std::string bytes =
             draw(figure, path.extension() == ".svg" ? makeSvgCanvas : makePngCanvas);
         if (bytes.empty()) {
-            return fail(ErrorCode::Failed, "The picture cannot be encoded.", path.string());
+            return fail(ErrorCode::Failed, "The figure cannot be encoded.", path.string());
         }
         return io::writeWhole(path, bytes);
     });

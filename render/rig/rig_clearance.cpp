@@ -46,12 +46,12 @@ std::vector<std::string> rigWarnings(const FrameContext& context) {
         }
         const auto all = contents.frames.size();
         if (behind.count > 0) {
-            warnings.push_back(fmt::format(
-                "camera '{}' of the rig is inside or behind another object in {} of {} frames, "
-                "first in frame {}: '{}'; the plan keeps {:g} m around the planned camera free, so "
-                "move the camera closer to it, or plan with a larger camera_radius_m",
-                camera.name, behind.count, all, behind.frame,
-                nameOf(contents.scene, behind.object_id), radius));
+            warnings.push_back(
+                fmt::format("camera '{}' of the rig is inside or behind an object in {} of {} "
+                            "frames, first in frame {}: '{}'; only {:g} m around the planned "
+                            "camera are kept free: move it closer, or raise camera_radius_m",
+                            camera.name, behind.count, all, behind.frame,
+                            nameOf(contents.scene, behind.object_id), radius));
         }
         if (near.count > 0) {
             warnings.push_back(

@@ -86,11 +86,12 @@ Status validateLens(const CameraParams& camera, const SensorParams& params) {
                                    ? ""
                                    : fmt::format("lower hfov_deg from {:g} to {:g}, or ",
                                                  camera.hfov_deg, narrower.hfov_deg);
-    return fail(ErrorCode::Usage,
-                fmt::format("The lens with k1 {:g}, k2 {:g}, k3 {:g}, p1 {:g}, p2 {:g} folds over "
-                            "before the corners of its picture: {}bring these nearer to 0.",
-                            lens.k1, lens.k2, lens.k3, lens.p1, lens.p2, narrow),
-                "sensor");
+    return fail(
+        ErrorCode::Usage,
+        fmt::format("The distortion k1 {:g}, k2 {:g}, k3 {:g}, p1 {:g}, p2 {:g} maps two "
+                    "directions to one pixel within the image: {}bring these values nearer to 0.",
+                    lens.k1, lens.k2, lens.k3, lens.p1, lens.p2, narrow),
+        "sensor");
 }
 
 LensDistortion distortionOf(const SensorParams& params) {

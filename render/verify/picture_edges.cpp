@@ -172,15 +172,15 @@ OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines) {
 
 std::string textOf(const Fit& own) {
     return fmt::format(
-        "where objects meet in the frame's instance image colours change more than in {:.0f} % of "
-        "the picture; by chance it is 50 %",
+        "at object borders of its instance image, colours change more than in {:.0f} % of the "
+        "image; 50 % would be chance",
         100.0 * own.rank);
 }
 
 std::string textOf(const OwnFit& judged) {
     return fmt::format(
-        "where objects meet in the frame's instance image colours change more than in {:.0f} % of "
-        "the picture; with that image {} in {:.0f} %",
+        "at object borders of its instance image, colours change more than in {:.0f} % of the "
+        "image; with the instance image {}, in {:.0f} %",
         100.0 * judged.own.rank, judged.elsewhere, 100.0 * judged.fit_elsewhere.rank);
 }
 

@@ -74,7 +74,7 @@ void PictureJudge::judge(const Files& files, Findings& findings) {
                       frame,
                       {},
                       wrong[i],
-                      "edges where the objects of this frame meet"});
+                      "edges at the object borders of this frame"});
     }
 }
 
@@ -144,8 +144,8 @@ std::string PictureJudge::explainedByOther(std::size_t frame,
     }
     if (!best_frame) return {};
     return fmt::format(
-        "where objects meet in the frame's instance image colours change more than in {:.0f} % "
-        "of the picture; with that of frame {} in {:.0f} %",
+        "at object borders of its instance image, colours change more than in {:.0f} % of the "
+        "image; with the instance image of frame {}, in {:.0f} %",
         100.0 * own.rank, *best_frame, 100.0 * best.rank);
 }
 

@@ -36,7 +36,7 @@ void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
     try {
         work();
     } catch (const std::exception& error) {
-        findings.add({"dataset.json", frame, {}, error.what(), "what this check can read"});
+        findings.add({"dataset.json", frame, {}, error.what(), "files that this check can read"});
     }
 }
 

@@ -179,7 +179,7 @@ class CamerasTest(FolderCase):
         result = self.export(self.folder / "walled", "--modalities", "instance",
                              "--camera", "far:width_px=16,height_px=16,forward_m=9")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("camera 'far' of the rig is inside or behind another object", result.stderr)
+        self.assertIn("camera 'far' of the rig is inside or behind an object", result.stderr)
         result = self.export(self.folder / "free", "--modalities", "instance",
                              "--camera", "near:width_px=16,height_px=16")
         self.assertNotIn("of the rig", result.stderr)

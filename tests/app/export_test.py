@@ -393,7 +393,7 @@ class Export(FolderCase):
         self.assertEqual(json.loads(again.stdout)["pictures"], summary["pictures"])
         verified = run("verify", out)
         self.assertEqual(verified.returncode, 0, verified.stdout)
-        self.assertIn("note: 3 of 3 pictures are unusable: 3 dark (frames 0-2)",
+        self.assertIn("note: 3 of 3 images are unusable: 3 dark (frames 0-2)",
                       verified.stdout)
         self.assertNotIn("DAMAGED", verified.stdout)
         self.assertFails(run(*arguments, "--require", "darkrate<=1"), 2, "'dark_rate'")

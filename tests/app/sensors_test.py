@@ -220,7 +220,7 @@ class SensorsTest(FolderCase):
         self.assertFalse((self.folder / "folded").exists())
         narrower = int(re.search(r"from 90 to (\d+)", refused.stderr)[1])
         self.assertGreater(narrower, 45)
-        self.assertFails(export("folded", -0.3, narrower + 1), 2, "folds over")
+        self.assertFails(export("folded", -0.3, narrower + 1), 2, "maps two directions to one pixel")
         for name, k1, fov in (("narrower", -0.3, narrower), ("straighter", -0.05, 90)):
             made = export(name, k1, fov)
             self.assertEqual(made.returncode, 0, made.stderr)
@@ -242,7 +242,7 @@ class SensorsTest(FolderCase):
                        "rgb,rgb_sensor", "--formats", formats, "--range", "0:1",
                        *[word for one in settings for word in ("--set", one)])
             self.assertEqual(made.returncode, 0, made.stderr)
-            return re.search(r"boxes and masks of (.+) belong to the clean pictures.* up to "
+            return re.search(r"boxes and masks of (.+) fit the clean images.* by up to "
                              r"(\S+) px", made.stderr)
         bent = told("bent", "coco,yolo,camera_json", "sensor_preset=action_camera")
         self.assertEqual(bent[1], "coco, yolo")

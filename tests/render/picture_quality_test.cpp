@@ -59,7 +59,7 @@ TEST(PictureQuality, TheTallyCountsEachPictureOnce) {
     EXPECT_EQ(tally.unusable(), 3);
     for (const int frame : {7, 8, 9}) tally.add(frame, PictureQuality::Dark);
     EXPECT_EQ(unusableText(tally),
-              "6 of 7 pictures are unusable: 5 dark (frames 1, 3, 7-9), 1 flat (frame 2)");
+              "6 of 7 images are unusable: 5 dark (frames 1, 3, 7-9), 1 flat (frame 2)");
     EXPECT_EQ(unusableText({}), "");
 }
 

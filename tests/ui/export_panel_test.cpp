@@ -216,7 +216,8 @@ TEST(ExportPanel, ChoosesTheSensor) {
     Export panel;
     Parameters project;
     project.showIn(panel.view);
-    panel.view.modalities.push_back({"rgb_sensor", "what a real camera makes of it", false, true});
+    panel.view.modalities.push_back(
+        {"rgb_sensor", "8-bit colour images of a simulated camera sensor", false, true});
     test::Screen screen([&] { panel.draw(); }, 380, 900);
     EXPECT_EQ(screen.names().find("sensor_preset"), std::string::npos);
     ASSERT_TRUE(screen.click("export.modality.rgb_sensor")) << screen.names();

@@ -103,17 +103,17 @@ Json convention(const DatasetContents& /*contents*/) {
     return {{"files", kFiles},
             {"folders", kFolders},
             {"format",
-             "BOP: this folder is one scene of it (rgb, depth, mask, mask_visib); millimetres, "
-             "camera from world and camera from model, rows; a model is an object around the "
-             "middle of its box, along the box's axes; depth_scale 1; bbox_obj is of what lies "
-             "inside the image; px_count_all counts what lies outside, too"}};
+             "BOP: this folder is one scene (rgb, depth, mask, mask_visib); millimetres; row-major "
+             "camera_from_world and camera_from_model; a model's origin and axes are the centre "
+             "and the axes of the object's box; depth_scale 1; bbox_obj is of the silhouette "
+             "inside the image; px_count_all also counts pixels outside the image"}};
 }
 
 }  // namespace
 
 const Format kBopFormat = {
     .name = "bop",
-    .text = "poses, visibility and masks of things as BOP's, in scene_gt.json, mask ...",
+    .text = "poses, visibility and masks of objects in BOP's format, in scene_gt.json, mask ...",
     .needs = kNeedsWhole,
     .files = kFiles,
     .folders = kFolders,

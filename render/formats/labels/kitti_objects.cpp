@@ -61,21 +61,20 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
 
 nlohmann::ordered_json convention(const DatasetContents& contents) {
     const std::string type = contents.scene.classes().isNyu40() ? "NYU40" : "classes";
-    return {
-        {"folder", kFolders[0]},
-        {"format",
-         "KITTI object detection: type (" + type +
-             "), truncated, occluded (0 less than 10 % hidden, "
-             "1 less than half, 2 more), alpha, left, top, right and bottom pixel, height, width "
-             "and length (m), the middle of the box's bottom in the camera, and rotation_y of its "
-             "first axis; the format knows no pitch: instances.csv has the whole rotation"}};
+    return {{"folder", kFolders[0]},
+            {"format",
+             "KITTI object detection: type (" + type +
+                 "), truncated, occluded (0 less than 10 % hidden, 1 less than half, 2 more), "
+                 "alpha, left, top, right and bottom pixel, height, width and length (m), centre "
+                 "of the box's bottom in the camera's axes, and rotation_y of its first axis; the "
+                 "format has no pitch: instances.csv has the full rotation"}};
 }
 
 }  // namespace
 
 const Format kKittiObjectsFormat = {
     .name = "kitti_objects",
-    .text = "boxes of things in the image and in space as KITTI's, in label_2",
+    .text = "2D and 3D boxes of objects in KITTI's format, in label_2",
     .needs = kNeedsWhole,
     .folders = kFolders,
     .encode = encode,

@@ -136,15 +136,14 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 
 nlohmann::ordered_json convention(const DatasetContents& contents) {
     const bool nyu40 = contents.scene.classes().isNyu40();
-    return {
-        {"files", kFiles},
-        {"folders", kFolders},
-        {"format",
-         fmt::format("YOLO: class ({}) and, in shares of the image, the box's centre and size, or "
-                     "the outline of the object's largest part in sight; targets only. train.txt "
-                     "and val.txt are the first of the folds, of five where none were asked for; "
-                     "images are hard links to those of rgb",
-                     nyu40 ? "NYU40 - 1" : "position in classes without void")}};
+    return {{"files", kFiles},
+            {"folders", kFolders},
+            {"format",
+             fmt::format("YOLO: class ({}) and, as fractions of the image size, the box's centre "
+                         "and size (labels) or the outline of the object's largest visible part "
+                         "(labels_seg); targets only; train.txt and val.txt are the first fold of "
+                         "--folds (default: of five); images are hard links to those of rgb",
+                         nyu40 ? "NYU40 - 1" : "index in classes without void")}};
 }
 
 }  // namespace
@@ -159,7 +158,7 @@ PictureLinks yoloPictures(const DatasetContents& contents) {
 
 const Format kYoloFormat = {
     .name = "yolo",
-    .text = "boxes and outlines of the targets as YOLO's, in labels and labels_seg",
+    .text = "boxes and outlines of the targets in YOLO's format, in labels and labels_seg",
     .files = kFiles,
     .folders = kFolders,
     .write = write,

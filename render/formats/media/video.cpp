@@ -64,15 +64,15 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
     return {{"file", kFiles[0]},
             {"format",
-             "MP4, H.264: a look at the trajectory, every frame of rgb once and for the same time, "
-             "at the trajectory's own rate; lossy, no data"}};
+             "MP4, H.264: preview of the trajectory with every frame of rgb once, each for the "
+             "same duration, at the trajectory's frame rate; lossy, not meant as data"}};
 }
 
 }  // namespace
 
 const Format kVideoFormat = {
     .name = "video",
-    .text = "the pictures as a film, in preview.mp4",
+    .text = "the images as a video, in preview.mp4",
     .files = kFiles,
     .write = write,
     .convention = convention,

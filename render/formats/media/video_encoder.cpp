@@ -226,7 +226,7 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
     Impl& impl = *impl_;
     if (rgb.size() !=
         3U * static_cast<std::size_t>(impl.width) * static_cast<std::size_t>(impl.height)) {
-        return fail(ErrorCode::Failed, "the video got an image of another size", "preview.mp4");
+        return fail(ErrorCode::Failed, "an image for the video has another size", "preview.mp4");
     }
     // The encoder may still hold the previous picture, so each gets its own buffer.
     const std::int64_t pts = impl.frame->pts;

@@ -48,9 +48,9 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
     return {{"files", kFiles},
             {"format",
-             "OpenCV FileStorage and ROS camera_info: of rgb_sensor where there is one, else "
-             "without distortion; pixel centres are whole; undistorted, its pictures have the "
-             "clean ones' camera_matrix"}};
+             "OpenCV FileStorage and ROS camera_info: the camera of rgb_sensor if exported, "
+             "otherwise that of rgb, without distortion; pixel centres have integer coordinates; "
+             "undistorted images have the same camera_matrix as the clean ones"}};
 }
 
 }  // namespace

@@ -109,9 +109,10 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
     return {{"files", kFiles},
             {"format",
-             "COLMAP text model: camera from world, quaternion w x y z, pixel centres at halves; "
-             "names are those in the folder of the pictures (--image_path .../rgb); points3D.txt "
-             "is a sample of the surfaces that frames show, at rest, without tracks"}};
+             "COLMAP text model: camera_from_world, quaternion w x y z, pixel centres at "
+             "half-integer coordinates; names are relative to the image folder (--image_path "
+             ".../rgb); points3D.txt is a sample of the surfaces visible in the frames, moving "
+             "objects at their planned poses, without tracks"}};
 }
 
 }  // namespace

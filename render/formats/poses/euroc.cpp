@@ -137,10 +137,10 @@ nlohmann::ordered_json convention(const DatasetContents& contents) {
         {"files", std::vector<std::string>(kFiles.begin(), kFiles.begin() + count)},
         {"folder", kFolders[0]},
         {"format",
-         "EuRoC (ASL): times in ns, the first frame's as in frames; the body is the camera of rgb "
-         "with its axes x right, y down, z forward, and the inertial sensor is there; positions "
-         "(m), quaternions w x y z, velocities (m/s) in the world, z up; pictures are hard links "
-         "to those of rgb and rgb_right; pixels whose centres are whole numbers"}};
+         "EuRoC (ASL): times in ns, starting with the first frame's time_s; the body frame is the "
+         "camera of rgb (x right, y down, z forward), also for the inertial sensor; positions (m), "
+         "quaternions w x y z and velocities (m/s) in the world, z up; images are hard links to "
+         "those of rgb and rgb_right; pixel centres have integer coordinates"}};
 }
 
 }  // namespace
@@ -158,7 +158,7 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
 
 const Format kEurocFormat = {
     .name = "euroc",
-    .text = "pictures, inertial measurements and poses in the layout of EuRoC, in mav0",
+    .text = "images, inertial measurements and poses in the layout of EuRoC, in mav0",
     .files = kFiles,
     .folders = kFolders,
     .write = write,

@@ -49,8 +49,8 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 Json convention(const DatasetContents& /*contents*/) {
     return {{"files", kFiles},
             {"format",
-             "instant-ngp: world from camera, the camera's axes x right, y up, z back, world z up, "
-             "metres; `scale` and `offset` put all of the room into the unit cube"}};
+             "instant-ngp: world_from_camera, camera axes x right, y up, z back, world z up, "
+             "metres; `scale` and `offset` map the whole room into the unit cube"}};
 }
 
 }  // namespace

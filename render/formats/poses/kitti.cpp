@@ -62,10 +62,10 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
     return {{"files", kFiles},
             {"folder", kFolders[0]},
             {"format",
-             "KITTI odometry: rows of 3 x 4 matrices that map from camera i into the first camera "
-             "(frames[0] says where in the world that is), seconds, and projections P0 to P3 in "
-             "pixels whose centres are whole numbers, of which 1 and 3 are the right camera's; "
-             "kitti_flow: uint16 x 3 to the next frame, u = (R - 32768) / 64, v from G, B is 1 "
+             "KITTI odometry: one row-major 3 x 4 matrix per line, from camera i to the first "
+             "camera (its pose in the world: frames[0]); times in seconds; projections P0 to P3 "
+             "with pixel centres at integer coordinates, 1 and 3 of the right camera; kitti_flow: "
+             "uint16 x 3, flow to the next frame, u = (R - 32768) / 64, v likewise from G, B is 1 "
              "where both are valid"}};
 }
 
@@ -87,7 +87,7 @@ std::vector<std::uint16_t> kittiFlow(const std::vector<Eigen::Vector2f>& motion)
 
 const Format kKittiFormat = {
     .name = "kitti",
-    .text = "poses, times and projections as KITTI odometry's, in poses.txt ...",
+    .text = "poses, times and projections in KITTI odometry's format, in poses.txt ...",
     .needs = kNeedsDepth,
     .files = kFiles,
     .folders = kFolders,

@@ -23,7 +23,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 Json convention(const DatasetContents& /*contents*/) {
     return {{"files", kFiles},
             {"format",
-             "nerfstudio: world from camera, the camera's axes x right, y up, z back, world z up, "
+             "nerfstudio: world_from_camera, camera axes x right, y up, z back, world z up, "
              "metres; depth in millimetres (depth_unit_scale_factor 0.001)"}};
 }
 

@@ -96,20 +96,19 @@ nlohmann::ordered_json convention(const DatasetContents& contents) {
         {"files", kFiles},
         {"folders", kFolders},
         {"format",
-         "TartanAir: position and quaternion (x y z w) of the camera in the world, a line a "
-         "frame, both with x north (the world's x), y east, z down; the camera's x is forward; "
-         "depth_left: float32, planar metres, 10000 where nothing is seen; seg_left: " +
+         "TartanAir: one line per frame with position and quaternion (x y z w) of the camera in "
+         "the world, axes x north (the world's x), y east, z down; the camera's x is forward; "
+         "depth_left: float32, planar metres, 10000 where no surface is visible; seg_left: " +
              classes +
-             "; "
-             "flow: float32 u, v to the next frame, its mask 0 in sight, 10 hidden, 100 out of the "
-             "picture"}};
+             "; flow: float32 u, v to the next frame, its mask 0 visible, 10 occluded, 100 outside "
+             "the image"}};
 }
 
 }  // namespace
 
 const Format kTartanAirFormat = {
     .name = "tartanair",
-    .text = "poses, images, depth and flow as TartanAir's, in pose_left.txt, image_left ...",
+    .text = "poses, images, depth and flow in TartanAir's format, in pose_left.txt, image_left ...",
     .needs = kNeedsRgb | kNeedsDepth,
     .files = kFiles,
     .folders = kFolders,

@@ -71,8 +71,8 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
             {"folder", kFolders[0]},
             {"format",
              "TUM RGB-D: seconds, position and quaternion (x y z w) of the camera's centre in the "
-             "world, camera axes x right, y down, z forward; depth_tum is planar, 5000 a "
-             "metre, 0 for none and beyond 13.1 m"},
+             "world, camera axes x right, y down, z forward; depth_tum: planar, 5000 units per "
+             "metre, 0 where no surface is visible and beyond 13.1 m"},
             {"depth_per_m", kDepthPerMetre}};
 }
 
@@ -80,7 +80,7 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
 
 const Format kTumFormat = {
     .name = "tum",
-    .text = "poses and lists of pictures as TUM RGB-D's, in groundtruth.txt, rgb.txt ...",
+    .text = "poses and lists of images in TUM RGB-D's format, in groundtruth.txt, rgb.txt ...",
     .needs = kNeedsDepth,
     .files = kFiles,
     .folders = kFolders,

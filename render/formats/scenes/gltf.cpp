@@ -124,8 +124,8 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
 Json convention(const DatasetContents& /*contents*/) {
     return {{"file", kFiles[0]},
             {"format",
-             "glTF 2.0: the scene, an object a node, and an animated camera with a key at each "
-             "frame's time, as things that move have; metres, y up (x, z, -y of the world)"}};
+             "glTF 2.0: the scene with one node per object; the camera and moving objects are "
+             "animated with a key at each frame's time; metres, y up (x, z, -y of the world)"}};
 }
 
 }  // namespace

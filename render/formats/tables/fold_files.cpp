@@ -40,8 +40,8 @@ nlohmann::ordered_json foldConvention(const DatasetContents& contents) {
         {"seed", contents.folds.seed},
         {"split_by", by_room ? "room" : "block"},
         {"format",
-         "a picture a line; every frame is in one fold_K_val, the others are in "
-         "fold_K_train but for those left out"}};
+         "one image path per line; every frame is in one fold_K_val; the other frames of fold K "
+         "are in fold_K_train, except those left out"}};
     if (!by_room) {
         json["left_out"] = {{"closer_s", kFoldGuard_s},
                             {"closer_m", kFoldGuard_m},

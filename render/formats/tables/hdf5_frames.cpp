@@ -49,22 +49,20 @@ nlohmann::ordered_json convention(const DatasetContents& contents) {
     const ClassTable& table = contents.scene.classes();
     const std::string type = std::string(table.isWide() ? "uint16" : "uint8") +
                              (table.isNyu40() ? ", NYU40" : ", id in classes");
-    return {
-        {"folder", kFolders[0]},
-        {"format",
-         "HDF5 as BlenderProc's: colors (uint8), depth (float32, planar metres, 0 for none), "
-         "instance_segmaps (uint16), category_id_segmaps (" +
-             type +
-             "), "
-             "instance_attribute_maps (JSON), campose (JSON: world from camera, the camera's axes "
-             "x right, y up, z back)"}};
+    return {{"folder", kFolders[0]},
+            {"format",
+             "HDF5 in BlenderProc's format: colors (uint8), depth (float32, planar metres, 0 where "
+             "no surface is visible), instance_segmaps (uint16), category_id_segmaps (" +
+                 type +
+                 "), instance_attribute_maps (JSON), campose (JSON: world_from_camera, camera axes "
+                 "x right, y up, z back)"}};
 }
 
 }  // namespace
 
 const Format kHdf5FramesFormat = {
     .name = "hdf5",
-    .text = "a file a frame with its images and pose as BlenderProc's, in hdf5",
+    .text = "one file per frame with its images and pose in BlenderProc's format, in hdf5",
     .needs = kNeedsRgb | kNeedsDepth,
     .folders = kFolders,
     .encode = encode,

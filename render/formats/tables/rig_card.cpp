@@ -26,8 +26,9 @@ const char* formulaOf(Lens lens) {
         case Lens::Fisheye:
             return "t = atan2(sqrt(X^2 + Y^2), Z), r = f (t + k1 t^3 + k2 t^5 + k3 t^7 + k4 t^9), "
                    "x = r X / sqrt(X^2 + Y^2) + cx, y = r Y / sqrt(X^2 + Y^2) + cy, for t up to "
-                   "fov_deg / 2 (Kannala and Brandt; OpenCV's fisheye with fx = fy = f; OpenCV "
-                   "counts pixels from centres, so its cx and cy are less by 0.5)";
+                   "fov_deg / 2 (Kannala and Brandt; OpenCV's fisheye with fx = fy = f; for "
+                   "OpenCV, subtract 0.5 from cx and cy, because its pixel centres have integer "
+                   "coordinates)";
         case Lens::Equirectangular:
             return "x = width (1/2 + atan2(X, Z) / 2 pi), "
                    "y = height (1/2 + atan2(Y, sqrt(X^2 + Z^2)) / pi)";
@@ -92,11 +93,10 @@ Json rigCard(const DatasetContents& contents) {
             {"intrinsics", intrinsicsOf(camera)},
             {"projection", formulaOf(camera.lens)},
             {"depth", depthOf(camera)},
-            {"rides_on",
-             camera.level
-                 ? "the planned camera's place and heading: x as that camera's but horizontal, y "
-                   "down, z level"
-                 : "the planned camera"},
+            {"rides_on", camera.level
+                             ? "a level frame at the planned camera's position and heading: x "
+                               "horizontal along the camera's x axis, y down, z horizontal"
+                             : "the planned camera"},
             {"level", camera.level},
             {"carrier_from_camera", poseJson(carrierFromCamera(camera))},
             {"settings", rigJson({camera}).front()},

@@ -118,7 +118,7 @@ class CameraFrame {
         normals.report(file("normal_world"), index_, findings);
         if (camera_.width * camera_.height < kJudgedPixels && isBlank(rgb_) &&
             outlinesOf(ids_, true).count() >= kFewestPlaces) {
-            findings.add({file("rgb"), index_, {}, kBlank, "edges where the objects meet"});
+            findings.add({file("rgb"), index_, {}, kBlank, "edges at the object borders"});
         }
     }
 
@@ -205,7 +205,7 @@ class CameraFrame {
             return;
         }
         circle.add(x, y, [] {
-            return WrongPixels::Text{"something outside of the lens's image circle",
+            return WrongPixels::Text{"a value outside the lens's image circle",
                                      "0 in all images, void in classes"};
         });
     }

@@ -55,7 +55,7 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
         captured += best.captured ? 1 : 0;
         if (dataset.unusable_frames.contains(frame)) {
             add(fmt::format("best_frame {} of object {}", frame, best.object_id),
-                "a frame whose picture can be used");
+                "a frame whose image is usable");
         }
         if (frame >= static_cast<int>(by_frame.size())) {
             add(fmt::format("best_frame {}", frame), fmt::format("below {}", by_frame.size()));
@@ -76,7 +76,7 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
     }
     if (counted.at("captured").get<int>() != captured) {
         add(fmt::format("captured {}", counted.at("captured").get<int>()),
-            fmt::format("{}, as the objects say", captured));
+            fmt::format("{}, according to the objects", captured));
     }
     if (counted.at("objects").get<int>() != rows) {
         add(fmt::format("objects {}", counted.at("objects").get<int>()), fmt::format("{}", rows));

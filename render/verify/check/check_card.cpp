@@ -139,7 +139,7 @@ CheckWork beginCard(const Subject& subject, Findings& findings) {
         checkRelations(subject.dataset, report);
         checkFrames(subject.dataset, report);
     } catch (const nlohmann::json::exception& error) {
-        findings.add({"dataset.json", {}, {}, error.what(), "every field of a card"});
+        findings.add({"dataset.json", {}, {}, error.what(), "all fields of dataset.json"});
     }
     return {};
 }

@@ -117,7 +117,8 @@ CheckWork beginFiles(const Subject& subject, Findings& findings) {
                 found[i].add({name, frameOf(name), {}, std::move(what), std::move(expected)});
             };
             std::error_code error;
-            if (!staysInside(name)) return tell("a path out of the folder", "a file in it");
+            if (!staysInside(name))
+                return tell("a path that leads out of the folder", "a file in it");
             const fs::path path = dataset.folder / name;
             if (!fs::exists(path, error)) return tell("missing", "a file");
             const std::uintmax_t size = fs::file_size(path, error);

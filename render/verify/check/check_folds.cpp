@@ -73,7 +73,7 @@ class FoldCheck {
             const std::optional<int> frame = frameOf(line);
             if (!frame || !frames.insert(*frame).second) {
                 add(fmt::format("{}:{}", file, number), {}, std::string(line),
-                    "a picture of the dataset, each once");
+                    "images of the dataset, each once");
             }
         }
         return {frames.begin(), frames.end()};
@@ -116,7 +116,8 @@ class FoldCheck {
                     break;
                 case Nearness::Apart:
                     if (!is_trained) {
-                        add(file, frame, "in neither list", "in one: no validation frame is near");
+                        add(file, frame, "in neither list",
+                            "in the training list, because no validation frame is near");
                     }
                     break;
                 case Nearness::Unknown:

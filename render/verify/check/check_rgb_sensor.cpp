@@ -159,7 +159,7 @@ CheckWork beginRgbSensor(const Subject& subject, Findings& findings) {
         if (of_own.deviation < kFlat) return;
         if (with_own.correlation < kLeastAlike) {
             return tell(
-                fmt::format("it correlates by {:.2f} with the clean picture", with_own.correlation),
+                fmt::format("its correlation with the clean image is {:.2f}", with_own.correlation),
                 fmt::format("{} and more", kLeastAlike));
         }
         const int count = static_cast<int>(dataset.frames.size());
@@ -169,9 +169,10 @@ CheckWork beginRgbSensor(const Subject& subject, Findings& findings) {
             if (!beside) continue;
             const double alike = likeness(shown, smallOf(*beside)).correlation;
             if (alike <= with_own.correlation + kMoreAlike) continue;
-            return tell(fmt::format("it is more like frame {} ({:.2f}) than its own ({:.2f})",
+            return tell(fmt::format("its correlation with frame {} ({:.2f}) is higher than with "
+                                    "its own frame ({:.2f})",
                                     other, alike, with_own.correlation),
-                        "a picture of this frame");
+                        "an image of this frame");
         }
     };
     return work;

@@ -94,7 +94,7 @@ class FileCheck {
         const auto picture = one.at("file_path").get<std::string>();
         const bool numbered = picture.find(fmt::format("/{:06}.", frame)) != std::string::npos;
         if (!numbered || !dataset_.sha256s.contains(picture)) {
-            add(frame, "file_path " + picture, fmt::format("a picture of frame {}", frame));
+            add(frame, "file_path " + picture, fmt::format("an image of frame {}", frame));
         }
         if (!depthIsNamed()) return;
         const auto depth = one.at(file_.depth_key).get<std::string>();
@@ -122,7 +122,8 @@ class FileCheck {
         if (!subject_.scene) return;
         const double filled = (high - low).maxCoeff();
         if (filled >= 0.9) return;
-        add({}, fmt::format("the room fills {:.3g} of the unit cube's edge", filled), "0.95");
+        add({}, fmt::format("the room's longest side is {:.3g} of the unit cube's edge", filled),
+            "0.95");
     }
 
     const Subject& subject_;

@@ -67,7 +67,7 @@ class ListCheck {
             const std::string picture = fmt::format("{}/{:06}.png", list_.folders[i], frame);
             const std::string name(words[2 * i + 1]);
             if (name != picture) wrong(name, picture);
-            if (!dataset_.sha256s.contains(name)) wrong(name, "a picture of the dataset");
+            if (!dataset_.sha256s.contains(name)) wrong(name, "an image of the dataset");
         }
     }
 
@@ -95,7 +95,7 @@ void compareDepth(const StoredDataset& dataset, FrameImages& images, Findings& f
             if (metres > 0.0 ? std::abs(steps - expected) <= allowed : steps == 0) continue;
             wrong.add(x, y, [&] {
                 return WrongPixels::Text{
-                    fmt::format("{:.4f} m (5000 steps a metre)", steps / kStepsPerMetre),
+                    fmt::format("{:.4f} m (5000 units per metre)", steps / kStepsPerMetre),
                     fmt::format("{:.4f} m, as in {}", metres, imageFile(depth->modality, frame))};
             });
         }

@@ -58,7 +58,7 @@ class VideoCheck {
         // Steps between paths may differ; any matching step is accepted.
         const auto first = std::ranges::lower_bound(steps, 1.0 / found * (1.0 - kRate));
         if (first != steps.end() && *first <= 1.0 / found * (1.0 + kRate)) return;
-        add({}, fmt::format("{:.4g} pictures per second", found),
+        add({}, fmt::format("{:.4g} images per second", found),
             fmt::format("{:.4g}, by the frames' times", 1.0 / steps[steps.size() / 2]));
     }
 
@@ -77,7 +77,7 @@ class VideoCheck {
         const cv::Scalar mean = cv::mean(difference);
         const double off = (mean[0] + mean[1] + mean[2]) / 3.0;
         if (off <= kFarthest) return;
-        add(frame, fmt::format("a picture that differs by {:.0f} of 255 from rgb", off),
+        add(frame, fmt::format("an image that differs by {:.0f} of 255 from rgb", off),
             fmt::format("at most {:g}", kFarthest));
     }
 

@@ -126,7 +126,7 @@ std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list
                           {},
                           {},
                           std::string(line),
-                          "a picture of the dataset that has labels, each once"});
+                          "images of the dataset that have labels, each once"});
         }
     }
     if (frames.empty()) findings.add({list, {}, {}, "no pictures", "at least one"});
@@ -147,8 +147,7 @@ void checkSplit(const StoredDataset& dataset, Findings& findings) {
     if (dataset.frames.size() < 2) return;
     for (const int frame : val) {
         if (!train.contains(frame)) continue;
-        findings.add(
-            {"val.txt", frame, {}, "a picture that is also a training picture", "another"});
+        findings.add({"val.txt", frame, {}, "an image that is also a training image", "another"});
     }
 }
 

@@ -41,11 +41,11 @@ Status endsAsPng(const std::string& bytes) {
     std::uint64_t pixels = 1;
     for (const std::uint64_t side : render::pngSides(bytes)) {
         if (side > kLargestImageSide)
-            return unreadableImage(fmt::format("it claims to be {} px", side));
+            return unreadableImage(fmt::format("its header declares {} px", side));
         pixels *= side;
     }
     if (pixels > kMostPixels)
-        return unreadableImage(fmt::format("it claims to have {} px", pixels));
+        return unreadableImage(fmt::format("its header declares {} px", pixels));
     if (!bytes.ends_with(kEnd))
         return unreadableImage("it is truncated, or followed by extra data");
     return {};
