@@ -63,8 +63,8 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
         // Another shard may have written the list just now.
         if (io::readText(path).value_or("") == wanted) return {};
         return fail(ErrorCode::CannotWrite,
-                    "the folder holds files that are not of a Dollytrack batch; choose an empty "
-                    "folder with 'out' or --out",
+                    "the folder contains files that are not from a Dollytrack batch; choose an "
+                    "empty folder with 'out' or --out",
                     folder.string());
     }
     Status written = own->write(kList, wanted);

@@ -324,7 +324,7 @@ Result<fs::path> ownProgram() {
     std::error_code error;
     fs::path program = ownFile();
     if (fs::exists(program, error)) return program;
-    return fail(ErrorCode::Failed, "the program's own file cannot be found; install it again",
+    return fail(ErrorCode::Failed, "the dollytrack program file cannot be found; install it again",
                 program.string());
 }
 

@@ -85,7 +85,7 @@ Result<Shard> parseShard(const std::string& text) {
     if (!parted || count.ec != std::errc() || count.ptr != end || shard.index < 0 ||
         shard.count < 1 || shard.index >= shard.count) {
         return fail(ErrorCode::Usage,
-                    fmt::format("'{}' is not a share of a batch; write i/n with i from 0 to n - 1, "
+                    fmt::format("'{}' is not a shard of a batch; write i/n with i from 0 to n - 1, "
                                 "like 0/4 for the first of four.",
                                 text),
                     "--shard");

@@ -191,8 +191,10 @@ class OrderReader {
                  {"--out", "--json", "--resume", "--overwrite", "--planner", "--seed", "--progress",
                   "--modalities", "--formats", "--range", "--max-frames", "--threads", "--list"}) {
                 if (one.value != own && !one.value.starts_with(std::string(own) + "=")) continue;
-                reader.refuse(one.where,
-                              fmt::format("'{}' is not for 'arguments': the batch sets it.", own));
+                reader.refuse(
+                    one.where,
+                    fmt::format("'{}' is not allowed in 'arguments', because the batch sets it.",
+                                own));
             }
         }
         exports.modalities = valuesOf(modalities);

@@ -41,7 +41,7 @@ Error errorOf(const std::exception& exception) {
                                : std::string_view(exception.what()).starts_with("pthread_create");
     if (no_thread) {
         return {ErrorCode::Failed,
-                "no more threads can be started; give fewer with --threads, or raise the limits on "
+                "no more threads can be started; set fewer with --threads, or raise the limits on "
                 "memory and processes.",
                 {}};
     }

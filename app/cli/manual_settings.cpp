@@ -49,7 +49,7 @@ manual::KnownValues assignments(const FieldList& fields) {
 }
 
 std::string parameterEntries(const FieldList& fields) {
-    std::string text = ".SH PARAMETERS\nEach with its default, unit and range.\n";
+    std::string text = ".SH PARAMETERS\nEach parameter with its default, unit and range.\n";
     std::string section;
     for (const Field& field : fields) {
         if (field.section != section) text += ".SS " + field.section + "\n";

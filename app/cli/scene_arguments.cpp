@@ -463,12 +463,10 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
         const std::string changed = other_import  ? "the import settings"
                                     : other_edits ? "constraints of the trajectory"
                                                   : changedNames(stored, opened.params);
-        log::warn("project",
-                  other_scene
-                      ? "the scene file has changed since it was planned: planning again, which "
-                        "gives other views"
-                      : "changed since it was planned: " + changed +
-                            "; planning again, which gives other views");
+        log::warn("project", other_scene ? "the scene file has changed since it was planned: "
+                                           "planning again, so the views will differ"
+                                         : "changed since it was planned: " + changed +
+                                               "; planning again, so the views will differ");
         opened.stored_result = nullptr;
     }
     return opened;

@@ -99,7 +99,7 @@ void say(const FolderFinding& found, bool other_files_may_stay, ui::ExportView& 
                 view.folder_says = "It contains other files, which are kept.";
             } else {
                 view.why_not_folder =
-                    "It contains other files: choose another folder, or tick that it may contain "
+                    "It contains other files: choose another folder, or tick the box that allows "
                     "them.";
             }
             break;

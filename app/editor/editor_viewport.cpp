@@ -426,7 +426,8 @@ void Editor::drawCentre() {
         view.message = failed ? "The scene cannot be shown: " + workspace_.planError()
                               : "Preparing the scene …";
     }
-    if (workspace_.shown().outdated) view.remark = "Previous plan: these parameters give no plan";
+    if (workspace_.shown().outdated)
+        view.remark = "Previous plan: planning with these parameters failed";
     view.locked = through_camera_;
     if (through_camera_) {
         const CameraParams& camera = workspace_.shown().params.camera;

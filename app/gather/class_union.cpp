@@ -42,7 +42,7 @@ std::string contradiction(const ClassTable& here, const ClassTable& there) {
                                named->id);
         }
         if (meaningOf(here, one) != meaningOf(there, *named)) {
-            return fmt::format("class '{}' takes in other objects here than there", one.name);
+            return fmt::format("class '{}' matches other objects here than there", one.name);
         }
     }
     const DatasetClass* of_void = there.find(here.voidClass().id);
@@ -68,8 +68,8 @@ Status checkTables(const std::vector<const Source*>& kinds) {
             const std::string what = contradiction(kinds[i]->classes(), kinds[j]->classes());
             if (what.empty()) continue;
             return fail(ErrorCode::BadInput,
-                        fmt::format("The class tables contradict each other: {}, in {}; name the "
-                                    "classes with --class-map, or gather the datasets apart.",
+                        fmt::format("The class tables contradict each other: {}, in {}; map the "
+                                    "classes with --class-map, or gather the datasets separately.",
                                     what, kinds[j]->folder.string()),
                         kinds[i]->folder.string());
         }

@@ -117,15 +117,16 @@ class CocoLayout : public Layout {
 
 const LayoutKind kCocoLayout = {
     .name = "coco",
-    .text = "a folder of pictures a part, annotations/instances_PART.json with boxes and masks",
+    .text =
+        "one folder of images per part, and annotations/instances_PART.json with boxes and masks",
     .every_modality = false,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<CocoLayout>(std::move(input));
     },
     .how_to_read =
-        "`pycocotools.coco.COCO(\"annotations/instances_train.json\")` reads boxes and "
-        "masks (compressed run lengths); `file_name` is a picture in `train/`. Image "
-        "and annotation ids are unique in all parts.",
+        "`pycocotools.coco.COCO(\"annotations/instances_train.json\")` reads boxes and masks "
+        "(compressed run lengths); `file_name` is an image in `train/`. Image and annotation ids "
+        "are unique across all parts.",
     .data_files = nullptr,
 };
 

@@ -28,7 +28,7 @@ constexpr std::string_view kSubsystem = "gather";
 
 tl::unexpected<Error> stopped() {
     return fail(ErrorCode::Cancelled,
-                "the gathering was stopped; the same command with --resume goes on from there");
+                "gathering was stopped; the same command with --resume continues it");
 }
 
 /// The datasets, and what they have in common.
@@ -52,8 +52,7 @@ Status checkOut(const GatherOrder& order, const std::vector<FoundDataset>& found
     for (const FoundDataset& one : found) {
         if (!isWithin(order.out, one.folder)) continue;
         return fail(ErrorCode::Usage,
-                    fmt::format("The folder lies in the dataset {}, which is gathered; choose "
-                                "another one.",
+                    fmt::format("The folder is inside the source dataset {}; choose another one.",
                                 one.folder.string()),
                     fmt::format("--out {}", order.out.string()));
     }
@@ -75,8 +74,8 @@ void chooseModalities(const GatherOrder& order, Gathered& all) {
                                               lacking->folder.string()));
         } else if (modality == std::string_view(kSemantic) && order.class_map) {
             log::warn(kSubsystem,
-                      "semantic is left out: its pixels have the datasets' own class ids, which "
-                      "the class map replaces");
+                      "semantic is left out: its pixels have the datasets' class ids, but the "
+                      "class map replaces them");
         } else {
             all.modalities.insert(modality);
         }
@@ -88,7 +87,7 @@ void warnOfCopies(const std::vector<Source>& sources) {
     for (const Source& one : sources) {
         const Source* first = known.emplace(one.card_sha256, &one).first->second;
         if (first == &one) continue;
-        log::warn(kSubsystem, fmt::format("{} is a copy of {}: its frames are there twice",
+        log::warn(kSubsystem, fmt::format("{} is a copy of {}, so its frames occur twice",
                                           one.folder.string(), first->folder.string()));
     }
 }
@@ -99,7 +98,7 @@ void warnOfMissingClasses(const std::vector<Source>& sources, const ClassUnion& 
         const std::vector<std::string> missing = classes.missingIn(one);
         if (missing.empty() || !told.insert(&one.classes()).second) continue;
         log::warn(kSubsystem,
-                  fmt::format("{} has no boxes of {}, which other datasets have a class for",
+                  fmt::format("{} has no boxes of {}, for which other datasets have a class",
                               one.folder.string(), fmt::join(missing, ", ")));
     }
 }
@@ -199,7 +198,7 @@ Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
     if (!differing.empty() && order.overwrite) return false;
     if (!differing.empty()) {
         return fail(ErrorCode::Usage,
-                    fmt::format("the folder holds a complete dataset of something else: {} "
+                    fmt::format("the folder contains a complete dataset with other contents: {} "
                                 "differ; choose another folder, or give --overwrite",
                                 differing),
                     out.path().string());
@@ -328,8 +327,8 @@ Result<GatherSummary> gatherDatasets(const GatherOrder& order, const JobContext&
     if (!out) return tl::unexpected(out.error());
     if (out->isComplete() && !order.overwrite && !order.resume) {
         return fail(ErrorCode::Usage,
-                    "the folder holds a complete gathered dataset; choose another folder, give "
-                    "--overwrite to replace it, or --resume to check that it is the one wanted",
+                    "the folder contains a complete gathered dataset; choose another folder, "
+                    "--overwrite to replace it, or --resume to check that it is the requested one",
                     out->path().string());
     }
     constexpr double kReading = 0.1;  // of the time
@@ -365,8 +364,8 @@ Result<GatherSummary> gatherDatasets(const GatherOrder& order, const JobContext&
     warnOfOneClass(summary, *classes);
     if (order.license.empty()) {
         log::warn(kSubsystem,
-                  "README.md says 'license: unknown'; name the licence with --license, and heed "
-                  "those of the scenes' models");
+                  "README.md says 'license: unknown'; give the licence with --license, and check "
+                  "the licences of the scenes' models");
     }
     return summary;
 }

@@ -191,15 +191,14 @@ std::string readmeText(const GatherCard& card) {
         card.sources.front().width, card.sources.front().height,
         hasMasks(card) ? "a box and a mask" : "a box", card.sources.size(), order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
-    text += fmt::format(
-        "## Parts\n\n{}\n{}\n\n", partTable(card),
-        order.split.by_room
-            ? fmt::format(
-                  "No scene, and so no room, is in two parts (seed {}). `gather.json` lists "
-                  "the part of each source.",
-                  order.split.seed)
-            : "The dataset is not split.");
-    text += fmt::format("## Images\n\nOf each frame: {}.\n\n", fmt::join(card.modalities, ", "));
+    text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),
+                        order.split.by_room
+                            ? fmt::format("Each scene, and so each room, is in only one part (seed "
+                                          "{}). `gather.json` lists the part of each source.",
+                                          order.split.seed)
+                            : "The dataset is not split.");
+    text +=
+        fmt::format("## Images\n\nImages of each frame: {}.\n\n", fmt::join(card.modalities, ", "));
     text += fmt::format("## Classes\n\n{}\n", classTable(card));
     text += fmt::format("## Conventions\n\n{}\n", conventionList(card));
     text +=

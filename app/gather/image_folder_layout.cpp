@@ -71,7 +71,7 @@ class ImageFolderLayout : public Layout {
 
 const LayoutKind kImageFolderLayout = {
     .name = "imagefolder",
-    .text = "a folder of pictures a part with metadata.jsonl, as Hugging Face's imagefolder",
+    .text = "one folder of images per part with metadata.jsonl, for Hugging Face's imagefolder",
     .every_modality = false,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<ImageFolderLayout>(std::move(input));

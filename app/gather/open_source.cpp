@@ -56,8 +56,8 @@ Status readAnnotations(const std::string& text, const std::string& where, const 
     if (!parsed) return tl::unexpected(parsed.error());
     if (!damaged) return {};
     return fail(ErrorCode::BadInput,
-                "An annotation lacks a field, or names a class or image that is not there; export "
-                "the dataset again.",
+                "An annotation lacks a field, or names a class or image that does not exist; "
+                "export the dataset again.",
                 where);
 }
 
@@ -79,7 +79,8 @@ Result<OpenSource> openSource(const Source& source, const ClassUnion& classes) {
     const Result<std::string> card = io::sha256OfFile(source.folder / "dataset.json");
     if (!card) return tl::unexpected(card.error());
     if (*card != source.card_sha256) {
-        return fail(ErrorCode::BadInput, "The dataset has changed meanwhile; gather it again.",
+        return fail(ErrorCode::BadInput,
+                    "The dataset was changed while it was read; gather it again.",
                     source.folder.string());
     }
     dataset->card = nullptr;  // large and of no more use, before annotations.json is read

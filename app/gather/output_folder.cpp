@@ -52,7 +52,7 @@ Status checkNoLinks(const io::GuardedFolder& folder, const std::string& within, 
         if (!found) continue;
         if (S_ISLNK(found->st_mode)) {
             return fail(ErrorCode::CannotWrite,
-                        "a symbolic link is in the way and is not followed; remove it or choose "
+                        "a symbolic link is in its place and is not followed; remove it or choose "
                         "another folder",
                         (folder.path() / path).string());
         }
@@ -191,7 +191,7 @@ Status OutputFolder::checkContents(bool overwrite) const {
     if (!exported) return tl::unexpected(exported.error());
     if (*exported || folder_.has(render::kJournalFile)) {
         return fail(ErrorCode::CannotWrite,
-                    "the folder holds an exported dataset; choose another folder for --out",
+                    "the folder contains an exported dataset; choose another folder for --out",
                     path().string());
     }
     if (!overwrite && !is_marked_ && !complete_) {
@@ -199,8 +199,8 @@ Status OutputFolder::checkContents(bool overwrite) const {
         if (!names) return tl::unexpected(names.error());
         if (std::ranges::any_of(*names, [](const auto& name) { return name != kGatherJournal; })) {
             return fail(ErrorCode::CannotWrite,
-                        "the folder holds files that are not a gathered dataset; choose an empty "
-                        "folder, or give --overwrite",
+                        "the folder contains files that are not a gathered dataset; choose an "
+                        "empty folder, or give --overwrite",
                         path().string());
         }
     }
@@ -236,8 +236,8 @@ Result<OutputFolder> OutputFolder::claim(const fs::path& folder, bool overwrite)
     const bool is_taken = ::flock(lock->get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (is_taken || !isFile(lock->get(), own, kGatherJournal)) {
         return fail(ErrorCode::CannotWrite,
-                    "another program gathers into this folder; wait for it, stop it, or choose "
-                    "another folder",
+                    "another program is gathering into this folder; wait for it, stop it, or "
+                    "choose another folder",
                     folder.string());
     }
     claimed.lock_ = std::move(*lock);
@@ -267,8 +267,8 @@ Result<std::vector<FinishedShard>> OutputFolder::begin(const render::DatasetIden
         const std::string differing = render::differences(*earlier.identity, identity);
         if (!differing.empty()) {
             return fail(ErrorCode::Usage,
-                        fmt::format("what was begun here is something else: {} differ; gather "
-                                    "without --resume, or into another folder",
+                        fmt::format("the unfinished result in the folder has other contents: {} "
+                                    "differ; gather without --resume, or into another folder",
                                     differing),
                         path().string());
         }

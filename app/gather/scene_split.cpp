@@ -93,7 +93,8 @@ Result<SplitOrder> parseSplit(const std::string& kind, const std::string& shares
     if (numbers.size() < 2 || numbers.size() > kParts.size() || !positive ||
         !(numbers.front() > 0.0) || !std::isfinite(sum)) {
         return fail(ErrorCode::Usage,
-                    "Shares are those of train, val and test, as in 80/10/10; train's is above 0.",
+                    "The shares are those of train, val and test, as in 80/10/10, and that of "
+                    "train must be above 0.",
                     fmt::format("--split by-room {}", shares));
     }
     constexpr double kSlip = 0.001;  // of rounded shares, as in 0.333/0.333/0.333
@@ -137,8 +138,8 @@ Result<std::vector<PartIndex>> splitByScene(std::span<const Source> sources,
         std::ranges::count_if(order.shares, [](double share) { return share > 0.0; }));
     if (count < parts) {
         return fail(ErrorCode::Usage,
-                    fmt::format("{} scene{} cannot be split into {} parts without a room in two of "
-                                "them; gather more scenes, or give --split none.",
+                    fmt::format("{} scene{} cannot be split into {} parts without a room in two "
+                                "parts; gather more scenes, or give --split none.",
                                 count, count == 1 ? "" : "s", parts),
                     "--split");
     }

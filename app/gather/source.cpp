@@ -83,10 +83,11 @@ Status SourceReader::compare(const verify::StoredDataset& dataset) {
         if (conventions_[name] == value) continue;
         const char* lenses =
             name == "intrinsics" ? ", or allow lenses to differ with --mixed-lenses" : "";
-        return fail(ErrorCode::BadInput,
-                    fmt::format("Its convention '{}' differs from that of {}; gather them apart{}.",
-                                name, first_, lenses),
-                    dataset.folder.string());
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("Its convention '{}' differs from that of {}; gather the two separately{}.",
+                        name, first_, lenses),
+            dataset.folder.string());
     }
     return {};
 }

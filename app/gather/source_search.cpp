@@ -163,14 +163,15 @@ Result<std::vector<FoundDataset>> findDatasets(const std::vector<std::string>& a
         std::error_code error;
         const bool is_there = fs::exists(argument, error);
         if (is_there && !fs::is_directory(argument, error)) {
-            return fail(ErrorCode::BadInput, "This is a file; name the folder of a dataset.",
+            return fail(ErrorCode::BadInput, "The path is a file; give the folder of a dataset.",
                         argument);
         }
         std::vector<fs::path> folders;
         if (is_there) folders.emplace_back(argument);
         if (!is_there && batch::isPattern(argument)) folders = foldersMatching(argument);
         if (folders.empty()) {
-            return fail(ErrorCode::BadInput, "There is no such folder.", argument);
+            return fail(ErrorCode::BadInput, "The folder does not exist; check the path.",
+                        argument);
         }
         const std::size_t before = search.looks();
         for (const fs::path& folder : folders) {
@@ -179,9 +180,10 @@ Result<std::vector<FoundDataset>> findDatasets(const std::vector<std::string>& a
             }
         }
         if (search.looks() == before) {
-            return fail(ErrorCode::BadInput,
-                        "There is no dataset in it; name a folder that 'dollytrack export' wrote.",
-                        argument);
+            return fail(
+                ErrorCode::BadInput,
+                "The folder contains no dataset; give a folder that 'dollytrack export' wrote.",
+                argument);
         }
     }
     return named(search.take());

@@ -176,16 +176,17 @@ class WebDatasetLayout : public Layout {
 
 const LayoutKind kWebDatasetLayout = {
     .name = "webdataset",
-    .text = "tar files of about a size, in which a frame is KEY.png, KEY.depth.png ..., KEY.json",
+    .text =
+        "tar files of similar size, in which each frame is KEY.png, KEY.depth.png ..., KEY.json",
     .every_modality = true,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<WebDatasetLayout>(std::move(input));
     },
     .how_to_read =
-        "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\")` reads a tar "
-        "file; `datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the "
-        "picture; `depth.png`, `instance.png` and `semantic.png` are of the same "
-        "pixels; `json` has boxes, masks, camera and pose.",
+        "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\")` reads a tar file; "
+        "`datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the colour image; "
+        "`depth.png`, `instance.png` and `semantic.png` have the same pixels; `json` has boxes, "
+        "masks, camera and pose.",
     .data_files = "{}-*.tar",
 };
 

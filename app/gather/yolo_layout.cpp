@@ -66,15 +66,15 @@ class YoloLayout : public Layout {
 
 const LayoutKind kYoloLayout = {
     .name = "yolo",
-    .text = "pictures in images/, boxes in labels/, and data.yaml, as Ultralytics reads them",
+    .text = "images in images/, boxes in labels/, and data.yaml, for Ultralytics",
     .every_modality = false,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<YoloLayout>(std::move(input));
     },
     .how_to_read =
-        "Name `data.yaml` to a YOLO trainer: `yolo detect train data=data.yaml`. A line "
-        "of a file in `labels/` is a class number, and the box's centre and size as "
-        "shares of the image.",
+        "Train YOLO with `data.yaml`: `yolo detect train data=data.yaml`. Each line of a file in "
+        "`labels/` has a class number and the box's centre and size as fractions of the image "
+        "size.",
     .data_files = nullptr,
 };
 

@@ -133,7 +133,7 @@ std::string manPage(const CLI::App& program, const CLI::App& command, const std:
     text += entries(command, "ARGUMENTS", true);
     text += entries(command, "OPTIONS", false);
     if (!is_program) {
-        text += fmt::format(".PP\nThose of \\fB{}\\fR(1) are taken, too.\n",
+        text += fmt::format(".PP\nThe options of \\fB{}\\fR(1) can be used, too.\n",
                             troffText(program.get_name()));
     }
     if (!subcommands.empty()) text += ".SH SUBCOMMANDS\nEach has a manual page of its own.\n";

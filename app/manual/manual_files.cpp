@@ -20,7 +20,7 @@ Status write(const fs::path& file, const std::string& text) {
     out << text;
     out.close();
     if (out) return {};
-    return fail(ErrorCode::CannotWrite, "cannot be written; give a folder that can.",
+    return fail(ErrorCode::CannotWrite, "cannot be written; give a writable folder.",
                 file.string());
 }
 

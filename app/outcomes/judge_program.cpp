@@ -100,9 +100,10 @@ class WatchedProcess {
                         "The judges were stopped; the same command resumes them.");
         }
         if (timed_out) {
-            return JudgeEnd{JudgeEnd::How::TimedOut,
-                            fmt::format("it took longer than {:g} s; another run measures the rest",
-                                        timeout_s)};
+            return JudgeEnd{
+                JudgeEnd::How::TimedOut,
+                fmt::format("it took longer than {:g} s; run the command again to measure the rest",
+                            timeout_s)};
         }
         return howItEnded(*end);
     }
@@ -182,12 +183,12 @@ Result<std::vector<JudgeProgram>> chooseJudges(const std::vector<JudgeProgram>& 
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         const std::string closest = closestName(name, known);
-        return fail(ErrorCode::Usage,
-                    closest.empty()
-                        ? fmt::format("There is no judge of that name; the judges are {}.",
-                                      fmt::join(known, ", "))
-                        : fmt::format("There is no judge of that name; did you mean {}?", closest),
-                    "--outcomes " + name);
+        return fail(
+            ErrorCode::Usage,
+            closest.empty()
+                ? fmt::format("The judge is unknown; the judges are {}.", fmt::join(known, ", "))
+                : fmt::format("The judge is unknown; did you mean {}?", closest),
+            "--outcomes " + name);
     }
     const auto asked = [&](const std::string& name) {
         return std::find(names.begin(), names.end(), name) != names.end();

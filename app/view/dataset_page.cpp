@@ -105,15 +105,13 @@ std::string pictureElements(const FramePictures& pictures) {
 Json notesOf(const PageOrder& order, const FramePictures& pictures, std::size_t pictured) {
     Json notes = Json::array();
     if (order.scene == nullptr) {
-        notes.push_back("Without the room's surfaces: " + order.no_scene + ".");
+        notes.push_back("The page shows no room surfaces: " + order.no_scene + ".");
     }
     if (pictures.kinds.empty()) {
         notes.push_back("The dataset has no colour, depth or label images.");
     } else if (pictured < order.dataset.frames.size()) {
-        notes.push_back(
-            fmt::format("To keep the page small, {} of {} frames have their pictures "
-                        "here.",
-                        pictured, order.dataset.frames.size()));
+        notes.push_back(fmt::format("To keep the page small, it has images of {} of {} frames.",
+                                    pictured, order.dataset.frames.size()));
     }
     if (pictures.unreadable > 0) {
         notes.push_back(

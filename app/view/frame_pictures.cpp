@@ -177,7 +177,9 @@ Result<FramePictures> makeFramePictures(const verify::StoredDataset& dataset,
         const std::vector<int> chosen = choose(first, now.frames, frames);
         pictures.size = kSizes[now.size];
         pictures.kinds = maker.make(chosen, pictures.size, job);
-        if (job.cancelled()) return fail(ErrorCode::Cancelled, "The page was not made.");
+        if (job.cancelled())
+            return fail(ErrorCode::Cancelled,
+                        "The page was not made because the job was cancelled.");
         if (now.frames == 0 || PictureMaker::bytesIn(pictures.kinds) <= most) {
             for (const int frame : chosen) pictures.chosen[static_cast<std::size_t>(frame)] = true;
             break;

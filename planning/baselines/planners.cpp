@@ -71,8 +71,8 @@ Result<std::vector<const Planner*>> choosePlanners(const std::vector<std::string
         for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
         return fail(
             ErrorCode::Usage,
-            "There is no planner of that name; " +
-                (closest.empty() ? "there are " + list + "." : "did you mean " + closest + "?"),
+            "The planner is unknown; " + (closest.empty() ? "the planners are " + list + "."
+                                                          : "did you mean " + closest + "?"),
             name);
     }
     const auto asked = [&](std::string_view name) {

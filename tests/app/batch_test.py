@@ -148,7 +148,7 @@ class Batch(FolderCase):
         verified = run("-q", "verify", elsewhere)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         last = verified.stdout.strip().splitlines()[-1]
-        self.assertIn("sound as far as checked", last)
+        self.assertIn("no errors in the checks made", last)
         self.assertIn("--scene", last)
         self.assertGreater(json.loads(run("-q", "verify", elsewhere, "--json").stdout)
                            ["unproven_without_scene"], 0)
@@ -486,7 +486,7 @@ class Batch(FolderCase):
         file.write_text('scenes = "rooms/*.obj"\n')
         self.assertFails(run("batch", file), 2, "--out")
         # Somebody else's folder is not written into.
-        self.assertFails(run("batch", file, "--out", self.place), 6, "not of a Dollytrack batch")
+        self.assertFails(run("batch", file, "--out", self.place), 6, "not from a Dollytrack batch")
         self.assertFails(run("batch", file, "--out", "/proc/nothing"), 6, "/proc/nothing")
 
 

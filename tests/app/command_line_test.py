@@ -208,11 +208,11 @@ class CommandLine(FolderCase):
             (["zzzzzzzz"], ["no subcommand 'zzzzzzzz'."]),
             (["plan", self.room, "--set", "foo=1"], ["no parameter 'foo'; there are"]),
             (["plan", self.room, "--max-frames", "x"],
-             ["'x' is not a whole number, which --max-frames takes."]),
+             ["'x' is not a whole number, but --max-frames needs one."]),
             (["plan", self.room, "--max-length", "x"], ["'x' is not a number", "--max-length"]),
             (["plan", self.room, "--set", "fill=0.5", "seed=2"], ["'seed=2'", "repeat --set"]),
             (["sweep", self.room, "--param", "fill=0.4,0.5", "--metric", "foo"],
-             ["no such metric", "well_captured_rate"]),
+             ["metric is unknown", "well_captured_rate"]),
             (["edit", self.room, "-o", "x.dolly", "--op", "{op:1}"],
              ["--op:1:2", "double quotes"]),
         ]:

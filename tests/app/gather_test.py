@@ -443,8 +443,9 @@ class Gather(FolderCase):
     def test_what_is_no_dataset_is_said(self):
         nothing = self.folder / "nothing"
         nothing.mkdir()
-        for argument, word in [(nothing, "no dataset"), (nothing / "none", "no such folder"),
-                               (self.folder / "0.dolly", "file"), (f"{nothing}/*", "no such folder")]:
+        for argument, word in [(nothing, "no dataset"), (nothing / "none", "does not exist"),
+                               (self.folder / "0.dolly", "file"),
+                               (f"{nothing}/*", "does not exist")]:
             self.assertFails(run("-q", "gather", argument, "--out", self.new_folder(), "--format",
                                  "yolo"), 4, str(argument), word)
         for arguments, word in [(["--format", "yolo", "--split", "by-room", "0/1"], "80/10/10"),
@@ -476,7 +477,7 @@ class Gather(FolderCase):
         before = hashes(out)
         again = ["-q", "gather", self.datasets / "room_1", "--out", out, "--format", "coco"]
         self.assertFails(run(*again), 2, "complete", "--overwrite", "--resume")
-        self.assertFails(run(*again, "--resume"), 2, "something else")
+        self.assertFails(run(*again, "--resume"), 2, "other contents")
         self.assertEqual(hashes(out), before)
         (out / "images" / "train" / "mine.png").write_bytes(b"mine")
         done = run(*again, "--overwrite")
@@ -502,7 +503,7 @@ class Gather(FolderCase):
         self.assertFails(run(*command, dataset, "--format", "yolo", "--overwrite"), 6,
                          "exported dataset")
         self.assertFails(run(*command, self.datasets / "room_0" / "out", "--format", "yolo"), 2,
-                         "lies in the dataset")
+                         "inside the source dataset")
         self.assertEqual(hashes(dataset), before)
         done = run(*command, out, "--format", "yolo", "--overwrite")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -574,7 +575,8 @@ class Gather(FolderCase):
                 pictures = sorted(staged.glob("*.tar") if layout == "webdataset"
                                   else staged.rglob("*.png"))
                 self.assertGreater(len(pictures), 3)
-                self.assertFails(run(*command, "--resume", "--title", "Others"), 2, "something else",
+                self.assertFails(run(*command, "--resume", "--title", "Others"), 2,
+                                 "other contents",
                                  "the title")
                 # A picture that a power cut took is written again, what is whole stays.
                 lost, kept = pictures[:2]

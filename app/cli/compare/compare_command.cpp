@@ -324,7 +324,7 @@ void addCompareCommand(CLI::App& app, Session& session) {
     command->add_option("--csv", arguments->csv, "Write all results as a table")->type_name("FILE");
     command
         ->add_option("--picture", arguments->picture,
-                     "Bar chart of the results; of several scenes, their mean")
+                     "Bar chart of the results; for several scenes, of their mean")
         ->type_name("FILE.svg|png");
     command
         ->add_option("--trajectory", arguments->trajectories,
@@ -343,9 +343,9 @@ void addCompareCommand(CLI::App& app, Session& session) {
         ->type_name("NAME");
     addOutcomeArguments(*command, arguments->outcomes);
     command->footer(
-        "Rates are in %. In 'hit frames' a surface is inside the camera's sphere; 'hit moves'\n"
-        "touch one on the way to the next frame. Planners without motion have no path.\n"
-        "Example: dollytrack compare room.glb --planners all --max-frames 300 --bound");
+        "Rates are in %. In 'hit frames' a surface is inside the camera's sphere; in 'hit moves' "
+        "it\ntouches one on the way to the next frame. Planners without motion have no "
+        "path.\nExample: dollytrack compare room.glb --planners all --max-frames 300 --bound");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runCompare(*arguments, session); };
     });

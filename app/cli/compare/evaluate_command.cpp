@@ -143,13 +143,10 @@ void addEvaluateCommand(CLI::App& app, Session& session) {
     command->add_flag("--json", arguments->as_json, "Print the figures as JSON");
     command->footer(
         "Absolute errors are the distances of the estimated to the true camera positions, relative "
-        "ones\n"
-        "those of the motions over --delta frames. A point cloud is aligned with its run's "
-        "trajectory.\n"
-        "An estimate without any pose is a run that has failed, not an error: the exit code is 0 "
-        "even\n"
-        "when all runs have failed; success_rate of --json tells.\n"
-        "Example: dollytrack evaluate dataset --estimated CameraTrajectory.txt --cloud map.ply");
+        "ones\nthose of the motions over --delta frames. A point cloud is aligned with its run's "
+        "trajectory.\nAn estimate without any pose is a run that has failed, not an error: the "
+        "exit code is 0 even\nwhen all runs have failed; see success_rate in --json.\nExample: "
+        "dollytrack evaluate dataset --estimated CameraTrajectory.txt --cloud map.ply");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runEvaluate(*arguments, session); };
     });

@@ -120,7 +120,7 @@ Status checkOptionNames(const nlohmann::ordered_json& options,
         if (std::ranges::any_of(judges, [&](const auto& one) { return one.name == name; }))
             continue;
         return fail(ErrorCode::Usage,
-                    "These options are for a judge that --outcomes does not name.", name);
+                    "The options are for a judge that is not in --outcomes; add it there.", name);
     }
     return {};
 }
@@ -265,7 +265,7 @@ void addOutcomeArguments(CLI::App& command, OutcomeArguments& arguments) {
         ->allow_extra_args(false);
     command
         .add_option("--test-scene", arguments.test_scenes,
-                    "Scene for test views only, never planned in; repeatable")
+                    "Scene that is used only for test views, without planning in it; repeatable")
         ->type_name("SCENE")
         ->allow_extra_args(false);
     command

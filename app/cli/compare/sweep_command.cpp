@@ -58,9 +58,9 @@ Result<std::vector<int>> findMetrics(const std::vector<std::string>& names) {
         if (at == known.end()) {
             const std::string closest = closestName(name, known);
             return fail(ErrorCode::Usage,
-                        closest.empty() ? fmt::format("There is no such metric; there are {}.",
+                        closest.empty() ? fmt::format("The metric is unknown; the metrics are {}.",
                                                       fmt::join(known, ", "))
-                                        : "There is no such metric; did you mean " + closest + "?",
+                                        : "The metric is unknown; did you mean " + closest + "?",
                         name);
         }
         found.push_back(static_cast<int>(at - known.begin()));

@@ -161,8 +161,8 @@ Status checkSensor(const std::vector<std::string>& assignments,
         for (const std::string& assignment : assignments) {
             if (!assignment.starts_with(field.name + "=")) continue;
             return fail(ErrorCode::Usage,
-                        "A sensor makes the modalities rgb_sensor and depth_sensor; name one of "
-                        "them in --modalities.",
+                        "Sensor parameters only affect rgb_sensor and depth_sensor; add one of "
+                        "them to --modalities.",
                         "--set " + assignment);
         }
     }

@@ -100,7 +100,7 @@ nlohmann::json summaryJsonOf(const GatherArguments& arguments,
 
 void printGathered(const GatherArguments& arguments, const gather::GatherSummary& summary) {
     if (summary.was_complete) {
-        fmt::print("{} is complete, and its files are whole.\n", arguments.out);
+        fmt::print("{} is complete and its files are undamaged.\n", arguments.out);
         return;
     }
     fmt::print("{}: {} classes\n\n  {:<6} {:>9} {:>11} {:>8} {:>9}\n", arguments.out,
@@ -145,14 +145,12 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
         ->expected(1, 2)
         ->allow_extra_args(false)
         ->type_name("KIND [SHARES]");
-    command
-        .add_option("--seed", order.split.seed, "Seed of the split: each gives another assignment")
+    command.add_option("--seed", order.split.seed, "Random seed of the split")
         ->capture_default_str();
     command
-        .add_option(
-            "--class-map", arguments.class_map,
-            "New names of classes: JSON {\"from\": \"to\"} or lines 'from,to'; merges class "
-            "tables that contradict each other")
+        .add_option("--class-map", arguments.class_map,
+                    "New class names: JSON {\"from\": \"to\"} or lines 'from,to'; also merges "
+                    "class tables that contradict each other")
         ->type_name("FILE");
     command.add_flag("--mixed-lenses", order.mixed_lenses,
                      "Datasets may have different focal lengths; sizes must agree");
@@ -171,15 +169,15 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
     command.add_option("--title", order.title, "Title in README.md")
         ->type_name("TEXT")
         ->capture_default_str();
-    command.add_flag("--hard-links", order.hard_links,
-                     "Link pictures to those of the datasets on the same disk, instead of copying");
+    command.add_flag(
+        "--hard-links", order.hard_links,
+        "Make hard links to the datasets' images, if on the same disk, instead of copies");
     command.add_flag("--skip-damaged", order.skip_damaged,
                      "Leave out unfinished and damaged datasets; reads all files first");
     command.add_flag("--resume", order.resume, "Resume an interrupted run with the same arguments");
-    command.add_flag(
-        "--overwrite", order.overwrite,
-        "Replace a complete gathered dataset once the new one is complete, and files of the same "
-        "names in the folder; other files stay");
+    command.add_flag("--overwrite", order.overwrite,
+                     "Replace a complete gathered dataset once the new one is complete, and files "
+                     "with the same names; other files are kept");
     command.add_flag("--json", arguments.as_json, "Print the summary as JSON");
 }
 
@@ -194,7 +192,7 @@ void addGatherCommand(CLI::App& app, Session& session) {
         ->add_option("datasets", arguments->order.datasets,
                      "Datasets, folders that contain datasets, batch folders, or quoted patterns")
         ->type_name("DIR");
-    command->add_option("--out", arguments->out, "Folder for the result; made if missing")
+    command->add_option("--out", arguments->out, "Folder for the result; created if missing")
         ->required()
         ->check([](const std::string& folder) {
             return folder.empty() ? "The name of the folder is empty." : "";

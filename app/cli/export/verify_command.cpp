@@ -55,7 +55,7 @@ render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
 /// The verdict; "sound as far as checked" if checks were skipped for lack of the scene.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
-    return verified.unproven() == 0 ? "sound" : "sound as far as checked";
+    return verified.unproven() == 0 ? "sound" : "no errors in the checks made";
 }
 
 /// The reasons for skipped checks: " (3 concern files that were not exported; 2 need the scene:
@@ -221,7 +221,7 @@ Result<ExitCode> runVerify(const VerifyArguments& arguments, const Session& sess
     } else if (!missing.empty()) {
         fmt::print(
             "UNFINISHED: {} of {} rooms in rooms.json ha{} no complete dataset: {}; 'export "
-            "--resume' goes on\n",
+            "--resume' finishes them\n",
             missing.size(), missing.size() + folders.size(), missing.size() == 1 ? "s" : "ve",
             fmt::join(missing, ", "));
     }

@@ -40,10 +40,11 @@ Status checkIsDataset(const fs::path& folder) {
     if (!rooms) return tl::unexpected<Error>(rooms.error());
     std::vector<std::string> names;
     for (const fs::path& room : *rooms) names.push_back(room.filename().string());
-    return fail(ErrorCode::BadInput,
-                fmt::format("It holds a dataset a room; name the folder of one: {}.",
-                            fmt::join(names, ", ")),
-                folder.string());
+    return fail(
+        ErrorCode::BadInput,
+        fmt::format("The folder contains one dataset per room; give the folder of one of them: {}.",
+                    fmt::join(names, ", ")),
+        folder.string());
 }
 
 /// The folder to write into, once it is known that nothing stands in the way.
@@ -51,7 +52,7 @@ Result<io::GuardedFolder> openFor(const fs::path& file, bool overwrite) {
     const std::string name = file.filename().string();
     std::error_code error;
     if (name.empty() || name == "." || name == ".." || fs::is_directory(file, error)) {
-        return fail(ErrorCode::CannotWrite, "This is a folder; name a file for the page.",
+        return fail(ErrorCode::CannotWrite, "The path is a folder; give a file name for the page.",
                     file.string());
     }
     const fs::path parent = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -61,7 +62,7 @@ Result<io::GuardedFolder> openFor(const fs::path& file, bool overwrite) {
         return tl::unexpected<Error>(status.error());
     }
     if (!overwrite && folder->has(name)) {
-        return fail(ErrorCode::Usage, "There is such a file already; --overwrite replaces it.",
+        return fail(ErrorCode::Usage, "The file already exists; pass --overwrite to replace it.",
                     file.string());
     }
     return folder;
@@ -70,7 +71,7 @@ Result<io::GuardedFolder> openFor(const fs::path& file, bool overwrite) {
 std::string picturesText(const view::DatasetPage& page) {
     return page.pictures_of_frames == 0
                ? "no pictures"
-               : fmt::format("pictures of {} frames, {} px wide", page.pictures_of_frames,
+               : fmt::format("images of {} frames, {} px wide", page.pictures_of_frames,
                              page.picture_width_px);
 }
 
@@ -118,22 +119,21 @@ void addViewCommand(CLI::App& app, Session& session) {
         ->required()
         ->type_name("DIR");
     command
-        ->add_option("-o,--out", arguments->out, "The page to write; else DATASET.html beside it")
+        ->add_option("-o,--out", arguments->out,
+                     "File name of the page; default: DATASET.html beside the dataset")
         ->type_name("FILE");
     command->add_flag("--overwrite", arguments->overwrite, "Replace a file of that name");
     addDatasetSceneArguments(*command, arguments->scene);
     command
         ->add_option("--three", arguments->three,
-                     "Folder that has three.js, as Debian's package libjs-three installs it")
+                     "Folder of three.js; default: where Debian's package libjs-three installs it")
         ->capture_default_str()
         ->type_name("DIR");
     command->footer(
-        "The page is one file below 10 MB. It opens in any browser, from a disk as from a server, "
-        "and\n"
-        "asks no network. The scene is looked for as 'verify' does; without it the page shows "
-        "boxes\n"
-        "and trajectory, and says so. The same dataset gives the same bytes.\n"
-        "Example: dollytrack view dataset -o page.html");
+        "The page is one file below 10 MB. It opens in any browser, from disk or from a server, "
+        "and\nneeds no network. The scene is searched for as in 'verify'; if it is not found, the "
+        "page\nshows only boxes and trajectory, with a note. The same dataset gives the same "
+        "bytes.\nExample: dollytrack view dataset -o page.html");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runView(*arguments, session); };
     });

@@ -283,8 +283,8 @@ void addPlanCommand(CLI::App& app, Session& session) {
     command->add_flag("--bound", arguments->bound,
                       "Also compute an upper bound by a dense viewpoint search (slow)");
     command->add_flag("--explain", arguments->explain,
-                      "List for every object the frame that captures it and how well, or why it is "
-                      "lost and a remedy");
+                      "List for every object the frame that captures it and how well, or the "
+                      "reason why none does and a remedy");
     command
         ->add_option(
             "--require", arguments->requirements,

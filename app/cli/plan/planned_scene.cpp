@@ -84,9 +84,8 @@ std::string whyNothingIsFree(const planning::Pipeline& pipeline,
     if (region->hasLevels()) {
         const auto& cells = region->levels().cells();
         if (std::ranges::any_of(cells, [](const auto& room) { return !room.empty(); })) return {};
-        return "no floor has room for the body and the camera; lower body_radius_m or "
-               "body_height_m, "
-               "or set camera_height_m above camera_radius_m";
+        return "the body and the camera do not fit on any floor; lower body_radius_m or "
+               "body_height_m, or set camera_height_m above camera_radius_m";
     }
     bool in_band = false;
     bool any = false;

@@ -108,8 +108,8 @@ std::string explainRefusal(const CLI::App& app, const CLI::ParseError& error) {
         const std::string name = after("Could not convert: ").substr(0, after(": ").find(" = "));
         if (value.empty()) return words;
         const bool whole = wantsWholeNumber(app, name);
-        return fmt::format("'{}' is not a {}number, which {} takes.", value, whole ? "whole " : "",
-                           name);
+        return fmt::format("'{}' is not a {}number, but {} needs one.", value,
+                           whole ? "whole " : "", name);
     }
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
         const std::string extra = after("expected: ");

@@ -307,7 +307,7 @@ void ExportQueue::storeNewJobs() {
             mark_.hold();
             if (writeSnapshot(id)) keepNote(id);
         } catch (const std::exception& e) {
-            log::debug("export", std::string("An export cannot be kept for later: ") + e.what());
+            log::debug("export", std::string("An export cannot be saved for later: ") + e.what());
         }
     }
 }

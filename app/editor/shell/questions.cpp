@@ -38,7 +38,7 @@ std::string textOf(const std::vector<ExportQueue::Found>& found) {
     if (found.size() > kMostNamed) {
         text += fmt::format("{} more are in the queue.\n", found.size() - kMostNamed);
     }
-    return text + "Finished frames are kept; the export queue has the rest.";
+    return text + "Finished frames are kept; the rest is in the export queue.";
 }
 
 }  // namespace

@@ -220,7 +220,8 @@ py::tuple ScenePlan::intrinsics() const {
 Status ScenePlan::checkOwn() const {
     if (planned_.plan) return {};
     return fail(ErrorCode::Usage,
-                "A project stores the result of a plan without its search; plan the scene again.");
+                "A project stores only the result of a plan, not the data of its search; plan the "
+                "scene again.");
 }
 
 std::string ScenePlan::explain(const std::vector<int>& ids, const py::object& progress) const {
@@ -291,8 +292,8 @@ Result<std::pair<cli::OpenedScene, cli::PlannedScene>> ScenePlan::with(
         if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
         if (!planning::makeSamePlan(opened_.params, opened->params)) {
             return fail(ErrorCode::Usage,
-                        "Only parameters of pictures, light and sensors can change here; give the "
-                        "others to plan().");
+                        "Only parameters of picture, light and sensor can be changed here; pass "
+                        "the others to plan().");
         }
         params = opened->params;
     }
@@ -412,7 +413,8 @@ PlanFrames::~PlanFrames() {
 }
 
 py::object PlanFrames::next() {
-    if (busy_) raise({ErrorCode::Usage, "Another thread is rendering with this.", {}});
+    if (busy_)
+        raise({ErrorCode::Usage, "Another thread is rendering with this object; wait for it.", {}});
     if (!thread_) return py::none();
     std::optional<render::FrameRecord> frame;
     busy_ = true;

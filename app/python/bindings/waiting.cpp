@@ -135,8 +135,8 @@ void checkNotForked() {
     const int process = ::getpid();
     if (used_by.compare_exchange_strong(nobody, process) || nobody == process) return;
     raise({ErrorCode::Failed,
-           "this process was forked from one that has planned or rendered; start it with "
-           "multiprocessing's 'spawn' instead.",
+           "this process was forked after planning or rendering; use multiprocessing's 'spawn' "
+           "start method instead.",
            {}});
 }
 

@@ -64,13 +64,13 @@ void drawQueueButtons(const ExportView& view, const ExportJob& job, std::size_t 
     const float gap = scaled(3);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 3 * side - 2 * gap);
     if (iconButton(Icon::Up, nameFor(job, "earlier"),
-                   {"Earlier", index == 0 ? "It is the first already." : "", false, true})) {
+                   {"Earlier", index == 0 ? "It is already the first." : "", false, true})) {
         actions.earlier = job.id;
     }
     ImGui::SameLine(0, gap);
     const bool is_last = index + 1 == view.jobs.size();
     if (iconButton(Icon::Down, nameFor(job, "later"),
-                   {"Later", is_last ? "It is the last already." : "", false, true})) {
+                   {"Later", is_last ? "It is already the last." : "", false, true})) {
         actions.later = job.id;
     }
     ImGui::SameLine(0, gap);
@@ -173,7 +173,8 @@ void drawExportJobs(const ExportView& view, ExportActions& actions) {
     const std::string none = "No export is waiting.";
     if (button(label, "export.hold",
                {!view.held && waiting == 0 ? none : "",
-                view.held ? "Start waiting exports" : "Finish the running export, start no other",
+                view.held ? "Start waiting exports"
+                          : "Finish the running export, but start no further one",
                 0.0F, true})) {
         actions.toggle_hold = true;
     }

@@ -261,7 +261,7 @@ void drawContents(const ExportView& view, ExportDraft& draft) {
     formLabel("Other files");
     ImGui::Checkbox("may be in the folder", &draft.overwrite);
     nameItem("export.overwrite");
-    tooltip("They are kept. Without this, the folder must be empty or contain a dataset.");
+    tooltip("These files are kept. If this is off, the folder must be empty or contain a dataset.");
     endForm();
 }
 

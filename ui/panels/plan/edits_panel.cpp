@@ -278,7 +278,8 @@ void drawRegions(const EditsView& view, EditsActions& actions) {
         ImGui::Spacing();
     }
     if (button("Add region", "edits.add_region",
-               {.tip = "A box with a weight, or one that must be seen completely"})) {
+               {.tip = "A box that weights the objects inside, or whose surface must be seen "
+                       "completely"})) {
         actions.edit.operation =
             addRegionOperation(view.around_selection ? *view.around_selection : view.new_box);
     }

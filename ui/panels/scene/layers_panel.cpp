@@ -145,9 +145,10 @@ void drawFreeSpace(const LayersView& view, LayerSettings& settings, Switches& sw
     flowToSwitch("occupied");
     switches.check("occupied", "cells.occupied", settings.cells.occupied);
     flowToSwitch("unknown");
-    switches.check("unknown", "cells.unknown", settings.cells.unknown,
-                   "Space inside walls and furniture, and outside the building",
-                   settings.sliced ? "" : "It has too many cells to be shown without a slice.");
+    switches.check(
+        "unknown", "cells.unknown", settings.cells.unknown,
+        "Space inside walls and furniture, and outside the building",
+        settings.sliced ? "" : "The map has too many cells to be shown without a slice.");
     flowToSwitch("slice");
     switches.check("slice", "sliced", settings.sliced, "Show only a slab of the map");
     ImGui::Unindent();

@@ -176,7 +176,8 @@ void drawProperties(const SelectionView& view, const Object& object, SelectionSt
         actions.edit.operation = {{"op", "set_class"}, {"object", key}, {"class", *chosen}};
     }
     if (object.dataset_class) {
-        formLabel("In datasets", "The class by the label file, found by name and class.");
+        formLabel("In datasets",
+                  "The class that the label file gives it, by its name and NYU40 class.");
         ImGui::TextUnformatted(
             fmt::format("{} ({})", object.dataset_class->name, object.dataset_class->id).c_str());
     }
@@ -306,8 +307,8 @@ void drawObjects(const SelectionView& view, SelectionState& state, SelectionActi
         state.merge_name.clear();
     }
     tooltip(
-        "Makes one object of each group of touching objects, such as the legs and seats of chairs; "
-        "a name is numbered");
+        "Merges each group of touching objects into one, such as the legs and seats of chairs; "
+        "their names get numbers");
 }
 
 }  // namespace dollytrack::ui

@@ -82,7 +82,8 @@ void drawRegion(const SelectionView& view, SelectionActions& actions) {
     const Region& region =
         view.edits->plan.regions[static_cast<std::size_t>(view.selection->index)];
     heading(region.name.c_str());
-    paragraph("A box with a weight, or one that must be seen completely.", palette().text_dim);
+    paragraph("A box that weights the objects inside, or whose surface must be seen completely.",
+              palette().text_dim);
     if (beginForm("region")) {
         regionRows(region, "selection.region", actions.edit);
         endForm();
@@ -153,8 +154,9 @@ SelectionActions drawSelectionPanel(const SelectionView& view, SelectionState& s
     if (isThere(view)) {
         drawKind(view, state, actions);
     } else {
-        paragraph("The plan has changed and no longer contains this. Select again.",
-                  palette().text_dim);
+        paragraph(
+            "The plan has changed and no longer contains the selection. Select something else.",
+            palette().text_dim);
     }
     ImGui::EndChild();
     return actions;

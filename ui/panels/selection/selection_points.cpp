@@ -102,7 +102,7 @@ void drawPose(const SelectionView& view, const Handle& handle, EditRequest& edit
 
 void drawPinning(const SelectionView& view, const Handle& handle, SelectionActions& actions) {
     const std::string why_not =
-        handle.objects.empty() && handle.pin == nullptr ? "It stands for no object." : "";
+        handle.objects.empty() && handle.pin == nullptr ? "It has no objects." : "";
     if (handle.pin == nullptr) {
         if (button("Pin", "selection.pin",
                    {.why_not = why_not, .tip = "Planning keeps this pose from now on"})) {
@@ -174,12 +174,12 @@ void drawObservationPoint(const SelectionView& view, SelectionActions& actions) 
         if (button("Restore", "selection.restore", {.tip = "Give it a position point again"})) {
             actions.edit.operation = {{"op", "restore_point"}, {"objects", keys}};
         }
-        ImGui::TextColored(palette().warning, "Removed manually: it gets no position point.");
+        ImGui::TextColored(palette().warning, "Removed manually: it has no position point.");
     } else {
         flowTo("Remove");
         if (button("Remove", "selection.remove",
-                   {.why_not = point.objects.empty() ? "It stands for no object." : "",
-                    .tip = "It gets no position point of its own"})) {
+                   {.why_not = point.objects.empty() ? "It has no objects." : "",
+                    .tip = "Give it no position point"})) {
             actions.edit.operation = {{"op", "remove_point"}, {"objects", keys}};
         }
     }

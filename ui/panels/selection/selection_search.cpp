@@ -140,7 +140,7 @@ void drawCandidate(const SelectionView& view, SelectionActions& actions) {
     }
     flowTo("Pin here");
     if (button("Pin here", "selection.pin",
-               {.why_not = target.objects.empty() ? "It stands for no object." : "",
+               {.why_not = target.objects.empty() ? "It has no objects." : "",
                 .tip = "Fix the camera at this pose"})) {
         actions.edit.operation = {{"op", "pin"},
                                   {"objects", objectKeys(*view.scene, target.objects)},

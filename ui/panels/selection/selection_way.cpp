@@ -39,7 +39,7 @@ const char* stateText(planning::CellState state) {
         case planning::CellState::Occupied:
             return "occupied";
         case planning::CellState::Unknown:
-            return "unknown: outside, or sealed inside something";
+            return "unknown: outside, or enclosed inside an object";
     }
     return "";
 }

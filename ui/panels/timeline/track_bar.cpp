@@ -45,8 +45,8 @@ TrackBarActions drawTrackBar(const TrackBarView& view) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Moving objects");
     tooltip(
-        "Objects with keys are at their tracks' poses at this time, and the plan applies to these "
-        "poses. The row below is the camera's own time.");
+        "Time of the objects' tracks: objects with keys are at their poses of this time, and the "
+        "plan is made for them. The row below is the time along the camera's trajectory.");
     ImGui::SameLine();
     if (iconButton(view.playing ? Icon::Pause : Icon::Play, "tracks.play",
                    {view.playing ? "Pause" : "Play the tracks; each step is planned", why_not})) {
@@ -83,8 +83,8 @@ TrackBarActions drawTrackBar(const TrackBarView& view) {
         ImGui::TextColored(palette().text_dim, "%s", elsewhere);
         nameItem("tracks.elsewhere");
         tooltip(
-            "An object is not at its track's pose for this time. Add a key there, or choose a time "
-            "to put it back.");
+            "An object is not at its track's pose of this time. Add a key with its pose, or choose "
+            "a time to move it back.");
     }
     return actions;
 }

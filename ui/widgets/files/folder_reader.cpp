@@ -164,7 +164,7 @@ void FolderReader::makeFolder(const fs::path& path) {
             failed.path = path;
             failed.problem = errno == EEXIST
                                  ? "A file or folder '" + path.filename().string() +
-                                       "' exists already. Choose another name."
+                                       "' already exists. Choose another name."
                                  : "The folder cannot be created here (" + errorText(errno) + ").";
             answer->put(std::move(failed));
             return;
