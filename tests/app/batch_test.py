@@ -148,7 +148,7 @@ class Batch(FolderCase):
         verified = run("-q", "verify", elsewhere)
         self.assertEqual(verified.returncode, 0, verified.stdout)
         last = verified.stdout.strip().splitlines()[-1]
-        self.assertIn("no errors in the checks made", last)
+        self.assertIn("sound as far as checked", last)
         self.assertIn("--scene", last)
         self.assertGreater(json.loads(run("-q", "verify", elsewhere, "--json").stdout)
                            ["unproven_without_scene"], 0)

@@ -243,7 +243,7 @@ class VerifyTest(FolderCase):
         forget_path(out)
         away = run("-q", "verify", out).stdout
         self.assertIn(f"{skipped + 1} skipped ({skipped} concern files that were not exported; "
-                      "1 needs the scene: pass it with --scene): no errors in the checks made", away)
+                      "1 needs the scene: pass it with --scene): sound as far as checked", away)
 
     def test_the_list_names_every_check(self):
         listed = run("verify", "--list")

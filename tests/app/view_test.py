@@ -114,8 +114,8 @@ class Command(ViewCase):
         empty = self.folder / "empty"
         empty.mkdir()
         self.assertFails(run("view", empty), 4, "no dataset.json", "--resume")
-        self.assertFails(run("view", self.folder / "nowhere"), 4, "no such folder")
-        self.assertFails(run("view", self.folder / "room.obj"), 4, "This is a file")
+        self.assertFails(run("view", self.folder / "nowhere"), 4, "does not exist")
+        self.assertFails(run("view", self.folder / "room.obj"), 4, "path is a file")
         unfinished = self.folder / "unfinished"
         shutil.copytree(self.dataset, unfinished)
         (unfinished / "dataset.json").unlink()

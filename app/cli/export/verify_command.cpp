@@ -55,7 +55,7 @@ render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
 /// The verdict; "sound as far as checked" if checks were skipped for lack of the scene.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
-    return verified.unproven() == 0 ? "sound" : "no errors in the checks made";
+    return verified.unproven() == 0 ? "sound" : "sound as far as checked";
 }
 
 /// The reasons for skipped checks: " (3 concern files that were not exported; 2 need the scene:

@@ -1,4 +1,4 @@
-"""The engine. Private: the package's Python files say what its values mean."""
+"""The engine's private interface; the package's Python files document its values."""
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""What a caller gives, made into what the engine takes: parameters, paths, lists, progress."""
+"""Converts callers' arguments for the engine: parameters, paths, lists, progress."""
 import inspect
 import operator
 import os
@@ -14,7 +14,7 @@ Progress = Union[None, bool, Callable[[float, str], object]]
 
 
 class Parameter(NamedTuple):
-    """One parameter of planning and pictures, as 'dollytrack params' lists it."""
+    """A parameter of planning or rendering, as listed by 'dollytrack params'."""
 
     section: str
     name: str
@@ -35,12 +35,12 @@ def _listed() -> Dict[str, Parameter]:
 #: All parameters by name, in the order of their sections.
 PARAMETERS = _listed()
 
-#: Those that shape no plan, only pictures: render() and export() take them.
+#: Sections that affect only images, not the plan: render() and export() accept their parameters.
 PICTURE_SECTIONS = ("imu", "stereo", "picture", "light", "sensor")
 
 
 def assignments(parameters: Dict[str, Any]) -> List[str]:
-    """As 'name=value', which the engine checks."""
+    """The parameters as 'name=value'; the engine checks them."""
     return [f"{name}={_text(name, value)}" for name, value in parameters.items()]
 
 
@@ -59,11 +59,11 @@ def _text(name: str, value: Any) -> str:
         pass
     known = PARAMETERS.get(name)
     wanted = f"; it must be {known.range}" if known else ""
-    raise failure(Usage, f"A {type(value).__name__} cannot be used{wanted}.", name)
+    raise failure(Usage, f"A value of the type {type(value).__name__} cannot be used{wanted}.", name)
 
 
 def takes_parameters(sections: Optional[Iterable[str]] = None) -> Callable[[Any], Any]:
-    """Gives a method with **parameters the signature and the documentation of the parameters."""
+    """Decorator: adds the parameters to the signature and documentation of a method with **parameters."""
 
     def describe(function: Any) -> Any:
         chosen = [p for p in PARAMETERS.values() if sections is None or p.section in sections]
@@ -88,25 +88,25 @@ def takes_parameters(sections: Optional[Iterable[str]] = None) -> Callable[[Any]
 
 
 def path(value: Path, what: str) -> bytes:
-    """A file's name in bytes; empty ones and others are refused."""
+    """A path as bytes. Raises Usage if it is empty or of another type."""
     try:
         name = os.fsencode(value)
     except TypeError:
-        raise failure(Usage, f"A path is a str or os.PathLike, not {type(value).__name__}.",
+        raise failure(Usage, f"A path must be a str or os.PathLike, not {type(value).__name__}.",
                       what) from None
     if not name or b"\0" in name:
-        raise failure(Usage, "The name is empty or has a NUL character.", what)
+        raise failure(Usage, "The path is empty or has a NUL character.", what)
     return name
 
 
 def words(value: Union[None, str, Iterable[str]], what: str) -> List[str]:
-    """A list of str; one str is a list of one."""
+    """A list of str; a single str becomes a list of one."""
     if value is None:
         return []
     listed = [value] if isinstance(value, str) else list(value)
     for one in listed:
         if not isinstance(one, str):
-            raise failure(Usage, f"Give texts (str), not {type(one).__name__}.", what)
+            raise failure(Usage, f"The values must be str, not {type(one).__name__}.", what)
     return listed
 
 
@@ -115,25 +115,26 @@ def whole(value: Any, what: str, least: int = 0, most: int = 2**31 - 1) -> int:
     try:
         number = operator.index(value)
     except TypeError:
-        raise failure(Usage, f"Give a whole number, not {type(value).__name__}.", what) from None
+        raise failure(Usage, f"The value must be a whole number, not {type(value).__name__}.",
+                      what) from None
     if not least <= number <= most:
-        raise failure(Usage, f"{number} is not within {least} .. {most}.", what)
+        raise failure(Usage, f"{number} is not in the range {least} .. {most}.", what)
     return number
 
 
 def reporter(progress: Progress) -> Optional[Callable[[float, str], object]]:
-    """What the engine calls with a fraction (0 .. 1) and the name of a stage."""
+    """The function that the engine calls with a fraction (0 .. 1) and the stage's name."""
     if progress is None or progress is False:
         return None
     if progress is True:
         return _Bar()
     if not callable(progress):
-        raise failure(Usage, "Give True, or a function of a fraction and a stage.", "progress")
+        raise failure(Usage, "Give True, or a function of a fraction and the stage's name.", "progress")
     return progress
 
 
 class _Bar:
-    """A bar of tqdm where that is installed, else a line on stderr."""
+    """A progress bar of tqdm if it is installed, otherwise a line on stderr."""
 
     def __init__(self) -> None:
         try:

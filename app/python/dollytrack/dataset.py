@@ -1,4 +1,4 @@
-"""Datasets that were exported, read with NumPy alone."""
+"""Reads exported datasets; needs only NumPy."""
 import json
 import operator
 from collections.abc import Mapping, Sequence
@@ -23,7 +23,7 @@ else:
     _Images = Mapping
 
 
-#: The images that are read here, and what a step of their pixels' values stands for.
+#: The modalities that can be read, with the scale of their pixel values; None: values as stored.
 _READ: Dict[str, Optional[float]] = {
     "rgb": None, "albedo": None, "rgb_right": None, "rgb_sensor": None, "instance": None,
     "semantic": None, "depth": 1e-3, "depth_right": 1e-3, "depth_sensor": 1e-3,
@@ -33,7 +33,7 @@ _READ: Dict[str, Optional[float]] = {
 
 
 class _Boxes:
-    """The boxes of annotations.json, as arrays ordered by frame."""
+    """The annotations of annotations.json, as arrays ordered by frame."""
 
     def __init__(self, file: Path, frames: int) -> None:
         rows = _read_json(file)["annotations"]
@@ -50,18 +50,18 @@ class _Boxes:
 
 
 class Sample(_Images):
-    """One frame of a dataset: its images by name, as in sample["rgb"], read when asked for.
+    """One frame of a dataset: its images by name, as in sample["rgb"], each read on access.
 
     rgb, albedo, rgb_right, rgb_sensor: (H, W, 3) uint8, sRGB. depth, depth_right, depth_sensor:
-    (H, W) float32, metres along the viewing axis, 0 where there is nothing. instance: (H, W) uint16,
-    semantic: (H, W) uint8 (uint16 where a class is above 255); 0: none. normal_world, normal_camera:
-    (H, W, 3) float32 unit vectors. object_coordinates: (H, W, 3) float32, 0 .. 1. disparity: (H, W)
-    float32, px.
+    (H, W) float32, metres along the viewing axis, 0 where no surface is visible. instance: (H, W)
+    uint16, semantic: (H, W) uint8 (uint16 if a class id is above 255); 0: no object or class.
+    normal_world, normal_camera: (H, W, 3) float32 unit vectors. object_coordinates: (H, W, 3) float32,
+    0 .. 1. disparity: (H, W) float32, px.
     """
 
     def __init__(self, dataset: "Dataset", index: int) -> None:
         self._dataset = dataset
-        self.index = index  #: in the folder: the number in its files' names
+        self.index = index  #: frame number in the dataset, also in the file names
         self._row = dataset._card["frames"][index]
 
     @property
@@ -81,25 +81,25 @@ class Sample(_Images):
 
     @property
     def boxes(self) -> npt.NDArray[np.float32]:
-        """(n, 4) x, y, width, height around what is seen of each target, px (COCO)."""
+        """(n, 4) x, y, width, height of the box around each target's visible pixels, px (COCO)."""
         boxes: npt.NDArray[np.float32] = self._annotations("boxes")
         return boxes
 
     @property
     def labels(self) -> npt.NDArray[np.int64]:
-        """(n,) class of each box, a key of Dataset.classes."""
+        """(n,) class id of each box, a key of Dataset.classes."""
         labels: npt.NDArray[np.int64] = self._annotations("labels")
         return labels
 
     @property
     def object_ids(self) -> npt.NDArray[np.int64]:
-        """(n,) object of each box, the value in the instance image."""
+        """(n,) object id of each box, the value in the instance image."""
         objects: npt.NDArray[np.int64] = self._annotations("objects")
         return objects
 
     @property
     def areas(self) -> npt.NDArray[np.float32]:
-        """(n,) visible pixels of each box's object."""
+        """(n,) number of visible pixels of each box's object."""
         areas: npt.NDArray[np.float32] = self._annotations("areas")
         return areas
 
@@ -129,41 +129,42 @@ class Sample(_Images):
 
 class Dataset(_Samples):
     """A dataset in a folder, or some of its frames. Indexing gives a Sample; a slice or an array of
-    indices or truth values gives a Dataset of those frames. Reads files only when they are asked for,
-    and can be used in other processes.
+    indices or booleans gives a Dataset of those frames. Image files are read on access. It can be
+    passed to other processes.
 
-    Raises BadInput where the folder holds no complete dataset or a file of it is damaged.
+    Raises BadInput if the folder contains no complete dataset, or one of its files is damaged.
     """
 
     def __init__(self, folder: Union[str, "os.PathLike[str]"]) -> None:
         try:
             self.folder = Path(folder)
         except TypeError:
-            raise failure(Usage, "Name the folder of a dataset.", repr(folder)) from None
+            raise failure(Usage, "The folder must be a str or os.PathLike.", repr(folder)) from None
         file = self.folder / "dataset.json"
         if not self.folder.is_dir():
             exists = self.folder.exists()
-            raise failure(BadInput, "This is a file; give the folder of a dataset." if exists
-                          else "There is no such folder.", str(folder))
+            raise failure(BadInput, "The path is a file; give the folder of a dataset." if exists
+                          else "The folder does not exist; check the path.", str(folder))
         if not file.exists():
-            raise failure(BadInput, "It has no dataset.json: it is not a dataset, or its export did "
-                          "not finish; 'dollytrack export --resume' finishes it.", str(folder))
+            raise failure(BadInput, "The folder has no dataset.json: it is not a dataset, or its export "
+                          "did not finish; 'dollytrack export --resume' finishes it.", str(folder))
         self._card = _read_json(file)
         if not isinstance(self._card, dict) or self._card.get("format") != "dollytrack dataset":
-            raise failure(BadInput, "It is not the dataset.json of a Dollytrack dataset.", str(file))
+            raise failure(BadInput, "The file is not the dataset.json of a Dollytrack dataset.",
+                          str(file))
         try:
             self._indices = np.arange(len(self._card["frames"]))
-            #: Name and id of each class; ids are the values of semantic images and labels.
+            #: Class names by id; ids are the values of semantic images and labels.
             self.classes: Dict[int, str] = {row["id"]: row["name"]
                                             for row in self._card["classes"][1:]}
-            #: The kinds of images in it that are read here.
+            #: Names of the images that the dataset has and that can be read.
             self.modalities: List[str] = [m for m in self._card["modalities"] if m in _READ]
             #: The scene's objects: id, name, nyu40, role, box, relations.
             self.objects: List[Dict[str, Any]] = self._card["objects"]
             camera = self._card["conventions"]["intrinsics"]
             #: Width and height of the images, px.
             self.size: Tuple[int, int] = (int(camera["width"]), int(camera["height"]))
-            #: (3, 3) of the pinhole camera, px; the first pixel's centre is at (0.5, 0.5).
+            #: (3, 3) camera matrix, px; the centre of the first pixel is at (0.5, 0.5).
             self.intrinsics: npt.NDArray[np.float64] = np.array(
                 [[camera["fx"], 0, camera["cx"]], [0, camera["fy"], camera["cy"]], [0, 0, 1]], float)
         except (KeyError, TypeError, ValueError, OverflowError):
@@ -180,12 +181,13 @@ class Dataset(_Samples):
         except OSError as error:
             if name == "rgb_sensor" and file.with_suffix(".jpg").exists():
                 return _read_jpeg(file.with_suffix(".jpg"))
-            raise failure(BadInput, f"It cannot be read ({error.strerror}).", str(file)) from None
+            raise failure(BadInput, f"The file cannot be read ({error.strerror}).", str(file)) from None
         except png.Damaged as error:
-            raise failure(BadInput, f"It is damaged ({error}); export the dataset again.",
+            raise failure(BadInput, f"The image is damaged ({error}); export the dataset again.",
                           str(file)) from None
         if pixels.shape[:2] != self.size[::-1]:
-            raise failure(BadInput, "It has another size than the dataset's images.", str(file))
+            raise failure(BadInput, "The image has another size than dataset.json says; export the "
+                          "dataset again.", str(file))
         if name.startswith("normal"):
             nothing = ~pixels.any(axis=2)
             pixels -= 1
@@ -196,31 +198,31 @@ class Dataset(_Samples):
         if "boxes" not in self._cache:
             file = self.folder / "annotations.json"
             if not file.exists():
-                raise failure(BadInput, "It is not there; export with the format coco.", str(file))
+                raise failure(BadInput, "The file is missing; export with the format coco.", str(file))
             try:
                 self._cache["boxes"] = _Boxes(file, len(self._card["frames"]))
             except (KeyError, TypeError, ValueError, OverflowError) as error:
                 if isinstance(error, BadInput):
                     raise
-                raise failure(BadInput, "It is damaged; export the dataset again.",
+                raise failure(BadInput, "The file is damaged; export the dataset again.",
                               str(file)) from None
         boxes: _Boxes = self._cache["boxes"]
         return boxes
 
     @property
     def poses(self) -> npt.NDArray[np.float64]:
-        """(N, 4, 4) world_from_camera, m; a camera's axes are x right, y down, z forward."""
+        """(N, 4, 4) world_from_camera, m; camera axes x right, y down, z forward."""
         return np.array([sample.pose for sample in self]).reshape(-1, 4, 4)
 
     @property
     def times(self) -> npt.NDArray[np.float64]:
-        """(N,) s."""
+        """(N,) times of the frames, s."""
         return np.array([sample.time_s for sample in self], dtype=np.float64)
 
     @property
     def splits(self) -> Dict[str, "Dataset"]:
-        """The parts that the dataset says it has: "train" and "val" (the first of the folds, or
-        YOLO's), and "fold_0_train", "fold_0_val" and so on of export(folds=n). Empty without any."""
+        """The dataset's splits by name: "train" and "val" (those of the first fold, or of YOLO), and
+        "fold_0_train", "fold_0_val" and so on of export(folds=n). Empty if it has none."""
         files = {file.stem: file for file in (self.folder / "folds").glob("fold_*.txt")}
         for part in ("train", "val"):
             listed = self.folder / f"{part}.txt"
@@ -237,7 +239,7 @@ class Dataset(_Samples):
         except (OSError, ValueError):
             indices = [-1]
         if any(not 0 <= i < len(self._card["frames"]) for i in indices):
-            raise failure(BadInput, "It is damaged; export the dataset again.", str(file))
+            raise failure(BadInput, "The file is damaged; export the dataset again.", str(file))
         return indices
 
     def _part(self, indices: Any) -> "Dataset":
@@ -248,17 +250,17 @@ class Dataset(_Samples):
 
     def torch(self, boxes: Optional[str] = "coco", images: Sequence[str] = (), pad: bool = True,
               transform: Optional[Callable[[Any, Dict[str, Any]], Any]] = None) -> "TorchDataset":
-        """The same for torch.utils.data.DataLoader: pairs of a picture and a target. Needs PyTorch.
+        """The dataset for torch.utils.data.DataLoader: pairs of an image and a target. Needs PyTorch.
 
-        The picture is a (3, H, W) float32 tensor, 0 .. 1. The target is a dict of tensors: boxes (K, 4)
-        float32 px, labels (K,) int64, count (how many there are) and image_id (the sample's index).
+        The image is a (3, H, W) float32 tensor, 0 .. 1. The target is a dict of tensors: boxes (K, 4)
+        float32 px, labels (K,) int64, count (number of boxes) and image_id (the sample's index).
 
-        boxes: "coco" (x, y, width, height), "xyxy" (two corners), "yolo" (centre and size as shares of
-            the image); None: no boxes and labels.
-        images: more of the dataset's images for the target, such as "depth" and "semantic".
-        pad: fills boxes with 0 and labels with -1 up to the most that a frame has, so that targets of
-            a batch have one shape. With False, give the loader collate_fn=TorchDataset.collate.
-        transform: called with picture and target; returns what is handed out.
+        boxes: "coco" (x, y, width, height), "xyxy" (two corners), "yolo" (centre and size as
+            fractions of the image size); None: no boxes and labels.
+        images: further images of the dataset to put into the target, such as "depth" and "semantic".
+        pad: pad boxes with 0 and labels with -1 to the largest number in a frame, so that all targets
+            have one shape. If False, pass collate_fn=TorchDataset.collate to the loader.
+        transform: called with image and target; its result is returned instead of the pair.
         """
         from .torch_dataset import TorchDataset
         return TorchDataset(self, boxes, images, pad, transform)
@@ -275,13 +277,13 @@ class Dataset(_Samples):
             if isinstance(chosen, np.ndarray) and not chosen.size:
                 return self._part([])
             if isinstance(chosen, np.ndarray) and (chosen.ndim != 1 or chosen.dtype.kind not in "iub"):
-                raise failure(Usage, "Indices are a list of whole numbers, or of truth values.",
+                raise failure(Usage, "Indices must be a list of whole numbers or booleans.",
                               "index")
             return self._part(self._indices[chosen])
         try:
             number = operator.index(index)
         except TypeError:
-            raise failure(Usage, f"An index is a whole number, not {type(index).__name__}.",
+            raise failure(Usage, f"An index must be a whole number, not {type(index).__name__}.",
                           "index") from None
         if not -len(self) <= number < len(self):
             raise IndexError(f"there are {len(self)} frames")
@@ -299,20 +301,20 @@ def _read_json(file: Path) -> Any:
         with open(file, encoding="utf-8") as opened:
             return json.load(opened)
     except OSError as error:
-        raise failure(BadInput, f"It cannot be read ({error.strerror}).", str(file)) from None
+        raise failure(BadInput, f"The file cannot be read ({error.strerror}).", str(file)) from None
     except (ValueError, RecursionError):
-        raise failure(BadInput, "It is not valid JSON; export the dataset again.", str(file)) from None
+        raise failure(BadInput, "The file is not valid JSON; export the dataset again.", str(file)) from None
 
 
 def _read_jpeg(file: Path) -> npt.NDArray[np.uint8]:
-    """JPEG is more than NumPy can do."""
+    """Reads a JPEG file with OpenCV, because NumPy alone cannot decode JPEG."""
     try:
         import cv2  # type: ignore[import]
     except ImportError:
-        raise failure(BadInput, "Reading JPEG pictures needs OpenCV; install python3-opencv.",
+        raise failure(BadInput, "Reading JPEG images needs OpenCV; install python3-opencv.",
                       str(file)) from None
     picture = cv2.imread(str(file), cv2.IMREAD_COLOR)
     if picture is None:
-        raise failure(BadInput, "It is damaged; export the dataset again.", str(file))
+        raise failure(BadInput, "The file is damaged; export the dataset again.", str(file))
     rgb: npt.NDArray[np.uint8] = np.ascontiguousarray(picture[:, :, ::-1])
     return rgb

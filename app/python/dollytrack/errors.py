@@ -1,20 +1,20 @@
-"""What can go wrong, named as the exit codes of the command line are."""
+"""Exceptions, one for each exit code of the command line."""
 from typing import Dict, Type
 
 
 class Error(Exception):
-    """Base of all errors of the engine. Its text is the sentence that the command line prints."""
+    """Base of all errors of the engine. Its text is the command line's message."""
 
     exit_code = 1  # what the command line ends with
     where = ""  # the file, parameter or option that it is about; may be empty
 
 
 class Failed(Error):
-    """Something failed that is nobody's input, or memory ran out."""
+    """A failure that is not caused by the input, or out of memory."""
 
 
 class Usage(Error, ValueError):
-    """An argument or parameter is unknown, of the wrong kind or out of range."""
+    """An argument or parameter is unknown, has the wrong type or is out of range."""
 
     exit_code = 2
 
@@ -26,7 +26,7 @@ class BadInput(Error, ValueError):
 
 
 class NoOpenGl(Error):
-    """Nothing on this machine can draw."""
+    """This machine has no OpenGL driver that can render."""
 
     exit_code = 5
 
@@ -38,13 +38,13 @@ class CannotWrite(Error):
 
 
 class Cancelled(Error):
-    """The work was stopped. After Ctrl-C it is KeyboardInterrupt that is raised."""
+    """The work was cancelled. Ctrl-C raises KeyboardInterrupt instead."""
 
     exit_code = 130
 
 
 def failure(kind: Type[Error], message: str, where: str = "") -> Error:
-    """An error that reads 'where: message'."""
+    """Makes an error with the text 'where: message'."""
     error = kind(f"{where}: {message}" if where else message)
     error.where = where
     return error
@@ -55,5 +55,5 @@ _KINDS: Dict[int, Type[Error]] = dict(
 
 
 def error_of(code: int, message: str, where: str) -> Error:
-    """The exception for an error of the engine; for the module _core."""
+    """Makes the exception for an error of the engine; called by the module _core."""
     return failure(_KINDS[code], message, where)

@@ -19,13 +19,13 @@ class Frame(Mapping[str, npt.NDArray[Any]]):
     """One rendered frame: its images by name, as in frame["rgb"], and its camera.
 
     rgb, albedo, rgb_right: (H, W, 3) uint8, sRGB. depth, depth_right: (H, W) float32, metres along
-    the viewing axis, 0 where there is nothing. instance, semantic: (H, W) uint16, ids of objects and
-    classes, 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors.
+    the viewing axis, 0 where no surface is visible. instance, semantic: (H, W) uint16, ids of objects
+    and classes; 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors.
     """
 
     def __init__(self, index: int, time_s: float, pose: npt.NDArray[np.float64],
                  images: Dict[str, npt.NDArray[Any]]) -> None:
-        self.index = index  #: in the trajectory
+        self.index = index  #: frame number in the trajectory
         self.time_s = time_s
         self.pose = pose  #: (4, 4) world_from_camera; x right, y down, z forward
         self._images = images
@@ -48,7 +48,7 @@ class Frame(Mapping[str, npt.NDArray[Any]]):
 
 
 class Frames(Iterator[Frame]):
-    """The frames of a plan, drawn when they are asked for. len() is how many there are in all."""
+    """Iterator that renders the frames of a plan one by one. len() is the total number of frames."""
 
     def __init__(self, core: "_core.Frames") -> None:
         self._core = core
@@ -63,7 +63,7 @@ class Frames(Iterator[Frame]):
         return Frame(*drawn)
 
     def close(self) -> None:
-        """Frees what was needed for drawing. There are no more frames then."""
+        """Ends the iteration and frees the resources of rendering."""
         self._core.close()
 
     def __enter__(self) -> "Frames":
@@ -74,7 +74,7 @@ class Frames(Iterator[Frame]):
 
 
 class Plan:
-    """A planned trajectory. Scene.plan() makes one. It never changes."""
+    """A planned trajectory, made by Scene.plan(). Immutable."""
 
     def __init__(self, core: "_core.Plan", scene: "Scene") -> None:
         if not isinstance(core, _core.Plan):
@@ -84,55 +84,56 @@ class Plan:
 
     @property
     def metrics(self) -> Dict[str, Any]:
-        """What 'dollytrack plan --json' prints: counts, rates (0 .. 1), lengths, times."""
+        """The metrics that 'dollytrack plan --json' prints: counts, rates (0 .. 1), lengths, times."""
         metrics: Dict[str, Any] = json.loads(self._core.metrics())
         return metrics
 
     @property
     def parameters(self) -> Dict[str, Dict[str, Value]]:
-        """All parameters that it was made with, by section and name."""
+        """All parameters of the plan, by section and name."""
         parameters: Dict[str, Dict[str, Value]] = json.loads(self._core.parameters())
         return parameters
 
     @property
     def poses(self) -> npt.NDArray[np.float64]:
-        """(N, 4, 4) world_from_camera, m; a camera's axes are x right, y down, z forward."""
+        """(N, 4, 4) world_from_camera, m; camera axes x right, y down, z forward."""
         return self._core.poses()
 
     @property
     def times(self) -> npt.NDArray[np.float64]:
-        """(N,) of the frames, s."""
+        """(N,) times of the frames, s."""
         return self._core.frames()["times"]
 
     @property
     def paths(self) -> npt.NDArray[np.int32]:
-        """(N,) the continuous motion that each frame is of; the camera is carried between them."""
+        """(N,) number of the continuous motion that each frame belongs to; there is no motion between
+        frames of different numbers."""
         return self._core.frames()["paths"]
 
     @property
     def key_frames(self) -> npt.NDArray[np.bool_]:
-        """(N,) whether the frame is one that an object was looked for from."""
+        """(N,) whether the frame is a key frame: a view that was planned to capture objects."""
         return self._core.frames()["keys"].astype(np.bool_)
 
     @property
     def intrinsics(self) -> npt.NDArray[np.float64]:
-        """(3, 3) of the pinhole camera, px; the first pixel's centre is at (0.5, 0.5)."""
+        """(3, 3) camera matrix, px; the centre of the first pixel is at (0.5, 0.5)."""
         _, _, fx, fy, cx, cy = self._core.intrinsics()
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]], dtype=np.float64)
 
     @property
     def ledger(self) -> List[Dict[str, Any]]:
-        """What became of each target: the frame that captures it, or the reason why none does."""
+        """For each target, the frame that captures it, or the reason why none does."""
         ledger: List[Dict[str, Any]] = self.metrics.get("ledger", [])
         return ledger
 
     def explain(self, target: Union[str, int], progress: Progress = None) -> Dict[str, Any]:
-        """The ledger's row of an object (name or id). Of one that is not captured well it has a
-        "remedy": what would help, tried by planning again, which takes seconds."""
+        """The ledger's row of an object (name or id). If the object is not well captured, the row has a
+        "remedy": a change that captures it, found by planning again, which takes seconds."""
         one = self.scene[target]
         rows = [row for row in self.ledger if row["id"] == one.id]
         if not rows:
-            raise failure(Usage, "It is no target of this plan.", repr(target))
+            raise failure(Usage, "The object is not a target of this plan.", repr(target))
         if rows[0].get("loss") is None:
             return rows[0]
         found = json.loads(self._core.explain(ids=[one.id], progress=arguments.reporter(progress)))
@@ -140,9 +141,9 @@ class Plan:
         return row
 
     def coverage(self, *files: Path, progress: Progress = None) -> Dict[str, Dict[str, Any]]:
-        """What plans within rising budgets capture.
+        """The capture rates of plans with increasing budgets.
 
-        files: .csv, .svg or .png files to write it to as well.
+        files: .csv, .svg or .png files to write the result to.
         The result has "frames" and "length", the two kinds of budget; each has arrays of equal length:
         frames, path_length_m, captured, well_captured, capture_rate, well_captured_rate.
         """
@@ -157,16 +158,16 @@ class Plan:
     @arguments.takes_parameters(PICTURE_SECTIONS)
     def render(self, *images: str, range: str = "::", still: bool = False, gl: str = "auto",
                progress: Progress = None, **parameters: Value) -> Frames:
-        """Draws the frames one after the other; nothing is written.
+        """Renders the frames one by one; nothing is written.
 
         images: "rgb", "depth", "instance", "semantic", "normal_world", "normal_camera", "albedo",
-            "rgb_right", "depth_right"; none named: the first four. See Frame for their arrays.
+            "rgb_right", "depth_right"; default: the first four. See Frame for their arrays.
         range: "a:b:s", frames a to b (b not included), every s-th.
         still: objects with a track stay at their planned poses.
         gl: OpenGL backend: "auto", "egl" (GPU) or "osmesa" (CPU).
-        progress: of the light, which is computed before the first frame.
+        progress: as in export(), for the light, which is computed before the first frame.
 
-        Raises NoOpenGl where nothing can draw.
+        Raises NoOpenGl if there is no OpenGL driver that can render.
         """
         named = arguments.words(images, "images") or ["rgb", "depth", "instance", "semantic"]
         return Frames(self._core.render(
@@ -174,11 +175,11 @@ class Plan:
             assignments=arguments.assignments(parameters), progress=arguments.reporter(progress)))
 
     def save(self, file: Path) -> None:
-        """Writes a .dolly project, which the command line, the editor and load() open. The scene of
-        Scene.from_arrays() has to be in a file of its own."""
+        """Writes a .dolly project, which the command line, the editor and load() open. A scene of
+        Scene.from_arrays() must have been given a file."""
         if self.scene._temporary:
             raise failure(Usage, "The scene is in a temporary file, which a project cannot refer to; "
-                                 "give from_arrays() a file.", str(file))
+                                 "pass a file to from_arrays().", str(file))
         self._core.save(file=arguments.path(file, "file"))
 
     @arguments.takes_parameters(PICTURE_SECTIONS)
@@ -188,20 +189,20 @@ class Plan:
                rig: Optional[Path] = None, cameras: Union[None, str, Iterable[str]] = None,
                still: bool = False, overwrite: bool = False, resume: bool = False, gl: str = "auto",
                progress: Progress = None, **parameters: Value) -> Dict[str, Any]:
-        """Writes the dataset that 'dollytrack export' writes, to the same bytes.
+        """Writes a dataset, byte-identical to that of 'dollytrack export'.
 
-        modalities, formats: as 'dollytrack export --list' has them, or "all"; None: the usual ones.
+        modalities, formats: names of 'dollytrack export --list', or "all"; None: the default ones.
         range: "a:b:s", frames a to b (b not included), every s-th.
-        flow_distances: optical flow to the frames this many later and earlier.
+        flow_distances: distances of optical flow, in frames later and earlier.
         folds, fold_seed: number of cross-validation folds, and the random seed of the split.
-        rig, cameras: a file of additional cameras, and single ones as text, "left:yaw_deg=90".
+        rig, cameras: a rig file of additional cameras, and single cameras as text, "left:yaw_deg=90".
         still: objects with a track stay at their planned poses.
         overwrite: replace a complete dataset; resume: continue an interrupted export.
         gl: OpenGL backend: "auto", "egl" (GPU) or "osmesa" (CPU).
-        progress: True for a bar, or a function of a fraction (0 .. 1) and a stage's name.
+        progress: True for a progress bar, or a function of a fraction (0 .. 1) and the stage's name.
 
-        The result is what 'dollytrack export --json' prints. After Ctrl-C the finished frames are kept;
-        resume=True goes on after them.
+        The result is that of 'dollytrack export --json'. After Ctrl-C the finished frames are kept;
+        resume=True continues after them.
         """
         text = self._core.export(
             folder=arguments.path(folder, "folder"),
@@ -228,5 +229,5 @@ class Plan:
 
 def _text(value: Any, what: str) -> str:
     if not isinstance(value, str):
-        raise failure(Usage, f"Give a text (str), not {type(value).__name__}.", what)
+        raise failure(Usage, f"The value must be a str, not {type(value).__name__}.", what)
     return value

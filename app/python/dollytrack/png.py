@@ -14,12 +14,12 @@ _BLOCK = 1 << 16  # bytes that they may become at a time
 
 
 class Damaged(ValueError):
-    """It is no PNG file that can be decoded here; says why."""
+    """Raised if the file is not a PNG file that this module can decode; the text is the reason."""
 
 
 def decode(data: bytes, scale: Optional[float] = None) -> npt.NDArray[Any]:
-    """The picture of a PNG file: (H, W) or (H, W, channels), uint8 or uint16; with a scale, float32
-    values times it. Some lines at a time, so that a picture is written to memory once."""
+    """Decodes a PNG file to (H, W) or (H, W, channels), uint8 or uint16; with a scale, to float32 values
+    times the scale. Works on a few rows at a time, so that the result is written to memory once."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise Damaged("it is not a PNG file")
     view = memoryview(data)
@@ -43,7 +43,7 @@ def decode(data: bytes, scale: Optional[float] = None) -> npt.NDArray[Any]:
     width, height, depth, colour, _, _, interlaced = struct.unpack(">IIBBBBB", header)
     sides_fit = 0 < width <= _LARGEST_SIDE and 0 < height <= _LARGEST_SIDE
     if not sides_fit or depth not in (8, 16) or colour not in _CHANNELS or interlaced:
-        raise Damaged("it is of a kind that datasets do not have")
+        raise Damaged("its size, colour type or bit depth is not supported")
     channels = _CHANNELS[colour]
     stored: Any = np.uint8 if depth == 8 else np.uint16
     whole = np.empty((height, width, channels), np.float32 if scale is not None else stored)
@@ -66,7 +66,7 @@ def decode(data: bytes, scale: Optional[float] = None) -> npt.NDArray[Any]:
 
 
 def _lines(packed: List[memoryview], length: int, count: int) -> Iterator[npt.NDArray[np.uint8]]:
-    """The unpacked lines, `count` at the most: arrays of (n, length)."""
+    """Yields the decompressed rows as arrays of (n, length), n at most `count`."""
     unpacker, left = zlib.decompressobj(), b""
     block = max(_BLOCK, length)
     for piece in packed:
@@ -86,7 +86,7 @@ def _lines(packed: List[memoryview], length: int, count: int) -> Iterator[npt.ND
 
 def _unfiltered(filters: npt.NDArray[np.uint8], lines: npt.NDArray[np.uint8],
                 above: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
-    """Undoes the filters of lines below the line `above`, a run of the same filter at a time."""
+    """Undoes the filters of the rows below the row `above`, one run of equal filters at a time."""
     starts = [0, *(np.flatnonzero(np.diff(filters)) + 1).tolist(), len(lines)]
     pixels = np.empty(lines.shape, np.uint8)
     for begin, end in zip(starts, starts[1:]):

@@ -1,4 +1,4 @@
-"""Scenes: read from files, or made of arrays."""
+"""Scenes, read from files or made of arrays."""
 import atexit
 import json
 import shutil
@@ -15,31 +15,32 @@ from .arguments import Path, Progress, Value
 from .errors import BadInput, Usage, failure
 from .plan import Plan
 
-#: The name of a pinned point of a project, or a position (x, y, z) and what it looks at (x, y, z), m.
+#: The name of a pinned point of the project, or a camera position (x, y, z) and the point it looks
+#: at (x, y, z), m.
 End = Union[None, str, Tuple[Sequence[float], Sequence[float]]]
 
 
 @dataclass(frozen=True, eq=False)
 class SceneObject:
-    """One thing in a scene."""
+    """An object of a scene."""
 
     id: int  #: 1 .. n, also the value in instance images
     name: str
     class_id: int  #: the value in semantic images
     class_name: str
-    role: str  #: "target" (to be captured), "structure" (of the building) or "excluded"
+    role: str  #: "target" (to be captured), "structure" (part of the building) or "excluded"
     large: bool
-    center: npt.NDArray[np.float64]  #: (3,) of its box, world, m
-    size: npt.NDArray[np.float64]  #: (3,) of its upright box, along its own axes, m
-    yaw: float  #: turns the world's x axis onto the box's first axis, radians
-    front: npt.NDArray[np.float64]  #: (3,) horizontal unit vector
-    corners: npt.NDArray[np.float64] = field(repr=False)  #: (8, 3) of its box, world, m
+    center: npt.NDArray[np.float64]  #: (3,) centre of its box, world, m
+    size: npt.NDArray[np.float64]  #: (3,) size of its upright box along the box's axes, m
+    yaw: float  #: angle from the world's x axis to the box's first axis, radians
+    front: npt.NDArray[np.float64]  #: (3,) direction of its front, a horizontal unit vector
+    corners: npt.NDArray[np.float64] = field(repr=False)  #: (8, 3) corners of its box, world, m
     faces: slice = field(repr=False)  #: its rows in Scene.faces
 
 
 class Scene:
-    """A room or home that was read: objects, classes and boxes. load() and Scene.from_arrays() make
-    one. It never changes; its vertices and faces show the engine's memory and cannot be written to."""
+    """A room or home with objects, classes and boxes, made by load() or Scene.from_arrays(). Immutable;
+    vertices and faces are read-only views of the engine's memory."""
 
     def __init__(self, core: "_core.Scene") -> None:
         if not isinstance(core, _core.Scene):
@@ -55,19 +56,19 @@ class Scene:
                     structure: Optional[npt.ArrayLike] = None,
                     colors: Optional[npt.ArrayLike] = None, file: Optional[Path] = None,
                     progress: Progress = None) -> "Scene":
-        """A scene made of triangles.
+        """Makes a scene of triangles.
 
         vertices: (N, 3) metres, z up.
-        faces: (F, 3) indices of vertices, counter-clockwise seen from outside.
-        object_ids: (F,) which object each triangle is of, 0 .. K-1; None: connected by the engine.
-        names: K names.
-        classes: K words for classes (NYU40's or a common word for them), None where the name tells.
-        structure: (K,) truth values: part of the building, no target; None: what is called wall, floor,
-            ceiling, door, window, roof, ground or sky.
+        faces: (F, 3) vertex indices, counter-clockwise seen from outside.
+        object_ids: (F,) object of each triangle, 0 .. K-1; None: connected pieces become objects.
+        names: K object names.
+        classes: K class words (NYU40 names or common words for them); None: found by the object's name.
+        structure: (K,) booleans: whether the object is part of the building, not a target; None: objects
+            whose name means wall, floor, ceiling, door, window, roof, ground or sky.
         colors: (F, 3) or (K, 3), uint8 sRGB, or floats 0 .. 1.
-        file: a new .glb file to keep the scene in, so that projects can refer to it, with its names
-            and classes beside it in FILE.glb.objects.json; None: a temporary file, which is there
-            until Python ends.
+        file: a new .glb file for the scene, so that projects can refer to it; names and classes are
+            written to FILE.glb.objects.json beside it. None: a temporary file, removed when Python
+            ends.
         """
         folder = None
         if file is None:
@@ -96,7 +97,7 @@ class Scene:
 
     @property
     def objects(self) -> List[SceneObject]:
-        """All objects, walls and floors among them, by rising id."""
+        """All objects, including walls and floors, in order of id."""
         if self._objects is None:
             self._objects = [SceneObject(**row) for row in self._core.objects()]
         return list(self._objects)
@@ -106,8 +107,8 @@ class Scene:
         found = [o for o in self.objects if name in (o.name, o.id) and not isinstance(name, bool)]
         if len(found) == 1:
             return found[0]
-        problem = "Several objects are" if found else "No object is"
-        raise failure(Usage, f"{problem} called that; Scene.objects lists them.", repr(name))
+        problem = "Several objects have" if found else "No object has"
+        raise failure(Usage, f"{problem} this name or id; Scene.objects lists all objects.", repr(name))
 
     def __len__(self) -> int:
         return len(self.objects)
@@ -116,44 +117,44 @@ class Scene:
         return iter(self.objects)
 
     def __contains__(self, name: object) -> bool:
-        """Whether an object has this name or id, or is this one."""
+        """Whether the scene has this object, or an object with this name or id."""
         return any(name is o or (not isinstance(name, bool) and name in (o.name, o.id))
                    for o in self.objects)
 
     @property
     def classes(self) -> Dict[int, str]:
-        """The classes that datasets of the scene have, by id: NYU40's, or those of `labels`."""
+        """Class names of the scene's datasets by id: those of NYU40, or of `labels`."""
         return self._core.classes()
 
     @property
     def boxes(self) -> npt.NDArray[np.float64]:
-        """(K, 7) upright boxes of all objects: centre x, y, z and size along their own axes, m; yaw."""
+        """(K, 7) upright boxes of all objects: centre x, y, z, and size along the box's axes, m; yaw."""
         rows = [[*o.center, *o.size, o.yaw] for o in self.objects]
         return np.array(rows, dtype=np.float64).reshape(-1, 7)
 
     @property
     def vertices(self) -> npt.NDArray[np.float32]:
-        """(N, 3) m, world."""
+        """(N, 3) positions in the world, m."""
         return self._core.vertices()
 
     @property
     def normals(self) -> npt.NDArray[np.float32]:
-        """(N, 3) unit vectors, one a vertex."""
+        """(N, 3) unit normals, one per vertex."""
         return self._core.normals()
 
     @property
     def faces(self) -> npt.NDArray[np.uint32]:
-        """(F, 3) indices of vertices, counter-clockwise seen from outside."""
+        """(F, 3) vertex indices, counter-clockwise seen from outside."""
         return self._core.faces()
 
     @property
     def face_objects(self) -> npt.NDArray[np.uint16]:
-        """(F,) id of each triangle's object."""
+        """(F,) object id of each triangle."""
         return self._core.face_objects()
 
     @property
     def report(self) -> Dict[str, Any]:
-        """What 'dollytrack info --json' says of it: sizes, classes, notes and warnings of import."""
+        """The report of 'dollytrack info --json': sizes, classes, notes and warnings of import."""
         report: Dict[str, Any] = json.loads(self._core.report())
         return report
 
@@ -164,13 +165,13 @@ class Scene:
              **parameters: Value) -> Plan:
         """Plans a camera trajectory that captures the scene's targets.
 
-        ignore, only: classes, or names with * and ?, that are no targets, or the only ones.
-        start, end: where the trajectory begins and ends.
-        time_s: plan with objects that move where they are then.
-        progress: True for a bar, or a function of a fraction (0 .. 1) and a stage's name.
+        ignore, only: classes, or names with * and ?, that are not targets, or the only targets.
+        start, end: start and end pose of the trajectory; None: anywhere.
+        time_s: plan with moving objects at their tracks' poses at this time.
+        progress: True for a progress bar, or a function of a fraction (0 .. 1) and the stage's name.
 
-        A second plan of the scene repeats only what its parameters change. Raises Usage for unknown
-        parameters and for values out of range, BadInput where the camera fits nowhere.
+        A further plan repeats only the stages whose parameters have changed. Raises Usage for unknown
+        parameters and values out of range, BadInput if the camera has no free position.
         """
         core = self._core.plan(
             assignments=arguments.assignments(parameters), ignore=arguments.words(ignore, "ignore"),
@@ -180,7 +181,7 @@ class Scene:
         return Plan(core, self)
 
     def saved_plan(self, progress: Progress = None) -> Optional[Plan]:
-        """The plan that the opened project keeps; None where there is none, or it no longer holds."""
+        """The plan stored in the opened project; None if it has none, or one that is out of date."""
         core = self._core.stored_plan(progress=arguments.reporter(progress))
         return None if core is None else Plan(core, self)
 
@@ -212,15 +213,14 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
 
     unit_m: metres per unit of the scene; None: detected.
     up_axis: the file's upward axis: "x", "y", "z", "-x", "-y" or "-z"; None: detected.
-    labels: words and their classes (CSV), or classes of one's own (JSON).
-    models: folders with the models of a scene made of models.
+    labels: words and their NYU40 classes (CSV), or your own classes (JSON).
+    models: folders with the models that the scene refers to.
     annotations: a file SCENE.objects.json, or the folder of a Hypersim scene.
-    keep_meshes: leave meshes whole that hold parts of several objects.
-    cloud: how a point cloud becomes a room: voxel_m, max_points, gap_m, hole_m, plane_m, object_m.
+    keep_meshes: neither split meshes that contain several objects, nor join meshes of one object.
+    cloud: reconstruction of a point cloud: voxel_m, max_points, gap_m, hole_m, plane_m, object_m.
 
-    The file is read by a process of its own that may do nothing else, so that a hostile one does no
-    harm. What is doubtful goes to the logger "dollytrack.import". Raises BadInput where the file cannot
-    be used.
+    The file is read in a sandboxed process, so malicious files can do no harm. Notes and warnings go
+    to the logger "dollytrack.import". Raises BadInput if the file cannot be used.
     """
     if up_axis is not None and up_axis not in ("x", "y", "z", "-x", "-y", "-z"):
         raise failure(Usage, f"{up_axis!r} is not an upward axis: give x, y, z, -x, -y or -z.", "up_axis")
@@ -239,17 +239,17 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
 def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = None,
           paths: Optional[npt.ArrayLike] = None, *, progress: Progress = None,
           **parameters: Value) -> Dict[str, Any]:
-    """What a trajectory of any origin is worth in a scene, measured from the poses alone.
+    """Measures a trajectory of any origin in a scene, from its poses alone.
 
-    poses: (N, 4, 4) world_from_camera; a camera's axes are x right, y down, z forward.
-    times: (N,) seconds, rising; None: ten frames a second.
-    paths: (N,) whole numbers; between frames of different ones the camera was carried. None: one.
+    poses: (N, 4, 4) world_from_camera; camera axes x right, y down, z forward.
+    times: (N,) increasing seconds; None: ten frames per second.
+    paths: (N,) whole numbers; there is no motion between frames of different numbers. None: one path.
 
-    The result has the metrics of 'dollytrack compare', rates 0 .. 1, None where one does not apply,
-    and as "ledger" for each target the frame that shows it best (-1: none).
+    The result has the metrics of 'dollytrack compare' (rates 0 .. 1; None if not applicable), and in
+    "ledger" for each target the frame that shows it best (-1: none).
     """
     if not isinstance(scene, Scene):
-        raise failure(Usage, f"Give a Scene, not {type(scene).__name__}.", "scene")
+        raise failure(Usage, f"The scene must be a Scene, not {type(scene).__name__}.", "scene")
     checked = _poses(poses)
     count = len(checked)
     if times is None:
@@ -257,7 +257,7 @@ def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = N
     else:
         seconds = _numbers(times, np.float64, (count,), "times")
         if (np.diff(seconds) <= 0).any():
-            raise failure(Usage, "Times must rise.", "times")
+            raise failure(Usage, "Each time must be later than the previous one.", "times")
     numbers = np.zeros(count, np.int32)
     if paths is not None:
         numbers = _numbers(paths, np.int32, (count,), "paths")
@@ -294,11 +294,11 @@ def _poses(poses: npt.ArrayLike) -> npt.NDArray[np.float64]:
     bad = (off > 1e-4) | (np.linalg.det(turns) < 0) | (checked[:, 3] != (0, 0, 0, 1)).any(axis=1)
     bad |= (np.abs(checked[:, :3, 3]) > 1e6).any(axis=1)
     if bad.any():
-        raise failure(BadInput, "It is no rotation and translation (world_from_camera).",
+        raise failure(BadInput, "The matrix is not a rigid transform (world_from_camera).",
                       f"pose {int(np.argmax(bad))}")
     return checked
 
 
 def set_threads(count: int) -> None:
-    """Limits the worker threads of the engine from now on; 0: one per core."""
+    """Sets the number of the engine's worker threads; 0: one per core."""
     _core.set_threads(arguments.whole(count, "count", 0, 1024))

@@ -26,18 +26,18 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
         raise failure(Usage, "A coordinate is not finite, or beyond 1e6 m.", "vertices")
     triangles = _array(faces, "faces", "iu", (None, 3)).astype(np.int64)
     if triangles.min() < 0 or triangles.max() >= len(points):
-        raise failure(Usage, f"An index is not within 0 .. {len(points) - 1}.", "faces")
+        raise failure(Usage, f"An index is not in the range 0 .. {len(points) - 1}.", "faces")
     ids = np.zeros(len(triangles), np.int64)
     if object_ids is not None:
         ids = _array(object_ids, "object_ids", "iu", (len(triangles),)).astype(np.int64)
     if ids.min() < 0 or ids.max() >= 65535:
-        raise failure(Usage, "An id is not within 0 .. 65534.", "object_ids")
+        raise failure(Usage, "An id is not in the range 0 .. 65534.", "object_ids")
     count = int(ids.max()) + 1
     titles = _titles(names, count, "names") if names is not None else [
         f"object_{i}" for i in range(count)]
     kinds = _titles(classes, count, "classes") if classes is not None else [None] * count
     if len(set(titles)) != count or None in titles:
-        raise failure(Usage, "Each object needs a name of its own.", "names")
+        raise failure(Usage, "Each object needs a unique name.", "names")
     words = [kind or title for kind, title in zip(kinds, titles)]
     if structure is None:
         building = [re.sub(r"[\W\d_]+$", "", word).lower() in _STRUCTURE for word in words]
@@ -77,7 +77,7 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
     beside = file.with_name(file.name + ".objects.json")
     for taken in (file, beside):
         if os.path.lexists(taken):
-            raise failure(CannotWrite, "There is such a file; remove it or name another one.",
+            raise failure(CannotWrite, "The file already exists; remove it or give another name.",
                           str(taken))
     try:
         if object_ids is not None:
@@ -86,7 +86,7 @@ def write(file: Path, vertices: npt.ArrayLike, faces: npt.ArrayLike,
         unfinished.write_bytes(_glb(gltf, bytes(blob)))
         os.replace(unfinished, file)
     except OSError as error:
-        raise failure(CannotWrite, f"It cannot be written ({error.strerror}).", str(file)) from None
+        raise failure(CannotWrite, f"The file cannot be written ({error.strerror}).", str(file)) from None
 
 
 def _array(values: npt.ArrayLike, what: str, kinds: str, shape: Any) -> npt.NDArray[Any]:
@@ -107,27 +107,28 @@ def _array(values: npt.ArrayLike, what: str, kinds: str, shape: Any) -> npt.NDAr
 def _titles(values: Any, count: int, what: str) -> List[Any]:
     listed = [values] if isinstance(values, str) else list(values)
     if len(listed) < count:
-        raise failure(Usage, f"There are {len(listed)} for {count} objects.", what)
+        raise failure(Usage, f"There are {len(listed)} values for {count} objects.", what)
     for one in listed:
         if not (one is None or (isinstance(one, str) and one.isprintable() and one)):
-            raise failure(Usage, "Give texts (str) of printable characters.", what)
+            raise failure(Usage, "The values must be str of printable characters.", what)
     return listed[:count]
 
 
 def _colours(colors: Optional[npt.ArrayLike], ids: npt.NDArray[np.int64],
              count: int) -> npt.NDArray[np.int64]:
-    """One number a triangle: red, green and blue, a byte each."""
+    """One number per triangle: red, green and blue, one byte each."""
     if colors is None:
         rgb = np.tile(np.array(_GREY, np.int64), (len(ids), 1))
     else:
         given = _array(colors, "colors", "uif", (None, 3))
         if len(given) not in (len(ids), count):
-            raise failure(Usage, f"There are {len(given)}; give one a triangle or one an object.",
+            raise failure(Usage,
+                          f"There are {len(given)} colours; give one per triangle or one per object.",
                           "colors")
         if given.dtype.kind == "f":
             given = np.rint(given * 255) if np.isfinite(given).all() else given
         if not np.isfinite(given).all() or given.min() < 0 or given.max() > 255:
-            raise failure(Usage, "Give 0 .. 255, or floats 0 .. 1.", "colors")
+            raise failure(Usage, "Colours must be 0 .. 255, or floats 0 .. 1.", "colors")
         rgb = given.astype(np.int64)
         if len(given) != len(ids):
             rgb = rgb[ids]

@@ -1,4 +1,4 @@
-"""Datasets as PyTorch's loaders take them."""
+"""Datasets for PyTorch's DataLoader."""
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
@@ -14,12 +14,12 @@ _FORMS = ("coco", "xyxy", "yolo")
 
 
 class TorchDataset(torch.utils.data.Dataset):  # type: ignore
-    """Pairs of a picture and a target; Dataset.torch() says what they hold."""
+    """Pairs of an image and a target; see Dataset.torch()."""
 
     def __init__(self, dataset: "Dataset", boxes: Optional[str], images: Sequence[str], pad: bool,
                  transform: Optional[Callable[[Any, Dict[str, Any]], Any]]) -> None:
         if boxes is not None and boxes not in _FORMS:
-            raise failure(Usage, f"{boxes!r} is no form of boxes: give {', '.join(_FORMS)} or None.",
+            raise failure(Usage, f"{boxes!r} is not a box format: give {', '.join(_FORMS)} or None.",
                           "boxes")
         images = [images] if isinstance(images, str) else list(images)
         for name in ("rgb", *images):
@@ -73,6 +73,6 @@ class TorchDataset(torch.utils.data.Dataset):  # type: ignore
 
     @staticmethod
     def collate(batch: List[Tuple[Any, Dict[str, Any]]]) -> Tuple[Any, List[Dict[str, Any]]]:
-        """For targets of different shapes: the pictures as one tensor, the targets as a list."""
+        """Collates targets of different shapes: the images as one tensor, the targets as a list."""
         pictures, targets = zip(*batch)
         return torch.stack(pictures), list(targets)

@@ -164,14 +164,14 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder, unknown)) {
         return fail(ErrorCode::BadInput,
                     std::filesystem::exists(folder, unknown)
-                        ? "This is a file; give the folder of a dataset."
-                        : "There is no such folder.",
+                        ? "The path is a file; give the folder of a dataset."
+                        : "The folder does not exist; check the path.",
                     folder.string());
     }
     if (!std::filesystem::exists(path, unknown)) {
         return fail(ErrorCode::BadInput,
-                    "It has no dataset.json: it is not a dataset, or its export did not finish; "
-                    "'dollytrack export --resume' finishes it.",
+                    "The folder has no dataset.json: it is not a dataset, or its export did not "
+                    "finish; 'dollytrack export --resume' finishes it.",
                     folder.string());
     }
     Result<Json> card = io::readBoundedJson<Json>(path);
@@ -180,8 +180,8 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     std::string field = "format";
     try {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
-            return fail(ErrorCode::BadInput, "It is not the dataset.json of a Dollytrack dataset.",
-                        path.string());
+            return fail(ErrorCode::BadInput,
+                        "The file is not the dataset.json of a Dollytrack dataset.", path.string());
         }
         if (Status read = readCard(dataset, field); !read) {
             return tl::unexpected<Error>(read.error());
