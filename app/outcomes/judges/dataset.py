@@ -1,4 +1,4 @@
-"""Reads the datasets that `dollytrack export` writes, and the requests that `dollytrack compare` sends."""
+"""Reads datasets of `dollytrack export` and requests of `dollytrack compare`; shared by all judges."""
 import csv
 import functools
 import hashlib
@@ -9,34 +9,34 @@ import pathlib
 import signal
 import sys
 
-# One thread unless a judge says otherwise: sums come out the same, and judges share the machine.
-# Before any library reads it.
+# One thread by default, so that sums are reproducible and judges can share the machine. The variables
+# must be set before the libraries are imported.
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import cv2  # noqa: E402
 import numpy as np  # noqa: E402
 
-IMAGE_PIXELS = 640 * 480  # the image that limits in pixels are said for
-SHOWN_PX = 120            # of that image: an object with fewer is not counted as shown
+IMAGE_PIXELS = 640 * 480  # reference image size of limits in pixels
+SHOWN_PX = 120            # smallest number of pixels, at that size, of an object that counts as shown
 USAGE = 2                 # exit code for a wrong option or argument
-MISSING = 3               # exit code of --check when something has to be installed
+MISSING = 3               # exit code of --check if a program or library is missing
 TERMINATED = 143          # exit code after SIGTERM
 
 
 class Missing(Exception):
-    """A program or library that a judge needs is not installed; the text says how to get it."""
+    """Raised if a program or library of a judge is not installed; the text says how to install it."""
 
 
 class BadOption(Exception):
-    """An option that the judge does not have, or a value that it cannot take."""
+    """Raised for an unknown option of a judge or an invalid value."""
 
 
 class Dataset:
     """A dataset's camera, poses, objects and images. Metres, seconds, pixels; world z up.
 
-    Camera axes are x right, y down, z forward. The centre of the first pixel is (0.5, 0.5), as in
-    COLMAP. OpenCV, Open3D, ORB-SLAM and DSO put it at (0, 0); `matrix(pixel_centres=True)` is for
-    them.
+    Camera axes are x right, y down, z forward. The centre of the first pixel is at (0.5, 0.5), as in
+    COLMAP. In OpenCV, Open3D, ORB-SLAM and DSO it is at (0, 0): use `matrix(pixel_centres=True)`
+    for them.
     """
 
     def __init__(self, folder):
@@ -64,13 +64,14 @@ class Dataset:
         return pose
 
     def matrix(self, pixel_centres=False):
-        """The 3 x 3 camera matrix; with pixel_centres, pixel (0, 0) is centred at (0, 0)."""
+        """The 3 x 3 camera matrix; with pixel_centres, the centre of pixel (0, 0) is at (0, 0)."""
         shift = 0.5 if pixel_centres else 0.0
         return np.array([[self.fx, 0, self.cx - shift], [0, self.fy, self.cy - shift], [0, 0, 1.0]])
 
     @property
     def shown_px(self):
-        """Pixels that an object needs to be shown, 120 of 640 x 480 scaled to this image."""
+        """Smallest number of pixels of an object that counts as shown: 120 at 640 x 480, scaled to the
+        dataset's image size."""
         return SHOWN_PX * self.width * self.height / IMAGE_PIXELS
 
     def path(self, modality, index):
@@ -87,23 +88,23 @@ class Dataset:
         return image
 
     def rgb(self, index):
-        """Height x width x 3 bytes, red first."""
+        """Colour image, height x width x 3 uint8, RGB."""
         return cv2.cvtColor(self._read("rgb", index, cv2.IMREAD_COLOR), cv2.COLOR_BGR2RGB)
 
     def gray(self, index):
         return self._read("rgb", index, cv2.IMREAD_GRAYSCALE)
 
     def depth(self, index):
-        """Metres along the viewing axis; 0 where nothing is seen."""
+        """Depth along the viewing axis, m; 0 where no surface is visible."""
         scale = float(self.json["conventions"]["depth"]["scale_m"])
         return self._read("depth", index, cv2.IMREAD_UNCHANGED).astype(np.float32) * scale
 
     def instance(self, index):
-        """Object ids; 0 where nothing is seen."""
+        """Object ids; 0 where no object is visible."""
         return self._read("instance", index, cv2.IMREAD_UNCHANGED)
 
     def semantic(self, index):
-        """Class ids; 0 for none."""
+        """Class ids; 0 where no class is visible."""
         return self._read("semantic", index, cv2.IMREAD_UNCHANGED)
 
     def boxes(self, index, least_px=None):
@@ -121,7 +122,7 @@ class Dataset:
         return found
 
     def points(self, index, step=1):
-        """World points of every step-th pixel that has a depth, and their (row, column)."""
+        """World points of every step-th pixel that has depth, and their (row, column)."""
         depth = self.depth(index)[::step, ::step]
         rows, columns = np.nonzero(depth > 0)
         z = depth[rows, columns].astype(np.float64)
@@ -132,7 +133,7 @@ class Dataset:
         return world, np.column_stack([rows, columns]) * step
 
     def project(self, index, points):
-        """Pixels (x, y) and depths of world points in a frame; depth <= 0 lies behind the camera."""
+        """Pixels (x, y) and depths of world points in a frame; points with depth <= 0 are behind the camera."""
         pose = self.poses[index]
         local = (np.asarray(points) - pose[:3, 3]) @ pose[:3, :3]
         depth = local[:, 2]
@@ -142,7 +143,7 @@ class Dataset:
 
     @functools.cached_property
     def rows(self):
-        """frames.csv as dictionaries of text, one a frame; empty without the file."""
+        """The rows of frames.csv as dictionaries of strings; empty if the file does not exist."""
         try:
             with open(self.folder / "frames.csv", newline="", encoding="utf-8") as file:
                 return list(csv.DictReader(file))
@@ -158,7 +159,7 @@ def rotation_of(quaternion_xyzw):
 
 
 def need(module, package):
-    """Imports a library, or says which Debian package has it."""
+    """Imports a library. Raises Missing with its Debian package."""
     try:
         return importlib.import_module(module)
     except ImportError as error:
@@ -166,7 +167,7 @@ def need(module, package):
 
 
 def need_program(name, package):
-    """The path of a program, or Missing with the Debian package that has it."""
+    """The path of a program. Raises Missing with its Debian package."""
     for folder in os.environ.get("PATH", "").split(os.pathsep):
         path = os.path.join(folder, name)
         if os.access(path, os.X_OK) and os.path.isfile(path):
@@ -175,7 +176,7 @@ def need_program(name, package):
 
 
 def options_of(request, defaults):
-    """The options of a request, with these defaults, whose types they get. Error: BadOption."""
+    """The options of a request, with these defaults and their types. Raises BadOption."""
     judge = pathlib.Path(sys.argv[0]).stem
     options = dict(defaults)
     for name, value in (request.get("options") or {}).items():
@@ -191,13 +192,13 @@ def options_of(request, defaults):
 
 
 def mean(values):
-    """The mean of those that exist; None without any."""
+    """The mean of the values that are not None; None if there are none."""
     known = [float(value) for value in values if value is not None and np.isfinite(value)]
     return float(np.mean(known)) if known else None
 
 
 def finite(value):
-    """A number for a result: None where there is none."""
+    """A number for the result file; None if it is not finite."""
     return None if value is None or not np.isfinite(value) else float(value)
 
 
@@ -210,13 +211,13 @@ def entry_name(entry):
 
 
 def entry_folder(entry):
-    """A folder name for an entry's scratch files."""
+    """The name of an entry's folder for scratch files."""
     name = f"{entry['scene']}.{entry['planner']}.seed{entry.get('seed', 1)}"
     return "".join(c if c.isalnum() or c in "._-" else "_" for c in name)
 
 
 def write_result(path, result):
-    """Written whole or not at all."""
+    """Writes a file atomically, via a temporary file."""
     temporary = f"{path}.{os.getpid()}.tmp"
     with open(temporary, "w", encoding="utf-8") as file:
         json.dump(result, file, indent=1, allow_nan=False)
@@ -225,12 +226,12 @@ def write_result(path, result):
 
 
 def judge_entries(name, request, measure, metrics):
-    """The result of a judge that looks at one dataset after the other.
+    """The result of a judge that measures each dataset separately.
 
-    `measure(dataset, request, entry)` returns values by name; what it raises makes them null and
-    becomes a note. `metrics` names all values: {"name": {"unit", "better": "higher"|"lower"|""}}.
-    A row is kept in the work folder as soon as it is measured, so that a judge that was stopped
-    goes on with the next one.
+    `measure(dataset, request, entry)` returns values by name; if it raises, they are null and the
+    exception becomes a note. `metrics` describes all values: {"name": {"unit", "better":
+    "higher"|"lower"|""}}. Each row is saved in the work folder once measured, so that a stopped judge
+    can continue with the next one.
     """
     rows, notes = [], []
     for entry in request["entries"]:
@@ -246,7 +247,7 @@ def judge_entries(name, request, measure, metrics):
             row["values"].update(values)
         except Missing:
             raise
-        except Exception as error:  # pylint: disable=broad-except  # the other entries go on
+        except Exception as error:  # pylint: disable=broad-except  # measure the other entries
             notes.append(f"{entry_name(entry)}: {text_of(error)}")
         rows.append(row)
         progress(f"{name}: {entry_name(entry)} done")
@@ -254,12 +255,12 @@ def judge_entries(name, request, measure, metrics):
 
 
 def text_of(error):
-    """An exception in one line."""
+    """The text of an exception, in one line."""
     return " ".join(str(error).split()) or type(error).__name__
 
 
 def digest_of(request):
-    """The start of a hash of all that values depend on: the judges' code and how it is run."""
+    """A SHA-256 of the judges' code and the settings that all values depend on, to be updated further."""
     digest = hashlib.sha256()
     folders = {pathlib.Path(path).resolve().parent for path in (sys.argv[0], __file__)}
     for path in sorted(path for folder in folders for path in folder.glob("*.py")):
@@ -270,7 +271,7 @@ def digest_of(request):
 
 
 def kept_row(name, request, entry):
-    """Where an entry's values are kept: the name has a hash of all that they depend on."""
+    """The file that caches an entry's values; its name has a hash of everything they depend on."""
     digest = digest_of(request)
     reference = request.get("references", {}).get(entry["scene"])
     tests = [one for one in request.get("tests", []) if one["scene"] == entry["scene"]]
@@ -284,7 +285,7 @@ def kept_row(name, request, entry):
 
 
 def read_json(path):
-    """None where there is no whole JSON file."""
+    """The content of a JSON file; None if it is missing or invalid."""
     try:
         return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -294,11 +295,11 @@ def read_json(path):
 def run(check, judge, defaults=None, check_request=None):
     """The command line of a judge: --check [REQUEST.json], or REQUEST.json RESULT.json.
 
-    `check()` returns the versions found in a line, or raises Missing; `judge(request)` returns the
-    result. `defaults` are the options that the judge has, see options_of(). `check_request(request)`
-    raises Missing when a program that the request names is missing.
+    `check()` returns the versions found as one line, or raises Missing; `judge(request)` returns the
+    result. `defaults` are the judge's options, see options_of(). `check_request(request)` raises
+    Missing if a program in the request is missing.
     """
-    # As an exception, so that judges end the programs that they started.
+    # SIGTERM raises SystemExit, so that judges can end the programs that they started.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(TERMINATED))
     arguments = sys.argv[1:]
     checking = arguments[:1] == ["--check"]

@@ -1,4 +1,4 @@
-"""mAP as COCO defines it, and mIoU."""
+"""mAP after COCO, and mIoU."""
 from dataset import mean
 
 import numpy as np
@@ -7,7 +7,7 @@ IOUS = np.linspace(0.5, 0.95, 10)
 
 
 def box_iou(first, second):
-    """Intersection over union of boxes (x0, y0, x1, y1), N x M."""
+    """N x M intersection over union of boxes (x0, y0, x1, y1)."""
     low = np.maximum(first[:, None, :2], second[None, :, :2])
     high = np.minimum(first[:, None, 2:], second[None, :, 2:])
     shared = np.prod(np.clip(high - low, 0, None), axis=2)
@@ -18,7 +18,7 @@ def box_iou(first, second):
 def match_image(boxes, scores, truth, ignored, threshold):
     """COCO's greedy matching of one class in one image.
 
-    Returns for each box, best score first, 1 (right), 0 (wrong) or -1 (it lies on an ignored object).
+    Returns for each box, in order of decreasing score, 1 (right), 0 (wrong) or -1 (on an ignored object).
     """
     order = np.argsort(-scores, kind="stable")
     marks = np.zeros(len(order), int)
@@ -38,7 +38,7 @@ def match_image(boxes, scores, truth, ignored, threshold):
 
 
 def average_precision(images, threshold):
-    """AP of one class, None without an object. `images` holds (boxes, scores, truth, ignored) each."""
+    """AP of one class; None if it has no object. `images`: (boxes, scores, truth, ignored) per image."""
     scores, marks, objects = [], [], 0
     for boxes, confidence, truth, ignored in images:
         objects += int((~ignored).sum())
@@ -59,9 +59,9 @@ def average_precision(images, threshold):
 
 
 def mean_average_precision(predictions, truths, classes):
-    """mAP at IoU 0.5 and over 0.5 to 0.95; None without any object.
+    """mAP at IoU 0.5 and mean over IoU 0.5 to 0.95; None if there are no objects.
 
-    Predictions are (boxes, scores, labels) an image, truths (boxes, labels, ignored); labels count classes.
+    Predictions are (boxes, scores, labels) per image, truths (boxes, labels, ignored); labels are 0 .. classes - 1.
     """
     at_half, over_all = [], []
     for label in range(classes):
@@ -77,7 +77,7 @@ def mean_average_precision(predictions, truths, classes):
 
 
 def mean_iou(confusion):
-    """Mean intersection over union of the classes (rows: truth) that have pixels; None without any."""
+    """Mean intersection over union of the classes with true pixels (rows: truth); None if there are none."""
     right = np.diag(confusion).astype(float)
     present = confusion.sum(axis=1)
     union = present + confusion.sum(axis=0) - right

@@ -1,26 +1,26 @@
 #!/usr/bin/python3
-"""Trains a small object detector with a segmentation head on a planner's frames and tests it elsewhere.
+"""Trains a small object detector with a segmentation head on a planner's frames; tests in other scenes.
 
 Protocol, the same for every planner and every kind of test:
 - One model is trained from scratch for each planner and plan seed, on its frames of all training scenes.
 - 600 steps of 16 images whatever the number of frames (option `steps`), AdamW, learning rate 3e-3 after 40
   steps, then falling along a cosine to 0; weight decay 1e-4; the weights of the last step are tested.
-- Images keep their size up to 192 pixels of width (option `width_px`); larger ones are scaled down to it.
-- Each image is mirrored with probability 1/2, scaled by 0.7 to 1.4, moved by up to 15 %, and its brightness
-  and contrast change by up to 20 %.
+- Images wider than 192 pixels (option `width_px`) are scaled down to this width.
+- Augmentation: mirrored with probability 1/2, scaled by 0.7 to 1.4, shifted by up to 15 %, brightness and
+  contrast changed by up to 20 %.
 - Boxes are those of the visible pixels of target objects. Objects with fewer than 480 pixels (of 640 x 480;
-  option `least_px`) are neither trained on nor tested: predictions on them count neither way.
-- Classes are those of the objects in the training scenes that the tests show, too. A class that a planner
-  never shows counts in its means like any other, so that it gains nothing by showing less.
-- mAP is COCO's: 101 recall levels, at most 100 boxes an image, the mean over classes that a test holds.
-- `ap50_any` is the AP at IoU 0.5 of objects of whatever class: how well they are found, not named.
-- mIoU is the mean over classes that a test's pixels hold; pixels of other classes do not count.
+  option `least_px`) are ignored in training and tests; predictions on them count as neither right nor wrong.
+- Classes are those of the training scenes' objects that the tests also show. A class that a planner never
+  shows counts in its means like any other, so that showing fewer classes is no advantage.
+- mAP is COCO's: 101 recall levels, at most 100 boxes per image, mean over the classes in the test.
+- `ap50_any` is the class-agnostic AP at IoU 0.5: localization without classification.
+- mIoU is the mean over the classes of the test's pixels; pixels of other classes do not count.
 - Option `trainings` (1) repeats the training with further seeds; values are means, `_spread` their standard
   deviation. Option `folds` (0) adds cross-validation on the planner's own frames, in consecutive blocks.
-- Option `device` (cpu) may be `cuda`: faster, with results that differ a little from run to run.
+- Option `device` (cpu) may be `cuda`: faster, but results vary slightly between runs.
 
-The network has 0.5 million weights: residual blocks at strides 4, 8 and 16, joined at stride 4, where one
-head predicts class heatmaps and box borders (as TTFNet, AAAI 2020) and one classes of pixels.
+The network has 0.5 million weights: residual blocks at strides 4, 8 and 16, merged at stride 4, with a head for
+class heatmaps and box borders (TTFNet, AAAI 2020) and a head for pixel classes.
 """
 import json
 import math
@@ -70,20 +70,20 @@ def read_frames(data, options):
 
 
 def classes_shown(frames):
-    """The classes of boxes and those of pixels that occur in frames."""
+    """The box classes and the pixel classes that occur in frames."""
     boxes = {int(label) for frame in frames for label in frame[3][~frame[4]]}
     pixels = {int(label) for frame in frames for label in np.unique(frame[1])}
     return boxes - {0}, pixels - {0}
 
 
 def classes_of_scene(data):
-    """The classes of the scene's targets and those of all its objects, shown or not."""
+    """The classes of the scene's targets and of all its objects, visible in frames or not."""
     labels = {i: int(one.get("nyu40") or 0) for i, one in data.objects.items()}
     return {label for i, label in labels.items() if i in data.targets} - {0}, set(labels.values()) - {0}
 
 
 class Table:
-    """Numbers the dataset's class ids from 0; ids that are not among them become VOID."""
+    """Maps the dataset's class ids to numbers from 0; other ids become VOID."""
 
     def __init__(self, ids):
         self.ids = sorted(ids)
@@ -95,7 +95,7 @@ class Table:
 
 
 def prepare(frames, box_table, pixel_table):
-    """Frames with labels as the model numbers them; boxes of other classes are left out."""
+    """Frames with labels in the model's numbering, without boxes of other classes."""
     ready = []
     for rgb, semantic, boxes, labels, ignored in frames:
         numbers = box_table.lookup[labels].astype(int)
@@ -105,7 +105,7 @@ def prepare(frames, box_table, pixel_table):
 
 
 def augment(frame, random):
-    """One frame mirrored, scaled, moved and with other brightness; sizes stay."""
+    """One augmented frame: mirrored, scaled, shifted, with other brightness; same image size."""
     rgb, semantic, boxes, labels, ignored = frame
     height, width = semantic.shape
     scale = math.exp(random.uniform(math.log(0.7), math.log(1.4)))
@@ -128,7 +128,7 @@ def augment(frame, random):
 
 
 def targets_of(frame, classes):
-    """What the heads should predict: heatmaps, box borders with their weights, and where nothing is asked."""
+    """Training targets: heatmaps, box borders with weights, and a mask of ignored positions."""
     _, semantic, boxes, labels, ignored = frame
     rows, columns = (-(-side // STRIDE) for side in semantic.shape)
     heat = np.zeros((classes, rows, columns), np.float32)
@@ -137,7 +137,7 @@ def targets_of(frame, classes):
     asked = np.ones((classes, rows, columns), np.float32)
     x, y = np.arange(columns) * STRIDE + STRIDE / 2, np.arange(rows) * STRIDE + STRIDE / 2
     areas = np.prod(boxes[:, 2:] - boxes[:, :2], axis=1)
-    for i in np.argsort(-areas, kind="stable"):    # small objects last: they win where objects overlap
+    for i in np.argsort(-areas, kind="stable"):    # small objects last, so that they overwrite larger ones
         x0, y0, x1, y1 = boxes[i]
         if ignored[i]:
             inside = ((y >= y0 - 2) & (y <= y1 + 2))[:, None] & ((x >= x0 - 2) & (x <= x1 + 2))[None, :]
@@ -166,7 +166,7 @@ def convolution(before, after, stride=1, size=3):
 
 
 class Block(nn.Module if torch else object):
-    """A residual block of two convolutions; the first may have a stride."""
+    """A residual block of two convolutions, the first with a stride."""
 
     def __init__(self, before, after, stride):
         super().__init__()
@@ -208,7 +208,7 @@ class Network(nn.Module if torch else object):
 
 
 def heat_loss(logits, heat, asked):
-    """CenterNet's focal loss, a mean over objects."""
+    """CenterNet's focal loss, averaged over objects."""
     chance = torch.clamp(torch.sigmoid(logits), 1e-4, 1 - 1e-4)
     centre = (heat == 1).float()
     right = torch.log(chance) * (1 - chance) ** 2 * centre
@@ -217,7 +217,7 @@ def heat_loss(logits, heat, asked):
 
 
 def border_loss(found, true, weight):
-    """Generalised IoU of boxes that share the pixel they are measured from."""
+    """Generalised IoU of boxes given by distances from the same pixel."""
     shared = torch.minimum(found, true)
     around = torch.maximum(found, true)
 
@@ -231,7 +231,7 @@ def border_loss(found, true, weight):
 
 
 def train(frames, box_classes, pixel_classes, seed, options):
-    """The network after the last step; `frames` are prepared ones."""
+    """Trains the network on prepared `frames` and returns it."""
     torch.manual_seed(seed)
     random = np.random.default_rng(seed)
     device = torch.device(options["device"])
@@ -266,7 +266,7 @@ def train(frames, box_classes, pixel_classes, seed, options):
 
 
 def predict(network, images):
-    """Boxes, scores and labels of each image (height x width x 3 bytes each), and the classes of its pixels."""
+    """Boxes, scores, labels and pixel classes of each image (height x width x 3 uint8)."""
     with torch.no_grad():
         device = next(network.parameters()).device
         batch = torch.from_numpy(np.stack(images).astype(np.float32)).to(device).permute(0, 3, 1, 2)
@@ -290,7 +290,7 @@ def predict(network, images):
 
 
 def test(network, frames, box_classes, pixel_classes):
-    """Scores of prepared frames."""
+    """Scores of a network on prepared frames."""
     predictions = []
     confusion = np.zeros((pixel_classes, pixel_classes), np.int64)
     for start in range(0, len(frames), 16):
@@ -324,7 +324,7 @@ def metrics_of(distributions, options):
 
 
 def cross_validate(parts, seed, sizes, options):
-    """Means over folds; a fold is a block of consecutive frames of each scene. `parts` are scenes' frames."""
+    """Mean scores over folds, each a block of consecutive frames of each scene in `parts`."""
     results = []
     for fold in range(options["folds"]):
         training, tested = [], []
@@ -338,7 +338,7 @@ def cross_validate(parts, seed, sizes, options):
 
 
 def judge_group(parts, tests, seed, sizes, options):
-    """Values of one planner and plan seed. `parts` are its scenes' frames, `tests` frames by distribution."""
+    """Values of one planner and plan seed: trains on the frames in `parts` (by scene), tests on `tests`."""
     frames = [frame for part in parts for frame in part]
     boxes = sum(int((~frame[4]).sum()) for frame in frames)
     values = {"frames": len(frames), "boxes": boxes, "boxes_per_frame": boxes / max(1, len(frames)),
@@ -365,7 +365,7 @@ def judge_group(parts, tests, seed, sizes, options):
 
 
 def usable_tests(request):
-    """The test views of scenes that were not trained on."""
+    """The sets of test views of scenes that are not training scenes."""
     trained = {entry["scene"] for entry in request["entries"]}
     return [test for test in request.get("tests", [])
             if test["distribution"] in DISTRIBUTIONS and test["scene"] not in trained]
@@ -374,8 +374,8 @@ def usable_tests(request):
 def read_request(request, options, notes):
     """Frames of each planner and seed by scene, test frames by distribution, and the classes of both.
 
-    A planner with a dataset that cannot be read has None for its frames, since training on fewer scenes
-    would not compare.
+    If a dataset cannot be read, its planner has None for its frames, because training on fewer scenes
+    would not be comparable.
     """
     groups, tests, in_scenes = {}, {}, (set(), set())
     for entry in request["entries"]:
@@ -383,7 +383,7 @@ def read_request(request, options, notes):
         try:
             data = Dataset(entry["dataset"])
             frames = read_frames(data, options)
-        except Exception as error:  # pylint: disable=broad-except  # the other planners go on
+        except Exception as error:  # pylint: disable=broad-except  # measure the other planners
             notes.append(f"{entry['scene']} {entry['planner']}: {text_of(error)}")
             groups[key] = None
             continue
@@ -401,7 +401,7 @@ def read_request(request, options, notes):
 
 
 def kept_values(request, options, tables, key):
-    """Where the values of a planner and seed are kept; the name tells all that they depend on."""
+    """The file that caches the values of a planner and seed; its name has a hash of what they depend on."""
     digest = digest_of(request)
     mine = [one for one in request["entries"] if (one["planner"], one.get("seed", 1)) == key]
     for one in mine + usable_tests(request):
@@ -454,7 +454,7 @@ def check():
 
 
 def check_device(request):
-    """Refuses a device other than the processor and a graphics card that PyTorch can use."""
+    """Raises BadOption unless the device is cpu, or cuda and PyTorch finds a graphics card."""
     device = request["options"]["device"]
     if device not in ("cpu", "cuda"):
         raise BadOption(f"The option detector.device must be cpu or cuda, not '{device}'.")

@@ -1,4 +1,4 @@
-"""Trajectories that other programs estimated, measured by `dollytrack evaluate`."""
+"""Measures estimated trajectories with `dollytrack evaluate`; shared by judges."""
 import json
 import pathlib
 import shutil
@@ -8,7 +8,7 @@ import numpy as np
 
 
 def write_tum(path, times, poses):
-    """A TUM trajectory of world-from-camera matrices."""
+    """Writes world_from_camera matrices as a TUM trajectory."""
     with open(path, "w", encoding="utf-8") as file:
         for time, pose in zip(times, poses):
             x, y, z, w = quaternion_of(pose[:3, :3])
@@ -17,7 +17,7 @@ def write_tum(path, times, poses):
 
 
 def quaternion_of(rotation):
-    """x y z w of a rotation matrix: the eigenvector of its quaternion form."""
+    """The quaternion x y z w of a rotation matrix, an eigenvector of a symmetric 4 x 4 matrix."""
     m = np.asarray(rotation, dtype=float)
     form = np.array([
         [m[0, 0] - m[1, 1] - m[2, 2], m[1, 0] + m[0, 1], m[2, 0] + m[0, 2], m[2, 1] - m[1, 2]],
@@ -30,7 +30,7 @@ def quaternion_of(rotation):
 
 
 def evaluate(program, dataset, estimates, align):
-    """The runs of `dollytrack evaluate --json`, in the order of the files."""
+    """Runs `dollytrack evaluate --json`; returns its results in the order of the files."""
     command = [program, "evaluate", str(dataset), "--align", align, "--json"]
     for path in estimates:
         command += ["--estimated", str(path)]
@@ -41,7 +41,7 @@ def evaluate(program, dataset, estimates, align):
 
 
 def figure(run, name):
-    """The RMSE of an error of a run; None where it could not be measured."""
+    """The RMSE of one error of a run; None if it could not be measured."""
     return (run.get(name) or {}).get("rmse")
 
 
@@ -50,7 +50,7 @@ def centimetres(metres):
 
 
 def scratch(request, *names):
-    """An empty folder in the judge's own one, for the files of one entry."""
+    """Makes an empty folder for the files of one entry, in the judge's folder."""
     folder = pathlib.Path(request["work"]).joinpath(*[str(name) for name in names])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)

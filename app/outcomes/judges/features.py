@@ -1,15 +1,15 @@
-"""Corners, correct matches from frame to frame and boxes a frame (OpenCV's ORB)."""
-import dataset  # before others: it sets the number of threads
+"""Corners, correct matches between consecutive frames, boxes per frame (OpenCV's ORB)."""
+import dataset  # imported first: it sets the number of threads
 
 import cv2
 import numpy as np
 
-CORNERS = 1000        # ORB keeps the strongest
-FEW = 100             # corners a frame, below which trackers lose it
+CORNERS = 1000        # number of strongest corners that ORB keeps
+FEW = 100             # corners per frame, below which tracking usually fails
 TRACKABLE = 30        # correct matches that a pair of frames needs
-CORRECT_PX = 3.0      # a match is correct when it lies this near to where the true motion has it
-HAMMING = 64          # bits of 256 in which matched descriptors may differ
-SAME_SURFACE = 0.05   # share of the depth by which a point may miss the other frame's surface
+CORRECT_PX = 3.0      # largest error of a correct match, against the true motion
+HAMMING = 64          # largest Hamming distance of matched descriptors, of 256 bits
+SAME_SURFACE = 0.05   # largest depth difference to the other frame's surface, as a share of the depth
 
 METRICS = {
     "corners_per_frame": {"unit": "", "better": "higher"},
@@ -28,7 +28,7 @@ def check():
 
 
 def correct_matches(data, first, second, matches, points, others):
-    """How many matches the true depth and motion confirm."""
+    """The number of matches that agree with the true depth and motion."""
     if not matches:
         return 0
     here = np.array([points[match.queryIdx].pt for match in matches]) + 0.5

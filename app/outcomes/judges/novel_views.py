@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""Fuses a planner's frames into a coloured surface and draws it from poses that no planner has taken.
+"""Novel views: fuses a planner's frames into a coloured surface and renders it from the test views.
 
 Protocol, the same for every planner:
 - Open3D's VoxelBlockGrid (a TSDF with colour), voxels of 2 cm (option `voxel_mm`), truncation at 4 voxels,
-  depth up to 6 m (option `depth_limit_mm`), all frames in their order with their true poses.
-- Drawn by ray casting in the TSDF, a ray a pixel, at the poses of the test views with distribution `uniform`
-  of the same scene, which are the same for all planners. (Open3D's RaycastingScene hits nothing in Debian 12.)
-- PSNR and SSIM (Gaussian window, sigma 1.5, of grey values) count pixels where the true frame and the fused
-  surface both have a surface, and are means over the test frames that have any. `psnr_filled` and
-  `ssim_filled` count all pixels of the true frame's surfaces, missing ones as black, so that a planner that
-  shows little gains nothing by it. An exact image has 100 dB.
+  depth up to 6 m (option `depth_limit_mm`), all frames in order with their true poses.
+- Rendered by ray casting in the TSDF, one ray per pixel, at the `uniform` test views of the same scene, which are
+  the same for all planners. (Open3D's RaycastingScene does not work in Debian 12.)
+- PSNR and SSIM (Gaussian window, sigma 1.5, of grey values) count pixels where both the true frame and the
+  rendering show a surface, and are means over the test frames with such pixels. `psnr_filled` and
+  `ssim_filled` count all surface pixels of the true frame, missing ones as black, so that showing less
+  is no advantage. An exact image has 100 dB.
 - `missing` is the share of the true frames' surface pixels where nothing was fused, `depth_right` the share
   whose fused depth is within 5 cm of the true one.
 """
@@ -21,7 +21,7 @@ import cv2
 import numpy as np
 
 NAME = "novel_views"
-DISTRIBUTION = "uniform"   # of the test views that are drawn
+DISTRIBUTION = "uniform"   # of the test views to render
 OPTIONS = {"voxel_mm": 20, "depth_limit_mm": 6000}
 BEST_PSNR = 100.0
 TRUNCATION_VOXELS = 4.0
@@ -38,7 +38,7 @@ METRICS = {
 
 
 def psnr(first, second, mask):
-    """Of 8-bit images over the pixels of a mask, dB; None without pixels, 100 without an error."""
+    """PSNR of 8-bit images over the pixels of a mask, dB; None without pixels, 100 without an error."""
     if not mask.any():
         return None
     error = float(np.mean((first[mask].astype(float) - second[mask].astype(float)) ** 2))
@@ -46,7 +46,7 @@ def psnr(first, second, mask):
 
 
 def ssim(first, second, mask):
-    """Structural similarity of 8-bit grey images over a mask; windows leave out what lies beyond it."""
+    """SSIM of 8-bit grey images over a mask; windows do not include pixels outside the mask."""
     if not mask.any():
         return None
     inside = mask.astype(float)
@@ -66,7 +66,7 @@ def ssim(first, second, mask):
 
 
 class Surface:
-    """A planner's frames fused into a coloured TSDF, which can be drawn from any pose."""
+    """A planner's frames fused into a coloured TSDF that can be rendered from any pose."""
 
     def __init__(self, data, options):
         self.o3d = o3d = need("open3d", "python3-open3d")
@@ -89,7 +89,7 @@ class Surface:
         self.blocks = table.key_tensor()[table.active_buf_indices().to(core.int64)]
 
     def millimetres(self, depth):
-        """Beyond the limit nothing is known; that is not the same as free space up to the limit."""
+        """Depths in mm; 0 (unknown) beyond the limit, so that the space up to the limit is not fused as free."""
         return np.where(depth <= self.limit_m, np.rint(depth * 1000), 0).astype(np.uint16)
 
     def camera(self, data, index):
@@ -97,11 +97,11 @@ class Surface:
                 self.core.Tensor(np.linalg.inv(data.poses[index])))
 
     def draw(self, data, index):
-        """Colours and depths along the viewing axis at a test frame's pixels; depth 0 where nothing is hit."""
+        """Colours, and depths along the viewing axis, at a test frame's pixels; depth 0 where no surface is hit."""
         if len(self.blocks) == 0:
             return np.zeros((data.height, data.width, 3), np.uint8), np.zeros((data.height, data.width))
         coarse = math.gcd(8, math.gcd(data.width, data.height))
-        for _ in range(2):   # a call that finds its buffer too small makes it larger and draws nothing
+        for _ in range(2):   # a call whose buffer is too small enlarges it, but renders nothing
             drawn = self.volume.ray_cast(self.blocks, *self.camera(data, index), data.width, data.height,
                                          ["depth", "color"], 1.0, 0.05, 20.0, 1.0, TRUNCATION_VOXELS, coarse)
         color, depth = drawn["color"].numpy(), drawn["depth"].numpy()[..., 0]
@@ -109,7 +109,7 @@ class Surface:
 
 
 def compare_view(true_image, true_depth, image, depth):
-    """Values of one view; `image` is black and `depth` 0 where nothing was fused."""
+    """Values of one view; `image` is black and `depth` 0 where no surface was fused."""
     valid = true_depth > 0
     if not valid.any():
         return None
@@ -125,7 +125,7 @@ def measure(data, request, entry):
     tests = [one for one in request.get("tests", [])
              if one["distribution"] == DISTRIBUTION and one["scene"] == entry["scene"]]
     if not tests:
-        raise ValueError("there are no uniform test views of this scene")
+        raise ValueError("the scene has no uniform test views")
     surface = Surface(data, request["options"])
     views = []
     for test in tests:

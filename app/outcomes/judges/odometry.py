@@ -1,19 +1,19 @@
 """RGB-D odometry from frame to frame: drift, lost frames, relative errors (Open3D, OpenCV)."""
-import dataset  # before others: it sets the number of threads
+import dataset  # imported first: it sets the number of threads
 
 import cv2
 import numpy as np
 
-FARTHEST_M = 10.0    # depth beyond this is left out
-# Depths of matched pixels may differ by so much. The programs' own 0.03 and 0.07 m are for cameras
-# at 30 Hz: at some centimetres a frame they refuse most of the true matches.
+FARTHEST_M = 10.0    # larger depths are not used
+# Largest depth difference of matched pixels. The programs' defaults of 0.03 and 0.07 m are for cameras
+# at 30 Hz: with several centimetres of motion per frame they reject most true matches.
 DEPTH_DIFFERENCE_M = 0.3
-# A pair is lost when the program says so, or its motion is off by more than half its way (1 cm at
-# least, 0.2 m at most) or by more degrees than these.
+# A pair is lost if the program fails, or if the error of its motion exceeds half the distance moved (at
+# least 1 cm, at most 0.2 m) or this angle.
 LOST_SHARE, LOST_LEAST_M, LOST_MOST_M = 0.5, 0.01, 0.2
 LOST_DEG = 10.0
-WINDOW = 10          # pairs in a row over which drift is measured
-EVERY = 5            # a window begins at every so many frames
+WINDOW = 10          # consecutive pairs over which drift is measured
+EVERY = 5            # frames between the starts of windows
 
 VALUES = {
     "lost_rate": {"unit": "%", "better": "lower"},
@@ -39,13 +39,13 @@ def check():
     if hasattr(cv2, "rgbd"):
         found.append(f"OpenCV {cv2.__version__} with rgbd")
     if not found:
-        raise dataset.Missing("Neither Open3D nor OpenCV's rgbd is there; install Debian's "
+        raise dataset.Missing("Neither Open3D nor OpenCV's rgbd is installed; install Debian's "
                               "python3-open3d.")
     return ", ".join(found)
 
 
 class Open3d:
-    """compute_rgbd_odometry with the hybrid of colour and geometry."""
+    """Open3D's compute_rgbd_odometry with the hybrid term of colour and geometry."""
 
     def __init__(self, data):
         self.o3d = open3d()
@@ -64,7 +64,7 @@ class Open3d:
             depth_scale=1.0, depth_trunc=FARTHEST_M, convert_rgb_to_intensity=True)
 
     def motion(self, before, after):
-        """Camera `before` from camera `after`; None when the program gives up."""
+        """before_from_after, the relative camera pose; None if the program fails."""
         found, motion, _ = self.o3d.pipelines.odometry.compute_rgbd_odometry(
             after, before, self.camera, np.eye(4), self.method, self.option)
         return np.asarray(motion) if found else None
@@ -77,7 +77,7 @@ class OpenCv:
         self.data = data
         self.odometry = cv2.rgbd.RgbdOdometry_create(data.matrix(pixel_centres=True), 0.0,
                                                      FARTHEST_M, DEPTH_DIFFERENCE_M)
-        # What it finds is measured, whatever it thinks of large motions.
+        # No limit on the motion: its results are measured in any case.
         self.odometry.setMaxTranslation(10.0)
         self.odometry.setMaxRotation(180.0)
 
@@ -102,7 +102,7 @@ def is_lost(off, motion):
 
 
 def drift(estimated, true):
-    """The median, over windows, of the error at the window's end by the way through it."""
+    """The median over windows of the position error at the window's end, divided by the path length."""
     shares = []
     window = min(WINDOW, len(true))
     for first in range(0, len(true) - window + 1, EVERY):

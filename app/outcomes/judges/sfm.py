@@ -1,5 +1,5 @@
 """Structure from motion without poses: frames registered, pose error, points (COLMAP)."""
-import dataset  # before others: it sets the number of threads
+import dataset  # imported first: it sets the number of threads
 
 import pathlib
 import subprocess
@@ -29,7 +29,7 @@ def check():
 def colmap(folder, *arguments):
     command = [dataset.need_program("colmap", "colmap"), *map(str, arguments)]
     with open(folder / "log.txt", "a", encoding="utf-8") as log:
-        # Qt asks for a screen otherwise, even where nothing is drawn.
+        # Without this, Qt needs a display even if nothing is shown.
         done = subprocess.run(["env", "QT_QPA_PLATFORM=offscreen", *command], stdout=log,
                               stderr=log, check=False)
     return done.returncode == 0
@@ -45,11 +45,11 @@ def link_images(data, folder, every):
 
 
 def read_model(folder):
-    """Camera poses by frame and the reprojection errors of the points of a text model."""
+    """Camera poses by frame, and the points' reprojection errors, of a text model."""
     poses = {}
     lines = [line for line in (folder / "images.txt").read_text().splitlines()
              if not line.startswith("#")]
-    for line in lines[::2]:  # every other line lists the image's points
+    for line in lines[::2]:  # the second line of each image lists its points
         word = line.split()
         w, x, y, z, tx, ty, tz = map(float, word[1:8])
         camera_from_world = np.eye(4)
@@ -62,7 +62,7 @@ def read_model(folder):
 
 
 def reconstruct(data, folder, options):
-    """The models that COLMAP makes of the images, largest first."""
+    """Runs COLMAP; returns its models, largest first."""
     every, matching = max(1, options["every"]), options["matching"]
     if matching not in ("exhaustive", "sequential"):
         raise ValueError(f"matching={matching} is neither exhaustive nor sequential")
@@ -80,7 +80,7 @@ def reconstruct(data, folder, options):
         if not colmap(folder, *step):
             raise RuntimeError(f"colmap {step[0]} failed, see {folder / 'log.txt'}")
     (folder / "sparse").mkdir()
-    # Without a pair to begin with it fails: then there is no model, which is a result.
+    # The mapper fails without an initial image pair; a result without a model is valid.
     colmap(folder, "mapper", *database, "--image_path", images, "--output_path", folder / "sparse",
            "--Mapper.num_threads", THREADS, "--Mapper.ba_refine_focal_length", 0,
            "--Mapper.ba_refine_principal_point", 0, "--Mapper.ba_refine_extra_params", 0)

@@ -1,5 +1,5 @@
-"""SLAM programs of your own (--slam NAME=COMMAND): tracked share, errors, success rate."""
-import dataset  # before others: it sets the number of threads
+"""SLAM programs given with --slam NAME=COMMAND: share of tracked frames, errors, success rate."""
+import dataset  # imported first: it sets the number of threads
 
 import os
 import shlex
@@ -22,11 +22,11 @@ VALUES = {
 
 
 def check():
-    return "runs the programs that --slam names"
+    return "runs the programs of --slam"
 
 
 def write_settings(data, folder):
-    """The camera as ORB-SLAM2 and 3 (settings.yaml) and DSO (camera.txt) read it."""
+    """Writes the camera for ORB-SLAM2 and 3 (settings.yaml) and DSO (camera.txt)."""
     step = np.median(np.diff(data.times)) if len(data) > 1 else 0.1
     rate = 1.0 / step if step > 0 else 10.0
     k = data.matrix(pixel_centres=True)
@@ -53,7 +53,7 @@ def write_settings(data, folder):
 
 
 def run_shell(line, folder, timeout_s):
-    """Runs a shell command in a folder; ends all its processes with it, or when its time is over."""
+    """Runs a shell command in a folder; kills its remaining processes when it ends or exceeds its time."""
     with open(folder / "log.txt", "w", encoding="utf-8") as log:
         process = subprocess.Popen(["/bin/sh", "-c", line], cwd=folder, stdout=log, stderr=log,
                                    start_new_session=True)
@@ -65,12 +65,12 @@ def run_shell(line, folder, timeout_s):
             try:
                 os.killpg(process.pid, signal.SIGKILL)
             except ProcessLookupError:
-                pass  # all of them have ended
+                pass  # all processes have ended
             process.wait()
 
 
 def run_once(command, data, folder, timeout_s):
-    """The trajectory that one run leaves; an empty file where it leaves none."""
+    """The trajectory file of one run; an empty file if the run wrote none."""
     folder.mkdir()
     out = folder / "estimate.txt"
     write_settings(data, folder)
@@ -80,7 +80,7 @@ def run_once(command, data, folder, timeout_s):
     for name, value in words.items():
         line = line.replace("{" + name + "}", shlex.quote(str(value)))
     run_shell(line, folder, timeout_s)
-    # ORB-SLAM writes this into the folder it runs in, DSO the other.
+    # ORB-SLAM writes the first into its working folder, DSO the second.
     for name in ("CameraTrajectory.txt", "result.txt"):
         if not out.exists() and (folder / name).exists():
             shutil.move(folder / name, out)
@@ -118,7 +118,7 @@ def measure(data, request, entry):
 def check_request(request):
     programs = request.get("programs", [])
     if not programs:
-        raise dataset.Missing("No SLAM program was named; give --slam 'NAME=COMMAND {rgbd_folder} "
+        raise dataset.Missing("There is no SLAM program; give --slam 'NAME=COMMAND {rgbd_folder} "
                               "{out}'.")
     for one in programs:
         word = (shlex.split(one["command"]) or [""])[0]

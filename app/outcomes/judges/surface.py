@@ -1,13 +1,13 @@
-"""Surface that the frames' depth covers: accuracy and completion after TSDF fusion (Open3D)."""
-import dataset  # before others: it sets the number of threads
+"""Reconstruction of the scene's surface by TSDF fusion of the depth: accuracy, completion (Open3D)."""
+import dataset  # imported first: it sets the number of threads
 
 import numpy as np
 
 VOXEL_M = 0.02
 TRUNCATION_M = 0.06
-FARTHEST_M = 10.0   # depth beyond this is not fused
-NEAR_M = 0.05       # a sample with fused surface this near is covered
-BESIDE_M = 0.2      # fused surface farther than this from every sample is beyond the reference
+FARTHEST_M = 10.0   # larger depths are not fused
+NEAR_M = 0.05       # a reference sample is covered if fused surface is this near
+BESIDE_M = 0.2      # fused surface farther than this from all samples is not in the reference
 
 METRICS = {
     "completion_rate": {"unit": "%", "better": "higher"},
@@ -23,7 +23,7 @@ def check():
 
 
 def fuse(data):
-    """Points of the surface that the true depth and poses give, without any filling of holes."""
+    """Surface points of the fused true depths and poses, without hole filling."""
     o3d = dataset.need("open3d", "python3-open3d")
     integration = o3d.pipelines.integration
     volume = integration.ScalableTSDFVolume(
@@ -42,7 +42,7 @@ def fuse(data):
 
 
 def nearest(points, of):
-    """For each point the nearest one of others, and its distance."""
+    """For each point, the index of the nearest one in `of` and its distance."""
     o3d = dataset.need("open3d", "python3-open3d")
     search = o3d.core.nns.NearestNeighborSearch(o3d.core.Tensor(np.ascontiguousarray(of)))
     search.knn_index()
@@ -52,7 +52,7 @@ def nearest(points, of):
 
 def measure(data, request, entry):
     if entry["scene"] not in request["references"]:
-        raise ValueError("there is no reference surface of this scene")
+        raise ValueError("the scene has no reference surface")
     reference = np.load(request["references"][entry["scene"]]).astype(np.float64)
     samples, normals = reference[:, :3], reference[:, 3:6]
     fused = fuse(data)
@@ -60,7 +60,7 @@ def measure(data, request, entry):
         return {"completion_rate": 0.0, "reference_samples": len(samples)}
     _, gaps = nearest(samples, fused)
     closest, distance = nearest(fused, samples)
-    # To the plane of the sample: samples are centimetres apart, the surface goes on between them.
+    # Point-to-plane distance, because samples are centimetres apart.
     off = np.abs(np.sum((fused - samples[closest]) * normals[closest], axis=1))
     beside = distance <= BESIDE_M
     return {"completion_rate": float(np.mean(gaps <= NEAR_M)),
