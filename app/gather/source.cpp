@@ -168,7 +168,7 @@ Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job)
     source->card_sha256 = std::move(*card_sha256);
     damaged_ = false;
     if (!source->modalities.contains(kPicture)) {
-        return notUsable(folder, "colour pictures", "--modalities rgb");
+        return notUsable(folder, "colour images", "--modalities rgb");
     }
     if (!dataset->has("coco")) return notUsable(folder, kAnnotationFile, "--formats coco");
     damaged_ = true;

@@ -141,7 +141,8 @@ Result<Judgement> judge(const BaselineScene& scene, const PlannedMotion& motion,
     if (motion.trajectory.frames.empty()) return result;
     std::vector<double> lengths;
     measureCollisions(scene, motion, job, lengths, result);
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Judging was cancelled.");
+    if (job.cancelled())
+        return fail(ErrorCode::Cancelled, "Measuring the trajectory was cancelled.");
     measureMotion(motion, lengths, result);
     return measureShownSurface(*scene.views, motion.trajectory, job)
         .map([&](const ShownSurface& shown) {

@@ -21,7 +21,7 @@ gl::Framebuffer frameOver(const gl::Texture& texture) {
 }  // namespace
 
 Result<RenderTarget> RenderTarget::create(int width, int height) {
-    if (Status status = gl::checkImageSize("a picture", width, height); !status) {
+    if (Status status = gl::checkImageSize("an image", width, height); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     RenderTarget target;

@@ -27,7 +27,8 @@ Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int quality,
             return fail(ErrorCode::Failed, "a JPEG image could not be encoded");
         }
     } catch (const cv::Exception& problem) {
-        return fail(ErrorCode::Failed, std::string("a JPEG picture: ") + problem.what());
+        return fail(ErrorCode::Failed,
+                    std::string("a JPEG image could not be encoded: ") + problem.what());
     }
     return bytes;
 }

@@ -68,7 +68,7 @@ void printSummary(const render::DatasetSummary& summary, const std::string& fold
     rate("well captured rate", "well_captured_rate", counted.well_captured_rate);
     rate("area share (box)", "area_share_box", counted.area_share_box);
     if (const render::PictureTally& pictures = summary.pictures; pictures.pictures > 0) {
-        fmt::print("  {:<22} {:>10} {:>10}\n", "unusable pictures", "-", pictures.unusable());
+        fmt::print("  {:<22} {:>10} {:>10}\n", "unusable images", "-", pictures.unusable());
         const std::string text = render::unusableText(pictures);
         if (!text.empty()) fmt::print("\n{}\n", text);
     }

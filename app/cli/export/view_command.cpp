@@ -70,7 +70,7 @@ Result<io::GuardedFolder> openFor(const fs::path& file, bool overwrite) {
 
 std::string picturesText(const view::DatasetPage& page) {
     return page.pictures_of_frames == 0
-               ? "no pictures"
+               ? "no images"
                : fmt::format("images of {} frames, {} px wide", page.pictures_of_frames,
                              page.picture_width_px);
 }

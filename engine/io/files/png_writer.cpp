@@ -84,7 +84,7 @@ Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat for
     const PngLook look = lookOf(format);
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (pixels.size() != count * look.bytes_per_pixel) {
-        return fail(ErrorCode::Failed, "a picture of " + std::to_string(width) + " x " +
+        return fail(ErrorCode::Failed, "an image of " + std::to_string(width) + " x " +
                                            std::to_string(height) + " px came with " +
                                            std::to_string(pixels.size()) + " bytes");
     }

@@ -106,7 +106,7 @@ void checkNames(const StoredDataset& dataset, Findings& findings) {
                 there = there || dataset.sha256s.contains(std::string(kind.modality) + "/" + name);
             }
         }
-        if (!there) wrong("the picture " + name, fmt::format("that of frame {}", frame));
+        if (!there) wrong("the image " + name, fmt::format("that of frame {}", frame));
         ++frame;
     }
 }

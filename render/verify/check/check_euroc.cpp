@@ -93,7 +93,7 @@ class EurocCheck {
             const std::string picture = "mav0/" + camera + "/data/" + rows[i][1];
             const std::string same = imageFile(modality, frame);
             if (hashOf(picture).empty() || hashOf(picture) != hashOf(same)) {
-                add(picture, frame, "another picture", same);
+                add(picture, frame, "another image", same);
             }
         }
         const Intrinsics& lens = dataset_.lens;

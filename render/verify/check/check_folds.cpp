@@ -62,7 +62,7 @@ class FoldCheck {
     std::vector<int> listed(const std::string& file) {
         const Result<std::string> text = io::readText(dataset_.folder / file);
         if (!text) {
-            add(file, {}, text.error().message, "a list of pictures");
+            add(file, {}, text.error().message, "a list of images");
             return {};
         }
         std::set<int> frames;

@@ -108,7 +108,7 @@ CheckWork beginExactDepth(const Subject& /*subject*/, Findings& /*findings*/) {
                     return WrongPixels::Text{
                         fmt::format("{:.6f} m in {}, {:.3f} m in {}", metres, exact_file,
                                     millimetres * 0.001, rounded_file),
-                        "one depth in both; either may be wrong"};
+                        "the same depth in both; either may be wrong"};
                 });
             }
         }

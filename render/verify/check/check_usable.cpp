@@ -124,7 +124,7 @@ CheckWork beginUsable(const Subject& subject, Findings& findings) {
         found.add({imageFile("rgb", images.frame()),
                    images.frame(),
                    {},
-                   "the picture is " + quality,
+                   "the image is " + quality,
                    expected + ", as dataset.json lists it"});
     };
     return work;

@@ -37,7 +37,7 @@ class VideoCheck {
             compare(shown, picture);
         }
         if (shown != frames || video.grab()) {
-            add({}, shown < frames ? fmt::format("{} pictures", shown) : "more pictures",
+            add({}, shown < frames ? fmt::format("{} images", shown) : "more images",
                 fmt::format("{}", frames));
         }
     }

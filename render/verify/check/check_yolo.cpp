@@ -103,7 +103,7 @@ std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list
     std::set<int> frames;
     const Result<std::string> text = io::readText(dataset.folder / list);
     if (!text) {
-        findings.add({list, {}, {}, text.error().message, "a list of pictures"});
+        findings.add({list, {}, {}, text.error().message, "a list of images"});
         return frames;
     }
     int number = 0;
@@ -129,7 +129,7 @@ std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list
                           "images of the dataset that have labels, each once"});
         }
     }
-    if (frames.empty()) findings.add({list, {}, {}, "no pictures", "at least one"});
+    if (frames.empty()) findings.add({list, {}, {}, "no images", "at least one"});
     return frames;
 }
 

@@ -206,7 +206,7 @@ void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
     };
     if (const Field* mode = fieldNamed(*view.parameters, "render_mode");
         mode != nullptr && wantsPictures(view, draft)) {
-        row("Pictures", "How colour images are rendered; other files do not change",
+        row("Images", "How colour images are rendered; other files do not change",
             {"render_mode", mode->valueText() == "fast" ? "antialias" : "reference_samples"});
     }
     if (wantsPictures(view, draft)) {
