@@ -18,7 +18,7 @@ Eigen::Matrix2d LensDistortion::slope(const Eigen::Vector2d& straight) const {
     const double x = straight.x(), y = straight.y();
     const double r2 = x * x + y * y;
     const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-    const double rise = k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3);  // of radial, by r^2
+    const double rise = k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3);  // derivative of radial by r^2
     const double mixed = 2.0 * rise * x * y + 2.0 * p1 * x + 2.0 * p2 * y;
     Eigen::Matrix2d slope;
     slope << radial + 2.0 * rise * x * x + 2.0 * p1 * y + 6.0 * p2 * x, mixed, mixed,
@@ -28,8 +28,8 @@ Eigen::Matrix2d LensDistortion::slope(const Eigen::Vector2d& straight) const {
 
 std::optional<Eigen::Vector2d> LensDistortion::straighten(const Eigen::Vector2d& bent) const {
     if (none()) return bent;
-    // Outwards in steps, each solved by Newton's method, so that the branch is the one that
-    // contains the middle. Where the model folds over its slope loses a direction.
+    // Moves outwards in steps, each solved by Newton's method, so that the solution stays on the
+    // branch that contains the image centre. At a fold of the model the Jacobian becomes singular.
     constexpr int kSteps = 8;
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     for (int step = 1; step <= kSteps; ++step) {
@@ -45,14 +45,14 @@ std::optional<Eigen::Vector2d> LensDistortion::straighten(const Eigen::Vector2d&
         }
         if (!(error < 1e-9)) return std::nullopt;
     }
-    // A step may have come out behind a fold.
+    // A Newton step may have jumped over a fold.
     if (!risesTo(at.norm())) return std::nullopt;
     return at;
 }
 
 bool LensDistortion::risesTo(double straight_radius) const {
-    // The derivative of r (1 + k1 r^2 + k2 r^4 + k3 r^6), by s = r^2, is least where it ends or
-    // where its own derivative is 0.
+    // The derivative of r (1 + k1 r^2 + k2 r^4 + k3 r^6) is a polynomial in s = r^2; its minimum is
+    // at the end of the interval or where the polynomial's derivative is 0.
     const double a = 3.0 * k1, b = 5.0 * k2, c = 7.0 * k3;
     const double end = straight_radius * straight_radius;
     const auto rises = [&](double s) {

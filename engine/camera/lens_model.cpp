@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Kannala and Brandt's distance for a focal length of 1, and how it rises.
+/// Kannala and Brandt's image radius of an angle, for a focal length of 1.
 double distanceAt(const Eigen::Vector4d& k, double angle) {
     const double s = angle * angle;
     return angle * (1.0 + s * (k[0] + s * (k[1] + s * (k[2] + s * k[3]))));
@@ -20,7 +20,7 @@ double slopeAt(const Eigen::Vector4d& k, double angle) {
     return 1.0 + s * (3.0 * k[0] + s * (5.0 * k[1] + s * (7.0 * k[2] + s * 9.0 * k[3])));
 }
 
-/// The angle at a distance, up to `widest`: Newton's steps, kept within halves of an interval.
+/// The angle, up to `widest`, that has an image radius: Newton's method, safeguarded by bisection.
 double angleAt(const Eigen::Vector4d& k, double distance, double widest) {
     if (k.isZero(0.0)) return distance;
     double low = 0.0, high = widest;
@@ -40,7 +40,7 @@ Eigen::Vector4d coefficients(const RigCamera& camera) {
     return {camera.k1, camera.k2, camera.k3, camera.k4};
 }
 
-constexpr int kSteps = 2000;  // over which a fisheye's slope is looked at
+constexpr int kSteps = 2000;  // samples of a fisheye's slope
 
 }  // namespace
 

@@ -43,7 +43,8 @@ void PoseSpline::solve() {
         second_.assign(n, bend);
         return;
     }
-    // Tridiagonal for the inner ones; the outer follow from them: three derivatives on a line.
+    // A tridiagonal system for the inner knots. The outer second derivatives follow from them:
+    // not-a-knot end conditions.
     const double first = width(0) / width(1);
     const double last = width(n - 2) / width(n - 3);
     std::vector<double> diagonal(n, 0.0);

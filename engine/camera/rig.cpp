@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t kMostCameras = 64;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 40;
-constexpr double kWidestPinhole = 150.0;  // deg, as the planned camera's
-constexpr double kMostSide_px = 6144.0;   // of the flat pictures that a lens's picture is made of
+constexpr double kWidestPinhole = 150.0;  // deg, the limit of the planned camera too
+constexpr double kMostSide_px = 6144.0;   // of the pinhole images that make up a lens's image
 
-/// How large a flat picture is that shows the finest details of a lens with one centre.
+/// Side of a pinhole image with the resolution of the finest part of a lens with one centre.
 double sidePx(const LensModel& lens) {
-    // Wide lenses are drawn as the sides of a cube, whose borders overlap.
+    // Wide lenses are rendered as the sides of a cube, with overlapping borders.
     constexpr double kMostReach = 1.2;
     return 2.0 * lens.mostPxPerRadian() *
            std::min(std::tan(std::min(lens.widest(), 1.0)), kMostReach);
@@ -38,11 +38,11 @@ bool isFolderName(const std::string& name) {
     return true;
 }
 
-/// Heading alone: x as it is but horizontal, y down.
+/// The level orientation with the same heading: x made horizontal, y down.
 Eigen::Quaterniond levelled(const Eigen::Quaterniond& rotation) {
     Eigen::Vector3d right = rotation * Eigen::Vector3d::UnitX();
     right.z() = 0.0;
-    if (right.norm() < 1e-6) {  // rolled onto its side: forward has the heading then
+    if (right.norm() < 1e-6) {  // rolled by 90 degrees: the heading is that of the forward axis
         const Eigen::Vector3d forward = rotation * Eigen::Vector3d::UnitZ();
         right = {forward.y(), -forward.x(), 0.0};
     }
@@ -153,7 +153,7 @@ Pose poseOnRig(const RigCamera& camera, const Pose& planned) {
     const Pose place = carrierFromCamera(camera);
     const Pose carrier{planned.position,
                        camera.level ? levelled(planned.rotation) : planned.rotation};
-    if (place == Pose{}) return carrier;  // to the last bit
+    if (place == Pose{}) return carrier;  // bit-identical
     return {carrier.toWorld(place.position), (carrier.rotation * place.rotation).normalized()};
 }
 

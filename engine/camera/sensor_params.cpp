@@ -33,7 +33,7 @@ SensorParams sensorPreset(SensorPreset preset) {
             params.read_noise_e = 4.0;
             params.jpeg_quality = 90;
             break;
-        case SensorPreset::MachineVision:  // global shutter, a lens of 6 mm at f/2
+        case SensorPreset::MachineVision:  // global shutter, a 6 mm lens at f/2
             params.shutter_s = 0.005;
             params.aperture_mm = 3.0;
             params.k1 = -0.10;

@@ -8,20 +8,21 @@ namespace dollytrack {
 namespace {
 
 struct Sequence {
-    std::size_t length = 1;  // bytes it takes up, at least one
+    std::size_t length = 1;  // in bytes, at least 1
     bool valid = false;
     bool control = false;
-    bool cut_off = false;  // valid as far as the text goes
+    bool cut_off = false;  // valid, but the text ends before the sequence does
 };
 
-/// The UTF-8 sequence that `text`, which is not empty, begins with (Unicode 15, table 3-7).
+/// The UTF-8 sequence at the beginning of `text`, which is not empty (Unicode 15, table 3-7).
 Sequence firstSequence(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
     if (lead < 0x80) return {1, true, lead < 0x20 || lead == 0x7F};
     if (lead < 0xC2 || lead > 0xF4) return {};
     const std::size_t length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    // The second byte excludes overlong forms, surrogates and what lies beyond U+10FFFF.
+    // The range of the second byte excludes overlong forms, surrogates and code points above
+    // U+10FFFF.
     const unsigned low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
     const unsigned high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
     for (std::size_t i = 1; i < length; ++i) {
@@ -36,7 +37,8 @@ Sequence firstSequence(std::string_view text) {
 
 enum class Breaks { Drop, Keep };  // line breaks and tabs
 
-/// Takes from `text` what it cleans: all of it, or all but a cut-off character at its end.
+/// Cleans `text` and removes the cleaned bytes from it: all of it, or, if more text follows, all
+/// but an incomplete character at its end.
 std::string cleaned(std::string_view& text, Breaks breaks, bool more_comes) {
     std::string clean;
     clean.reserve(text.size());

@@ -21,7 +21,7 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-/// Whole text as a number, in the C locale whatever the user's.
+/// Parses the whole text as a number, independently of the locale.
 template <class Number>
 bool parse(std::string_view text, Number& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -193,7 +193,8 @@ Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
             named.push_back({section, field, &value});
         }
     }
-    // JSON has no order of its own, and presets come before what changes single fields of theirs.
+    // Applied in the order of the field list, because a preset must precede parameters that
+    // override it and JSON objects have no order.
     std::ranges::stable_sort(named, std::less(), &Named::field);
     for (const auto& [section, field, value] : named) {
         if (Status status = setValue(*field, *value); !status) {
@@ -204,7 +205,8 @@ Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
 }
 
 std::string closestName(std::string_view wrong, const std::vector<std::string>& names) {
-    // Letters left out, added, changed or swapped with the next one.
+    // Number of letters that are missing, added, changed or swapped with the next one
+    // (Damerau-Levenshtein distance).
     const auto slips = [&](std::string_view name) {
         std::vector<std::size_t> row(name.size() + 1);
         std::vector<std::size_t> above = row;
@@ -225,7 +227,7 @@ std::string closestName(std::string_view wrong, const std::vector<std::string>& 
         return row[name.size()];
     };
     std::string best;
-    // A letter of a short word is a large part of it: "foo" was not meant to be "loop".
+    // Short words allow fewer errors: "foo" is not a misspelt "loop".
     const std::size_t length = wrong.size() - std::min(wrong.find_first_not_of('-'), wrong.size());
     std::size_t least = (length < 4 ? 1 : std::max<std::size_t>(2, length / 3)) + 1;
     for (const std::string& name : names) {

@@ -11,7 +11,7 @@ bool isNumeral(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// The message without what is quoted and without its numbers.
+/// The message without quoted text and numbers.
 std::string kindOf(std::string_view message) {
     std::string kind;
     for (std::size_t i = 0; i < message.size(); ++i) {
@@ -34,7 +34,7 @@ std::string kindOf(std::string_view message) {
 std::vector<std::string> foldRepeats(const std::vector<std::string>& messages, std::size_t shown) {
     struct Kind {
         std::size_t count = 0;
-        std::size_t last = 0;  // of those kept
+        std::size_t last = 0;  // index among the kept messages
     };
     std::vector<std::string> kept;
     std::map<std::string, Kind> kinds;

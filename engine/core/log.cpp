@@ -46,7 +46,7 @@ struct State {
     std::mutex mutex;
     Sink sink = writeToStderr;
     Level level = Level::Info;
-    std::optional<Record> last;  // already handed on once; repeats - 1 are pending
+    std::optional<Record> last;  // written once already; repeats - 1 are pending
 };
 
 State& state() {
@@ -63,7 +63,7 @@ void write(Level level, std::string_view subsystem, std::string_view said) {
     State& s = state();
     const std::scoped_lock lock(s.mutex);
     if (level < s.level) return;
-    // Messages quote names and values from outside, and every sink shows or stores them.
+    // Messages quote untrusted names and values, and every sink shows or stores them.
     std::string message = cleanText(said);
     if (s.last && s.last->level == level && s.last->subsystem == subsystem &&
         s.last->message == message) {

@@ -13,14 +13,15 @@ namespace {
 
 constexpr std::size_t kListed = 8;
 
-/// Pairs of neighbouring letters: what names have in common in whatever order.
+/// Pairs of neighbouring letters; the similarity of names compares them independently of word
+/// order.
 std::multiset<std::string> pairsOf(std::string_view text) {
     std::multiset<std::string> pairs;
     for (std::size_t i = 0; i + 1 < text.size(); ++i) pairs.emplace(text.substr(i, 2));
     return pairs;
 }
 
-/// 0..1
+/// Similarity by shared letter pairs, 0 to 1.
 double likeness(const std::multiset<std::string>& wrong, std::string_view name) {
     const auto pairs = pairsOf(name);
     std::vector<std::string> common;

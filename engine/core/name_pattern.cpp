@@ -17,7 +17,7 @@ std::optional<std::string> withoutEnding(std::string_view name, std::string_view
     return std::string(name.substr(0, name.size() - ending.size()));
 }
 
-// Keeps the last `*` and what it stood for, to let it stand for one character more.
+// Backtracks to the last `*`, which then matches one more character.
 bool fitsPattern(std::string_view pattern, std::string_view text) {
     std::size_t p = 0;
     std::size_t t = 0;

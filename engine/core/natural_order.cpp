@@ -10,7 +10,8 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Takes the run of digits, or else one byte, that the text begins with.
+/// Removes and returns the leading digits of the text, or one byte if it starts with another
+/// character.
 std::string_view takePart(std::string_view& text) {
     std::size_t length = 0;
     while (length < text.size() && isDigit(text[length])) ++length;
@@ -19,7 +20,7 @@ std::string_view takePart(std::string_view& text) {
     return part;
 }
 
-/// By value, however many digits there are.
+/// Compares by value, for any number of digits.
 std::strong_ordering compareNumbers(std::string_view a, std::string_view b) {
     a.remove_prefix(std::min(a.find_first_not_of('0'), a.size()));
     b.remove_prefix(std::min(b.find_first_not_of('0'), b.size()));

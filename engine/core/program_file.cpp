@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRunningProgram = "/proc/self/exe";
 
-/// The name by which the library that holds this code was loaded; empty in a program.
+/// The name by which the library with this code was loaded; empty in a program.
 std::string loadedAs() {
     Dl_info info{};
     link_map* map = nullptr;
     const bool known = dladdr1(reinterpret_cast<const void*>(&ownFile), &info,
                                reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0;
-    // The program itself has no name here. A library has the one it was loaded by.
+    // The name is empty for the program itself; for a library it is the name it was loaded by.
     return known && map != nullptr && map->l_name != nullptr ? map->l_name : "";
 }
 
@@ -32,7 +32,7 @@ fs::path findOwnFile() {
 }  // namespace
 
 fs::path ownFile() {
-    // Kept: a relative name is of the folder that was the current one when the library was loaded.
+    // Stored once, because a relative name refers to the current folder at the time of loading.
     static const fs::path file = findOwnFile();
     return file;
 }

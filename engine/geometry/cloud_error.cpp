@@ -15,7 +15,8 @@ namespace {
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cellOf(const Eigen::Vector3d& point, double size) {
-    // What is farther out shares the outermost cells: still a number that has neighbours.
+    // Points farther out share the outermost cells, so that cell indices and their neighbours do
+    // not overflow.
     constexpr double kOutermost = 1e15;
     const auto at = [&](double value) {
         return static_cast<std::int64_t>(
@@ -24,7 +25,8 @@ Cell cellOf(const Eigen::Vector3d& point, double size) {
     return {at(point.x()), at(point.y()), at(point.z())};
 }
 
-/// Points by cells of a grid as wide as the radius asked for: all that is near is next door.
+/// Points in a grid whose cells are as wide as the search radius, so that all points within it are
+/// in the same or a neighbouring cell.
 class PointGrid {
   public:
     PointGrid(std::span<const Eigen::Vector3d> points, double radius)

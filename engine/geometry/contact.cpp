@@ -6,7 +6,7 @@
 namespace dollytrack {
 namespace {
 
-constexpr std::size_t kMostTriangles = 1500;  // of each side that are compared with the other
+constexpr std::size_t kMostTriangles = 1500;  // of each object that are compared with the other's
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
@@ -70,7 +70,7 @@ Eigen::Vector3f closestOn(const Corners& t, const Eigen::Vector3f& p) {
     return t[0] + ab * (vb / sum) + ac * (vc / sum);
 }
 
-/// Whether the segment passes through the triangle, and where.
+/// Whether the segment intersects the triangle, and where.
 bool crosses(const Corners& t, const Eigen::Vector3f& from, const Eigen::Vector3f& to,
              Eigen::Vector3f& at) {
     const Eigen::Vector3f direction = to - from;
@@ -122,7 +122,8 @@ void collect(const std::vector<Corners>& a, const std::vector<Corners>& b, float
 std::vector<Eigen::Vector3f> findContact(const std::vector<SurfaceView>& a,
                                          const std::vector<SurfaceView>& b, float gap) {
     Eigen::AlignedBox3f region = boundsOf(a).intersection(boundsOf(b));
-    // Boxes that just miss each other leave a region turned inside out by less than the gap.
+    // For boxes closer than the gap the intersection is inverted by less than the gap; growing it
+    // makes it valid.
     region.min().array() -= gap;
     region.max().array() += gap;
     std::vector<Eigen::Vector3f> places;

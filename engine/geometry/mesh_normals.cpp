@@ -14,14 +14,15 @@ std::vector<Eigen::Vector3f> cornerNormals(std::span<const Eigen::Vector3f> posi
                                            std::span<const std::array<std::uint32_t, 3>> triangles,
                                            double crease_deg,
                                            std::vector<std::uint32_t>* place_out) {
-    // Files often repeat a position for every face: what counts is the place, not the index.
+    // Files often repeat a position for every face, so vertices are compared by position, not by
+    // index.
     VertexJoin<3> places(positions.size());
     std::vector<std::uint32_t> place(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const auto& p = positions[i];
         place[i] = places.insert({p.x(), p.y(), p.z()});
     }
-    // The corners at each place, in the order of the triangles.
+    // The triangle corners at each position, in the order of the triangles.
     std::vector<std::uint32_t> first(places.size() + 1, 0);
     for (const auto& triangle : triangles) {
         for (const std::uint32_t v : triangle) ++first[place[v] + 1];

@@ -17,7 +17,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Convex hull in plan, counter-clockwise (Andrew's monotone chain).
+/// Convex hull of the points' x and y, counter-clockwise (Andrew's monotone chain).
 std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points) {
     std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
         return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
@@ -61,7 +61,7 @@ class Strips {
     float width_;
 };
 
-/// The hull of some of the points: of a few thousand, those that are extreme in their strip.
+/// The hull of the points that are extreme in their strip; contained in the hull of all points.
 std::vector<Eigen::Vector2d> innerHull(std::span<const Eigen::Vector3f> points,
                                        const Strips& strips) {
     constexpr std::size_t kEnough = 4096;
@@ -89,8 +89,8 @@ std::vector<Eigen::Vector2d> innerHull(std::span<const Eigen::Vector3f> points,
     return convexHull(extremes);
 }
 
-/// Only what lies on or outside a hull of some of the points can be a corner of the hull of all, so
-/// of the many points of a dense mesh few are left, which changes nothing.
+/// The points on or outside the inner hull, the only candidates for corners of the full hull. For a
+/// dense mesh this leaves few points, with the same result.
 std::vector<Eigen::Vector2d> planCandidates(std::span<const Eigen::Vector3f> points,
                                             const Eigen::AlignedBox3f& bounds) {
     std::vector<Eigen::Vector2d> kept;
@@ -103,7 +103,7 @@ std::vector<Eigen::Vector2d> planCandidates(std::span<const Eigen::Vector3f> poi
         return kept;
     }
     kept = hull;
-    // The hull's own outline over each strip, taken at its narrowest, bounds what lies inside.
+    // The narrowest extent of the hull over each strip: points within it are inside the hull.
     const auto outlineAt = [&](double x) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;
@@ -135,7 +135,7 @@ std::vector<Eigen::Vector2d> planCandidates(std::span<const Eigen::Vector3f> poi
 
 struct PlanRectangle {
     double yaw = 0.0;
-    Eigen::Vector2d low = Eigen::Vector2d::Zero();  // in the turned frame
+    Eigen::Vector2d low = Eigen::Vector2d::Zero();  // in the rotated frame
     Eigen::Vector2d high = Eigen::Vector2d::Zero();
     [[nodiscard]] double area() const { return (high - low).prod(); }
 };
@@ -162,7 +162,7 @@ OrientedBox fitUprightBox(std::span<const Eigen::Vector3f> points, double snap_s
     for (const auto& p : points) bounds.extend(p);
     const std::vector<Eigen::Vector2d> hull = convexHull(planCandidates(points, bounds));
 
-    // The least rectangle has a side along an edge of the hull.
+    // The smallest rectangle has a side along an edge of the hull.
     const PlanRectangle aligned = rectangleAt(hull, 0.0);
     PlanRectangle best = aligned;
     constexpr double kQuarter = std::numbers::pi / 2.0;
@@ -172,7 +172,8 @@ OrientedBox fitUprightBox(std::span<const Eigen::Vector3f> points, double snap_s
         double yaw = std::atan2(edge.y(), edge.x());
         yaw -= kQuarter * std::round(yaw / kQuarter);
         const PlanRectangle r = rectangleAt(hull, yaw);
-        // Area alone cannot tell lines apart (all have none): then the shorter outline wins.
+        // Degenerate rectangles of lines all have an area of 0; of these the one with the smaller
+        // perimeter is better.
         const double gain = best.area() - r.area();
         const double shorter = (best.high - best.low).sum() - (r.high - r.low).sum();
         if (gain > 1e-12 || (gain > -1e-12 && shorter > 1e-9)) best = r;

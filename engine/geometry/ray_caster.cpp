@@ -34,10 +34,10 @@ RTCRay makeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, 
 
 struct ObjectGeometry {
     RTCGeometry geometry = nullptr;
-    const float* vertices = nullptr;  // Embree's own copy
+    const float* vertices = nullptr;  // Embree's copy
     const unsigned* indices = nullptr;
     std::uint32_t first_triangle = 0;
-    RTCScene alone = nullptr;  // a scene of its own, for questions about it alone
+    RTCScene alone = nullptr;  // a separate scene, for queries of this object only
 
     [[nodiscard]] Eigen::Vector3d corner(unsigned triangle, unsigned k) const {
         const float* v = vertices + 3UL * indices[3UL * triangle + k];
@@ -50,8 +50,8 @@ struct ClosestSearch {
     Eigen::Vector3d query;
     double best_squared = 0.0;
     ClosestPoint best;
-    bool any = false;       // the first surface within reach will do
-    float rounding = 0.0F;  // of the query point, m
+    bool any = false;       // stop at the first surface found
+    float rounding = 0.0F;  // error of the query point's floats, m
 };
 
 bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
@@ -63,19 +63,20 @@ bool visitClosest(RTCPointQueryFunctionArguments* arguments) {
                           object.corner(triangle, 2));
     const double squared = (point - search.query).squaredNorm();
     const int id = static_cast<int>(arguments->geomID) + 1;
-    // Of things that touch there, the one of the lowest number: which one the tree comes to first
-    // depends on everything else in the scene.
+    // Of objects at equal distance, the lowest number is taken, because the order of visits depends
+    // on the other objects in the scene.
     const bool as_near = squared == search.best_squared && id < search.best.object_id;
     if (squared >= search.best_squared && !as_near) return false;
     search.best_squared = squared;
     search.best = {id, std::sqrt(squared), point};
-    // Rounded up, so that float rounding never hides a triangle as close or closer.
+    // Rounded up, so that float rounding never excludes a triangle at the same or a smaller
+    // distance.
     arguments->query->radius =
         search.any ? 0.0F : static_cast<float>(search.best.distance) * 1.000001F + search.rounding;
     return true;
 }
 
-/// The closest surface within `max_distance`, or any within it.
+/// The closest surface within `max_distance`, or with `any` the first one found within it.
 ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& objects,
                          const Eigen::Vector3d& point, double max_distance, bool any) {
     ClosestSearch search;
@@ -88,7 +89,7 @@ ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& obje
     query.x = static_cast<float>(search.query.x());
     query.y = static_cast<float>(search.query.y());
     query.z = static_cast<float>(search.query.z());
-    // Wider by the rounding of the query point itself, so that nothing at the rim is missed.
+    // Enlarged by the rounding error of the query point, so that no surface at the limit is missed.
     query.radius = upperBound(max_distance * 1.000001 + 1e-6);
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
@@ -96,12 +97,13 @@ ClosestPoint findSurface(RTCScene scene, const std::vector<ObjectGeometry>& obje
     return search.best;
 }
 
-/// Embree goes on without the memory that it did not get: nothing may be asked of it any more.
+/// After an allocation failure Embree continues with incomplete data, so its scene must not be
+/// queried any more.
 void throwIfOutOfMemory(RTCDevice device) {
     if (rtcGetDeviceError(device) == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
 }
 
-/// A geometry's buffer of `count` elements, of which none may be there.
+/// A geometry's buffer of `count` elements; `count` may be 0.
 void* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t size,
                 std::size_t count) {
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, size, count);
@@ -120,7 +122,7 @@ struct RayCaster::Impl {
         : device(before ? before->device : rtcNewDevice("threads=0")) {
         if (before) rtcRetainDevice(device);
         scene = rtcNewScene(device);
-        // Robust: no ray slips through the seam between two triangles.
+        // Robust mode: no ray passes between two adjacent triangles.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         objects.resize(source.objects.size());
         parallelFor(objects.size(), [&](std::size_t i) {
@@ -178,7 +180,8 @@ struct RayCaster::Impl {
         rtcCommitGeometry(made.geometry);
         made.alone = rtcNewScene(device);
         rtcSetSceneFlags(made.alone, RTC_SCENE_FLAG_ROBUST);
-        // Asked far less than the whole scene: quick to build matters more than quick to ask.
+        // Queried much less often than the whole scene, so a fast build matters more than fast
+        // queries.
         rtcSetSceneBuildQuality(made.alone, RTC_BUILD_QUALITY_LOW);
         rtcAttachGeometryByID(made.alone, made.geometry, static_cast<unsigned>(index));
         rtcCommitScene(made.alone);

@@ -25,7 +25,7 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 
-/// Twice the area, along the direction the corners turn about (Newell).
+/// Normal of a polygon with a length of twice its area (Newell).
 Eigen::Vector3d newellNormal(std::span<const Eigen::Vector3f> corners) {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     const Eigen::Vector3d origin = corners[0].cast<double>();
@@ -37,7 +37,7 @@ Eigen::Vector3d newellNormal(std::span<const Eigen::Vector3f> corners) {
     return normal;
 }
 
-/// Below this the polygon is a line or a point: rounding alone gives as much.
+/// Whether the area is larger than the rounding error of a line or point.
 bool hasArea(const Eigen::Vector3d& newell, std::span<const Eigen::Vector3f> corners) {
     double longest = 0.0;
     for (const Eigen::Vector3f& corner : corners) {
@@ -46,8 +46,8 @@ bool hasArea(const Eigen::Vector3d& newell, std::span<const Eigen::Vector3f> cor
     return std::isfinite(newell.norm()) && newell.norm() > 1e-7 * longest && longest > 0.0;
 }
 
-/// A four-sided face has two diagonals: of those that stay inside, the one with the better
-/// triangles, which is the Delaunay one. False when neither does (it crosses itself).
+/// Splits a quad along the Delaunay diagonal, among the diagonals inside it. Returns false if
+/// neither is inside (the quad crosses itself).
 bool splitQuad(std::span<const Eigen::Vector3f> corners, const Eigen::Vector3d& normal,
                std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::array<Eigen::Vector3d, 4> p;
@@ -65,8 +65,8 @@ bool splitQuad(std::span<const Eigen::Vector3f> corners, const Eigen::Vector3d& 
     if (!first && !second) return false;
     bool use_first = first;
     if (first && second) {
-        // The angles across the diagonal sum to at most 180 degrees when their cotangents sum to
-        // no less than 0; a rectangle, where both diagonals do, keeps the first.
+        // The angles opposite the diagonal sum to at most 180 degrees if their cotangents sum to at
+        // least 0. For a rectangle both diagonals qualify and the first is used.
         const double across =
             (p[0] - p[1]).dot(p[2] - p[1]) / at_1 + (p[0] - p[3]).dot(p[2] - p[3]) / at_3;
         use_first = across >= -1e-6 / normal.norm();
@@ -88,7 +88,7 @@ void appendFan(std::span<const Eigen::Vector3f> corners,
 
 using Outline = std::vector<Kernel::Point_2>;
 
-/// Even-odd rule, so that an edge drawn twice (the bridge to a hole) counts for nothing.
+/// Even-odd rule, so that an edge that occurs twice (the bridge to a hole) has no effect.
 bool isInside(const Outline& outline, double x, double y) {
     bool inside = false;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
@@ -102,8 +102,8 @@ bool isInside(const Outline& outline, double x, double y) {
     return inside;
 }
 
-/// Marks what lies inside: one question for each region that no edge divides, asked at the middle
-/// of its largest triangle, where rounding cannot change the answer.
+/// Marks the faces inside the outline: one test for each region bounded by edges, at the centre of
+/// its largest triangle, where rounding cannot change the result.
 void markInside(Triangulation& cdt, const Outline& outline) {
     int region = 0;
     for (auto seed = cdt.finite_faces_begin(); seed != cdt.finite_faces_end(); ++seed) {
@@ -162,7 +162,7 @@ PolygonOutcome triangulateGeneral(std::span<const Eigen::Vector3f> corners,
         const auto& next = vertices[(i + 1) % vertices.size()];
         if (vertices[i] != next) cdt.insert_constraint(vertices[i], next);
     }
-    // Where edges cross, CGAL adds a vertex that is no corner of ours.
+    // CGAL adds vertices where edges cross.
     if (cdt.number_of_vertices() != corner_count) {
         appendFan(corners, triangles);
         return PolygonOutcome::Approximate;
@@ -192,7 +192,7 @@ PolygonOutcome triangulatePolygon(std::span<const Eigen::Vector3f> corners,
     const std::size_t before = triangles.size();
     try {
         return triangulateGeneral(corners, normal, triangles);
-    } catch (const std::exception&) {  // CGAL's own checks
+    } catch (const std::exception&) {  // from CGAL's checks
         triangles.resize(before);
         appendFan(corners, triangles);
         return PolygonOutcome::Approximate;

@@ -8,7 +8,7 @@
 namespace dollytrack {
 namespace {
 
-// A window that is woken more often by mere progress takes the time from the work itself.
+// More frequent progress notifications would take processor time from the work.
 constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -85,7 +85,7 @@ void BackgroundWorker::loop() {
         begun_ = clock_();
         state_ = {true, 0.0, {}};
         lock.unlock();
-        std::chrono::steady_clock::time_point told;  // the first news is told at once
+        std::chrono::steady_clock::time_point told;  // the first notification is sent at once
         const JobContext job(cancelled, [&](double fraction, std::string_view stage) {
             {
                 const std::lock_guard guard(mutex_);
@@ -100,7 +100,7 @@ void BackgroundWorker::loop() {
         try {
             work(job);
         } catch (const std::exception& error) {
-            // Out of memory, mostly. The next piece may fit.
+            // Usually out of memory; the next task may need less.
             log::error("jobs", std::string("unexpected failure: ") + error.what());
         }
         lock.lock();

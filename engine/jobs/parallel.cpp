@@ -18,8 +18,8 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
 
 void parallelRanges(std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t, std::size_t)>& body) {
-    // An exception must not pass through TBB: it crashes while it cancels the other tasks if memory
-    // ran out before all of its threads were there.
+    // Exceptions must not pass through TBB: if memory ran out before all its threads were started,
+    // it crashes while cancelling the other tasks.
     std::atomic<bool> failed = false;
     std::exception_ptr first;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {

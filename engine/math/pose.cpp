@@ -15,7 +15,8 @@ Eigen::Quaterniond lookAlong(const Eigen::Vector3d& forward,
                              const Eigen::Vector3d& right_when_vertical) {
     const Eigen::Vector3d z = forward.normalized();
     Eigen::Vector3d x = z.cross(Eigen::Vector3d::UnitZ());
-    // Below 1e-6 the horizontal part is rounding, and normalising it would invent a heading.
+    // Below 1e-6 the horizontal part is rounding error, and normalizing it would give an arbitrary
+    // heading.
     if (x.norm() < 1e-6) x = right_when_vertical - z * z.dot(right_when_vertical);
     x.normalize();
     Eigen::Matrix3d rotation;

@@ -15,7 +15,7 @@ namespace {
 /// An object's name in the forms that patterns are compared with.
 struct NameForms {
     std::string whole;  // lower case
-    std::string words;  // without numbers, a blank between two words
+    std::string words;  // without numbers, words separated by blanks
 };
 
 NameForms formsOf(std::string_view name) {
@@ -129,7 +129,7 @@ void assignDatasetClasses(Scene& scene) {
     if (!scene.class_table) return;
     for (Object& object : scene.objects) {
         const DatasetClass& found = scene.class_table->classFor(object.name, object.nyu40);
-        object.dataset_class = {scene.class_table, &found};  // kept alive with its table
+        object.dataset_class = {scene.class_table, &found};  // shares ownership of the table
     }
 }
 

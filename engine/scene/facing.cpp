@@ -13,10 +13,10 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kStandsAt = 0.25;  // m from a wall: furniture behind a skirting board
+constexpr double kStandsAt = 0.25;  // m, gap of furniture at a wall, as at a skirting board
 constexpr double kFarthest = 12.0;  // m: how far "the open" is looked for
 
-/// A piece of wall in plan: the line an upright triangle makes, and the heights it covers.
+/// An upright triangle of a wall: its line in plan, and its range of heights.
 struct WallLine {
     Eigen::Vector2d a;
     Eigen::Vector2d b;
@@ -50,7 +50,7 @@ std::vector<WallLine> collectWalls(const Scene& scene) {
     return walls;
 }
 
-/// Distance from `from` along the unit direction to the first wall at that height.
+/// Distance from `from` along the unit direction to the first wall at the height of `from`.
 double openDistance(const std::vector<WallLine>& walls, const Eigen::Vector3d& from,
                     const Eigen::Vector2d& direction) {
     double nearest = kFarthest;
@@ -68,8 +68,8 @@ double openDistance(const std::vector<WallLine>& walls, const Eigen::Vector3d& f
 }
 
 struct Side {
-    Eigen::Vector2d direction;  // out of the box
-    double reach;               // from the centre to the side
+    Eigen::Vector2d direction;  // outward normal
+    double reach;               // distance from the centre to the side
     double length;              // of the side
 };
 
@@ -81,12 +81,12 @@ std::array<Side, 4> sidesOf(const OrientedBox& box) {
     return {{{x, hx, 2.0 * hy}, {-x, hx, 2.0 * hy}, {y, hy, 2.0 * hx}, {-y, hy, 2.0 * hx}}};
 }
 
-/// The side that is against a wall; in a corner the longer one, which is a sofa's back.
+/// The side that is against a wall; in a corner the longer one, such as a sofa's back.
 std::optional<Side> sideAtWall(const std::vector<WallLine>& walls, const OrientedBox& box) {
     std::optional<Side> best;
     double best_score = 0.0;
     for (const Side& side : sidesOf(box)) {
-        // A picture may lie in the wall's own plane: look from the middle outwards.
+        // Measured from the centre, because a picture may be in the plane of the wall.
         double gap = openDistance(walls, box.center, side.direction) - side.reach;
         if (gap > kStandsAt) {
             const Eigen::Vector2d along(-side.direction.y(), side.direction.x());
@@ -97,7 +97,8 @@ std::optional<Side> sideAtWall(const std::vector<WallLine>& walls, const Oriente
             }
         }
         if (gap > kStandsAt) continue;
-        // Things thinner than the wall's own play would have two sides "at" it.
+        // The depth reduces the score, because both faces of an object thinner than kStandsAt are
+        // "at" the wall.
         const double score = side.length - 0.5 * side.reach - 2.0 * std::max(0.0, gap);
         if (!best || score > best_score) {
             best = side;

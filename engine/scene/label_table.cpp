@@ -10,7 +10,7 @@
 
 namespace dollytrack {
 
-/// The files of assets/labels, made strings at build time.
+/// The files of assets/labels, embedded as strings at build time.
 extern const char* const kNyu40Labels;
 extern const char* const kFront3dLabels;
 extern const char* const kShapeNetLabels;
@@ -29,13 +29,13 @@ bool isLetter(char c) {
            (static_cast<unsigned char>(c) & 0x80U);
 }
 
-/// "shelves" and "shelf", "boxes" and "box" are one word.
+/// Reduces plurals: "shelves" to "shelf", "boxes" to "box".
 std::string singular(std::string word) {
     const auto endsWith = [&](std::string_view end) {
         return word.size() > end.size() + 1 && word.ends_with(end);
     };
     if (word == "glasses" || word == "clothes" || word == "sunglasses") return word;
-    // A whole word may be the ending itself here.
+    // For this ending, the word may consist of the ending only.
     if (word.ends_with("shelves")) return word.substr(0, word.size() - 3) + "f";
     if (word == "knives") return "knife";
     if (word == "leaves") return "leaf";
@@ -74,7 +74,7 @@ bool isStructureClass(int nyu40) {
 
 namespace {
 
-/// "bunk beds" as a pattern has it: "bunk bed"; empty without a word.
+/// A name in the form of patterns: "bunk beds" becomes "bunk bed"; empty if it has no words.
 std::string asWords(const std::string& name) {
     std::vector<std::string> words = splitWords(name);
     for (std::string& word : words) word = singular(std::move(word));
@@ -96,7 +96,7 @@ std::vector<std::string> splitWords(std::string_view name) {
             finish();
             continue;
         }
-        // "SofaC" and "TVCabinet" hold two words each, "TVs" one.
+        // "SofaC" and "TVCabinet" are two words each, "TVs" is one.
         if (isUpper(c) && i > 0 && isLower(name[i - 1])) finish();
         if (isUpper(c) && i > 0 && isUpper(name[i - 1]) && i + 2 < name.size() &&
             isLower(name[i + 1]) && isLower(name[i + 2])) {
@@ -127,7 +127,7 @@ std::string withoutNumber(std::string_view name) {
 const LabelTable& LabelTable::builtIn() {
     static const LabelTable table = [] {
         LabelTable made;
-        // A test reads every line of them, so they cannot fail here.
+        // A test checks every line of these files, so errors cannot occur here.
         static_cast<void>(made.add(kNyu40Labels, "nyu40.csv"));
         static_cast<void>(made.add(kFront3dLabels, "front3d.csv"));
         static_cast<void>(made.add(kShapeNetLabels, "shapenet.csv"));
@@ -230,8 +230,8 @@ Label LabelTable::find(std::string_view name) const {
     Label weak;
     Label part;
     std::size_t best_end = 0;
-    bool described = false;   // past a preposition that no pattern spans
-    std::size_t spanned = 0;  // words before this index belong to a pattern found
+    bool described = false;   // after a preposition that is not part of a pattern
+    std::size_t spanned = 0;  // words before this index belong to a matched pattern
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i >= spanned && i > 0 && isPreposition(words[i])) described = true;
         if (described && best.kind != LabelKind::None) break;
@@ -257,7 +257,7 @@ Label LabelTable::find(std::string_view name) const {
                 best = label;
                 best_end = i + n;
             }
-            break;  // the longest from here on
+            break;  // the longest match at this word
         }
     }
     if (part.kind != LabelKind::None) {  // "sofa legs": a part, of a known class

@@ -11,7 +11,7 @@ struct Label {
     std::array<std::uint8_t, 3> color;
 };
 
-// The order is the NYU Depth V2 40-class list; the colours are those usual for it (Hypersim).
+// Classes in the order of NYU Depth V2's 40 classes, with the usual colours (as in Hypersim).
 constexpr std::array<Label, kNyu40Count + 1> kLabels = {{
     {"void", {0, 0, 0}},
     {"wall", {174, 199, 232}},

@@ -8,7 +8,7 @@ LightParams lightPreset(LightPreset preset) {
     switch (preset) {
         case LightPreset::Neutral:
             break;
-        case LightPreset::Day:  // rooms without windows keep some light
+        case LightPreset::Day:  // lamps on, so that rooms without windows have some light
             params.time_of_day_h = 14.0;
             params.sun_strength = 1.0;
             params.sky_strength = 2.5;

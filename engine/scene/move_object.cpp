@@ -14,8 +14,8 @@ bool sameParts(const Object& a, const Object& b) {
            a.structure == b.structure;
 }
 
-/// Bits, not numbers: a corner that is not a number equals itself, and -0 is another place than 0
-/// to what counts cells.
+/// Compares bits, not values: NaN equals NaN, and -0 differs from 0, because it may be in another
+/// cell of a grid.
 bool samePositions(const Scene& a, const Scene& b, const Object& object) {
     return std::memcmp(a.positions.data() + object.first_vertex,
                        b.positions.data() + object.first_vertex,

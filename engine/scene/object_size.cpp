@@ -5,9 +5,9 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kRestGap = 0.05;  // m between a thing and what carries it
+constexpr double kRestGap = 0.05;  // m between an object and its supporting surface
 
-/// Stands on it, or lies inside its box (on a shelf, in a cabinet).
+/// Whether the object stands on the carrier or is inside its box (on a shelf, in a cabinet).
 bool isCarriedBy(const Object& thing, const Object& carrier) {
     const double bottom = thing.box.center.z() - thing.box.half_size.z();
     const double carrier_bottom = carrier.box.center.z() - carrier.box.half_size.z();

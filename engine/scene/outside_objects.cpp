@@ -8,11 +8,12 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kLeastBuilding_m = 2.0;  // each way; less is a shelf or a wall by itself
+constexpr double kLeastBuilding_m = 2.0;  // per direction; less is a shelf or a single wall
 constexpr double kRoomHeight_m = 1.8;
 constexpr double kTouch_m = 0.02;
 
-/// The box around walls and ceilings: floors may be grounds, which go on outside.
+/// The box around walls and ceilings; floors are ignored, because they may be ground that extends
+/// outside.
 Eigen::AlignedBox3d boxOfBuilding(const Scene& scene) {
     Eigen::AlignedBox3d walls;
     Eigen::AlignedBox3d all;
@@ -45,7 +46,7 @@ std::vector<int> findOutsideObjects(const Scene& scene) {
                             (box.min().head<2>().array() > high.array()).any();
         if (beside || box.min().z() > building.max().z() - kTouch_m) outside.push_back(object.id);
     }
-    // Walls that enclose so little are not those of a building.
+    // If most targets are outside, the walls are not those of a building.
     if (2 * outside.size() > targets) outside.clear();
     return outside;
 }

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// Above the air, in units of a lamp's light at 1 m below it. Less than a real sun by far: between
-/// it and the rooms' light, pictures must still show both.
+/// Sunlight above the atmosphere, in units of a lamp's light at 1 m below it. Far less than the
+/// real sun's, so that images can show both sunlight and the rooms' light.
 constexpr float kSunAboveAir = 16.0F;
 
-/// About the colour temperature of the neutral light's lamps; the variation is drawn around it.
+/// Approximate colour temperature of the neutral light's lamps; the variation is around it.
 constexpr double kUsualLamp_K = 5500.0;
 constexpr double kWarmest_K = 1000.0;
 
@@ -25,9 +25,10 @@ double within(double value, double low, double high) {
     return std::clamp(value, low, high);
 }
 
-/// `frame`: 0 for what is the scene's, else one more than the frame's number.
+/// A random offset within +-`most`, scaled by light_variation. `frame`: 0 for values of the scene,
+/// otherwise the frame's number + 1.
 double spreadOf(const LightParams& set, std::uint64_t frame, std::uint64_t stream, double most) {
-    // Each has its own stream: another field more or less leaves the others as they are.
+    // Each field has its own stream, so that adding or removing a field does not change the others.
     Random random(static_cast<std::uint64_t>(set.light_seed), 16 * frame + stream);
     return random.uniform(-most, most) * set.light_variation;
 }
@@ -49,8 +50,8 @@ void varyStrengths(const LightParams& set, std::uint64_t frame, LightParams& dra
     drawn.exposure_ev = within(set.exposure_ev + spread(7, 0.7), -10.0, 10.0);
 }
 
-/// What the air lets through of red, green and blue: Rayleigh's and aerosols' optical depths at
-/// 610, 550 and 465 nm (Angstrom turbidity 0.05), over the air mass of Kasten (1965).
+/// Transmittance of the atmosphere for red, green and blue: Rayleigh and aerosol optical depths at
+/// 610, 550 and 465 nm (Angstrom turbidity 0.05), with the air mass of Kasten (1965).
 Eigen::Vector3f throughAir(double elevation_deg) {
     if (elevation_deg <= 0.0) return Eigen::Vector3f::Zero();
     const double mass =
@@ -59,12 +60,12 @@ Eigen::Vector3f throughAir(double elevation_deg) {
     return (-mass * depth.array()).exp().cast<float>();
 }
 
-/// How much of noon's the sky has, and in which colour: exactly all of it from 20 degrees on.
+/// Colour and strength of the sky relative to noon; exactly 1 from an elevation of 20 degrees.
 Eigen::Vector3f skyAt(double elevation_deg) {
     const double t = std::clamp((elevation_deg + 8.0) / 28.0, 0.0, 1.0);
     const double bright = t * t * (3.0 - 2.0 * t);
     const double low = std::clamp(1.0 - std::abs(elevation_deg - 2.0) / 12.0, 0.0, 1.0);
-    const Eigen::Vector3d red(0.45, -0.08, -0.30);  // of a low sun
+    const Eigen::Vector3d red(0.45, -0.08, -0.30);  // tint at a low sun
     const Eigen::Vector3d tint = Eigen::Vector3d::Ones() + low * low * (3.0 - 2.0 * low) * red;
     return (bright * tint).cast<float>();
 }
@@ -110,14 +111,14 @@ ResolvedLight lightOf(const LightParams& params) {
     Eigen::Vector3f sky = skyAt(light.sun_elevation_deg);
     light.backdrop_factor = sky * static_cast<float>(std::min(drawn.sky_strength, 1.0));
     if (drawn.light_preset == LightPreset::Overcast) {
-        light.backdrop_grey = 0.85F;  // a factor would make the grey ground brown
-        sky = sky.cwiseProduct(Eigen::Vector3f(1.16F, 1.0F, 0.84F));  // grey in the place of blue
+        light.backdrop_grey = 0.85F;  // a factor would colour the grey ground brown
+        sky = sky.cwiseProduct(Eigen::Vector3f(1.16F, 1.0F, 0.84F));  // grey instead of blue
     }
     light.sky_factor = sky * static_cast<float>(drawn.sky_strength);
     light.lamp_factor = static_cast<float>(drawn.lamp_strength);
     light.own_lamps = static_cast<float>(drawn.own_lamps);
     if (drawn.lamp_temperature_K > 0.0) {
-        constexpr float kUsualLuminance = 0.937F;  // of the neutral light's lamps
+        constexpr float kUsualLuminance = 0.937F;  // luminance of the neutral light's lamps
         light.drawn.lamp_temperature_K = std::max(drawn.lamp_temperature_K, kWarmest_K);
         light.lamp_color = kUsualLuminance * blackBodyColor(drawn.lamp_temperature_K);
     }

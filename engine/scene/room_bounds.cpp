@@ -7,16 +7,16 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kNearby = 4.0;       // m: things in one building are no further apart
-constexpr double kTooWide = 2.0;      // times the rest: no building, but a ground or a sky
-constexpr double kTooWideFlat = 1.6;  // the same for a flat thing: a ground plane
+constexpr double kNearby = 4.0;       // m: largest gap between objects of one building
+constexpr double kTooWide = 2.0;      // times the rest's extent: a ground or sky
+constexpr double kTooWideFlat = 1.6;  // the same for a flat object: a ground plane
 
 struct Item {
     std::size_t object;
     Eigen::AlignedBox3d box;
 };
 
-/// The box around the group with most objects, groups being chains of nearby boxes.
+/// The box around the largest group of objects; a group is a chain of nearby boxes.
 Eigen::AlignedBox3d largestGroup(const std::vector<Item>& items, std::size_t first,
                                  std::vector<bool>* in_group = nullptr) {
     DisjointSets groups(items.size());
@@ -70,8 +70,8 @@ Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects,
         const Eigen::AlignedBox3d rest = largestGroup(items, k + 1);
         return std::max(rest.sizes().x(), rest.sizes().y());
     };
-    // A sky may hold a ground that holds the house: what is huge beside all that is smaller goes,
-    // with everything larger still.
+    // A sky may contain a ground that contains the house: removes each object that is huge compared
+    // with all smaller ones, and all larger objects.
     std::size_t first = 0;
     constexpr std::size_t kMostHuge = 8;
     for (std::size_t k = 0; k + 1 < items.size() && k < kMostHuge; ++k) {
@@ -79,9 +79,10 @@ Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects,
         const double wide = restAfter(k);
         if (wide > 0.0 && planSize(items[k]) > 3.0 * wide) first = k + 1;
     }
-    // Then from the widest down: what is far wider than all that remains is around the building.
+    // Then removes objects, the widest first, that are much wider than all the rest: they are
+    // around the building.
     for (; first + 1 < items.size(); ++first) {
-        // Few things on a large floor are a sparse room, not a house on a plain.
+        // Few objects on a large floor are a sparse room, not a house on a plain.
         if (items.size() - first - 1 < 3) break;
         const double wide = restAfter(first);
         const bool flat = items[first].box.sizes().z() < 0.05 * planSize(items[first]);

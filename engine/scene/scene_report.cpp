@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Millimetres are enough to read, and keep the text the same everywhere.
+/// Rounds to millimetres, so that the text is the same on all machines.
 double rounded(double value) {
     const double r = std::round(value * 1000.0) / 1000.0;
     return r == 0.0 ? 0.0 : r;
@@ -31,7 +31,7 @@ std::string className(int nyu40) {
     return nyu40 == 0 ? std::string("unknown") : std::string(nyu40Name(nyu40));
 }
 
-/// The name that tables for people have: that of the scene's own classes, if it has any.
+/// The class name in tables: that of the label file if it has classes, otherwise that of NYU40.
 std::string shownClass(const Object& object) {
     return object.dataset_class ? object.dataset_class->name : className(object.nyu40);
 }
@@ -61,7 +61,7 @@ json objectJson(const Object& object) {
     return one;
 }
 
-/// How many objects there are of a class of the scene's own table.
+/// The number of objects of a class of the label file.
 std::ptrdiff_t countOf(const Scene& scene, const DatasetClass& one) {
     return std::ranges::count_if(scene.objects, [&](const Object& object) {
         return scene.classes().classOf(object).id == one.id;
@@ -85,7 +85,7 @@ std::string format(const char* pattern, Values... values) {
     return text.data();
 }
 
-/// Cuts or fills to a width in characters, without splitting a UTF-8 character.
+/// Truncates or pads text to a width in characters, without splitting a UTF-8 character.
 std::string column(std::string text, std::size_t width) {
     std::size_t characters = 0;
     std::size_t end = 0;

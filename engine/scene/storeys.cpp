@@ -11,13 +11,13 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kStorey_m = 1.9;          // between floors that people walk on one above the other
-constexpr double kStep_m = 0.05;           // floors of one storey are this even
-constexpr double kStoreyFloorShare = 0.1;  // of the largest floor, for a landing to be a storey
+constexpr double kStorey_m = 1.9;          // smallest distance between the floors of two storeys
+constexpr double kStep_m = 0.05;           // height step of the histogram
+constexpr double kStoreyFloorShare = 0.1;  // of the largest floor; excludes landings
 constexpr float kLevelNormal = 0.98F;      // cosine of 11 degrees
-constexpr double kHeadHeight_m = 1.0;      // above a floor there is air
+constexpr double kHeadHeight_m = 1.0;      // height above a floor that must be free
 
-using AreaAt = std::map<long, double>;  // of level surfaces, by height in steps
+using AreaAt = std::map<long, double>;  // area of level surfaces by height step
 
 AreaAt levelAreas(const Scene& scene, const std::function<bool(const Object&)>& counts) {
     AreaAt area_at;
@@ -35,7 +35,7 @@ AreaAt levelAreas(const Scene& scene, const std::function<bool(const Object&)>& 
     return area_at;
 }
 
-/// Heights with enough area, as floors: surfaces that are near below one another are one slab.
+/// Floors at the heights with enough area; nearby surfaces above each other are one slab.
 std::vector<FloorLevel> slabsOf(const AreaAt& area_at) {
     double largest = 0.0;
     for (const auto& [step, area] : area_at) largest = std::max(largest, area);

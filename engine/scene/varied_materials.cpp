@@ -9,7 +9,7 @@ namespace dollytrack {
 
 void varyMaterials(Scene& scene, const LightParams& params) {
     if (params.light_variation <= 0.0) return;
-    constexpr std::uint64_t kFirstStream = 1000;  // those before are the light's own
+    constexpr std::uint64_t kFirstStream = 1000;  // the streams before are those of the light
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         Material& material = scene.materials[i];
         Random random(static_cast<std::uint64_t>(params.light_seed), kFirstStream + i);
