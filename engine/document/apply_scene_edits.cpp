@@ -15,10 +15,10 @@
 namespace dollytrack {
 namespace {
 
-// Instance images hold ids in 16 bits.
+// Instance images have 16-bit ids.
 constexpr std::size_t kMostObjects = 65'535;
 
-/// Sorted numbers of all the objects; empty, with a warning, when one of them is not found.
+/// Sorted numbers of the wanted objects; empty, with a warning, if one of them is not found.
 std::vector<int> findAll(const Scene& scene, const std::vector<ObjectRef>& wanted,
                          const std::string& what, std::vector<std::string>& warnings) {
     std::vector<int> ids;
@@ -74,12 +74,12 @@ void change(Scene& scene, const ObjectChange& wanted) {
         object.large = *wanted.large;
         object.size_given = true;
     }
-    // Last, so that a front set by hand turns with its object. Sizes and the fronts of others stay:
-    // what was moved is still what it was.
+    // Applied last, so that a manually set front turns with its object. Moving does not change
+    // sizes or automatically found fronts.
     if (wanted.move) moveObject(scene, object.id, wanted.move->offset_m, wanted.move->turn_rad);
 }
 
-/// The numbers of an edit's objects brought up to date; false when one is gone.
+/// Updates the object numbers of an edit. Returns false if an object no longer exists.
 bool update(std::vector<ObjectRef>& objects, const Scene& scene, const std::string& what,
             std::vector<std::string>& warnings) {
     if (objects.empty()) return true;
@@ -110,7 +110,7 @@ Result<Scene> applySceneEdits(const Scene& imported, const SceneEdits& edits,
                               const SizeRules& rules) {
     Scene scene = imported;
     for (const ObjectDefinition& definition : edits.definitions) define(scene, definition);
-    assignDatasetClasses(scene);  // the lists of targets may name them
+    assignDatasetClasses(scene);  // target lists may contain dataset classes
     if (scene.objects.size() > kMostObjects) {
         return fail(ErrorCode::BadInput,
                     fmt::format("After the split the scene has {} objects, but instance images can "
@@ -132,7 +132,7 @@ PlanEdits findObjects(const PlanEdits& edits, const Scene& edited,
                       std::vector<std::string>& warnings) {
     PlanEdits found = edits;
     for (PinnedPoint& pin : found.pinned) {
-        // The pose is still wanted; it then stands for what it captures.
+        // The pose is kept even without its objects; it is then for the objects that it captures.
         const std::string what = fmt::format("the object list of \"{}\"", pin.name);
         if (!update(pin.objects, edited, what, warnings)) pin.objects.clear();
     }

@@ -10,7 +10,7 @@
 namespace dollytrack {
 namespace {
 
-// What is written and read back, or turned and turned back, differs in the last digits.
+// Writing and reading, or turning and turning back, changes values by rounding errors.
 constexpr double kSameLength_m = 1e-6;
 constexpr double kSameAngle = 1e-6;
 
@@ -33,7 +33,7 @@ std::string_view changeOf(const OrientedBox& before, const OrientedBox& after) {
 }
 
 std::string listInWords(const std::vector<ObjectRef>& objects) {
-    // A line of the history that one can still read; its tooltip has room for this.
+    // Limits the length of a line in the history and its tooltip.
     constexpr std::size_t kMost = 8;
     std::string words;
     const std::size_t named = objects.size() <= kMost + 1 ? objects.size() : kMost;

@@ -26,7 +26,7 @@ void CommandStack::push(std::string name, ProjectState next, std::string merge_k
         return;
     }
     history_.steps.back() = {std::move(name), std::move(shared)};
-    // Dragged back to where it began: nothing was done.
+    // The value was dragged back to its start, so there is no step.
     if (*history_.steps[history_.position - 1].state == *state()) {
         history_.steps.pop_back();
         --history_.position;

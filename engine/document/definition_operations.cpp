@@ -15,11 +15,11 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kTouch_m = 0.005;  // parts of one object touch, or nearly
+constexpr double kTouch_m = 0.005;  // largest gap between parts of one object
 constexpr std::size_t kMostGrouped = 5'000;
 
-/// For each object of the scene before a definition (index id - 1) what it is afterwards: one, or
-/// several when it was taken apart.
+/// For each object of the scene before a definition (index id - 1), its object after it, or several
+/// if it was split.
 using Successors = std::vector<std::vector<ObjectRef>>;
 
 void follow(std::vector<ObjectRef>& objects, const Scene& before, const Successors& successors) {
@@ -27,7 +27,7 @@ void follow(std::vector<ObjectRef>& objects, const Scene& before, const Successo
     for (const ObjectRef& ref : objects) {
         const int id = findObject(before, ref);
         if (id == 0) {
-            next.push_back(ref);  // gone already; kept as it was
+            next.push_back(ref);  // does not exist in the scene; kept unchanged
             continue;
         }
         const auto& made = successors[static_cast<std::size_t>(id) - 1];
@@ -39,7 +39,7 @@ void follow(std::vector<ObjectRef>& objects, const Scene& before, const Successo
     objects = std::move(next);
 }
 
-/// Lets all edits that name objects name them as they are after the definition.
+/// Updates all references to objects in the edits to the objects after the definition.
 void followAll(Edits& edits, const Scene& before, const Successors& successors) {
     std::vector<ObjectChange> changes;
     for (const ObjectChange& change : edits.scene.changes) {
@@ -48,7 +48,7 @@ void followAll(Edits& edits, const Scene& before, const Successors& successors) 
         for (const ObjectRef& ref : refs) {
             ObjectChange next = change;
             next.object = ref;
-            // A piece has a shape of its own, and with it front and size.
+            // The front of the whole object does not apply to its pieces.
             if (refs.size() > 1) next.front.reset();
             if (refs.size() > 1) next.large.reset();
             if (!next.saysNothing()) changes.push_back(std::move(next));
@@ -61,7 +61,8 @@ void followAll(Edits& edits, const Scene& before, const Successors& successors) 
     for (RemovedPoint& removed : edits.plan.removed) follow(removed.objects, before, successors);
 }
 
-/// A new object stands where its parts stand in the file: what was moved would jump back, unseen.
+/// Refuses moved objects: a new object is made from its parts' positions in the file, so it would
+/// jump back.
 void refuseMoved(const ProjectState& state, const OperationContext& context,
                  const std::vector<ObjectRef>& objects, const JsonReader& where) {
     for (const ObjectChange& change : state.edits.scene.changes) {
@@ -85,11 +86,11 @@ bool isTaken(const Scene& scene, const std::string& name, const std::vector<Obje
 
 struct SplitCount {
     std::size_t pieces = 0;
-    std::size_t joined = 0;  // connected pieces that stay with another one
+    std::size_t joined = 0;  // connected pieces that are joined to another piece
     double smallest_m = std::numeric_limits<double>::infinity();
 };
 
-/// Splits one object of `scene`, and of the state that the scene shows. False where it stays whole.
+/// Splits an object in `scene` and in the state of that scene. Returns false if it cannot be split.
 bool splitOne(ProjectState& state, Scene& scene, const ObjectRef& object, const SplitLimits& limits,
               SplitCount& count) {
     const std::vector<TriangleList> pieces = findPieces(scene, scene.object(object.id), limits);
@@ -121,10 +122,10 @@ const ObjectRef& largestOf(const Scene& scene, const std::vector<ObjectRef>& par
         parts, {}, [&](const ObjectRef& ref) { return scene.object(ref.id).box.volume(); });
 }
 
-/// Adds a definition that makes one object of several of `scene`, which the state shows, and
-/// returns what the objects become. `scene` itself stays as it is.
+/// Adds a definition to the state that merges several objects of `scene`, and returns their
+/// successors. `scene` is not changed.
 Successors mergeOne(ProjectState& state, const Scene& scene, ObjectDefinition definition) {
-    // As it stands now, changes of class included, which come after the definition.
+    // The class includes changes of class, which are applied after definitions.
     if (definition.nyu40 == 0) {
         definition.nyu40 = scene.object(largestOf(scene, definition.objects).id).nyu40;
     }
@@ -132,7 +133,7 @@ Successors mergeOne(ProjectState& state, const Scene& scene, ObjectDefinition de
         return std::ranges::find(definition.objects, id, &ObjectRef::id) !=
                definition.objects.end();
     };
-    // What was said of the parts was not said of the whole.
+    // Edits of the parts do not apply to the merged object.
     std::erase_if(state.edits.scene.changes, [&](const ObjectChange& change) {
         return isPart(findObject(scene, change.object));
     });
@@ -152,7 +153,7 @@ Successors mergeOne(ProjectState& state, const Scene& scene, ObjectDefinition de
     return successors;
 }
 
-/// Groups of two or more objects that are connected by gaps of at most `gap_m`, by rising id.
+/// Groups of two or more objects connected by gaps of at most `gap_m`, in order of id.
 std::vector<std::vector<ObjectRef>> findGroups(const Scene& scene,
                                                const std::vector<ObjectRef>& objects,
                                                double gap_m) {
@@ -282,7 +283,7 @@ std::string split(ProjectState& state, const OperationContext& context,
     Scene scene = context.scene;
     SplitCount count;
     std::vector<ObjectRef> done;
-    // A split renumbers the objects behind it, so the last object is split first.
+    // A split changes the numbers of later objects, so the last object is split first.
     for (auto object = objects.rbegin(); object != objects.rend(); ++object) {
         if (splitOne(state, scene, *object, limits, count)) done.insert(done.begin(), *object);
     }

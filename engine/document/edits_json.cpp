@@ -19,11 +19,11 @@ using nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr int kHighestObjectId = 65'535;
-// Poses and directions from files may be off by a few roundings, not more.
+// Poses and directions in files may only have rounding errors.
 constexpr double kUnitTolerance = 1e-6;
 constexpr double kLevelTolerance = 1e-6;
 constexpr double kLatest_s = 1e6;
-constexpr double kMostTurn_rad = 200.0 * std::numbers::pi;  // tracks may go round and round
+constexpr double kMostTurn_rad = 200.0 * std::numbers::pi;  // objects on tracks may make many turns
 
 json vectorJson(const Eigen::Vector3d& v) {
     return json::array({v.x(), v.y(), v.z()});
@@ -97,7 +97,7 @@ json regionJson(const Region& region) {
     return one;
 }
 
-/// What a person writes by hand has names alone; numbers are found with the scene.
+/// Manually written files have only names; numbers are found with the scene.
 ObjectRef readRef(const JsonReader& from) {
     const JsonReader id = from.at("id");
     return {id.absent() ? 0 : id.integer(1, kHighestObjectId), from.at("name").text()};
@@ -217,7 +217,7 @@ std::string readPattern(const JsonReader& from) {
     return pattern;
 }
 
-/// The name of a pinned point, or nothing.
+/// The name of a pinned point; empty if absent.
 std::string readPinName(const JsonReader& from, const std::vector<PinnedPoint>& pinned) {
     if (from.absent()) return {};
     std::string name = from.text();

@@ -9,7 +9,7 @@ namespace dollytrack {
 namespace {
 
 const nlohmann::json kNull;
-// Beyond any scene; keeps arithmetic on what a file says finite.
+// Larger than any scene; keeps arithmetic on file contents finite.
 constexpr double kFarthest_m = 1e6;
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace dollytrack {
 namespace {
 
-/// The lists are kept by rising number.
+/// Sorts a list by object number and removes duplicates.
 template <class T, class IdOf>
 void sortById(std::vector<T>& list, IdOf&& idOf) {
     std::stable_sort(list.begin(), list.end(),
@@ -34,7 +34,7 @@ void numberAll(std::vector<ObjectRef>& refs, const Scene& scene,
 
 Result<Edits> numberObjects(Edits edits, const Scene& imported,
                             std::vector<std::string>& warnings) {
-    SceneEdits before;  // each definition is said in the scene that those before it leave
+    SceneEdits before;  // each definition refers to the scene after the previous ones
     Result<Scene> scene = imported;
     for (ObjectDefinition& definition : edits.scene.definitions) {
         numberAll(definition.objects, *scene, warnings);

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kFarthestMove_m = 1e4;
 constexpr double kLatest_s = 1e6;
-constexpr double kMostTurn_deg = 36'000.0;  // tracks may go round and round
+constexpr double kMostTurn_deg = 36'000.0;  // objects on tracks may make many turns
 
-/// The change of an object, begun when there is none. A change that says nothing any more goes.
+/// Alters the change of an object, which is added if there is none and removed if it becomes empty.
 template <class Alter>
 void alter(ProjectState& state, const OperationContext& context, const ObjectRef& object,
            Alter&& alter) {
@@ -91,7 +91,7 @@ std::string excludeObject(ProjectState& state, const OperationContext& context,
         return {};
     }
     for (const ObjectRef& object : objects) {
-        // A part of the building that was made a target becomes what it was.
+        // Excluding a part of the building only removes its role as a target.
         const bool structure = context.scene.object(object.id).structure;
         alter(state, context, object, [&](ObjectChange& change) {
             change.role = structure ? std::nullopt : std::optional(Role::Excluded);
@@ -105,8 +105,8 @@ std::string includeObject(ProjectState& state, const OperationContext& context,
     const std::vector<ObjectRef> objects = fields.objectsOrClass("object");
     if (!fields.good()) return {};
     for (const ObjectRef& object : objects) {
-        // Import makes everything a target that is no structure, and lists may take it back; only
-        // then does it need to be said.
+        // Import makes all objects except structure targets. The role must be stored only for
+        // structure and for objects that lists exclude.
         const Object& included = context.scene.object(object.id);
         const bool say = included.structure || isFilteredOut(included, state.edits.scene);
         alter(state, context, object, [&](ObjectChange& change) {
@@ -133,7 +133,7 @@ std::string setFront(ProjectState& state, const OperationContext& context,
     const Eigen::Vector3d front = fields.front("front");
     if (!fields.good()) return {};
     alter(state, context, object, [&](ObjectChange& change) {
-        // Kept as it was before its object was turned, so that it goes on turning with it.
+        // Stored relative to the unturned object, so that it keeps turning with it.
         change.front = turnLevel(front, change.move ? -change.move->turn_rad : 0.0);
     });
     return "Turn the front of " + object.name;

@@ -32,7 +32,8 @@ ObjectTrace traceObjects(const Scene& imported, const std::vector<ObjectDefiniti
         note(imported, [](std::uint32_t triangle) { return triangle; });
         return trace;
     }
-    // A triangle keeps its material wherever it goes; here the material is its own number.
+    // Edits keep the material of each triangle, so triangle numbers are stored as materials to
+    // trace them.
     Scene numbered = imported;
     numbered.textures.clear();
     std::iota(numbered.triangle_material.begin(), numbered.triangle_material.end(), 0U);

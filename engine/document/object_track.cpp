@@ -6,14 +6,15 @@
 namespace dollytrack {
 namespace {
 
-// Moves went through degrees and text: they are compared to a thousandth of a millimetre.
+// Moves were converted to degrees and text, so they are compared with a tolerance of 1e-6 m.
 constexpr double kHair = 1e-6;
 
 bool isNear(const ObjectMove& a, const ObjectMove& b) {
     return (a.offset_m - b.offset_m).norm() < kHair && std::abs(a.turn_rad - b.turn_rad) < kHair;
 }
 
-/// Times at which a track may have its object there: where its way from key to key is nearest.
+/// Candidate times at which a track may have its object at this pose: the nearest point on each
+/// segment between keys.
 void addTimes(const std::vector<TrackKey>& track, const ObjectMove& move,
               std::vector<double>& times) {
     for (std::size_t i = 0; i < track.size(); ++i) {
@@ -27,8 +28,7 @@ void addTimes(const std::vector<TrackKey>& track, const ObjectMove& move,
         const double share =
             ((move.offset_m - from.offset_m).dot(way) + (move.turn_rad - from.turn_rad) * turn) /
             square;
-        // A key itself is a time already; a share that rounding keeps from it would be a second
-        // one.
+        // Keys are already candidates; a share close to one would be a duplicate.
         if (share > kHair && share < 1.0 - kHair) {
             times.push_back(track[i].time_s + share * (track[i + 1].time_s - track[i].time_s));
         }

@@ -38,7 +38,7 @@ const OperationField kWeight = {"weight", "number", false,
 const OperationField kMustSee = {"must_see", "flag", false,
                                  "true: frames must show all of its visible surface"};
 
-/// The fields of the operation `split`, from the one list of its limits.
+/// The fields of the operation `split`, generated from the list of its limits.
 std::vector<OperationField> splitFields() {
     std::vector<OperationField> fields = {kSelected, kOfClass};
     const SplitLimits limits;
@@ -212,7 +212,8 @@ std::string misspelt(std::string_view what, const std::string& name,
                : fmt::format("There is no {} '{}'; did you mean '{}'?", what, name, close);
 }
 
-/// Whether the operation is one, and has the fields it needs and no others.
+/// The description of an operation; null if it is unknown. Unknown and missing fields are reported
+/// to the reader.
 const OperationInfo* checkFields(const json& operation, const JsonReader& reader) {
     if (!operation.is_object() || !operation.contains("op")) {
         reader.refuse(

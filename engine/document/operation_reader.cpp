@@ -15,7 +15,8 @@ namespace dollytrack {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
-constexpr double kSteepest_deg = 89.9;  // straight up a camera without roll has no heading
+constexpr double kSteepest_deg =
+    89.9;  // a camera without roll that looks straight up has no heading
 constexpr double kLargestBox_m = 1e4;
 
 Eigen::Vector3d direction(double yaw_deg, double pitch_deg) {
@@ -37,7 +38,7 @@ Eigen::Quaterniond readUpright(const JsonReader& from) {
     }
     const bool upright = std::abs((turn * Eigen::Vector3d::UnitX()).z()) < 1e-6 &&
                          (turn * Eigen::Vector3d::UnitY()).z() <= 1e-6;
-    // What stands upright keeps its every bit: a locked point must not move.
+    // An upright rotation is returned bit-identical, because a pinned point must not move.
     return upright ? turn : withoutRoll(turn.normalized());
 }
 
@@ -88,7 +89,7 @@ std::vector<ObjectRef> OperationReader::objects(const std::string& name) const {
     const JsonReader field_of = field(name);
     const bool is_list = field_of.json().is_array();
     const std::size_t entries = is_list ? field_of.size() : 1;
-    std::vector<ObjectRef> refs;  // each named by itself
+    std::vector<ObjectRef> refs;  // objects given by name or number, not by a pattern
     std::vector<ObjectRef> by_pattern;
     for (std::size_t i = 0; i < entries; ++i) {
         const JsonReader entry = is_list ? field_of.at(i) : field_of;
@@ -195,7 +196,7 @@ Pose OperationReader::pose(const std::optional<Pose>& before) const {
     } else if (has("quaternion_xyzw")) {
         pose.rotation = readUpright(field("quaternion_xyzw"));
     } else if (ways == 1) {
-        // An angle that is not given stays.
+        // An angle that is not given is not changed.
         const Eigen::Vector3d now = pose.forward();
         const double yaw = has("yaw_deg") ? field("yaw_deg").number(-360.0, 360.0)
                            : before       ? std::atan2(now.y(), now.x()) / kRadians

@@ -12,15 +12,16 @@ namespace {
 
 using nlohmann::json;
 
-/// A trajectory cannot begin or end at a pinned point that is gone.
+/// Removes start and end if their pinned point no longer exists.
 void forgetLostEnds(PlanEdits& plan) {
     for (std::string* end : {&plan.start, &plan.end}) {
         if (!isTaken(plan.pinned, *end)) end->clear();
     }
 }
 
-/// The name of the pinned point that the fields mean: one there is, or one made of a pose. That one
-/// is called `name`; when `current`, the end so far, was made so it is moved. Nothing without any.
+/// The name of the pinned point in the fields: an existing one, or a new one from a pose. A new
+/// point is called `name`; if the `current` end was made this way, it is moved instead. Empty
+/// without fields.
 std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fields,
                      const std::string& name, const std::string& current) {
     const bool by_pose = fields.has("position");
@@ -48,7 +49,7 @@ std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fi
     return pinned.back().name;
 }
 
-/// Whether an edit stands for exactly these objects of the scene.
+/// Whether an edit refers to exactly these objects of the scene.
 bool standsFor(const std::vector<ObjectRef>& objects, const std::vector<ObjectRef>& wanted,
                const Scene& scene) {
     return objects.size() == wanted.size() &&
@@ -104,7 +105,7 @@ std::string pin(ProjectState& state, const OperationContext& context,
     const auto found = std::find_if(pinned.begin(), pinned.end(), [&](const PinnedPoint& point) {
         return standsFor(point.objects, objects, context.scene);
     });
-    // A point that was removed is wanted again.
+    // Pinning a removed point restores it.
     std::erase_if(state.edits.plan.removed, [&](const RemovedPoint& removed) {
         return standsFor(removed.objects, objects, context.scene);
     });

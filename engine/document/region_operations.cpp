@@ -14,7 +14,7 @@ void readInterest(Region& region, const OperationReader& fields) {
     if (must_see.good()) region.must_see = must_see.json().get<bool>();
 }
 
-/// Each thing that is another now, for the history.
+/// Describes all changes of a region, for the history.
 std::string whatWasDone(const Region& before, const Region& after) {
     std::vector<std::string> done;
     if (!(before.box == after.box)) {

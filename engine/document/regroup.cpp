@@ -12,7 +12,7 @@
 namespace dollytrack {
 namespace {
 
-/// Lays objects out anew, one after the other, in arrays of its own.
+/// Builds new vertex and triangle arrays with the objects one after the other.
 class Layout {
   public:
     explicit Layout(Scene& scene) : from_(scene) {
@@ -30,7 +30,7 @@ class Layout {
         objects_.push_back(std::move(object));
     }
 
-    /// Gives the object begun last all that another one had.
+    /// Adds all vertices and triangles of another object to the current object.
     void addWhole(const Object& source) {
         const auto shift = static_cast<std::uint32_t>(positions_.size());
         for (std::uint32_t i = 0; i < source.vertex_count; ++i) addVertex(source.first_vertex + i);
@@ -41,7 +41,7 @@ class Layout {
         }
     }
 
-    /// Gives it some of the triangles, with the vertices they use.
+    /// Adds some triangles of another object to the current object, with their vertices.
     void addTriangles(const Object& source, const TriangleList& list) {
         constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
         std::vector<std::uint32_t> moved(source.vertex_count, kNone);
@@ -61,7 +61,7 @@ class Layout {
 
     void measureLast() { measured_.push_back(objects_.size() - 1); }
 
-    /// Puts what was laid out into the scene.
+    /// Moves the new arrays into the scene.
     void finish() {
         for (std::size_t i = 0; i < objects_.size(); ++i) {
             Object& object = objects_[i];
@@ -114,7 +114,7 @@ std::vector<Eigen::AlignedBox3f> boxesOf(const Scene& scene,
     return boxes;
 }
 
-/// The nearest of the boxes; of those that a piece lies in, the smallest.
+/// Index of the nearest box; if the piece is inside several, of the smallest of them.
 std::size_t nearestBox(const Eigen::AlignedBox3f& piece,
                        const std::vector<Eigen::AlignedBox3f>& boxes,
                        const std::vector<std::size_t>& among) {
@@ -131,7 +131,7 @@ std::size_t nearestBox(const Eigen::AlignedBox3f& piece,
     return nearest;
 }
 
-/// Indices of the boxes, the one with the longest side first.
+/// Indices of the boxes, by decreasing longest side.
 std::vector<std::size_t> bySize(const std::vector<Eigen::AlignedBox3f>& boxes) {
     std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -184,7 +184,7 @@ std::vector<TriangleList> findPieces(const Scene& scene, const Object& object,
     std::vector<TriangleList> pieces = findPieces(scene, object);
     const std::vector<Eigen::AlignedBox3f> boxes = boxesOf(scene, pieces);
     std::vector<std::size_t> kept = bySize(boxes);
-    // At least one, for the others to stay with.
+    // At least one piece is kept, so that the others can be joined to it.
     kept.resize(std::max<std::size_t>(1, keptPieces(sizesOf(boxes, kept), limits)));
     if (kept.size() == pieces.size()) return pieces;
     std::sort(kept.begin(), kept.end());

@@ -10,7 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// "hfov_deg=38": a number where it is one.
+/// The operation for an assignment such as "hfov_deg=38"; the value is a number if it can be parsed
+/// as one.
 json setOperation(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string value = assignment.substr(equals + 1);

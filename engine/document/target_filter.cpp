@@ -20,7 +20,7 @@ bool isNamedByAny(const Object& object, const std::vector<std::string>& patterns
 void warnOfStrays(Scene& scene, const char* list, const std::vector<std::string>& patterns) {
     for (const std::string& pattern : patterns) {
         const auto named = [&](const Object& object) { return isNamedBy(object, pattern); };
-        // A class that this scene happens to lack is no slip.
+        // A class that the scene does not have is not an error.
         if (isClassName(scene, pattern) || std::ranges::any_of(scene.objects, named)) continue;
         std::vector<std::string> names;
         for (int i = 1; i <= kNyu40Count; ++i) names.emplace_back(nyu40Name(i));
@@ -35,9 +35,10 @@ void warnOfStrays(Scene& scene, const char* list, const std::vector<std::string>
     }
 }
 
-/// Where the lists leave no target at all, which of them it was. `left_out`: ids of what they took.
+/// If the lists leave no targets, warns which list is the reason. `left_out`: ids of the objects
+/// they excluded.
 void warnOfNothingLeft(Scene& scene, const std::vector<int>& left_out, const SceneEdits& edits) {
-    // What is said of one object comes after the lists.
+    // Changes of single objects are applied after the lists.
     const auto included = [](const ObjectChange& change) { return change.role == Role::Target; };
     if (std::ranges::any_of(edits.changes, included)) return;
     const auto isTarget = [](const Object& object) { return object.role == Role::Target; };

@@ -23,7 +23,7 @@ const json& at(const json& object, const std::string& key) {
 /// An entry of one of the lists of `edits`.
 struct Entry {
     const char* list;
-    std::set<std::string> keys;  // that are written; an absent one was taken away
+    std::set<std::string> keys;  // known keys; one that is absent now was removed by an edit
 };
 
 const std::array<Entry, 6>& entries() {
@@ -38,21 +38,21 @@ const std::array<Entry, 6>& entries() {
     return kEntries;
 }
 
-/// Numbers of objects are found anew where they are not written.
+/// Whether two references are to the same object: by name, and by number if both have one.
 bool sameObject(const json& a, const json& b) {
     const json& id = at(a, "id");
     const json& other = at(b, "id");
     return at(a, "name") == at(b, "name") && (id.is_null() || other.is_null() || id == other);
 }
 
-/// Whether two entries of one list are about the same.
+/// Whether two entries of a list describe the same item.
 bool sameEntry(const json& a, const json& b) {
     if (!sameObject(at(a, "object"), at(b, "object"))) return false;
     if (at(a, "name") != at(b, "name")) return false;
     if (!at(a, "name").is_null() && at(a, "kind").is_null()) return true;  // names are unique
     const json& objects = at(a, "objects");
     const json& others = at(b, "objects");
-    // Hand-written ones may be in another order.
+    // Manually written lists may have another order.
     return objects.size() == others.size() &&
            std::all_of(objects.begin(), objects.end(), [&](const json& one) {
                return std::any_of(others.begin(), others.end(),

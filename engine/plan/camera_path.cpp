@@ -26,7 +26,7 @@ struct Bezier {
         gap = std::max(0.0, velocity.squaredNorm() / (scale * scale) - offset * offset);
     }
 
-    /// As good as straight and of even speed.
+    /// Whether the speed is constant up to rounding errors.
     [[nodiscard]] bool isEven() const { return scale <= 1e-9 * velocity.norm(); }
 
     [[nodiscard]] double speed(double t) const { return (velocity + t * change).norm(); }
@@ -54,8 +54,9 @@ double SmoothPath::Piece::parameterAt(double way_m) const {
     if (length_m <= 0.0) return 0.0;
     const double first = std::clamp(way_m / length_m, 0.0, 1.0);
     if (!curved || first <= 0.0 || first >= 1.0) return first;
-    // A Bezier curve is faster at its ends than in its middle, and the camera must not be.
-    // Newton's method, kept between bounds: where the curve nearly stops it would leap away.
+    // A Bezier curve is faster at its ends than in its middle, but the camera's speed must be
+    // constant. Newton's method with bounds, because without them it diverges where the curve
+    // nearly stops.
     const Bezier curve(*this);
     double low = 0.0;
     double high = 1.0;

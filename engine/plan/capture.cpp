@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kSmallVolume = 0.1;  // m3; the paper's small objects
 
-/// Fractions differ by sampling; frames that show an object alike are told apart by size.
+/// Compares views by visible fraction, then by the object's share of the image; the earlier frame
+/// wins ties.
 bool isBetter(const ObjectView& a, const ObjectView& b) {
     if (b.frame < 0) return true;
     return std::tuple(a.visible_fraction, a.mask_share, -a.frame) >

@@ -23,7 +23,7 @@ void measureMotion(const Trajectory& trajectory, FrameSeries& series) {
 
 void countViews(const std::vector<std::vector<ObjectView>>& views,
                 const std::vector<ObjectCapture>& captures, FrameSeries& series) {
-    std::set<int> open;  // captured by some frame, but not yet
+    std::set<int> open;  // captured objects that no frame so far captures
     for (const ObjectCapture& capture : captures) {
         if (capture.captured) open.insert(capture.object_id);
     }
@@ -47,7 +47,8 @@ void countViews(const std::vector<std::vector<ObjectView>>& views,
 }  // namespace
 
 double clearanceAt(const RayCaster& rays, const Eigen::Vector3d& position) {
-    // Short searches first: most frames are near something, and a long search looks at much more.
+    // Short distances first: most frames are near a surface, and long queries visit many more
+    // triangles.
     for (const double reach : {0.5, 2.0}) {
         const ClosestPoint closest = rays.closest(position, reach);
         if (closest.object_id != 0) return closest.distance;

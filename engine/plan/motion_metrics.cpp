@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Between two values that many per cent lie below, by their distance.
+/// Quantile with linear interpolation between neighbouring values.
 double quantile(const std::vector<double>& sorted, double share) {
     const double at = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(at);
@@ -24,7 +24,7 @@ Spread spreadOf(std::vector<double> values) {
     return {quantile(values, 0.5), quantile(values, 0.95), values.back()};
 }
 
-/// Turn from one orientation to another as an axis times an angle, in the camera's frame.
+/// Rotation from one orientation to another as a rotation vector in the camera's frame.
 Eigen::Vector3d turnBetween(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
     Eigen::Quaterniond turn = from.conjugate() * to;
     if (turn.w() < 0.0) turn.coeffs() *= -1.0;
@@ -40,7 +40,7 @@ MotionMetrics measureMotion(const Trajectory& trajectory) {
     const double dt = trajectory.frame_interval_s;
     if (dt <= 0.0) return {};
     std::vector<double> speeds, turns, accelerations, turn_accelerations, jerks;
-    // Of the frames before, as far back as their path goes.
+    // Velocities and turning rates since the start of the current path.
     std::vector<Eigen::Vector3d> velocities, rates;
     for (std::size_t i = 1; i < frames.size(); ++i) {
         if (!followsOn(trajectory, i)) {

@@ -42,7 +42,7 @@ json pathJson(const CameraPath& path) {
     return {{"component", path.component}, {"vertices", std::move(vertices)}};
 }
 
-/// One entry a room with a trajectory of its own, as far as there is one in it.
+/// One entry per room that has its own trajectory.
 json roomToursJson(const Plan& plan) {
     json list = json::array();
     for (std::size_t room = 0; room < plan.tour_rooms.size(); ++room) {
@@ -69,7 +69,7 @@ json roomToursJson(const Plan& plan) {
     return list;
 }
 
-/// The one list of what is published of captures.
+/// The list of all published capture metrics.
 template <class Metrics, class Visitor>
 void visitMetrics(Metrics& m, Visitor&& visit) {
     visit("objects", m.objects);
@@ -87,7 +87,7 @@ void visitMetrics(Metrics& m, Visitor&& visit) {
 json captureMetricsJson(const CaptureMetrics& metrics) {
     json result;
     visitMetrics(metrics, [&](const char* name, const auto& value) { result[name] = value; });
-    // Of nothing there is no share.
+    // Without objects, rates are undefined.
     if (metrics.objects == 0) {
         for (const char* name : {"capture_rate", "well_captured_rate", "small_capture_rate",
                                  "area_share_box", "area_share_mask"}) {
@@ -188,7 +188,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         result["anchors"].push_back(
             {{"kind", one.kind}, {"found", one.found}, {"visited", one.visited}});
     }
-    result["must_see_rate"] = least;  // 1 where nothing has to be
+    result["must_see_rate"] = least;  // 1 if there is no must-see region
     if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
     if (plan.scanned_share) result["scanned_share"] = *plan.scanned_share;
     return result;
@@ -247,7 +247,7 @@ Result<Trajectory> trajectoryFromJson(const json& value) {
                             "The pose is not finite, or its quaternion does not have length 1.",
                             fmt::format("trajectory frame {}", index));
             }
-            // Only what is off: normalising again would change the last bits of our own poses.
+            // Normalized only if necessary, so that poses written by Dollytrack keep their bits.
             if (std::abs(norm - 1.0) > 1e-9) frame.pose.rotation.normalize();
             trajectory.frames.push_back(frame);
             ++index;
