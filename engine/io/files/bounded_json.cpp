@@ -16,17 +16,17 @@ namespace {
 
 constexpr std::uint64_t kMostMemory = std::uint64_t{2} << 30U;  // bytes of parsed values
 
-/// What a text would become: how deep its brackets nest, and at least how much memory its values
-/// take, in the libraries of Debian 12. A small file of "[],[],..." would become a large one.
+/// Nesting depth of a text's brackets, and a lower bound of the memory of its parsed values with
+/// Debian 12's libraries: even a small file of "[],[],..." would need much memory.
 struct JsonSize {
     int depth = 0;
     std::uint64_t memory = 0;
 };
 
 JsonSize sizeOf(std::string_view text) {
-    constexpr std::uint64_t kValue = 16;  // bytes in the list that holds it
-    constexpr std::uint64_t kList = 32;   // the list itself; an object is a little larger
-    constexpr std::uint64_t kKey = 96;    // a node of an object's tree
+    constexpr std::uint64_t kValue = 16;  // bytes in the containing list
+    constexpr std::uint64_t kList = 32;   // a list; an object is slightly larger
+    constexpr std::uint64_t kKey = 96;    // a tree node of an object
     JsonSize size;
     int depth = 0;
     bool in_text = false;
@@ -51,7 +51,7 @@ JsonSize sizeOf(std::string_view text) {
     return size;
 }
 
-/// ":3:14", line and column of a byte, which counts from 1.
+/// Line and column of a byte, as ":3:14"; `byte` counts from 1.
 std::string placeIn(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');

@@ -14,7 +14,7 @@ namespace {
 
 int writeTemporary(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
                    Durability durability) {
-    // A new file: what has the name may be a link, or a second name of somebody's file.
+    // Only new files are opened: an existing one may be a symbolic or hard link to another file.
     constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
     FileDescriptor file(::openat(folder, name.c_str(), kNew, 0666));
     if (!file.valid() && errno == EEXIST && ::unlinkat(folder, name.c_str(), 0) == 0) {
@@ -27,7 +27,8 @@ int writeTemporary(int folder, const std::string& name, std::span<const std::uin
     return file.close();
 }
 
-/// A rename is on the disk only when its folder is. File systems without that notion say EINVAL.
+/// Syncs a folder, which makes a rename durable. EINVAL means that the file system does not support
+/// it.
 int syncDirectory(int folder) {
     const FileDescriptor directory(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!directory.valid()) return errno;
@@ -45,7 +46,8 @@ int writeAll(int descriptor, std::string_view bytes) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) return errno;
-        // A regular file takes at least a byte or fails; guard against a loop without end.
+        // Regular files accept at least one byte or fail; this prevents an endless loop in any
+        // case.
         if (written == 0) return ENOSPC;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// O_PATH: a folder is passed through with the right to search it alone.
+// O_PATH needs only the right to search a folder.
 constexpr int kStep = O_PATH | O_DIRECTORY | O_CLOEXEC;
 
 std::optional<struct stat> statusAt(int folder, const std::string& name) {
@@ -23,7 +23,7 @@ std::optional<struct stat> statusAt(int folder, const std::string& name) {
     return status;
 }
 
-/// A descriptor of the same folder that can be read and synced.
+/// A readable descriptor of the same folder, which can be synced.
 FileDescriptor readable(int folder) {
     return FileDescriptor(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
@@ -37,9 +37,9 @@ FileDescriptor openStep(int folder, const std::string& name, bool make) {
 
 }  // namespace
 
-/// Where a name leads: the folder that holds it, and what it is called there.
+/// The parent folder and the file name of a relative name.
 struct GuardedFolder::Place {
-    FileDescriptor step;  // what `folder` is, unless that is the guarded folder itself
+    FileDescriptor step;  // owns `folder`, except for the guarded folder itself
     int folder = -1;
     std::string name;
     fs::path around;  // path of `folder`
@@ -58,7 +58,7 @@ Result<GuardedFolder> GuardedFolder::make(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return tl::unexpected<Error>(writeError(error.value(), folder));
-    return open(folder);  // create_directories is content with a file in the folder's place
+    return open(folder);  // create_directories accepts a file instead of a folder
 }
 
 Result<GuardedFolder> GuardedFolder::makeBelow(const fs::path& folder, const fs::path& root) {
@@ -147,7 +147,7 @@ Result<GuardedFolder> GuardedFolder::openWithin(const std::string& name) const {
 Result<FileDescriptor> GuardedFolder::openFile(const std::string& name, int flags) const {
     const Result<Place> place = placeOf(name, (flags & O_CREAT) != 0);
     if (!place) return tl::unexpected(place.error());
-    // Emptied only when it is known to be no other file's second name.
+    // Truncated only after the check that the file has no other hard link.
     const int safe = (flags & ~O_TRUNC) | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
     FileDescriptor file(::openat(place->folder, place->name.c_str(), safe, 0666));
     struct stat status {};
@@ -253,7 +253,7 @@ Status GuardedFolder::write(const std::string& name, std::span<const std::uint8_
     const Result<Place> place = placeOf(name, true);
     if (!place) return tl::unexpected(place.error());
     const auto found = statusAt(place->folder, place->name);
-    // Replacing the link itself would be safe, but it may be one that the user needs.
+    // Replacing a symbolic link would be safe, but the user may need it.
     if (found && S_ISLNK(found->st_mode)) return failure(ELOOP, *place);
     if (const int error = writeWholeAt(place->folder, place->name, bytes, durability)) {
         return failure(error, *place);
@@ -314,7 +314,7 @@ void GuardedFolder::removeEmpty(const std::string& name) const {
 
 Status GuardedFolder::syncNames() const {
     const FileDescriptor folder = readable(folder_->get());
-    // File systems without that notion say EINVAL.
+    // EINVAL: the file system does not support it.
     if (folder.valid() && (::fsync(folder.get()) == 0 || errno == EINVAL)) return {};
     return tl::unexpected<Error>(writeError(errno, path_));
 }

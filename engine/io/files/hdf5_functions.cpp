@@ -25,7 +25,7 @@ std::optional<Hdf5Functions> load() {
     const hid_t* file_access = nullptr;
     found = found && find(library, "H5T_NATIVE_DOUBLE_g", native_double) &&
             find(library, "H5P_CLS_FILE_ACCESS_ID_g", file_access);
-    // It gives the numbers their values.
+    // H5open() initializes the library's global ids.
     if (!found || functions.H5open() < 0) return std::nullopt;
     functions.native_double = *native_double;
     functions.file_access = *file_access;

@@ -10,13 +10,13 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr unsigned kReadOnly = 0;  // H5F_ACC_RDONLY, a macro that calls the library
+constexpr unsigned kReadOnly = 0;  // H5F_ACC_RDONLY; the macro itself calls the library
 constexpr std::uint64_t kMostHdf5Bytes = std::uint64_t{512} << 20U;
 
-/// The file as bytes, so that the library itself opens none.
+/// Opens a file image in memory, so that the library does not open files.
 hid_t openBytes(const Hdf5Functions& h5, const std::filesystem::path& path) {
-    h5.H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // we say it ourselves
-    h5.H5PLset_loading_state(0);                     // a file can name programs to unpack it with
+    h5.H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported here
+    h5.H5PLset_loading_state(0);                     // a file could name plugins to load
     Result<std::string> bytes = readNamedFile(path, kMostHdf5Bytes);
     if (!bytes) return -1;
     const Hdf5Handle access(h5.H5Pcreate(h5.file_access), h5.H5Pclose);
@@ -28,7 +28,7 @@ hid_t openBytes(const Hdf5Functions& h5, const std::filesystem::path& path) {
     return h5.H5Fopen("numbers.hdf5", kReadOnly, access);
 }
 
-/// A dataset can be a link to another file's, or keep its numbers there.
+/// Whether a dataset is in this file: it can be a link to another file, or have its data there.
 bool liesInFile(const Hdf5Functions& h5, hid_t file, hid_t dataset, const std::string& name) {
     H5L_info_t link;
     if (h5.H5Lget_info(file, name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) {
@@ -39,7 +39,7 @@ bool liesInFile(const Hdf5Functions& h5, hid_t file, hid_t dataset, const std::s
            h5.H5Pget_layout(made) != H5D_VIRTUAL;
 }
 
-/// A file and one of its datasets, open while this lives.
+/// A file and one of its datasets, open during the lifetime of this object.
 struct OpenDataset {
     const Hdf5Functions& h5;
     Hdf5Lock lock;
@@ -93,7 +93,7 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
     h5.H5Sget_simple_extent_dims(space, size.data(), nullptr);
     hsize_t count = 1;
     for (const hsize_t length : size) {
-        // By division: the product of what a file claims may wrap around to a small number.
+        // Checked by division, because the product of declared sizes may overflow.
         if (length != 0 && count > most / length) {
             return fail(ErrorCode::BadInput, "Its dataset is larger than supported.",
                         path.string());

@@ -30,7 +30,7 @@ bool add(hid_t file, const Hdf5Array& array) {
     const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     bool good = H5Pset_chunk(how, rank, chunk.data()) >= 0 && H5Pset_shuffle(how) >= 0 &&
                 H5Pset_deflate(how, 1) >= 0;
-    // Else the file says when it was written, and differs from run to run.
+    // Without this, the file contains its creation time and differs between runs.
     good = good && H5Pset_obj_track_times(how, 0) >= 0;
     const hid_t type = nativeType(array.type);
     const Handle data(
@@ -60,7 +60,7 @@ Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
     constexpr std::size_t kGrowth = 1U << 20U;
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     std::vector<std::uint8_t> bytes;
-    bool good = H5Pset_fapl_core(access, kGrowth, 0) >= 0;  // in memory alone
+    bool good = H5Pset_fapl_core(access, kGrowth, 0) >= 0;  // in memory only
     const Handle file(good ? H5Fcreate("memory.hdf5", H5F_ACC_TRUNC, H5P_DEFAULT, access) : -1,
                       H5Fclose);
     good = file >= 0;

@@ -18,9 +18,8 @@ struct PngLook {
     int strategy;
 };
 
-/// Measured on rendered rooms (render/README.md): runs of equal bytes alone (Z_RLE) compress
-/// filtered pictures and labels faster and smaller than level 1's search for repeats; depth needs
-/// the search.
+/// Measured on rendered rooms (render/README.md): Z_RLE compresses filtered colour images and
+/// labels faster and smaller than level 1's match search; depth needs the search.
 PngLook lookOf(PngFormat format) {
     switch (format) {
         case PngFormat::Rgb8:
@@ -54,7 +53,7 @@ void appendBytes(png_structp png, png_bytep data, png_size_t size) {
 
 void ignoreWriterWarning(png_structp, png_const_charp) {}
 
-/// All that libpng may jump out of; holds no object with a destructor.
+/// Contains all calls that libpng may leave by longjmp(), and no objects with destructors.
 bool write(png_structp png, png_infop info, PngWrite& target, int width, int height,
            const PngLook& look, const std::uint8_t* pixels) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;

@@ -19,7 +19,7 @@ constexpr std::uint64_t kDefaultMebibytes = 2048;
 fs::path cacheHome() {
     const char* cache = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");
-    // The specification wants an absolute path, and others to be ignored.
+    // The XDG specification requires an absolute path; others must be ignored.
     if (cache != nullptr && *cache == '/') return cache;
     if (home != nullptr && *home == '/') return fs::path(home) / ".cache";
     return {};

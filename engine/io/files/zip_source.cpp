@@ -28,7 +28,7 @@ class ZipSource : public Archive {
     ZipSource(std::vector<std::uint8_t> bytes, std::string where)
         : bytes_(std::move(bytes)), where_(std::move(where)) {}
 
-    /// Opens the archive and looks over its list of entries.
+    /// Opens the archive and checks its list of entries.
     Status open() {
         zip_error_t error;
         zip_error_init(&error);
@@ -57,7 +57,7 @@ class ZipSource : public Archive {
         const std::unique_ptr<zip_file_t, CloseEntry> file(
             zip_fopen_index(archive_.get(), found->second.index, 0));
         if (!file) return damaged(*safe);
-        // By pieces, so that memory follows what is there and not what is claimed.
+        // Read in pieces, so that memory depends on the actual size, not on the declared one.
         std::vector<std::uint8_t> bytes;
         constexpr std::size_t kPiece = std::size_t{1} << 20;
         while (true) {
@@ -121,7 +121,7 @@ class ZipSource : public Archive {
         return {};
     }
 
-    std::vector<std::uint8_t> bytes_;  // what the archive reads from
+    std::vector<std::uint8_t> bytes_;  // data of archive_
     std::string where_;
     std::unique_ptr<zip_t, CloseArchive> archive_;
     std::map<std::string, Entry> entries_;

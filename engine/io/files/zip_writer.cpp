@@ -37,7 +37,7 @@ bool addFile(zip_t* archive, const ArchiveFile& file) {
            zip_set_file_compression(archive, at, method, 0) == 0;
 }
 
-/// Everything that was written into a buffer.
+/// All bytes written into a buffer.
 std::vector<std::uint8_t> bytesOf(zip_source_t* buffer) {
     zip_stat_t stat;
     zip_stat_init(&stat);
@@ -56,7 +56,7 @@ Result<std::vector<std::uint8_t>> makeArchive(const std::vector<ArchiveFile>& fi
     const std::unique_ptr<zip_source_t, FreeSource> buffer(
         zip_source_buffer_create(nullptr, 0, 0, nullptr));
     if (!buffer) return failed();
-    zip_source_keep(buffer.get());  // once for us, once for the archive
+    zip_source_keep(buffer.get());  // one reference here, one for the archive
     std::unique_ptr<zip_t, DiscardArchive> archive(
         zip_open_from_source(buffer.get(), ZIP_TRUNCATE, nullptr));
     if (!archive) {
@@ -67,7 +67,7 @@ Result<std::vector<std::uint8_t>> makeArchive(const std::vector<ArchiveFile>& fi
         if (!addFile(archive.get(), file)) return failed();
     }
     if (zip_close(archive.get()) != 0) return failed();
-    static_cast<void>(archive.release());  // closing freed it
+    static_cast<void>(archive.release());  // zip_close() has freed it
     std::vector<std::uint8_t> bytes = bytesOf(buffer.get());
     if (bytes.empty()) return failed();
     return bytes;

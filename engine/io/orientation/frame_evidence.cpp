@@ -10,18 +10,18 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kSupportGap = 0.004;        // of the longest side: as near as things touch
+constexpr double kSupportGap = 0.004;        // of the longest side: largest gap of touching objects
 constexpr double kAcross = 0.985;            // cosine of 10 degrees
-constexpr std::size_t kEnoughFaces = 20000;  // of one mesh; larger ones are sampled evenly
+constexpr std::size_t kEnoughFaces = 20000;  // per mesh; larger meshes are sampled evenly
 
-/// Triangles with their corners, of a part or of an object.
+/// Vertices and triangles of a mesh part or an object.
 struct Faces {
     const std::vector<Eigen::Vector3f>* positions;
     std::span<const Triangle> triangles;
 };
 
 struct Source {
-    MeasuredThing thing;  // class and kind; the rest is measured
+    MeasuredThing thing;  // class and kind; other members are measured
     std::vector<Faces> meshes;
 };
 
@@ -66,7 +66,7 @@ MeasuredThing measureThing(const Source& source) {
 void includeRoomSides(const std::vector<MeasuredThing>& things, Eigen::AlignedBox3d& core) {
     constexpr double kLeastCover = 0.6;
     constexpr double kMostCover = 1.3;
-    constexpr double kNear = 2.0;  // times the extent of what is left
+    constexpr double kNear = 2.0;  // times the extent of the core
     const Eigen::AlignedBox3d left = core;
     for (const MeasuredThing& thing : things) {
         const Eigen::Array3d cover = thing.box.sizes().array() / left.sizes().array().max(1e-12);
@@ -121,7 +121,8 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
             if (!(along > kAcross * across.norm())) return;
             const double height = (a[axis] + b[axis] + c[axis]) / 3.0 - core.min()[axis];
             const double step = LevelAreas::kSteps * height / std::max(core.sizes()[axis], 1e-12);
-            // A surface on the edge of the core belongs to it; what is outside may be a stray.
+            // A surface on the boundary of the core belongs to it; surfaces outside may be
+            // outliers.
             if (step < -0.5 || step > LevelAreas::kSteps + 0.5) return;
             const auto at =
                 static_cast<std::size_t>(std::clamp(step, 0.0, LevelAreas::kSteps - 1.0));
@@ -134,7 +135,7 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
     }
 }
 
-/// `scene` holds one object for each source.
+/// `scene` has one object per source.
 FrameEvidence collect(const std::vector<Source>& sources, const Scene& scene) {
     std::vector<MeasuredThing> measured(sources.size());
     parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureThing(sources[i]); });
@@ -156,7 +157,7 @@ FrameEvidence collect(const std::vector<Source>& sources, const Scene& scene) {
     return evidence;
 }
 
-/// The triangles of the drafts, an object for each.
+/// A scene with one object per draft.
 Scene sceneOfDrafts(const RawScene& raw, const std::vector<ObjectDraft>& drafts) {
     Scene scene;
     for (const ObjectDraft& draft : drafts) {

@@ -115,7 +115,7 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     for (const double unit : kUnits) {
         UnitScore score = scoreUnit(evidence, unit);
         if (unit == 0.0254 || unit == 0.3048) score.score *= 0.8;  // inches and feet are rarer
-        // A hall in metres is a room in feet; only furniture can tell them apart.
+        // A hall in metres looks like a room in feet; only furniture can distinguish them.
         if (unit == 0.3048 && !(score.furniture > in_metres.furniture)) {
             maybe_feet = best_unit == 1.0 && score.score > best.score;
             continue;
@@ -128,11 +128,11 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     if (raw.file_unit_m) {
         const double unit = *raw.file_unit_m;
         const UnitScore by_file = scoreUnit(evidence, unit);
-        // Exporters write wrong units often enough; a dolls' house is rarer.
+        // Wrong units of exporters are more frequent than scenes of unusual size.
         if (by_file.score >= 0.15 || best.score < 0.5 || best.score < 3.0 * by_file.score) {
             choice.unit_m = unit;
             choice.unit_source = "file";
-            // Several storeys and attics are high; that alone speaks for no other unit.
+            // Height alone does not suggest another unit, because a house may have several storeys.
             const bool another_fits_better = best_unit != unit && best.score > by_file.score;
             if (by_file.score < kDoubtfulScore ||
                 (by_file.score < kBelievable && another_fits_better)) {

@@ -17,9 +17,9 @@ constexpr double kLowestRoom_m = 1.8;
 constexpr double kHighestRoom_m = 6.0;
 constexpr double kUsualRoomLow_m = 2.2;
 constexpr double kUsualRoomHigh_m = 3.4;
-constexpr double kFactor = 1.6;   // sizes of furniture and rooms differ by no more from the usual
-constexpr double kAllFit = 0.95;  // of UnitScore::furniture: every kind has about its usual size
-constexpr double kFloorShare = 0.3;  // of the largest floor, for another level to be a storey's
+constexpr double kFactor = 1.6;   // largest deviation of furniture and room sizes from usual ones
+constexpr double kAllFit = 0.95;  // UnitScore::furniture if all kinds have about their usual sizes
+constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
 constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 
 /// 1 inside the range; outside it, the inverse square of the ratio to the nearer end.
@@ -44,7 +44,7 @@ double storeyHeight(const LevelAreas& levels, double height) {
     for (std::size_t i = 0; i < levels.floors.size(); ++i) {
         if (!(levels.floors[i] > kFloorShare * largest)) continue;
         const double at = height * (static_cast<double>(i) + 0.5) / LevelAreas::kSteps;
-        // A slab has two sides, and thick ones lie in two steps.
+        // Nearby levels are the two sides of a slab.
         if (last >= 0.0 && at - last > 0.15 * height) gaps.push_back(at - last);
         last = at;
     }
@@ -68,12 +68,13 @@ double weightedMedian(std::vector<Vote> votes) {
     return 1.0;
 }
 
-/// The middle of the units that bring a size into its range; a narrow range says more.
+/// The geometric centre of the units that bring a size into its usual range; narrow ranges have
+/// more weight.
 Vote voteOf(double size, double low_m, double high_m) {
     return {std::sqrt(low_m * high_m) / size, 1.0 / std::log(high_m / low_m)};
 }
 
-/// Metres per unit by all votes, as they come.
+/// Weighted median of all votes, in metres per unit.
 double medianVote(const UnitEvidence& evidence, bool with_room) {
     std::vector<Vote> votes;
     for (const auto& kind : evidence.kinds) {
@@ -121,7 +122,8 @@ UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m) {
     if (evidence.kinds.empty()) return result;
     const auto kinds = static_cast<double>(evidence.kinds.size());
     for (const auto& kind : evidence.kinds) result.furniture += kind.fitIn(unit_m) / kinds;
-    // One kind may be an odd model, or all lamps of a room in one node; many do not err.
+    // A single kind is unreliable (an unusual model, or all lamps in one node); several kinds are
+    // reliable.
     const double weight = 2.0 * kinds / (kinds + 2.0);
     result.score = (result.score + weight * result.furniture) / (1.0 + weight);
     result.evidence += fmt::format(", {} {} of furniture", kinds, kinds == 1 ? "kind" : "kinds");

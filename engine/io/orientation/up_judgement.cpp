@@ -9,12 +9,12 @@
 namespace dollytrack {
 namespace {
 
-constexpr double kContact = 0.004;    // of the room's longest side: as near as things touch
-constexpr double kEnoughTops = 0.05;  // of all surface: so much level furniture is believed
-constexpr double kEdge = 0.1;         // of the height: where floor and ceiling are
+constexpr double kContact = 0.004;    // of the room's longest side: largest gap of touching objects
+constexpr double kEnoughTops = 0.05;  // of all surface area: enough level furniture surfaces
+constexpr double kEdge = 0.1;         // of the height: range of floor and ceiling at the ends
 constexpr double kSupportWeight = 2.0;
 constexpr float kRestsShare = 0.5F;  // of an object's lowest points on others
-constexpr int kFewestThings = 4;     // objects that prove anything
+constexpr int kFewestThings = 4;     // smallest number of objects for reliable evidence
 constexpr int kFloorMat = 20;        // NYU40
 constexpr int kBed = 4;
 constexpr int kChair = 5;
@@ -24,10 +24,10 @@ constexpr int kDesk = 14;
 constexpr int kToilet = 33;
 constexpr int kBathtub = 36;
 
-/// A thing's extent along the direction that is tried, rising upwards.
+/// An object's extent along the tested up direction.
 struct Upright {
     const MeasuredThing* thing = nullptr;
-    int nyu40 = 0;          // 0 where only the shape speaks for the class
+    int nyu40 = 0;          // 0 if the class was found only by shape
     bool building = false;  // by name
     double low = 0.0;
     double high = 0.0;
@@ -44,7 +44,7 @@ std::vector<Upright> standUp(const std::vector<MeasuredThing>& things, UpAxis ax
     return all;
 }
 
-/// The mean of yes (1) and no (-1), drawn towards 0 where few were asked.
+/// Mean of votes 1 (yes) and -1 (no), damped towards 0 for few votes.
 class Ballot {
   public:
     void add(double vote) {
@@ -144,7 +144,7 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
         const bool hangs = touches(by_low, one->high, &Upright::low, *one);
         if (rests != hangs) ballot.add(rests ? 1.0 : -1.0);
     }
-    // Where few things touch at all, they do so by chance.
+    // If only few objects touch others, the contacts are accidental.
     return ballot.mean() *
            std::min(1.0, 4.0 * ballot.count() / static_cast<double>(by_low.size() + 1));
 }
@@ -245,7 +245,7 @@ UpEvidence judge(const FrameEvidence& evidence, UpAxis axis) {
         between += levels.furniture[step];
         moment += at * levels.furniture[step];
     }
-    // Hardly any level surface, and it may be that of a moulding.
+    // If there is hardly any level surface, it may be that of a moulding.
     const double enough = kEnoughTops * total;
     if (between > 0.0) {
         result.tops = (1.0 - 2.0 * moment / between) * std::min(1.0, between / enough);

@@ -35,7 +35,7 @@ std::string digestOfNames(const ConfinedFolder& folder) {
     return digest.finish();
 }
 
-/// The path from the folder; empty for the folder itself, nothing for what lies elsewhere.
+/// The path relative to the folder; empty for the folder itself, nullopt if outside it.
 std::optional<std::string> pathFrom(const fs::path& folder, const fs::path& path) {
     const fs::path from = path.lexically_normal().lexically_relative(folder);
     if (from == ".") return std::string();
@@ -43,17 +43,17 @@ std::optional<std::string> pathFrom(const fs::path& folder, const fs::path& path
     return from.string();
 }
 
-/// Opens what lies beneath a root; a root that is a file was named by a person.
+/// Opens a file below a root; a root that is itself a file was named by the user.
 Result<InputFile> openBeneath(const fs::path& root, const std::string& path) {
     return path.empty() ? openNamedFile(root) : ConfinedFolder(root).open(path);
 }
 
-/// Whether there is nothing that a reader would find there.
+/// Whether a reader would find no file there.
 bool isMissing(const fs::path& root, const std::string& path) {
     return path.empty() ? !hasFile(root) : !ConfinedFolder(root).has(path);
 }
 
-/// Its digest if the file is still the one that was read.
+/// The file's digest; empty if it is not the file that was read any more.
 std::string digestIfUnchanged(const fs::path& root, const std::string& path,
                               const FileIdentity& read) {
     const Result<InputFile> before = openBeneath(root, path);
@@ -68,7 +68,7 @@ bool liesBeneath(const InputRoots& roots, const fs::path& path) {
                        [&](const fs::path& root) { return pathFrom(root, path).has_value(); });
 }
 
-/// One use by content. Nothing when it cannot be kept.
+/// An input with a digest of its content; nullopt if it cannot be cached.
 std::optional<CachedInput> keptInput(const InputRoots& roots, const InputUse& input) {
     for (std::uint32_t root = 0; root < roots.size(); ++root) {
         const std::optional<std::string> path = pathFrom(roots[root], input.path);
@@ -123,7 +123,7 @@ std::optional<std::vector<CachedInput>> cachedInputs(const fs::path& scene,
         } else if (input.kind != InputUse::Missing || liesBeneath(roots, input.path)) {
             return std::nullopt;
         }
-        // What lies elsewhere and is missing could not be opened if it were there.
+        // Missing files outside the roots are ignored, because they could not be opened anyway.
     }
     return all;
 }

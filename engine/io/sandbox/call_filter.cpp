@@ -14,12 +14,12 @@ namespace dollytrack::io {
 namespace {
 
 constexpr std::array kAllowed = {
-    // files that are open, and what is there
+    // reading files and folders
     SCMP_SYS(read), SCMP_SYS(readv), SCMP_SYS(pread64), SCMP_SYS(lseek), SCMP_SYS(close),
     SCMP_SYS(fstat), SCMP_SYS(newfstatat), SCMP_SYS(stat), SCMP_SYS(lstat), SCMP_SYS(statx),
     SCMP_SYS(access), SCMP_SYS(faccessat), SCMP_SYS(faccessat2), SCMP_SYS(readlink),
     SCMP_SYS(readlinkat), SCMP_SYS(getdents64), SCMP_SYS(getcwd), SCMP_SYS(fadvise64),
-    // the pipe to the parent, and messages nobody reads
+    // writing to the pipe to the parent and to stderr
     SCMP_SYS(write), SCMP_SYS(writev),
     // memory
     SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(brk), SCMP_SYS(madvise),
@@ -29,7 +29,7 @@ constexpr std::array kAllowed = {
     SCMP_SYS(clock_gettime), SCMP_SYS(clock_getres), SCMP_SYS(clock_nanosleep), SCMP_SYS(nanosleep),
     SCMP_SYS(gettimeofday), SCMP_SYS(getrandom), SCMP_SYS(sysinfo), SCMP_SYS(uname),
     SCMP_SYS(restart_syscall),
-    // its own end
+    // exit and signals
     SCMP_SYS(exit), SCMP_SYS(exit_group), SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask),
     SCMP_SYS(rt_sigreturn), SCMP_SYS(sigaltstack)};
 
@@ -41,7 +41,7 @@ class Filter {
     void refuse(int call, int error) {
         add(SCMP_ACT_ERRNO(static_cast<unsigned>(error)), call, {});
     }
-    /// Only where an argument, of which `mask` counts, has this value.
+    /// Allows a call if the masked argument has this value.
     void allowIf(int call, unsigned argument, scmp_datum_t mask, scmp_datum_t value) {
         add(SCMP_ACT_ALLOW, call, {{argument, SCMP_CMP_MASKED_EQ, mask, value}});
     }
@@ -49,7 +49,7 @@ class Filter {
 
   private:
     void add(std::uint32_t action, int call, std::initializer_list<scmp_arg_cmp> conditions) {
-        // A call that this architecture does not have needs no rule.
+        // The call does not exist on this architecture.
         if (call < 0) return;
         good_ = good_ && context_ &&
                 seccomp_rule_add_array(context_.get(), action, call,
@@ -76,14 +76,15 @@ bool filterCalls(bool openat2) {
     }
     filter.allowIf(SCMP_SYS(mmap), 2, PROT_EXEC, 0);
     filter.allowIf(SCMP_SYS(mprotect), 2, PROT_EXEC, 0);
-    // Threads, no processes. clone3() keeps its flags out of sight; glibc then uses clone().
+    // Only threads, not processes. The flags of clone3() cannot be filtered; if it is refused,
+    // glibc uses clone().
     filter.allowIf(SCMP_SYS(clone), 0, CLONE_THREAD, CLONE_THREAD);
     filter.refuse(SCMP_SYS(clone3), ENOSYS);
     filter.allowIf(SCMP_SYS(prlimit64), 2, ~scmp_datum_t{0}, 0);
-    // Folders are listed through descriptors, which are looked at and marked.
+    // Listing folders needs these operations on descriptors.
     filter.allowIf(SCMP_SYS(fcntl), 1, ~scmp_datum_t{0}, F_GETFL);
     filter.allowIf(SCMP_SYS(fcntl), 1, ~scmp_datum_t{0}, F_SETFD);
-    // abort(): signals to itself.
+    // abort() sends a signal to its own process.
     filter.allowIf(SCMP_SYS(tgkill), 0, ~scmp_datum_t{0}, static_cast<scmp_datum_t>(::getpid()));
     filter.refuse(SCMP_SYS(ioctl), ENOTTY);
     return filter.load();

@@ -30,8 +30,8 @@ std::string realPath(const std::string& path) {
     return real ? std::string(real.get()) : std::string();
 }
 
-/// Where the kernel has no openat2(): the path without links has to begin with the folder's. What
-/// another program changes in between is not noticed.
+/// Fallback for kernels without openat2(): the resolved path must begin with that of the folder.
+/// Changes by another program between the check and opening are not noticed.
 int openByRealPath(const fs::path& folder, const std::string& relative) {
     const std::string root = realPath(folder.string());
     const std::string file = realPath((folder / relative).string());
@@ -54,8 +54,8 @@ Error cannotOpen(int error, const std::string& name) {
             std::string("the file cannot be opened (") + std::strerror(error) + ")", name};
 }
 
-/// Readers try parts of names when nothing is there: only a name that somebody's file has leads out
-/// of the folder.
+/// Whether a regular file has this path. Readers also try parts of names, so only names of existing
+/// files are reported as outside the folder.
 bool isOrdinaryFile(const fs::path& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
@@ -77,7 +77,7 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
     if (name.starts_with(prefix)) {
         name.erase(0, prefix.size());
         const std::string beneath = name.substr(std::min(name.find_first_not_of('/'), name.size()));
-        // Readers put the folder before absolute names, too.
+        // Readers also prepend the folder to absolute names.
         const bool absolute = beneath.size() < name.size() && !openDescriptor(beneath).valid() &&
                               isOrdinaryFile("/" + beneath);
         name = absolute ? "/" + beneath : beneath;
@@ -86,15 +86,15 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
 }
 
 FileDescriptor ConfinedFolder::openDescriptor(const std::string& relative) const {
-    // Only for the moment: a scene made of models has more folders than a process has descriptors.
-    // O_PATH: of the folder itself nothing is read, so it need not be readable.
+    // Opened for each file, because a scene made of models may have more folders than a process may
+    // have descriptors. O_PATH: the folder itself need not be readable.
     const FileDescriptor folder(::open(folder_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!folder.valid()) return FileDescriptor();
     open_how how{};
     how.flags = kOpenFlags;
     how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
     long opened = -1;
-    do {  // EAGAIN: something beneath was renamed meanwhile
+    do {  // EAGAIN: a rename happened during the lookup
         opened = ::syscall(SYS_openat2, folder.get(), relative.c_str(), &how, sizeof(how));
     } while (opened < 0 && (errno == EINTR || errno == EAGAIN));
     if (opened < 0 && (errno == ENOSYS || errno == EPERM)) {

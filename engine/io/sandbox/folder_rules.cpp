@@ -15,20 +15,20 @@
 namespace dollytrack::io {
 namespace {
 
-/// The kernel's struct as of its newest version that is used here; Debian 12's header has but the
-/// first member. Older kernels take a shorter one.
+/// The kernel's landlock_ruleset_attr in the newest version used here; Debian 12's header has only
+/// the first member. Older kernels accept a shorter struct.
 struct Ruleset {
     std::uint64_t files = 0;
-    std::uint64_t network = 0;  // from version 4 on
-    std::uint64_t scoped = 0;   // from version 6 on
+    std::uint64_t network = 0;  // since version 4
+    std::uint64_t scoped = 0;   // since version 6
 };
 
 struct Version {
     long number;
-    unsigned file_rights;  // how many bits
+    unsigned file_rights;  // number of bits
     unsigned network_rights;
     unsigned scopes;
-    std::size_t size;  // of the struct
+    std::size_t size;  // size of the struct
 };
 constexpr std::array<Version, 5> kVersions = {
     {{6, 16, 2, 2, 24}, {5, 16, 2, 0, 16}, {4, 15, 2, 0, 16}, {3, 15, 0, 0, 8}, {1, 13, 0, 0, 8}}};
@@ -39,7 +39,7 @@ std::uint64_t bits(unsigned count) {
 
 bool allowReading(int rules, const std::filesystem::path& path) {
     const FileDescriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
-    if (!place.valid()) return true;  // not there: nothing to be read
+    if (!place.valid()) return true;  // does not exist, so needs no rule
     struct stat status {};
     const bool folder = ::fstat(place.get(), &status) == 0 && S_ISDIR(status.st_mode);
     landlock_path_beneath_attr rule{};

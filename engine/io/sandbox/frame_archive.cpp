@@ -6,7 +6,7 @@
 namespace dollytrack::io {
 namespace {
 
-// Odd, so that multiplying by it can be undone; otherwise without meaning.
+// An arbitrary odd number, so that multiplication by it is invertible.
 constexpr std::uint64_t kFactor = 0xD6E8FEB86659FD93ULL;
 
 std::uint64_t step(std::uint64_t sum, std::uint64_t word) {
@@ -16,7 +16,7 @@ std::uint64_t step(std::uint64_t sum, std::uint64_t word) {
 }  // namespace
 
 std::uint64_t frameSum(std::span<const std::uint8_t> bytes) {
-    // Four sums side by side: one alone would wait for its own multiplication.
+    // Four independent sums, so that multiplications can overlap.
     std::array<std::uint64_t, 4> sums = {1, 2, 3, 4};
     std::size_t at = 0;
     for (; at + 32 <= bytes.size(); at += 32) {

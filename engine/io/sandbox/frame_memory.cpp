@@ -13,11 +13,11 @@
 namespace dollytrack::io {
 namespace {
 
-/// Above those that a child is given its own meaning for.
+/// Above the descriptors with a fixed meaning in the child.
 constexpr int kLowestDescriptor = 10;
 
 Error noMemory(int error) {
-    // EINVAL: the lowest descriptor that is wanted is above the limit.
+    // EINVAL: the requested descriptor is above the limit.
     if (error == EMFILE || error == ENFILE || error == EINVAL) {
         return {
             ErrorCode::Failed,
@@ -33,7 +33,7 @@ Error noMemory(int error) {
 }  // namespace
 
 Result<FrameMemory> FrameMemory::make(std::size_t size) {
-    // The limit on file sizes holds for memory files, too; most scenes need little.
+    // The file size limit also applies to memory files; most scenes need little.
     rlimit files{};
     if (::getrlimit(RLIMIT_FSIZE, &files) == 0) size = std::min<std::size_t>(size, files.rlim_cur);
     const FileDescriptor low(::memfd_create("dollytrack-frame", MFD_CLOEXEC | MFD_ALLOW_SEALING));

@@ -42,7 +42,7 @@ void tell(ImporterMessage::Kind kind, std::uint64_t value) {
     }
 }
 
-/// What the program was asked to read.
+/// The scene to read, its options, and further readable files and folders.
 struct Task {
     std::filesystem::path scene;
     ImportOptions options;
@@ -55,7 +55,7 @@ std::optional<Task> taskOf(int count, char** arguments) {
     const std::string parent = arguments[2];
     pid_t id = 0;
     std::from_chars(parent.data(), parent.data() + parent.size(), id);
-    // It may have died before this program could ask to be taken along.
+    // The parent may have died before PR_SET_PDEATHSIG was set.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != id) return std::nullopt;
     struct stat status {};
     if (::fstat(kFrameDescriptor, &status) != 0 || ::fstat(kMessageDescriptor, &status) != 0) {
@@ -86,8 +86,8 @@ void noteRefused(const InputRecord& record, std::vector<std::string>& notes) {
     notes.push_back("the scene names files outside its folder, which were not opened: " + names);
 }
 
-/// Bytes that this process may take for its own data, and whether that is less than it would be
-/// given: whoever started the program then limits all that it does.
+/// Memory limit of this process, and whether it is inherited from the parent and lower than the
+/// default.
 struct MemoryLimit {
     std::uint64_t bytes = kMostAddressSpace;
     bool inherited = false;
@@ -137,7 +137,7 @@ Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const
     } catch (const std::bad_alloc&) {
         return tl::unexpected(outOfMemory(where));
     } catch (const std::system_error& error) {
-        // Threads that cannot be started have no memory for their stacks.
+        // Threads cannot be started if there is no memory for their stacks.
         if (error.code() == std::errc::resource_unavailable_try_again) {
             return tl::unexpected(outOfMemory(where));
         }
@@ -150,8 +150,8 @@ Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const
     }
 }
 
-/// The frame, and behind it the list of what was read, into the memory that the parent has
-/// made.
+/// Writes the frame, followed by the list of inputs, into the memory from the parent. Returns false
+/// if they do not fit.
 bool handBack(const Result<ReadScene>& outcome, const std::vector<InputUse>& uses) {
     struct stat status {};
     if (::fstat(kFrameDescriptor, &status) != 0) return false;
@@ -170,7 +170,7 @@ bool handBack(const Result<ReadScene>& outcome, const std::vector<InputUse>& use
     return true;
 }
 
-/// Behind the frame there has to be room for the list.
+/// Largest size of a frame; the rest of the memory is for the list of inputs.
 std::uint64_t mostFrameBytes() {
     struct stat status {};
     const auto all = ::fstat(kFrameDescriptor, &status) == 0
@@ -208,7 +208,7 @@ int runImporter(int count, char** arguments) {
     });
     Result<ReadScene> outcome = readGuarded(*task, record, job);
     if (outcome && frameSize(outcome) > mostFrameBytes()) outcome = tooLarge(task->scene.string());
-    // Nothing is to be tidied up: memory goes with the process.
+    // Without cleanup: the memory ends with the process.
     ::_exit(handBack(outcome, record.uses()) ? 0 : 1);
 }
 

@@ -56,7 +56,7 @@ void tellMissingLayers(std::uint64_t layers) {
                             ", which this system does not offer");
 }
 
-/// What the messages so far have said.
+/// State from the messages received so far.
 struct Heard {
     std::optional<std::uint64_t> frame_bytes;
     std::uint64_t list_bytes = 0;
@@ -106,7 +106,7 @@ tl::unexpected<Error> damagedHandBack(const std::string& reason, const std::stri
                 "the importer returned invalid data (" + reason + ")" + kExportAgain, where);
 }
 
-/// Nothing when it ended well.
+/// The error for the importer's exit status; nullopt for success.
 std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs::path& scene) {
     const std::string where = scene.string();
     if (WIFSIGNALED(status)) {
@@ -168,7 +168,7 @@ Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& 
     bool talks = true;
     double limited = 0.0;
     while (true) {
-        // Its threads may all be busy for as long as the clock runs.
+        // All its threads may use the processor for the allowed time.
         if (clock.allowed().count() > limited) {
             limited = clock.allowed().count();
             importer->limitProcessorTime(

@@ -9,7 +9,7 @@ namespace dollytrack::io {
 namespace {
 
 constexpr std::size_t kMostUses = 100'000;
-constexpr std::ptrdiff_t kMostListings = 1000;  // each is walked by whoever believes the list
+constexpr std::ptrdiff_t kMostListings = 1000;  // each is listed again when the entry is validated
 
 template <class Archive, class T>
 void useMembers(Archive& archive, T& use) {

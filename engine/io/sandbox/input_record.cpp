@@ -29,7 +29,7 @@ void InputRecord::note(InputUse::Kind kind, const std::filesystem::path& path,
                        const FileIdentity& identity) {
     InputRecord* record = current;
     if (record == nullptr) return;
-    // A scene can ask for such a name, but no file will ever have it.
+    // A scene can contain such a name, but no file can have it.
     if (path.native().find('\0') != std::string::npos) return;
     const std::lock_guard lock(record->mutex_);
     const bool is_new = record->uses_.insert({kind, path, identity}).second;

@@ -13,12 +13,12 @@ namespace dollytrack::io {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;  // their shadow memory takes terabytes of addresses
+constexpr bool kSanitized = true;  // sanitizers' shadow memory needs terabytes of addresses
 #else
 constexpr bool kSanitized = false;
 #endif
 
-/// A stricter limit that was there before stays.
+/// Lowers a resource limit; a stricter existing limit is kept.
 bool limit(__rlimit_resource resource, rlim_t most) {
     rlimit before{};
     if (::getrlimit(resource, &before) != 0) return false;
@@ -26,18 +26,19 @@ bool limit(__rlimit_resource resource, rlim_t most) {
     return ::setrlimit(resource, &both) == 0;
 }
 
-/// The processor time is limited by the parent, which knows how much there is to read.
+/// Sets all limits except that of processor time, which the parent sets, because it knows the
+/// amount of work.
 bool setLimits() {
-    // Each of malloc's arenas would reserve 64 MiB of addresses.
+    // Each malloc arena reserves 64 MiB of addresses.
     ::mallopt(M_ARENA_MAX, 2);
     bool all = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
-    // Core files that are piped to a program ignore their limit, but not this.
+    // Core dumps that are piped to a program ignore RLIMIT_CORE, but not this.
     all = ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) == 0 && all;
     all = limit(RLIMIT_CORE, 0) && all;
     all = limit(RLIMIT_FSIZE, 0) && all;
     all = limit(RLIMIT_NOFILE, kMostOpenFiles) && all;
     if (!kSanitized) all = limit(RLIMIT_AS, kMostAddressSpace + kMostFrameBytes) && all;
-    // What it may hand back is shared with the parent, and counts as no data.
+    // The returned data is in shared memory, which RLIMIT_DATA does not count.
     if (!kSanitized) all = limit(RLIMIT_DATA, kMostAddressSpace) && all;
     return all;
 }
@@ -49,7 +50,7 @@ std::uint32_t isolateProcess(const std::vector<std::filesystem::path>& folders) 
     if (!setLimits()) missing |= kLimits;
     const bool ruled = kSanitized || lockIntoFolders(folders);
     if (!ruled) missing |= kFolderRules;
-    // openat2() keeps its flags where a filter cannot see them: without Landlock it could write.
+    // A filter cannot check the flags of openat2(), which could write without Landlock.
     if (!kSanitized && !filterCalls(ruled)) missing |= kCallFilter;
     return missing;
 }

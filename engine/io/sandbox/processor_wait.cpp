@@ -8,7 +8,7 @@
 namespace dollytrack::io {
 namespace {
 
-/// The second number: nanoseconds in a run queue.
+/// Time in the run queue: the second number of schedstat, in nanoseconds.
 ProcessorWait::Seconds waitOf(const std::filesystem::path& thread) {
     std::ifstream in(thread / "schedstat");
     std::uint64_t ran = 0;
@@ -39,8 +39,7 @@ ProcessorWait::Seconds ProcessorWait::waitedSinceLastLook() {
 
 ProcessorWait::Seconds ProcessorWait::update() {
     const Seconds waited = waitedSinceLastLook();
-    // The kernel counts a wait when it is over, so it can be longer than the time between two
-    // looks.
+    // The kernel counts a wait at its end, so it can be longer than the time between two samples.
     sum_ = std::min<Seconds>(sum_ + waited, Clock::now() - begin_);
     return sum_;
 }

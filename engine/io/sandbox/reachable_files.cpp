@@ -66,7 +66,7 @@ Result<std::vector<std::string>> ReachableFiles::namesIn(const fs::path& folder)
     constexpr std::size_t kMost = 100'000;
     std::vector<std::string> names;
     const std::vector<Place> places = placesOf(folder);
-    // A missing folder is noted, too: the scene depends on whether it is there.
+    // A missing folder is recorded too, because the scene depends on whether it exists.
     if (!places.empty()) InputRecord::note(InputUse::Listing, folder);
     if (std::ranges::none_of(places, exists)) return names;
     std::error_code error;

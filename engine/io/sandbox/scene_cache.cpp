@@ -39,16 +39,16 @@ constexpr std::size_t kDigestLength = 64;
 
 struct EntryHead {
     std::uint64_t magic = kMagic;
-    std::uint64_t list_bytes = 0;  // of the inputs, behind this head
+    std::uint64_t list_bytes = 0;  // size of the list of inputs, which follows this header
     std::uint64_t list_sum = 0;
-    std::uint64_t frame_bytes = 0;  // behind the list
+    std::uint64_t frame_bytes = 0;  // size of the frame, which follows the list
 };
 
 std::span<const std::uint8_t> bytesOf(std::string_view text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// A file of this user, mapped for reading.
+/// A cache file of this user, mapped for reading.
 class MappedEntry {
   public:
     MappedEntry(const GuardedFolder& folder, const std::string& name) {
@@ -72,7 +72,7 @@ class MappedEntry {
     [[nodiscard]] std::span<const std::uint8_t> bytes() const {
         return view_ != nullptr ? std::span(view_, size_) : std::span<const std::uint8_t>();
     }
-    /// It is the youngest now.
+    /// Makes the entry the most recently used one.
     void touch() const { ::futimens(file_.get(), nullptr); }
 
   private:
@@ -102,8 +102,8 @@ std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
     return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
 }
 
-/// What a .digest file holds: the digest of a scene file, and a checksum over it and the file's own
-/// name, so that neither a changed digit nor another file's digest is believed.
+/// Content of a .digest file: the digest of a scene file, and a checksum of this digest and the
+/// name of the .digest file, which detects changed digits and renamed files.
 std::string digestText(const std::string& name, std::string_view digest) {
     return std::string(digest) + " " + sha256Of(name + std::string(digest)) + "\n";
 }
@@ -113,7 +113,7 @@ FileIdentity identityOf(const fs::path& program) {
     return file ? file->identity() : FileIdentity{};
 }
 
-/// The library that reads most formats: Debian updates it without us.
+/// The file of assimp, which Debian may update independently of this program.
 fs::path assimpLibrary() {
     Dl_info library{};
     const bool found = ::dladdr(reinterpret_cast<const void*>(&aiGetVersionMajor), &library) != 0;
@@ -172,7 +172,7 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
     Result<std::string> digest = sha256OfFile(scene, job);
     if (!digest || !settled) return digest;
     const Result<InputFile> after = openNamedFile(scene);
-    // Whether it is kept changes nothing but the time that the next reading takes.
+    // A failed write is ignored: the next read only takes longer.
     if (after && after->identity() == before) {
         (void)folder_.write(known, digestText(name, *digest), Durability::Renamed);
     }

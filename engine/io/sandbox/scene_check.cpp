@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 constexpr int kMostClasses = 40;
-constexpr double kLongestFront = 1e6;  // not yet unit; false for what is no number
+constexpr double kLongestFront = 1e6;  // not yet a unit vector; NaN compares false
 
 tl::unexpected<Error> wrong(std::string message) {
     return fail(ErrorCode::BadInput, std::move(message));
@@ -24,7 +24,8 @@ tl::unexpected<Error> wrong(std::string message) {
 
 template <class Vector>
 bool allFinite(const std::vector<Vector>& values) {
-    // A sum of zeros is not a number as soon as one factor is none; without branches it is quick.
+    // The sum of value * 0 is NaN if any value is not finite; this test has no branches and is
+    // fast.
     float sum = 0.0F;
     for (const Vector& value : values) sum += (value * 0.0F).sum();
     return sum == 0.0F;
@@ -53,7 +54,7 @@ bool withinReach(const Eigen::AlignedBox3f& box) {
 }
 
 bool within(float value, float most) {
-    return value >= 0.0F && value <= most;  // false for what is no number
+    return value >= 0.0F && value <= most;  // false for NaN
 }
 
 bool soundMaterial(const Material& material, std::size_t textures) {
@@ -144,7 +145,7 @@ Status checkTextures(ReadScene& scene) {
     const bool counted = set.found >= 0 && set.missing.size() + set.broken.size() +
                                                    static_cast<std::size_t>(set.found) ==
                                                set.textures.size();
-    // None at all: they were not to be read.
+    // An empty list is valid: textures were not requested.
     if (!counted || (set.textures.size() != asked && !set.textures.empty())) {
         return wrong("the textures are not the requested ones");
     }

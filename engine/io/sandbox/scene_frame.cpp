@@ -19,12 +19,12 @@ struct Header {
     std::uint64_t magic = kFrameMagic;
     std::uint32_t version = kFrameVersion;
     std::uint32_t is_error = 0;
-    std::uint64_t size = 0;  // with this header
-    std::uint64_t sum = 0;   // of everything behind it
+    std::uint64_t size = 0;  // including this header
+    std::uint64_t sum = 0;   // of all bytes after the header
 };
 
-// Each struct is taken apart by name, so that a member that is added to it and forgotten here
-// does not compile. The same list serves both directions.
+// Structured bindings name all members, so that a new member that is missing here is a compile
+// error. The same function reads and writes.
 
 template <class Archive, class T>
 void nodeMembers(Archive& archive, T& node) {
@@ -36,7 +36,7 @@ void nodeMembers(Archive& archive, T& node) {
 
 template <class Archive, class T>
 void partMembers(Archive& archive, T& part) {
-    // Bounds and areas are measured again by whoever reads this.
+    // The reader measures bounds and areas again.
     auto& [name, node, material, positions, normals, uvs, triangles, bounds, facing_area, area] =
         part;
     (void)bounds, (void)facing_area, (void)area;
@@ -82,7 +82,7 @@ void materialMembers(Archive& archive, T& material) {
 
 template <class Archive, class T>
 void requestMembers(Archive& archive, T& request) {
-    // The picture itself is among the textures, and the reader alone needed to know where it lies.
+    // The image itself is among the textures; only the importer needs its location.
     auto& [name, embedded, embedded_width, embedded_height, opaque, folder, only_there] = request;
     (void)embedded, (void)embedded_width, (void)embedded_height, (void)folder, (void)only_there;
     archive.text(name);
@@ -158,7 +158,7 @@ std::string shortened(const std::string& text) {
     return cleanText(std::string_view(text).substr(0, kLongestMessage));
 }
 
-/// An error that a reader may have: others would say more than it can know.
+/// Limits an error to codes that the importer may report, and cleans its text.
 Error cleanError(const Error& read) {
     const bool known = read.code == ErrorCode::BadInput || read.code == ErrorCode::Usage;
     return {known ? read.code : ErrorCode::BadInput, shortened(read.message),

@@ -28,7 +28,7 @@ Result<ReadScene> readHere(const SceneFormat& format, const std::filesystem::pat
     return scene;
 }
 
-/// Where a reading is kept, and under which name.
+/// The cache entry of a scene: cache, key and inputs.
 struct CachePlace {
     SceneCache cache;
     std::string key;
@@ -36,7 +36,7 @@ struct CachePlace {
     InputRoots roots;
 };
 
-/// Writes cache entries while others go on with the scene; a program waits for it as it ends.
+/// Writes cache entries in the background; the program waits for it at exit.
 class Keeper {
   public:
     ~Keeper() {
@@ -51,7 +51,7 @@ class Keeper {
                     place.cache.keep(place.key, scene, place.sha256, place.roots, *back.inputs,
                                      back.frame);
                 } catch (const std::exception&) {
-                    // Nobody waits for it; the file is read again another time.
+                    // A failed write is ignored: the file is read again next time.
                 }
             });
     }
@@ -61,7 +61,7 @@ class Keeper {
     std::thread worker_;
 };
 
-/// What the reader opens besides what lies beneath the scene's folder.
+/// Files and folders that the reader opens outside the scene's folder.
 std::vector<std::filesystem::path> moreInputs(const SceneFormat& format,
                                               const std::filesystem::path& path,
                                               const ImportOptions& options) {
@@ -120,7 +120,7 @@ Result<SceneReading> readSceneFile(const SceneFormat& format, const std::filesys
                                     std::move(*cache));
         }
     }
-    // Reading and hashing can go on side by side.
+    // The file is hashed while it is read.
     std::future<Result<std::string>> hash =
         std::async(std::launch::async, [path, job] { return sha256OfFile(path, job); });
     Result<ReadScene> scene =

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLowestDescriptor = 10;
 
-/// Makes a pipe whose descriptors are above those that the child is given.
+/// Makes a pipe whose descriptors are above the fixed ones of the child.
 bool makePipe(FileDescriptor& read_end, FileDescriptor& write_end) {
     std::array<int, 2> low{};
     if (::pipe2(low.data(), O_CLOEXEC) != 0) return false;
@@ -31,8 +31,9 @@ bool makePipe(FileDescriptor& read_end, FileDescriptor& write_end) {
     return read_end.valid() && write_end.valid();
 }
 
-/// What the child finds in its environment: ours, and large blocks of memory in large pages. Model
-/// readers begin with buffers of 16 MiB, and 4096 page faults are a third of a small file's time.
+/// The child's environment: that of this process, with huge pages for malloc. Model readers
+/// allocate buffers of 16 MiB, whose 4096 page faults would take a third of the time of a small
+/// file.
 std::vector<std::string> environmentOfChild() {
     constexpr std::string_view kTunables = "GLIBC_TUNABLES=";
     std::string tunables(kTunables);
@@ -49,7 +50,7 @@ std::vector<std::string> environmentOfChild() {
     return lines;
 }
 
-/// As exec takes them; valid as long as `lines`.
+/// A null-terminated array for exec; valid as long as `lines`.
 std::vector<char*> pointersTo(std::vector<std::string>& lines) {
     std::vector<char*> pointers;
     pointers.reserve(lines.size() + 1);
@@ -99,7 +100,7 @@ Result<SpawnedImporter> SpawnedImporter::start(const std::vector<std::string>& a
     int error = makePipe(read_end, write_end) ? 0 : errno;
     pid_t process = -1;
     if (error == 0) error = spawn(arguments, frame_descriptor, write_end.get(), process);
-    (void)write_end.close();  // or the end of the messages would never be seen
+    (void)write_end.close();  // otherwise the end of the messages would not be noticed
     if (error == 0) {
         ::fcntl(read_end.get(), F_SETFL, O_NONBLOCK);
         return SpawnedImporter(process, std::move(read_end));
@@ -146,8 +147,8 @@ std::optional<int> SpawnedImporter::end() {
     int status = 0;
     if (end_) return end_;
     const pid_t ended = ::waitpid(process_, &status, WNOHANG);
-    // Where whoever started us ignores its children's ends, nothing is left to wait for. What it
-    // has handed back tells the rest.
+    // ECHILD: SIGCHLD is ignored (inherited from the parent), so there is no exit status; the
+    // returned data shows whether the importer succeeded.
     if (ended == process_ || (ended < 0 && errno == ECHILD)) end_ = status;
     return end_;
 }
@@ -155,13 +156,13 @@ std::optional<int> SpawnedImporter::end() {
 void SpawnedImporter::limitProcessorTime(std::uint64_t seconds) const {
     rlimit limit{};
     if (::prlimit(process_, RLIMIT_CPU, nullptr, &limit) != 0) return;
-    // A hard limit once lowered cannot be raised again when the scene turns out to be large.
+    // Only the soft limit is set, because a lowered hard limit cannot be raised for a large scene.
     limit.rlim_cur = std::min<rlim_t>(seconds, limit.rlim_max);
     ::prlimit(process_, RLIMIT_CPU, &limit, nullptr);
 }
 
 void SpawnedImporter::kill() const {
-    // Once it is waited for, its number may belong to somebody else.
+    // After waitpid() its process id may belong to another process.
     if (process_ > 0 && !end_) ::kill(process_, SIGKILL);
 }
 
