@@ -13,7 +13,7 @@ bool has(const std::vector<int>& ids, int id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/// How far a position point got on its way to a frame.
+/// The last planning stage that a position point has reached.
 enum class Reached { Found, KeyFrame, Path, Frame };
 
 Reached reached(const Plan& plan, int point) {

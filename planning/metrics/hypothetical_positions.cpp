@@ -16,9 +16,9 @@ namespace {
 constexpr int kDirections = 700;
 constexpr int kRandomPlaces = 3000;
 constexpr double kLeastFill = 0.05;
-constexpr double kMostFill = 3.5;  // what a wide lens could still fit in
+constexpr double kMostFill = 3.5;  // largest fill that a wide lens could fit into the image
 constexpr double kFillStep = 1.2;
-constexpr std::uint64_t kStream = 200'000;  // of random numbers, apart from those of the searches
+constexpr std::uint64_t kStream = 200'000;  // random stream, different from those of the searches
 
 std::vector<Eigen::Vector3d> positionsAround(const Surroundings& around, const Subject& subject,
                                              int object_id, int seed) {

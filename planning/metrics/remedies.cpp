@@ -235,7 +235,7 @@ class Finder {
         if (!takeFirst(proposeMoves(what, trials_), row) && held_by_pitch) blamePitchBand(row);
     }
 
-    /// Corrects the reason by the dense sampling.
+    /// Corrects the reason with the result of dense sampling.
     void lookDenser(const std::vector<HypotheticalPosition>& places, LedgerRow& row) const {
         if (row.captured || job_.cancelled() || places.empty()) return;
         const CandidateTally tally = tallyOf(places);
@@ -245,7 +245,8 @@ class Finder {
         row.reason = tally.reason(scene_);
     }
 
-    /// Views exist where the camera may be, but the pitch band excludes them.
+    /// Sets the reason of an object whose views at legal positions are all excluded by the pitch
+    /// band.
     void blamePitchBand(LedgerRow& row) const {
         const ConstraintParams& band = params_.constraints;
         const std::string range =
@@ -259,7 +260,7 @@ class Finder {
         row.reason = "The pitch band of " + range + " excludes the views that would capture it.";
     }
 
-    /// A view was found and lost later: undo what lost it.
+    /// For a view that was found but lost later: proposes to undo the cause.
     void giveBack(LedgerRow& row) {
         std::vector<Proposal> proposals;
         switch (*row.loss) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kSameView = 0.05 * kRadian;  // a smaller turn is not worth a frame
-constexpr double kSameLine = 0.5 * kRadian;   // the angle below which smoothing leaves corners
+constexpr double kSameLine = 0.5 * kRadian;   // smoothing does not round corners below this angle
                                               // alone
 constexpr double kSamePlace_m = 1e-9;
 constexpr double kLooksAhead_m = 2.0;

@@ -20,7 +20,7 @@ constexpr double kSwayShrink = 0.6;     // factor of each reduction
 constexpr double kLeastShare = 0.1;     // smaller shares become 0
 constexpr int kSwayGrid = 16;           // rays per side, to test whether a key frame keeps its
                                         // captures
-constexpr std::uint64_t kStream = 977;  // of random numbers
+constexpr std::uint64_t kStream = 977;  // of the random generator
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
