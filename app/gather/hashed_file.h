@@ -39,7 +39,7 @@ class HashedFile {
 };
 
 /// Opens a new file for writing. A file of that name is removed before: an interrupted run may have
-/// linked it to a picture of a dataset, which must not be written to. Error: CannotWrite.
+/// linked it to an image of a dataset, which must not be written to. Error: CannotWrite.
 [[nodiscard]] Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder,
                                                  const std::string& name);
 

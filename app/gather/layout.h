@@ -53,7 +53,7 @@ class Layout {
 struct LayoutKind {
     const char* name;
     const char* text;     // what it is, for people
-    bool every_modality;  // depth and labels go with the pictures, where all datasets have them
+    bool every_modality;  // depth and labels go with the images, where all datasets have them
     std::unique_ptr<Layout> (*make)(LayoutInput input);
     const char* how_to_read;  // in the dataset's README.md
     /// `path` of a part in the README's header, as in "{}-*.tar"; null: Hugging Face has no reader.

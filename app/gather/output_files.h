@@ -19,7 +19,7 @@ class OutputFiles {
   public:
     struct Settings {
         bool resume = false;      // files of an earlier run that are whole stay
-        bool hard_links = false;  // pictures are linked, not copied, where that is possible
+        bool hard_links = false;  // make hard links instead of copies if possible
     };
 
     [[nodiscard]] static Result<OutputFiles> begin(const io::GuardedFolder& folder,
@@ -33,7 +33,7 @@ class OutputFiles {
     /// Several files of one folder, in parallel.
     [[nodiscard]] Status write(const std::string& folder,
                                const std::vector<std::pair<std::string, std::string>>& texts);
-    /// The pictures of frames `begin` to `end` (not included), in parallel.
+    /// The images of frames `begin` to `end` (not included), in parallel.
     [[nodiscard]] Status copyPictures(const OpenSource& source, std::size_t begin, std::size_t end,
                                       const std::string& folder, const JobContext& job);
 
@@ -43,7 +43,7 @@ class OutputFiles {
   private:
     OutputFiles(const io::GuardedFolder& folder, Settings settings, HashedFile sums)
         : folder_(folder), settings_(settings), sums_(std::move(sums)) {}
-    /// Gives the picture a second name; false where it is a link itself and has to be copied.
+    /// Makes a hard link to the image; false if it is a link itself and must be copied.
     [[nodiscard]] Result<bool> linkPicture(const OpenSource& source, std::size_t frame,
                                            const io::GuardedFolder& to) const;
     [[nodiscard]] Status copyPicture(const OpenSource& source, std::size_t frame,
@@ -54,7 +54,7 @@ class OutputFiles {
     HashedFile sums_;
 };
 
-/// The name of a frame's picture in layouts of single files.
+/// The name of a frame's image in layouts of single files.
 [[nodiscard]] std::string pictureNameOf(const OpenSource& source, std::size_t frame);
 
 }  // namespace dollytrack::gather

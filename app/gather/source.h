@@ -61,7 +61,7 @@ class SourceReader {
   public:
     explicit SourceReader(SourceNeeds needs) : needs_(std::move(needs)) {}
 
-    /// Errors: BadInput where the dataset is unfinished, damaged, has no pictures or boxes, or does
+    /// Errors: BadInput where the dataset is unfinished, damaged, has no images or boxes, or does
     /// not go with the first one, naming both; Cancelled.
     [[nodiscard]] Result<Source> read(const std::filesystem::path& folder, const JobContext& job);
 

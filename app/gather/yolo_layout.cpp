@@ -9,7 +9,7 @@
 namespace dollytrack::gather {
 namespace {
 
-/// Readers take a picture's path and put `labels` in the place of `images`.
+/// Readers take an image's path and put `labels` in the place of `images`.
 class YoloLayout : public Layout {
   public:
     explicit YoloLayout(LayoutInput input) : input_(std::move(input)) {}

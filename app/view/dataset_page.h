@@ -30,7 +30,7 @@ struct DatasetPage {
     std::string html;
     std::size_t triangles = 0;
     int pictures_of_frames = 0;
-    int picture_width_px = 0;  // 0 without pictures
+    int picture_width_px = 0;  // 0 without images
     int unreadable_pictures = 0;
 };
 

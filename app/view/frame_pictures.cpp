@@ -23,12 +23,12 @@ constexpr std::array<ShownModality, 6> kShown = {{{"rgb", "Colour"},
                                                   {"depth_sensor", "Sensor depth"},
                                                   {"instance", "Objects"},
                                                   {"semantic", "Classes"}}};
-// Tried one after the other; the first is as wide as the page shows pictures.
+// Tried one after the other; the first is as wide as the page shows images.
 constexpr std::array<SmallPictureSize, 7> kSizes = {
     {{512, 82}, {448, 82}, {384, 80}, {320, 80}, {256, 78}, {208, 75}, {160, 72}}};
 constexpr std::size_t kTried = 12;       // frames of which sizes are estimated
 constexpr double kSafety = 1.06;         // of the estimate
-constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also where there is no picture
+constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also where there is no image
 
 std::string fileOf(const io::GuardedFolder& folder, const std::string& modality, int frame) {
     std::string name = verify::imageFile(modality, frame);
@@ -36,7 +36,7 @@ std::string fileOf(const io::GuardedFolder& folder, const std::string& modality,
     return name.substr(0, name.size() - 4) + ".jpg";
 }
 
-/// Encodes pictures of a dataset.
+/// Encodes images of a dataset.
 class PictureMaker {
   public:
     PictureMaker(const verify::StoredDataset& dataset, const io::GuardedFolder& folder)
@@ -48,7 +48,7 @@ class PictureMaker {
 
     [[nodiscard]] const std::vector<PictureKind>& kinds() const { return kinds_; }
 
-    /// Bytes in the page of these frames' pictures.
+    /// Bytes in the page of these frames' images.
     [[nodiscard]] std::size_t bytesOf(const std::vector<int>& frames, const SmallPictureSize& size,
                                       const JobContext& job) const {
         return bytesIn(make(frames, size, job));
@@ -117,7 +117,7 @@ std::vector<int> choose(const std::vector<int>& first, std::size_t count, std::s
     return chosen;
 }
 
-/// How large pictures of how many frames are made.
+/// Image size and number of frames to try.
 struct PictureTry {
     std::size_t size = 0;  // index into kSizes
     std::size_t frames = 0;
@@ -141,7 +141,7 @@ PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t m
                                                       std::max(per_frame, 1.0)))};
 }
 
-/// After an estimate that was too low: smaller pictures, or fewer.
+/// After an estimate that was too low: smaller images, or fewer.
 PictureTry nextTry(PictureTry before) {
     if (before.size + 1 < kSizes.size()) return {before.size + 1, before.frames};
     return {before.size, before.frames * 9 / 10};

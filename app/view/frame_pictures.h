@@ -12,7 +12,7 @@
 
 namespace dollytrack::view {
 
-/// Small pictures of one kind.
+/// Small images of one kind.
 struct PictureKind {
     std::string modality;
     std::string text;                              // for people
@@ -22,11 +22,11 @@ struct PictureKind {
 struct FramePictures {
     render::SmallPictureSize size;
     std::vector<PictureKind> kinds;  // those that the dataset has
-    std::vector<bool> chosen;        // by frame: whether its pictures were to be in the page
+    std::vector<bool> chosen;        // by frame: whether its images were chosen for the page
     int unreadable = 0;              // images of chosen frames that are gone or damaged
 };
 
-/// Small pictures of a dataset's frames that take at most `most_bytes` as base64: of all frames, as
+/// Small images of a dataset's frames that take at most `most_bytes` as base64: of all frames, as
 /// large as fits. Where even the smallest are too many, of the frames in `first` and of others at
 /// even distances, as many as fit. Errors: BadInput; Cancelled.
 [[nodiscard]] Result<FramePictures> makeFramePictures(const verify::StoredDataset& dataset,

@@ -22,7 +22,7 @@ const std::array<float, 256>& linearTable() {
     return table;
 }
 
-/// The pixel at a texture coordinate of a repeating picture along one side.
+/// The pixel at a texture coordinate of a repeating image along one side.
 int pixelAt(float coordinate, int size) {
     const float part = coordinate - std::floor(coordinate);
     if (!(part >= 0.0F)) return 0;  // not a number
@@ -39,7 +39,7 @@ Eigen::Vector3f texel(const Texture& texture, const Eigen::Vector2f& uv) {
     return {table[texture.rgba[at]], table[texture.rgba[at + 1]], table[texture.rgba[at + 2]]};
 }
 
-/// White where there is no picture.
+/// White where there is no image.
 Eigen::Vector3f meanTexel(const Scene& scene, int texture_index, const Triangle& corners) {
     if (texture_index < 0) return Eigen::Vector3f::Ones();
     const Texture& texture = scene.textures[static_cast<std::size_t>(texture_index)];

@@ -16,16 +16,16 @@ struct LensRay {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// What a rig camera's pixels look at. Image positions are in px from the picture's top left
-/// corner; pixel (0, 0) has its centre at (0.5, 0.5), the axis is in the middle.
-///
+/// Projection of a rig camera. Image positions are in px from the image's top left corner; the
+/// centre of pixel (0, 0) is at (0.5, 0.5), and the axis is in the image's centre.
 /// - pinhole: x = f X/Z + w/2, with f from the field of view across the width;
-/// - fisheye: r = f (t + k1 t^3 + k2 t^5 + k3 t^7 + k4 t^9), t the angle from the axis, r the
-///   distance from the middle (Kannala and Brandt 2006, as OpenCV's fisheye module has it);
-///   equidistant where all k are 0. f puts half the field of view at w/2, where the image ends;
-/// - equirectangular: x = w (1/2 + lon / 2 pi), y = h (1/2 - lat / pi), lon = atan2(X, Z) to the
-///   right, lat upwards;
-/// - orthographic: x = s X + w/2, y = s Y + h/2, with s px a metre.
+/// - fisheye: r = f (t + k1 t^3 + k2 t^5 + k3 t^7 + k4 t^9), with the angle t from the axis and the
+///   distance r from the image's centre (Kannala and Brandt 2006, OpenCV's fisheye module);
+///   equidistant if all k are 0. With this f, half the field of view is at w/2, where the image
+///   circle ends;
+/// - equirectangular: x = w (1/2 + lon / 2 pi), y = h (1/2 - lat / pi), with lon = atan2(X, Z) to
+///   the right and lat upwards;
+/// - orthographic: x = s X + w/2, y = s Y + h/2, with s px per metre.
 class LensModel {
   public:
     /// `camera` must pass validate().
@@ -34,25 +34,25 @@ class LensModel {
     [[nodiscard]] Lens lens() const { return lens_; }
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
-    /// px, or px a metre of an orthographic lens; of an equirectangular one px a radian across.
+    /// Focal length, px; for orthographic lenses px per metre, for equirectangular ones horizontal
+    /// px per radian.
     [[nodiscard]] double focal() const { return focal_; }
-    /// The largest angle from the axis that is seen, radians.
+    /// Largest visible angle from the axis, radians.
     [[nodiscard]] double widest() const { return widest_; }
     /// Whether depths are along the ray.
     [[nodiscard]] bool measuresRange() const {
         return lens_ == Lens::Fisheye || lens_ == Lens::Equirectangular;
     }
 
-    /// Nothing outside of a fisheye's image circle.
+    /// The ray through an image position; nullopt outside a fisheye's image circle.
     [[nodiscard]] std::optional<LensRay> ray(double x, double y) const;
 
-    /// Image position of a point in the camera's axes, which may lie outside of the picture;
-    /// nothing of what the lens cannot see: behind it, beyond a fisheye's field of view.
+    /// Image position of a point in the camera frame; it may be outside the image. Nullopt if the
+    /// point is behind the lens or outside a fisheye's field of view.
     [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& in_camera) const;
 
-    /// The most px a radian that the picture has anywhere, in any direction where it is not
-    /// stretched without end (an equirectangular picture's rows near the poles are). Of lenses with
-    /// one centre.
+    /// The highest resolution in the image, px per radian, except where it is stretched without
+    /// bound (an equirectangular image's rows near the poles). Only for lenses with one centre.
     [[nodiscard]] double mostPxPerRadian() const;
 
   private:

@@ -4,27 +4,28 @@
 
 namespace dollytrack {
 
-/// How the colour pictures of a dataset come to be; depth, labels and all else are the same.
+/// How the colour images of a dataset are rendered. Depth, labels and all other images do not
+/// depend on it.
 enum class RenderMode {
-    Fast,       // drawn, lit by light computed once for the scene
+    Fast,       // rasterized, with light computed once for the scene
     Reference,  // path traced
 };
 
-/// How drawn pictures get smooth edges. Labels and depth are those of pixels' centres always.
+/// Antialiasing of rasterized images. Labels and depth are always those of pixel centres.
 enum class Antialias {
-    Edges,     // one look a pixel, steps in the picture are blurred along; fast
-    Samples4,  // the mean of so many looks a pixel
+    Edges,     // one sample per pixel, jagged edges are blurred; fast
+    Samples4,  // mean of this many samples per pixel
     Samples8,
 };
 
-/// What smooth surfaces of drawn pictures show. Path traced ones show all.
+/// Reflections in smooth surfaces of rasterized images. Path-traced images have all reflections.
 enum class Reflections {
     Blurred,  // the room's light
-    Mirrors,  // things, in mirrors and smooth metal
-    All,      // things, in all that is smooth
+    Mirrors,  // objects, in mirrors and smooth metal
+    All,      // objects, in all smooth surfaces
 };
 
-/// The colour pictures that an export writes.
+/// Parameters of the colour images that an export writes.
 struct PictureParams {
     RenderMode render_mode = RenderMode::Fast;
     Antialias antialias = Antialias::Samples4;

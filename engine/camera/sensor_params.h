@@ -5,14 +5,14 @@
 namespace dollytrack {
 
 /// Sets of settings that belong together. Typical of the kind, measured on no single camera. Their
-/// distortion is that of a picture 60 degrees wide; in wider ones render/sensors/sensor_lens fits
+/// distortion is that of an image 60 degrees wide; in wider ones render/sensors/sensor_lens fits
 /// it.
 enum class SensorPreset { Ideal, Phone, Webcam, ActionCamera, MachineVision };
 
 /// How the depth camera errs; the models and their sources are in render/sensors/depth_noise.h.
 enum class DepthNoise { None, KinectAzure, Redwood };
 
-/// What a real camera would make of the clean picture: of the modalities rgb_sensor and
+/// Simulation of a real camera's images from the clean ones: the modalities rgb_sensor and
 /// depth_sensor; all other files are the same. The values here are those of a phone.
 struct SensorParams {
     SensorPreset sensor_preset = SensorPreset::Phone;

@@ -89,7 +89,7 @@ struct CaptureBound {
     std::vector<int> not_well_capturable;  // object ids
 };
 
-/// Everything that planning found. Plain data, shared by export, project files and pictures.
+/// Everything that planning found. Plain data, shared by export, project files and images.
 struct Plan {
     std::vector<Eigen::AlignedBox3d> rooms;  // by component of free space
     std::optional<double> scanned_share;     // of the rooms' air, 0..1; scans only

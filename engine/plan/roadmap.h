@@ -32,7 +32,7 @@ struct RefusedEdge {
 struct Roadmap {
     std::vector<RoadmapEdge> edges;
     std::vector<RefusedEdge> refused;
-    std::vector<Eigen::Vector3d> samples;  // of RRT*, for the picture
+    std::vector<Eigen::Vector3d> samples;  // of RRT*, for the image
     std::vector<int> sample_parents;       // index of the sample each grew from; -1: an end
     AlgorithmSteps steps;                  // how all this came about
     std::vector<int> group;                // connected part of each position point

@@ -28,7 +28,7 @@ struct RenderedAmodalMask {
 };
 
 /// Draws amodal masks, many side by side on one large texture. The pixel grid is that of the
-/// picture.
+/// image.
 class AmodalMaskRenderer {
   public:
     [[nodiscard]] static Result<AmodalMaskRenderer> create();

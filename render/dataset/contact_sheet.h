@@ -11,7 +11,7 @@
 
 namespace dollytrack::render {
 
-/// A picture of a contact sheet: an image file in the dataset folder and its caption.
+/// An entry of a contact sheet: an image file in the dataset folder and its caption.
 struct SheetPicture {
     std::string file;
     std::string caption;

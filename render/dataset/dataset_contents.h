@@ -35,7 +35,7 @@ struct DatasetFrame {
     std::vector<ObjectMask> masks;  // visible masks of all objects; empty unless a format needs
                                     // them
     std::vector<InstanceInFrame> instances;  // of visible objects; empty unless needed
-    std::optional<PictureQuality> quality;   // of the colour picture; none without modality rgb
+    std::optional<PictureQuality> quality;   // of the colour image; none without modality rgb
 };
 
 /// Everything that formats write from, except the images themselves.
@@ -64,7 +64,7 @@ struct DatasetContents {
     }
 
     /// The modality that other files show or refer to: rgb, else rgb_sensor, else the first that is
-    /// a picture, else the first of all.
+    /// an image, else the first of all.
     [[nodiscard]] const Modality& pictureModality() const {
         for (const std::string_view first : {std::string_view("rgb"), kRgbSensor}) {
             for (const Modality* modality : modalities) {

@@ -44,7 +44,7 @@ struct DatasetSettings {
     std::vector<int> flow_distances = {1};  // in frames of the dataset
     double stereo_baseline_m = 0.1;
     PictureParams picture;
-    LightParams light;    // of the colour pictures
+    LightParams light;    // of the colour images
     SensorParams sensor;  // of rgb_sensor and depth_sensor
     ScoreWeights score;   // for the scores in frames.csv
     FoldSettings folds;   // for cross-validation
@@ -77,7 +77,7 @@ struct DatasetSummary {
     CaptureMetrics counted;  // measured from the pixels
     PictureTally pictures;
     std::vector<ObjectCapture> captures;  // empty if the dataset was complete already
-    std::filesystem::path contact_sheet;  // empty if no modality is a picture
+    std::filesystem::path contact_sheet;  // empty if no modality is an image
 };
 
 /// Renders a trajectory into a labelled dataset: call begin(), then step() until it returns false,

@@ -34,7 +34,7 @@ struct JournalEntry {
     std::vector<InstanceInFrame> instances;
     std::vector<ObjectView> views;  // views that affect captures
     std::vector<int> well_shown;
-    std::optional<PictureQuality> quality;  // of the colour picture; none without modality rgb
+    std::optional<PictureQuality> quality;  // of the colour image; none without modality rgb
 };
 
 /// File name of the journal in the dataset folder.

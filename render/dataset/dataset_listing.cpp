@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Matches 000000.png, 000000_000001.flo, EuRoC pictures named by 19-digit times, and temporary
+/// Matches 000000.png, 000000_000001.flo, EuRoC images named by 19-digit times, and temporary
 /// files of a killed run (000000.png.tmp.123).
 bool isFrameFile(const std::string& name, int frames) {
     const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());

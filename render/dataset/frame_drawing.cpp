@@ -29,7 +29,7 @@ void warnOfTouching(const DatasetContents& contents) {
                             "; plan with them at other poses (--time), or export with --still");
 }
 
-/// Warns that labels belong to the undistorted pictures.
+/// Warns that labels belong to the undistorted images.
 void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
     std::string names;
     for (const Format* format : formats) {

@@ -19,7 +19,7 @@ int lumaOf(const std::uint8_t* rgb) {
     return (54 * rgb[0] + 183 * rgb[1] + 19 * rgb[2] + 128) >> 8;
 }
 
-/// Sums of luma over the picture's whole tiles, row by row.
+/// Sums of luma over the image's whole tiles, row by row.
 struct Tiles {
     int across = 0;
     int down = 0;

@@ -11,7 +11,7 @@
 
 namespace dollytrack::render {
 
-/// How small a picture for a web page is.
+/// How small an image for a web page is.
 struct SmallPictureSize {
     int width_px = 320;
     int jpeg_quality = 80;  // 1 .. 100

@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Macros of light.frag. Without kSamplesPerPixel and kSensor the shader makes a finished picture.
+// Macros of light.frag. Without kSamplesPerPixel and kSensor the shader makes a finished image.
 constexpr unsigned kSamplesPerPixel = 1;
 constexpr unsigned kSensor = 2;
 constexpr unsigned kSun = 4;

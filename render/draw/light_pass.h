@@ -26,7 +26,7 @@ class LightPass {
     [[nodiscard]] Status setLight(const LightVolume& light);
     /// Changes strengths only: the volume keeps its grid, its lamp light and the sun's direction.
     void changeLight(const LightVolume& light);
-    /// The sun's shadow map is drawn again before the next picture.
+    /// The sun's shadow map is drawn again before the next image.
     void forgetShadow() { sun_shadow_is_old_ = true; }
 
     /// Smooth surfaces show these reflections from now on.
@@ -56,10 +56,10 @@ class LightPass {
     /// Adds the target's surface buffer as linear light before the tone curve; see LightSum.
     void addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target);
 
-    /// Encodes the sum as the finished picture.
+    /// Encodes the sum as the finished image.
     void encodeSum(RenderTarget& target);
     /// Antialiases the result of drawPicture() with an edge filter; this makes the finished
-    /// picture.
+    /// image.
     void smoothEdges(RenderTarget& target);
 
   private:

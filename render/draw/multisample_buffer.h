@@ -10,7 +10,7 @@
 namespace dollytrack::render {
 
 /// The surface buffer of RenderTarget with kSamplesPerPixel samples per pixel (multisampling), for
-/// antialiased edges. It is needed only while a picture is drawn, so one buffer serves all targets
+/// antialiased edges. It is needed only while an image is drawn, so one buffer serves all targets
 /// of its size.
 class MultisampleBuffer {
   public:

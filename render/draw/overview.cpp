@@ -66,7 +66,7 @@ View overviewOf(const Scene& scene, const OverviewSettings& settings,
     const Eigen::Vector3d aside(std::cos(azimuth), std::sin(azimuth), 0.0);
     const Eigen::Vector3d way =
         std::cos(elevation) * aside + Eigen::Vector3d(0, 0, std::sin(elevation));
-    // The picture must contain the floor's corners and the tops of the walls that stay.
+    // The image must contain the floor's corners and the tops of the walls that stay.
     std::vector<Eigen::Vector3d> corners;
     for (int i = 0; i < 8; ++i) {
         const Eigen::Vector3d corner =

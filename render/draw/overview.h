@@ -16,7 +16,7 @@
 
 namespace dollytrack::render {
 
-/// Viewpoint and size of an overview picture of the whole scene.
+/// Viewpoint and size of an overview image of the whole scene.
 struct OverviewSettings {
     int width_px = 1600;
     int height_px = 1000;

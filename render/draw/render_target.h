@@ -16,7 +16,7 @@ class RenderTarget {
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
-    /// Waits for the drawing and copies the finished picture: sRGB, 3 bytes per pixel.
+    /// Waits for the drawing and copies the finished image: sRGB, 3 bytes per pixel.
     void readRgb(std::vector<std::uint8_t>& rgb) const;
     /// Planar depth, m; 0 where nothing was hit.
     void readDepth(std::vector<float>& depth) const;
@@ -30,7 +30,7 @@ class RenderTarget {
     /// curve, 3 values per pixel; 0 where nothing was added. beginLight() must have been called.
     void readLight(std::vector<float>& light) const;
 
-    /// The finished picture as an OpenGL texture, for display in a window.
+    /// The finished image as an OpenGL texture, for display in a window.
     [[nodiscard]] unsigned picture() const { return picture_.get(); }
     /// The depth of readDrawnDepth() as an OpenGL texture of 32-bit floats.
     [[nodiscard]] unsigned depth() const { return depth_.get(); }

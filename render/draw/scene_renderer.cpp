@@ -50,7 +50,7 @@ struct SceneRenderer::Impl {
     AmodalMaskRenderer amodal_masks;
     std::map<int, RestingObject> resting;  // uploaded state of the objects that were moved
     const TracedReflections* reflections = nullptr;
-    std::vector<Eigen::Vector4f> reflected;  // reused between pictures
+    std::vector<Eigen::Vector4f> reflected;  // reused between images
 
     Status setLight(const LightVolume& volume) {
         surfaces.setLight(volume);

@@ -48,7 +48,7 @@ class SceneRenderer {
     [[nodiscard]] Status draw(const View& view, RenderTarget& target,
                               SurfaceTarget* surfaces = nullptr);
 
-    /// Draws everything but colour; the target's picture stays as it was.
+    /// Draws everything but colour; the target's image stays as it was.
     [[nodiscard]] Status drawLabels(const View& view, RenderTarget& target,
                                     SurfaceTarget* surfaces = nullptr);
 

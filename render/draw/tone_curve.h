@@ -6,7 +6,7 @@
 
 namespace dollytrack::render {
 
-// From linear light to the bytes of a picture, as in assets/shaders/light.frag.
+// From linear light to the bytes of an image, as in assets/shaders/light.frag.
 
 /// Tone curve: identity up to 0.55, then a smooth roll-off towards 1, so that lamps do not clip.
 /// Linear input and output, 1 is white.

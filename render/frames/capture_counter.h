@@ -20,7 +20,7 @@ class CaptureCounter {
     /// their pixel counts to addSilhouettes() before the next frame.
     [[nodiscard]] std::vector<int> addFrame(const FrameRecord& frame);
     /// `whole_px` holds silhouette areas in the order of addFrame()'s ids. A frame with an unusable
-    /// picture captures nothing and adds no views.
+    /// image captures nothing and adds no views.
     void addSilhouettes(std::span<const std::uint64_t> whole_px, bool usable = true);
 
     /// Adds a frame that an earlier run counted, instead of the two functions above. If frames come

@@ -9,7 +9,7 @@ namespace dollytrack::render {
 
 namespace {
 
-/// Pictures that are drawn after the frame's labels are read back.
+/// Images that are drawn after the frame's labels are read back.
 constexpr unsigned kNeedsLater = kNeedsRight | kNeedsRig | kNeedsSensorLight;
 
 }  // namespace
@@ -193,7 +193,7 @@ Status FramePipeline::startNext() {
     placeObjects(missing_[started_]);
     lightFrame(missing_[started_]);
     View view = viewOf(missing_[started_++]);
-    if (!needs(kNeedsRgb) || reference_) {  // path-traced pictures are drawn later
+    if (!needs(kNeedsRgb) || reference_) {  // path-traced images are drawn later
         return renderer_->drawLabels(view, *targets_[place], surfaces);
     }
     view.antialias = picture_.antialias;

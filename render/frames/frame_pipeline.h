@@ -76,7 +76,7 @@ class FramePipeline {
     [[nodiscard]] Result<std::vector<std::uint64_t>> drawInstances(const View& view,
                                                                    FrameRecord& record,
                                                                    const std::vector<int>& wanted);
-    /// Counts a frame's captures once the quality of its picture is known.
+    /// Counts a frame's captures once the quality of its image is known.
     [[nodiscard]] Status count(int index, std::span<const std::uint64_t> silhouettes_px,
                                FrameLedger* ledger);
     [[nodiscard]] Status drawRig(FrameRecord& record);
@@ -96,7 +96,7 @@ class FramePipeline {
     std::optional<FrameLights> lights_;
     std::optional<FrameReflections> reflections_;
     int lit_for_ = -1;  // frame whose light the renderer has, if light varies
-    std::optional<ReferencePictures> reference_;  // only for path-traced pictures
+    std::optional<ReferencePictures> reference_;  // only for path-traced images
     std::optional<SensorPictures> sensor_;        // only with kNeedsSensorLight
     CaptureCounter counter_;
     std::map<int, std::vector<ObjectView>> restored_;
@@ -104,7 +104,7 @@ class FramePipeline {
     std::size_t started_ = 0;   // number of missing frames whose drawing has started
     std::size_t drawn_ = 0;
     int silhouettes_of_ = -1;                // frame whose silhouettes are pending, -1: none
-    std::optional<PictureQuality> quality_;  // of the last picture drawn
+    std::optional<PictureQuality> quality_;  // of the last image drawn
     int restored_until_ = 0;                 // restored frames below this index are counted
 };
 

@@ -17,7 +17,7 @@ namespace dollytrack::render {
 /// Light of each frame of a dataset. If LightParams::light_varies is set, light depends on the
 /// frame's number in the whole trajectory. Irradiance grids of lamps, emission, sky and sun are
 /// baked once and summed with weights per frame. The exposure suits the nominal light, so stronger
-/// light gives a brighter picture; LightParams::exposure_ev may vary it.
+/// light gives a brighter image; LightParams::exposure_ev may vary it.
 class FrameLights {
   public:
     /// Bakes the grids. The volume is empty if the job was cancelled.

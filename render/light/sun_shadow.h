@@ -8,7 +8,7 @@
 
 namespace dollytrack::render {
 
-/// Shadow map of the sun for drawn pictures; shadow casters are those of SunRays. The OpenGL
+/// Shadow map of the sun for drawn images; shadow casters are those of SunRays. The OpenGL
 /// context in which it was created must be current for every call.
 class SunShadow {
   public:

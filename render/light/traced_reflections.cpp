@@ -125,7 +125,7 @@ Eigen::Vector4f TracedReflections::seenIn(const View& view, double x, double y) 
         const Eigen::Vector3d mirrored = way - 2.0 * way.dot(point.normal) * point.normal;
         // With a smoothed normal the mirrored ray may pass through its own triangle.
         if (mirrored.dot(point.face) <= 0.0) break;
-        // Files use any unit for emission; clamped values are white in any picture.
+        // Files use any unit for emission; clamped values are white in any image.
         const Eigen::Vector3f light =
             lightAlong(liftedOff(point, mirrored), mirrored).cwiseMin(kBrightest);
         if (!light.allFinite()) break;

@@ -15,7 +15,7 @@
 
 namespace dollytrack::render {
 
-/// Ray-traced reflections on the smooth surfaces of a drawn picture. Reflected surfaces are shaded
+/// Ray-traced reflections on the smooth surfaces of a drawn image. Reflected surfaces are shaded
 /// from the light volume; rays continue at further mirrors. Thread-safe. Keeps references to scene,
 /// rays, light and moved shape.
 class TracedReflections {

@@ -50,7 +50,7 @@ struct OverlayTriangle {
     std::int32_t tag = kNoTag;
 };
 
-/// Elements drawn over a picture of a scene. Boxes are drawn first, then triangles, lines and
+/// Elements drawn over an image of a scene. Boxes are drawn first, then triangles, lines and
 /// marks, each in their order. Only the frontmost box or triangle of a pixel is drawn, so that many
 /// translucent cells do not add up to an opaque colour.
 struct Overlay {

@@ -8,7 +8,7 @@
 
 namespace dollytrack::render {
 
-/// The image that overlays are drawn into, over a copy of a picture. Row 0 is the top.
+/// The image that overlays are drawn into, over a copy of a rendered image. Row 0 is the top.
 class OverlayCanvas {
   public:
     /// Creates the images. Returns Usage if the driver does not support the size.
@@ -28,7 +28,7 @@ class OverlayCanvas {
     int height_ = 0;
     gl::Texture picture_;
     gl::Framebuffer frame_;
-    // The frontmost boxes and triangles of one layer, before they are blended over the picture.
+    // The frontmost boxes and triangles of one layer, before they are blended over the image.
     gl::Texture surface_color_;
     gl::Texture surface_z_;
     gl::Framebuffer surface_frame_;

@@ -8,10 +8,10 @@
 
 namespace dollytrack::render {
 
-/// Paints an overlay's lines and marks into a finished picture of a view without OpenGL; boxes and
+/// Paints an overlay's lines and marks into a finished image of a view without OpenGL; boxes and
 /// triangles are ignored (see overlay_renderer.h). Elements behind the surfaces of `depth_m`
 /// (planar, 0: nothing) are faint. `pixel_scale` multiplies widths in px, for supersampled
-/// pictures.
+/// images.
 void paintOverlay(const Overlay& overlay, const View& view, const std::vector<float>& depth_m,
                   double pixel_scale, std::vector<std::uint8_t>& rgb);
 

@@ -83,7 +83,7 @@ Status OverlayRenderer::draw(std::span<const OverlayLayer> layers, const View& v
 
 void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
                                    OverlayCanvas& canvas) {
-    // Drawn into a separate image with its own depth buffer, then blended over the picture: the
+    // Drawn into a separate image with its own depth buffer, then blended over the image: the
     // order of boxes does not matter, and each pixel is tinted once.
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.surface_frame_.get());
     const std::array<float, 4> zero{};

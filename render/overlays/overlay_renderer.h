@@ -19,13 +19,13 @@ struct OverlayLayer {
     float hidden_opacity = 0.22F;
 };
 
-/// Draws overlays over a finished picture: sizes in pixels, antialiased edges, faint where hidden
+/// Draws overlays over a finished image: sizes in pixels, antialiased edges, faint where hidden
 /// by the scene. The OpenGL context in which it was created must be current for every call.
 class OverlayRenderer {
   public:
     [[nodiscard]] static Result<OverlayRenderer> create();
 
-    /// Copies the target's picture to the canvas and draws the layers in order: boxes and triangles
+    /// Copies the target's image to the canvas and draws the layers in order: boxes and triangles
     /// of all layers first, then lines and marks. The target must hold SceneRenderer's result for
     /// the same view and have the canvas's size. It is not changed, so new overlays need no drawing
     /// of the scene. `pixel_scale` multiplies all widths and sizes, for high-density screens.

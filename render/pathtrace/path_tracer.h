@@ -23,10 +23,10 @@ struct PathTracerParams {
     std::uint32_t seed = 1;
     int max_bounces = 64;       // Russian roulette ends nearly all paths earlier
     bool sample_lights = true;  // false: unbiased but noisy, without light sampling
-    float exposure = 1.0F;  // of the developed picture; backdrops are scaled to keep their colour
+    float exposure = 1.0F;      // of the developed image; backdrops are scaled to keep their colour
 };
 
-/// An accumulated picture: linear RGB radiance, summed over `samples` per pixel; row 0 at the top.
+/// An accumulated image: linear RGB radiance, summed over `samples` per pixel; row 0 at the top.
 struct RadianceImage {
     int width = 0;
     int height = 0;
@@ -38,7 +38,7 @@ struct RadianceImage {
     }
 };
 
-/// Unidirectional path tracer, the reference for drawn pictures. Paths start at the camera (Kajiya
+/// Unidirectional path tracer, the reference for drawn images. Paths start at the camera (Kajiya
 /// 1986); light sampling and BRDF sampling are combined by the power heuristic (Veach 1997). Glass
 /// is a thin sheet without refraction, both sides of a triangle count, and cut-outs have their
 /// holes. Thread-safe. Keeps references to scene, rays and moved shape.

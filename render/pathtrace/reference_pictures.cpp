@@ -65,7 +65,7 @@ Status ReferencePictures::take(const LensModel& lens, const Pose& pose, int fram
     const double near_m = context_.contents.camera.near_m;
     if (!lens.measuresRange()) return take(viewThrough(lens, pose, near_m), frame, rgb);
     const auto rayThrough = [&](double x, double y) -> std::optional<ViewRay> {
-        // A pixel is in the picture if its centre is; then all its samples get light.
+        // A pixel is in the image if its centre is; then all its samples get light.
         const auto centre = lens.ray(std::floor(x) + 0.5, std::floor(y) + 0.5);
         if (!centre) return std::nullopt;
         const LensRay ray = lens.ray(x, y).value_or(*centre);

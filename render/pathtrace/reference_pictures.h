@@ -14,7 +14,7 @@
 
 namespace dollytrack::render {
 
-/// Path-traced pictures of a dataset's frames, as an alternative to drawn ones.
+/// Path-traced images of a dataset's frames, as an alternative to drawn ones.
 class ReferencePictures {
   public:
     /// `context` and `lights` must outlive this object; `job` can cancel the tracing.
@@ -25,7 +25,7 @@ class ReferencePictures {
     /// Cancelled if the job was cancelled.
     [[nodiscard]] Status take(const View& view, int frame, std::vector<std::uint8_t>& rgb);
 
-    /// Traces exposure sample `number` with a share 1 / `parts` of a picture's samples, at least
+    /// Traces exposure sample `number` with a share 1 / `parts` of an image's samples, at least
     /// one. `light` is linear, before the tone curve, 1 is white. Each number uses its own random
     /// numbers.
     [[nodiscard]] Status takePart(const View& view, int frame, int number, int parts,

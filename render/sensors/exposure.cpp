@@ -69,7 +69,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
         middle_aperture += points[i].aperture / period;
         middle_aside_px += points[i].aside_px / period;
     }
-    // Offsets average to zero, so that the picture is centred on the pixel centres, as labels are.
+    // Offsets average to zero, so that the image is centred on the pixel centres, as labels are.
     for (int i = 0; i < count; ++i) {
         ExposureLook& look = looks_.emplace_back(points[static_cast<std::size_t>(i % period)]);
         look.after_s = look_step_s_ * (i - 0.5 * (count - 1));

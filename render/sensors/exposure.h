@@ -14,7 +14,7 @@ namespace dollytrack::render {
 /// samples.
 [[nodiscard]] double rowExposureSeconds(const SensorParams& params, int height);
 
-/// One exposure sample; a sensor picture is the mean of several.
+/// One exposure sample; a sensor image is the mean of several.
 struct ExposureLook {
     double after_s = 0.0;                                // s, relative to the frame's time
     Eigen::Vector2d aperture = Eigen::Vector2d::Zero();  // point of the aperture, in units of its

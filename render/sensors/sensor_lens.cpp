@@ -21,7 +21,7 @@ std::array<float, 4> cubic(float t) {
             0.5F * (t + 4 * t * t - 3 * t * t * t), 0.5F * (-t * t + t * t * t)};
 }
 
-/// Position in the extended clean picture (px) that the sensor position (x, y) maps to.
+/// Position in the extended clean image (px) that the sensor position (x, y) maps to.
 std::optional<Eigen::Vector2d> lookThrough(const Intrinsics& sensor, const LensDistortion& lens,
                                            double x, double y) {
     const auto straight = lens.straighten(sensor.unproject(x, y).head<2>());

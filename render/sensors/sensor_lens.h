@@ -15,25 +15,25 @@
 
 namespace dollytrack::render {
 
-/// Lens distortion of the sensor's pictures.
+/// Lens distortion of the sensor's images.
 [[nodiscard]] LensDistortion distortionOf(const SensorParams& params);
 
-/// Horizontal field of view of a 4:3 picture for which the presets' distortion is defined.
+/// Horizontal field of view of a 4:3 image for which the presets' distortion is defined.
 inline constexpr double kPresetFov_deg = 60.0;
 
 /// Fits a preset's distortion to this camera. If all five coefficients are the preset's and the
-/// picture's corner is farther from the axis than at kPresetFov_deg, they are scaled so that the
-/// corner moves by the same share of the picture. Otherwise the parameters stay: a narrower picture
+/// image's corner is farther from the axis than at kPresetFov_deg, they are scaled so that the
+/// corner moves by the same share of the image. Otherwise the parameters stay: a narrower image
 /// shows the centre of the preset's, and coefficients set by hand are kept. Repeated calls change
 /// nothing.
 [[nodiscard]] SensorParams fitPresetLens(const CameraParams& camera, SensorParams params);
 
 /// Checks that every pixel shows something. Returns Usage, with advice, if the distortion model
-/// folds over, or leads more than a picture's size outside, before it reaches the corners.
+/// folds over, or leads more than an image's size outside, before it reaches the corners.
 [[nodiscard]] Status validateLens(const CameraParams& camera, const SensorParams& params);
 
 /// Maps a sensor's pixels through its lens to a pinhole image that is large enough for all that the
-/// lens shows. Focal length, and so the scale in the centre, are those of the clean picture.
+/// lens shows. Focal length, and so the scale in the centre, are those of the clean image.
 /// Thread-safe.
 class SensorLens {
   public:
@@ -43,13 +43,13 @@ class SensorLens {
     [[nodiscard]] const Intrinsics& drawn() const { return drawn_; }
 
     /// Position in the drawn image (px) that the centre of a sensor pixel maps to. NaN if the lens
-    /// shows nothing there: beyond the model's range, or more than a picture's size outside.
+    /// shows nothing there: beyond the model's range, or more than an image's size outside.
     [[nodiscard]] const Eigen::Vector2f& lookOf(std::size_t pixel) const { return looks_[pixel]; }
 
     /// Vignetting: the share of light that reaches the pixel.
     [[nodiscard]] float lightShare(std::size_t pixel) const { return light_shares_[pixel]; }
 
-    /// Largest displacement from the clean picture, px.
+    /// Largest displacement from the clean image, px.
     [[nodiscard]] double largestShift_px() const { return largest_shift_px_; }
 
     /// Number of sensor pixels that stay black.

@@ -9,7 +9,7 @@
 namespace dollytrack::verify {
 namespace {
 
-// Valid pictures of twelve rooms by day and by night have ranks of at least 0.58, mostly 0.95. With
+// Valid images of twelve rooms by day and by night have ranks of at least 0.58, mostly 0.95. With
 // outlines of another frame the rank is 0.5; for nine in ten it is at most 0.65 under any shift.
 constexpr double kClearlyMore = 0.1;
 constexpr double kLessUnexplained = 0.4;

@@ -25,19 +25,19 @@ Outlines outlinesOf(const Image16& ids, bool of_things_alone);
 /// The outlines of the mirrored image.
 Outlines mirrored(const Outlines& outlines, bool left_right, bool upside_down);
 
-/// Pictures with fewer border pixels are not judged.
+/// Images with fewer border pixels are not judged.
 constexpr std::size_t kFewestPlaces = 200;
 
-/// How well outlines agree with a picture's edges.
+/// How well outlines agree with an image's edges.
 struct Fit {
-    double rank = 0.5;    // mean percentile rank (0 to 1) of the picture's change at these pixels:
+    double rank = 0.5;    // mean percentile rank (0 to 1) of the image's change at these pixels:
                           // 0.5 by chance, near 1 if all of them are edges
-    double strong = 0.0;  // share of these pixels where the picture changes by kEdge or more
+    double strong = 0.0;  // share of these pixels where the image changes by kEdge or more
     std::size_t count = 0;
 };
 
-/// Magnitude of a picture's changes between neighbouring pixels. Ranks make dark and low-contrast
-/// pictures comparable.
+/// Magnitude of an image's changes between neighbouring pixels. Ranks make dark and low-contrast
+/// images comparable.
 class ChangeMap {
   public:
     static constexpr int kEdge = 8;  // of 255
@@ -46,9 +46,9 @@ class ChangeMap {
 
     /// The fit of outlines shifted by (dx, dy) px.
     [[nodiscard]] Fit fit(const Outlines& outlines, int dx = 0, int dy = 0) const;
-    /// Share of the picture that changes by kEdge or more.
+    /// Share of the image that changes by kEdge or more.
     [[nodiscard]] double structure() const { return structure_; }
-    /// Whether the whole picture has one colour.
+    /// Whether the whole image has one colour.
     [[nodiscard]] bool blank() const { return blank_; }
 
   private:
@@ -65,11 +65,11 @@ class ChangeMap {
     bool blank_ = true;
 };
 
-/// Whether other outlines fit a picture so much better than its own that chance is excluded. A thin
+/// Whether other outlines fit an image so much better than its own that chance is excluded. A thin
 /// line beside a low-contrast border may explain a few pixels, but not most.
 bool explainsBetter(const Fit& other, const Fit& own);
 
-/// Judgement of a picture by the outlines of its own frame.
+/// Judgement of an image by the outlines of its own frame.
 struct OwnFit {
     Fit own;
     double best = 0.0;      // best rank, including mirrored and shifted outlines
@@ -79,7 +79,7 @@ struct OwnFit {
 };
 OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines);
 
-/// Whether the whole picture has one colour.
+/// Whether the whole image has one colour.
 bool isBlank(const Image8& picture);
 constexpr const char* kBlank = "all of it has one colour";
 

@@ -12,17 +12,17 @@ namespace dollytrack::verify {
 namespace {
 
 constexpr double kWellExplained = 0.8;     // rank above which no other frame is tried
-constexpr double kExplainsNothing = 0.65;  // rank below which the picture may belong to another
+constexpr double kExplainsNothing = 0.65;  // rank below which the image may belong to another
                                            // scene
-constexpr double kLeastStructure = 0.02;   // least structure of a picture with content
+constexpr double kLeastStructure = 0.02;   // least structure of an image with content
 constexpr double kMostStructure = 0.7;     // more is noise of few samples per pixel, which hides
                                            // edges
 constexpr double kMoreLikeOthers = 0.1;    // share of frames whose labels fit the colours better
-constexpr double kManyAlike = 0.25;        // share of frames above which unexplained pictures are
+constexpr double kManyAlike = 0.25;        // share of frames above which unexplained images are
                                            // no exception
 constexpr std::size_t kLikeliest = 6;      // frames whose labels are tried, besides the neighbours
 constexpr int kNeighbours = 2;
-constexpr std::size_t kMostTried = 500;  // pictures, those with the worst fit
+constexpr std::size_t kMostTried = 500;  // images, those with the worst fit
 
 }  // namespace
 
@@ -105,7 +105,7 @@ PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {
     return ranked;
 }
 
-/// Problem of a picture that its own labels explain badly; empty if none.
+/// Problem of an image that its own labels explain badly; empty if none.
 std::string PictureJudge::ask(std::size_t frame, bool many_unexplained, const Files& files) const {
     const Seen& seen = *seen_[frame];
     const Ranked ranked = rankedFor(frame);

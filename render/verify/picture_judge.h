@@ -11,7 +11,7 @@
 
 namespace dollytrack::verify {
 
-/// Judges one camera's pictures by the labels of their frames. A picture is wrong if mirrored or
+/// Judges one camera's images by the labels of their frames. An image is wrong if mirrored or
 /// shifted labels, or those of another frame, fit it better; or if its own labels fit nothing in it
 /// and its objects have other colours in the rest of the dataset.
 class PictureJudge {
@@ -29,7 +29,7 @@ class PictureJudge {
         std::function<Image8(int frame)> picture;
         std::function<Image16(int frame)> ids;
     };
-    /// Judges all pictures. Called after all frames were added.
+    /// Judges all images. Called after all frames were added.
     void judge(const Files& files, Findings& findings);
 
   private:
@@ -41,7 +41,7 @@ class PictureJudge {
         double structure = 0.0;
         OwnFit fit = {};
     };
-    /// Other frames by how well their labels fit a picture's colours, best first.
+    /// Other frames by how well their labels fit an image's colours, best first.
     struct Ranked {
         std::vector<std::size_t> others;
         double better = 0.0;  // share that fits better than its own labels; 0 if unknown

@@ -41,8 +41,8 @@ struct PlanArguments {
     SceneArguments scene;
     std::string out;
     std::string picture;
-    int storey = 0;         // storey shown in the picture; 0: the topmost
-    BackendOption backend;  // OpenGL backend for the picture
+    int storey = 0;         // storey shown in the image; 0: the topmost
+    BackendOption backend;  // OpenGL backend for the image
     std::vector<std::string> coverage;
     std::vector<std::string> requirements;
     std::string planner = "dollytrack";

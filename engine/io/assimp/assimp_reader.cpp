@@ -223,7 +223,7 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
     if (says && material.emission_map >= 0) {
         material.emission = {clean(emission.r), clean(emission.g), clean(emission.b)};
     }
-    // Exporters write black beside the picture.
+    // Exporters write black beside the image.
     const bool black = material.emission.isZero(0.0F);
     if (material.emission_map >= 0 && black) material.emission.setOnes();
 

@@ -15,7 +15,7 @@ struct ArchiveFile {
 };
 
 /// A zip archive of the files in their order. The same files give the same bytes: every entry has
-/// the same date. Pictures are stored, everything else is deflated.
+/// the same date. Images are stored, everything else is deflated.
 Result<std::vector<std::uint8_t>> makeArchive(const std::vector<ArchiveFile>& files);
 
 }  // namespace dollytrack

@@ -34,7 +34,7 @@ class TextureList {
   public:
     TextureList(const Document& document, RawScene& raw) : document_(document), raw_(raw) {}
 
-    /// The index of the request for the picture of a texture; -1: it has none that can be decoded.
+    /// The index of the request for the image of a texture; -1: it has none that can be decoded.
     int request(std::size_t texture, bool opaque) {
         const std::optional<std::size_t> image = imageOf(document_.entry("textures", texture));
         if (!image) return -1;
@@ -102,7 +102,7 @@ class TextureList {
             return -1;
         }
         const auto next = static_cast<int>(raw_.textures.size());
-        if (request.embedded.empty()) {  // two images of one file are one picture
+        if (request.embedded.empty()) {  // two images of one file are one image
             const auto [same, is_new] = files_.try_emplace(request.name, next);
             if (!is_new) return same->second;
         }
@@ -145,7 +145,7 @@ Eigen::Vector3f colorOf(const Eigen::Vector3d& value) {
     return {share(value.x()), share(value.y()), share(value.z())};
 }
 
-/// Reads one material; all its maps share the coordinates of the first picture it has.
+/// Reads one material; all its maps share the coordinates of the first image it has.
 class MaterialReader {
   public:
     MaterialReader(const Json& source, TextureList& textures)

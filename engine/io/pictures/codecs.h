@@ -7,7 +7,7 @@
 
 namespace dollytrack::io {
 
-/// A picture as a codec unpacks it: rows from the top without gaps; grey, grey and alpha, RGB or
+/// An image as a codec unpacks it: rows from the top without gaps; grey, grey and alpha, RGB or
 /// RGBA.
 struct UnpackedPicture {
     int width = 0;
@@ -25,7 +25,7 @@ bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
 using PictureBytes = std::span<const std::uint8_t>;
 
 /// One function a library; each only for bytes that begin like its format. Nothing when they are
-/// no whole picture.
+/// no whole image.
 std::optional<UnpackedPicture> unpackPng(PictureBytes bytes);
 std::optional<UnpackedPicture> unpackJpeg(PictureBytes bytes);
 std::optional<UnpackedPicture> unpackWebp(PictureBytes bytes);

@@ -17,7 +17,7 @@ namespace dollytrack::render {
 namespace {
 
 constexpr std::array<const char*, 4> kFiles = {"data.yaml", "classes.txt", "train.txt", "val.txt"};
-/// Readers replace `images` by `labels` in a picture's path.
+/// Readers replace `images` by `labels` in an image's path.
 constexpr std::array<const char*, 3> kFolders = {"labels", "labels_seg", "images"};
 
 std::string pictureName(int frame) {
@@ -44,7 +44,7 @@ Fold splitOf(const DatasetContents& contents) {
     return fold;
 }
 
-/// A picture list; readers resolve names that begin with "./" relative to the list's folder.
+/// An image list; readers resolve names that begin with "./" relative to the list's folder.
 std::string listOf(const std::vector<int>& frames) {
     std::string text;
     for (const int frame : frames) text += fmt::format("./{}\n", pictureName(frame));

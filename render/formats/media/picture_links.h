@@ -8,8 +8,8 @@
 
 namespace dollytrack::render {
 
-/// Additional names of a dataset's pictures, in the layout that readers expect. They are hard links
-/// and take no disk space. Maps each new name to the picture's own, relative to the dataset folder.
+/// Additional names of a dataset's images, in the layout that readers expect. They are hard links
+/// and take no disk space. Maps each new name to the image's own, relative to the dataset folder.
 using PictureLinks = std::map<std::string, std::string>;
 
 /// The links of all given formats.

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::array<const char*, 1> kFiles = {"preview.mp4"};
 
-constexpr double kSlowest = 0.01;  // pictures per second
+constexpr double kSlowest = 0.01;  // images per second
 constexpr double kFastest = 1000.0;
 
-/// Pictures per second, so that the video runs in the trajectory's time. A single frame uses the
+/// Images per second, so that the video runs in the trajectory's time. A single frame uses the
 /// trajectory's rate.
 double rateOf(const DatasetContents& contents) {
     const std::vector<DatasetFrame>& frames = contents.frames;

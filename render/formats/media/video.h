@@ -4,7 +4,7 @@
 
 namespace dollytrack::render {
 
-/// preview.mp4: the colour pictures in order.
+/// preview.mp4: the colour images in order.
 extern const Format kVideoFormat;
 
 }  // namespace dollytrack::render

@@ -123,7 +123,7 @@ struct VideoEncoder::Impl {
     Owned<AVFrame> frame;
     Owned<AVPacket> packet;
     AVStream* stream = nullptr;  // owned by the muxer
-    int width = 0;               // of the input pictures
+    int width = 0;               // of the input images
     int height = 0;
 
     Status open(double frames_per_s);
@@ -155,7 +155,7 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     // Options of x264; other encoders ignore them and use their defaults.
     ::av_opt_set(codec->priv_data, "preset", "veryfast", 0);
     ::av_opt_set(codec->priv_data, "crf", "24", 0);
-    // With mbtree, x264 164 encodes small pictures differently from run to run.
+    // With mbtree, x264 164 encodes small images differently from run to run.
     ::av_opt_set(codec->priv_data, "mbtree", "0", 0);
     if (const int error = ::avcodec_open2(codec.get(), encoder, nullptr); error < 0) {
         return problem("start the encoder", error);
@@ -192,7 +192,7 @@ Status VideoEncoder::Impl::open(double frames_per_s) {
     return {};
 }
 
-/// Sends a picture to the encoder (null: end of stream) and writes the packets it returns.
+/// Sends an image to the encoder (null: end of stream) and writes the packets it returns.
 Status VideoEncoder::Impl::send(const AVFrame* picture) {
     const PlainNumbers plain;
     int error = ::avcodec_send_frame(codec.get(), picture);
@@ -228,7 +228,7 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
         3U * static_cast<std::size_t>(impl.width) * static_cast<std::size_t>(impl.height)) {
         return fail(ErrorCode::Failed, "an image for the video has another size", "preview.mp4");
     }
-    // The encoder may still hold the previous picture, so each gets its own buffer.
+    // The encoder may still hold the previous image, so each gets its own buffer.
     const std::int64_t pts = impl.frame->pts;
     ::av_frame_unref(impl.frame.get());
     impl.frame->format = impl.codec->pix_fmt;

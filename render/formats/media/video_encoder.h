@@ -10,7 +10,7 @@
 namespace dollytrack::render {
 
 /// Encodes an H.264 video as MP4 in memory. Single-threaded and without timestamps: with the same
-/// libraries, equal pictures give equal bytes on any number of cores.
+/// libraries, equal images give equal bytes on any number of cores.
 class VideoEncoder {
   public:
     /// Sizes are rounded down to even numbers, as the format requires. Returns Failed if no H.264
@@ -20,7 +20,7 @@ class VideoEncoder {
     VideoEncoder(VideoEncoder&&) noexcept;
     VideoEncoder& operator=(VideoEncoder&&) noexcept;
 
-    /// Adds an sRGB picture of the size given to begin(), 3 bytes per pixel, row 0 at the top.
+    /// Adds an sRGB image of the size given to begin(), 3 bytes per pixel, row 0 at the top.
     [[nodiscard]] Status add(std::span<const std::uint8_t> rgb);
 
     /// The encoded file. The object cannot be used afterwards.

@@ -9,7 +9,7 @@ namespace dollytrack::render {
 /// YAML readers accept.
 extern const Format kCalibrationFormat;
 
-/// Distortion of the pictures that formats refer to; see DatasetContents::pictureModality().
+/// Distortion of the images that formats refer to; see DatasetContents::pictureModality().
 [[nodiscard]] LensDistortion pictureDistortion(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

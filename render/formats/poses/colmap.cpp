@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kFiles = {"sparse/0/cameras.txt", "sparse/0/images.txt",
                                                "sparse/0/points3D.txt"};
-constexpr int kPoints = 50'000;  // about what structure from motion finds in a few hundred pictures
+constexpr int kPoints = 50'000;  // about what structure from motion finds in a few hundred images
 
 std::string cameras(const Intrinsics& lens, const LensDistortion& bent) {
     if (!bent.none()) {
@@ -31,7 +31,7 @@ std::string cameras(const Intrinsics& lens, const LensDistortion& bent) {
         lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy);
 }
 
-/// Picture name inside its folder; readers get the folder separately.
+/// Image name inside its folder; readers get the folder separately.
 std::string nameInFolder(const std::string& file) {
     return file.substr(file.find('/') + 1);
 }

@@ -8,7 +8,7 @@ namespace dollytrack::render {
 /// sensor. The body frame is the left camera's, and so is the inertial sensor's.
 extern const Format kEurocFormat;
 
-/// Links to the pictures, named by time: mav0/cam0/data/100000000.png.
+/// Links to the images, named by time: mav0/cam0/data/100000000.png.
 [[nodiscard]] PictureLinks eurocPictures(const DatasetContents& contents);
 
 }  // namespace dollytrack::render

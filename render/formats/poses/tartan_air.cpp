@@ -45,7 +45,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                                     {kFiles[1], poseLines(contents, contents.stereo_baseline_m)}};
 }
 
-/// TartanAir's mask values, 10: occluded, 100: outside the picture.
+/// TartanAir's mask values, 10: occluded, 100: outside the image.
 std::uint8_t maskOf(PixelVisibility sight) {
     switch (sight) {
         case PixelVisibility::Seen:

@@ -22,7 +22,7 @@ Json transformRows(const Pose& pose) {
 }
 
 Json transformFrames(const DatasetContents& contents, const char* depth_key) {
-    // Depth is undistorted, and readers would undistort it together with the pictures.
+    // Depth is undistorted, and readers would undistort it together with the images.
     const bool depth = contains(contents.modalities, "depth") && pictureDistortion(contents).none();
     Json frames = Json::array();
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {

@@ -10,7 +10,7 @@ namespace dollytrack::render {
 /// Rows of world_from_camera for camera axes x right, y up, z back.
 [[nodiscard]] nlohmann::ordered_json transformRows(const Pose& pose);
 
-/// The frames of a transforms.json: each with its picture, its transform_matrix and, if there is
+/// The frames of a transforms.json: each with its image, its transform_matrix and, if there is
 /// depth, its depth image under `depth_key`.
 [[nodiscard]] nlohmann::ordered_json transformFrames(const DatasetContents& contents,
                                                      const char* depth_key);

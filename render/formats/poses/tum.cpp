@@ -18,7 +18,7 @@ constexpr std::array<const char*, 4> kFiles = {"groundtruth.txt", "rgb.txt", "de
 constexpr std::array<const char*, 1> kFolders = {"depth_tum"};
 constexpr float kDepthPerMetre = 5000.0F;
 
-/// List of one folder's pictures.
+/// List of one folder's images.
 std::string pictureList(const DatasetContents& contents, const char* folder) {
     std::string text = "# timestamp filename\n";
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
@@ -47,7 +47,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
                  positionQuaternionText(pose.position, pose.rotation) + "\n";
     }
     std::vector<DatasetFile> files = {{kFiles[0], std::move(poses)}};
-    // Lists only pictures that exist.
+    // Lists only images that exist.
     const bool rgb = contains(contents.modalities, "rgb");
     if (rgb) files.push_back({kFiles[1], pictureList(contents, "rgb")});
     files.push_back({kFiles[2], pictureList(contents, kFolders[0])});

@@ -4,7 +4,7 @@
 
 namespace dollytrack::render {
 
-/// TUM RGB-D: groundtruth.txt, picture lists and associations. The dataset folder is the sequence
+/// TUM RGB-D: groundtruth.txt, image lists and associations. The dataset folder is the sequence
 /// folder.
 extern const Format kTumFormat;
 

@@ -36,11 +36,11 @@ struct DatasetCard {
     std::map<std::string, std::string> sha256s;  // of all other files, by relative path
 };
 
-/// Keys of the shares of unusable pictures in pictureTallyJson(), also names for --require.
+/// Keys of the shares of unusable images in pictureTallyJson(), also names for --require.
 inline constexpr std::array<const char*, 3> kPictureRates = {"dark_rate", "white_rate",
                                                              "flat_rate"};
 
-/// {"measured": 60, "dark": [3, 4], ..., "dark_rate": 0.033, ...}; rates are null without pictures.
+/// {"measured": 60, "dark": [3, 4], ..., "dark_rate": 0.033, ...}; rates are null without images.
 [[nodiscard]] nlohmann::ordered_json pictureTallyJson(const PictureTally& tally);
 /// Inverse of pictureTallyJson(). Throws nlohmann's exceptions.
 [[nodiscard]] PictureTally pictureTallyFrom(const nlohmann::ordered_json& value);

@@ -12,7 +12,7 @@ namespace dollytrack::render {
 
 inline constexpr const char* kFoldFolder = "folds";
 
-/// Picture lists of each fold (folds/fold_0_train.txt, fold_0_val.txt, ...) and, if the dataset has
+/// Image lists of each fold (folds/fold_0_train.txt, fold_0_val.txt, ...) and, if the dataset has
 /// the format `coco`, their annotations (.json).
 [[nodiscard]] Result<std::vector<DatasetFile>> foldFiles(const DatasetContents& contents,
                                                          const FormatSet& formats);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRounding = 0.0005 + 1e-6;  // of depth in millimetres, m
 constexpr double kFarthest = 65.5355;        // m, limit of a depth image
-// In smaller or wide-angle pictures objects are a few pixels wide; there only blank pictures are
+// In smaller or wide-angle images objects are a few pixels wide; there only blank images are
 // reported.
 constexpr int kJudgedPixels = 160 * 120;
 constexpr double kNudge = 1e-3;  // px: different ways to compute a ray differ by far less

@@ -83,7 +83,7 @@ void checkCameras(const StoredDataset& dataset, Findings& findings) {
     }
 }
 
-/// Each picture is named after its frame, in the picture folder.
+/// Each image is named after its frame, in the image folder.
 void checkNames(const StoredDataset& dataset, Findings& findings) {
     const std::string text = textOf(dataset, kImages, findings);
     int frame = 0;

@@ -1,4 +1,4 @@
-// Checks EuRoC's layout: times, poses, lenses and pictures.
+// Checks EuRoC's layout: times, poses, lenses and images.
 #include "render/verify/check/check_euroc.h"
 
 #include "engine/io/files/text_file.h"

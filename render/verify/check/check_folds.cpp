@@ -58,7 +58,7 @@ class FoldCheck {
         findings_.add({std::move(file), frame, {}, std::move(found), std::move(expected)});
     }
 
-    /// Frames in a picture list, increasing.
+    /// Frames in an image list, increasing.
     std::vector<int> listed(const std::string& file) {
         const Result<std::string> text = io::readText(dataset_.folder / file);
         if (!text) {
@@ -81,7 +81,7 @@ class FoldCheck {
 
     [[nodiscard]] std::optional<int> frameOf(std::string_view picture) const {
         if (!dataset_.sha256s.contains(std::string(picture))) return std::nullopt;
-        // Pictures are named by frame number.
+        // Images are named by frame number.
         const std::string_view name = picture.substr(picture.find_last_of('/') + 1);
         int frame = 0;
         const auto read = std::from_chars(name.data(), name.data() + name.size(), frame);

@@ -1,4 +1,4 @@
-// Checks the description of sensor pictures, and that they show their frames.
+// Checks the description of sensor images, and that they show their frames.
 #include "render/verify/check_list.h"
 #include "render/verify/read/sensor_files.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kCells = 24;           // of the reduced picture, across and down
-constexpr double kFlat = 4.0;        // of 255: a picture with less deviation has nothing to compare
+constexpr int kCells = 24;           // of the reduced image, across and down
+constexpr double kFlat = 4.0;        // of 255: an image with less deviation has nothing to compare
 constexpr double kLeastAlike = 0.5;  // least correlation with its own frame, despite noise and blur
 constexpr double kMoreAlike = 0.05;  // another frame's correlation must not be larger by this
 
-/// A reduced picture: brightness sum and pixel count of each cell.
+/// A reduced image: brightness sum and pixel count of each cell.
 struct Small {
     std::array<double, kCells* kCells> sum = {};
     std::array<double, kCells* kCells> count = {};
@@ -65,7 +65,7 @@ Small smallOf(const Image8& picture) {
     return small;
 }
 
-/// Undistorts and reduces the sensor picture.
+/// Undistorts and reduces the sensor image.
 Small straightened(const Image8& picture, const Intrinsics& lens, const StoredDistortion& lines) {
     Small small;
     for (int y = 0; y < picture.height; ++y) {

@@ -96,7 +96,7 @@ class StereoPair {
                    findings);
     }
 
-    /// Surfaces visible in both pictures have the same colour in most pixels. Highlights, and
+    /// Surfaces visible in both images have the same colour in most pixels. Highlights, and
     /// shading near the image border, which depends on the neighbourhood, may differ.
     void checkColours(const FrameImages::Depth& depth, Findings& findings) {
         const Image8* left = images_.image8("rgb");
@@ -126,7 +126,7 @@ class StereoPair {
         if (pixels.count() > 20 + seen / 4) pixels.report(file("rgb"), images_.frame(), findings);
     }
 
-    static constexpr int kAlike = 16;  // of 255; edges are antialiased in each picture separately
+    static constexpr int kAlike = 16;  // of 255; edges are antialiased in each image separately
 
     static int leastDifference(const std::uint8_t* colour, const Image8& image, int x, int y) {
         int least = 255;

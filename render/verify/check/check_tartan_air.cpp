@@ -1,4 +1,4 @@
-// Checks TartanAir's pictures, depth, classes, flow and right camera; left poses are checked
+// Checks TartanAir's images, depth, classes, flow and right camera; left poses are checked
 // elsewhere.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/pose_list.h"

@@ -54,7 +54,7 @@ class FileCheck {
     }
 
   private:
-    /// Depth is undistorted, so it is not listed beside distorted pictures.
+    /// Depth is undistorted, so it is not listed beside distorted images.
     [[nodiscard]] bool depthIsNamed() const { return dataset_.has("depth") && bent_.none(); }
 
     void add(std::optional<int> frame, std::string found, std::string expected) {

@@ -1,4 +1,4 @@
-// Checks TUM's depth and picture lists; poses are checked elsewhere.
+// Checks TUM's depth and image lists; poses are checked elsewhere.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
@@ -14,7 +14,7 @@ namespace {
 constexpr double kStepsPerMetre = 5000.0;
 constexpr double kTime_s = 1e-6;
 
-/// A picture list: each line has, for each folder, a time and a picture.
+/// An image list: each line has, for each folder, a time and an image.
 struct PictureList {
     const char* file;
     std::vector<const char*> folders;

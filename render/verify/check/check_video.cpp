@@ -1,4 +1,4 @@
-// Checks the preview video: one picture per frame, in order.
+// Checks the preview video: one image per frame, in order.
 #include "engine/io/sandbox/input_file.h"
 #include "render/dataset/picture_file.h"
 #include "render/verify/check_list.h"
@@ -70,7 +70,7 @@ class VideoCheck {
         }
         const cv::Mat rgb =
             render::readPictureFile(dataset_.folder / imageFile("rgb", frame), cv::IMREAD_COLOR);
-        // Unreadable pictures are reported by another check.
+        // Unreadable images are reported by another check.
         if (rgb.cols < size.width || rgb.rows < size.height) return;
         cv::Mat difference;
         cv::absdiff(picture, rgb(cv::Rect({0, 0}, size)), difference);

@@ -95,7 +95,7 @@ void checkNames(const StoredDataset& dataset, const char* file, std::string_view
     }
 }
 
-/// Frames of a picture list, resolved as Ultralytics' reader does: "./" is the list's folder, and
+/// Frames of an image list, resolved as Ultralytics' reader does: "./" is the list's folder, and
 /// labels are found by replacing `images` by `labels`.
 std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list,
                            Findings& findings) {

@@ -9,7 +9,7 @@
 
 namespace dollytrack::verify {
 
-/// A picture and its ids, reduced to 40 x 30 cells.
+/// An image and its ids, reduced to 40 x 30 cells.
 struct SmallFrame {
     static constexpr int kColumns = 40;
     static constexpr int kRows = 30;
@@ -26,7 +26,7 @@ class ObjectColours {
   public:
     void add(const SmallFrame& frame);
 
-    /// How much a picture's colours differ from those that its objects have in all other frames, if
+    /// How much an image's colours differ from those that its objects have in all other frames, if
     /// the ids of `labels` were its own: mean over cells and channels, of 255. Negative if too few
     /// of these objects occur elsewhere. Both frames must have been added.
     [[nodiscard]] double distance(const SmallFrame& picture, const SmallFrame& labels) const;

@@ -57,8 +57,7 @@ struct StoredDataset {
     std::vector<StoredObject> objects;
     std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
     std::vector<StoredFrame> frames;
-    std::set<int>
-        unusable_frames;  // their pictures are too dark, white or flat to capture anything
+    std::set<int> unusable_frames;  // their images are too dark, white or flat to capture anything
     std::map<std::string, std::string> sha256s;  // by relative path
 
     /// Whether the dataset has this modality or format, or "folds".
