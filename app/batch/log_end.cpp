@@ -13,7 +13,7 @@ std::string endOf(const std::filesystem::path& log, std::size_t bytes) {
     const bool cut = file->size() > bytes;
     std::string end(std::min<std::uint64_t>(bytes, file->size()), '\0');
     end.resize(file->read(file->size() - end.size(), end.data(), end.size()));
-    // A line that was cut in half goes, unless it is the only one.
+    // Removes an incomplete first line, unless it is the only one.
     const std::size_t line_end = end.find('\n');
     if (cut && line_end + 1 < end.size()) end.erase(0, line_end + 1);
     return end;

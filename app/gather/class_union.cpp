@@ -10,10 +10,10 @@
 namespace dollytrack::gather {
 namespace {
 
-/// Which objects a class of one's own takes in.
+/// The objects that a class of a label file matches.
 struct Meaning {
     std::vector<std::string> patterns;
-    bool is_other = false;  // takes in what fits no class
+    bool is_other = false;  // the class of objects that match no class
     bool operator==(const Meaning&) const = default;
 };
 
@@ -22,7 +22,7 @@ Meaning meaningOf(const ClassTable& table, const DatasetClass& one) {
     return {table.rules()[index].patterns, table.other() == index};
 }
 
-/// How a table contradicts another one, with "here" and "there"; empty where it does not.
+/// Describes a contradiction between two tables, as "here" and "there"; empty if there is none.
 std::string contradiction(const ClassTable& here, const ClassTable& there) {
     if (here.isNyu40() != there.isNyu40()) {
         return fmt::format("its classes are {} here and {} there",
@@ -52,7 +52,7 @@ std::string contradiction(const ClassTable& here, const ClassTable& there) {
     return {};
 }
 
-/// One dataset of each table.
+/// One dataset for each distinct table.
 std::vector<const Source*> oneOfEachTable(std::span<const Source> sources) {
     std::vector<const Source*> kinds;
     std::set<const ClassTable*> seen;

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Annotations follow the images in the file, but come with them: they wait here.
+// Annotations come after all images in the file, so they are collected in this temporary file.
 constexpr const char* kWaiting = "annotations/.waiting";
 
 class CocoLayout : public Layout {
@@ -29,7 +29,7 @@ class CocoLayout : public Layout {
         annotations_in_part_ = 0;
         Json categories = Json::array();
         for (const GatheredClass& one : input_.classes.classes()) {
-            // Readers ask for the key; a class without one above it stands alone.
+            // Readers require the key; a class without a supercategory is its own.
             const std::string& above = one.supercategory.empty() ? one.name : one.supercategory;
             categories.push_back({{"id", one.id}, {"name", one.name}, {"supercategory", above}});
         }
@@ -63,7 +63,7 @@ class CocoLayout : public Layout {
     }
 
     Status addFrame(const OpenSource& source, std::size_t frame) {
-        ++image_id_;  // unique in all parts
+        ++image_id_;  // unique across all parts
         Status status = images_->write(
             fmt::format("{}\n{{\"id\": {}, \"file_name\": {}, \"width\": {}, \"height\": {}}}",
                         images_in_part_++ == 0 ? "" : ",", image_id_,
@@ -105,7 +105,7 @@ class CocoLayout : public Layout {
 
     LayoutInput input_;
     std::string part_;
-    std::optional<HashedFile> images_;  // the file itself
+    std::optional<HashedFile> images_;  // the annotation file of the part
     std::optional<HashedFile> annotations_;
     std::size_t images_in_part_ = 0;
     std::size_t annotations_in_part_ = 0;

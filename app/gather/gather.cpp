@@ -31,15 +31,15 @@ tl::unexpected<Error> stopped() {
                 "gathering was stopped; the same command with --resume continues it");
 }
 
-/// The datasets, and what they have in common.
+/// The datasets and their common properties.
 struct Gathered {
     std::vector<Source> sources;
     std::vector<SkippedDataset> skipped;
-    std::set<std::string> modalities;  // that all of them have
+    std::set<std::string> modalities;  // modalities of all datasets
     nlohmann::ordered_json conventions;
 };
 
-/// Whether a folder is another one or lies in it.
+/// Whether a folder is `around` or inside it.
 bool isWithin(const fs::path& folder, const fs::path& around) {
     std::error_code error;
     const fs::path inner = fs::weakly_canonical(fs::absolute(folder, error), error);
@@ -59,7 +59,7 @@ Status checkOut(const GatherOrder& order, const std::vector<FoundDataset>& found
     return {};
 }
 
-/// Of the image kinds that a layout takes, those that all datasets have.
+/// Chooses the layout's modalities that all datasets have, and warns of the others.
 void chooseModalities(const GatherOrder& order, Gathered& all) {
     all.modalities = {kPicture};
     if (!order.layout->every_modality) return;
@@ -103,7 +103,8 @@ void warnOfMissingClasses(const std::vector<Source>& sources, const ClassUnion& 
     }
 }
 
-/// A detector learns little, and its score means little, where nearly all boxes have one class.
+/// Warns if nearly all boxes have one class, which makes training and scores of a detector
+/// meaningless.
 void warnOfOneClass(const GatherSummary& summary, const ClassUnion& classes) {
     constexpr double kNearlyAll = 0.9;
     if (classes.classes().size() < 2) return;
@@ -182,7 +183,8 @@ DatasetIdentity identityOf(const GatherOrder& order, const Gathered& all,
             {"the program's version", order.product_version}};
 }
 
-/// Whether a complete dataset is the one that is wanted, and whole. Errors: Usage, BadInput.
+/// Whether the folder contains the requested dataset, complete and undamaged. Errors: Usage,
+/// BadInput.
 Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
                     const DatasetIdentity& identity, const JobContext& job) {
     const Result<nlohmann::json> card = io::readBoundedJson(out.folder(), kGatherCard);
@@ -192,7 +194,7 @@ Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
         if (card) found = card->at("identity").get<DatasetIdentity>();
         if (card) sums_sha256 = card->at("files").at("sha256").get<std::string>();
     } catch (const nlohmann::json::exception&) {
-        found.clear();  // of another version, or damaged
+        found.clear();  // written by another version, or damaged
     }
     const std::string differing = render::differences(found, identity);
     if (!differing.empty() && order.overwrite) return false;
@@ -231,7 +233,7 @@ Status checkSpace(const GatherOrder& order, const OutputFolder& out, const Gathe
                 out.path().string());
 }
 
-/// How many frames are handled at once: many small ones, few large ones.
+/// Number of frames processed at once: more if they are small.
 std::size_t stepOf(const Source& source) {
     constexpr std::uint64_t kBytes = 16'000'000;
     constexpr std::uint64_t kMost = 64;
@@ -239,7 +241,7 @@ std::size_t stepOf(const Source& source) {
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(kBytes / per_frame, 1, kMost));
 }
 
-/// Writes the frames of all parts, and sums them up.
+/// Writes the frames of all parts and counts their contents.
 class PartWriter {
   public:
     PartWriter(const Gathered& all, const std::vector<PartIndex>& part_of,
@@ -331,7 +333,7 @@ Result<GatherSummary> gatherDatasets(const GatherOrder& order, const JobContext&
                     "--overwrite to replace it, or --resume to check that it is the requested one",
                     out->path().string());
     }
-    constexpr double kReading = 0.1;  // of the time
+    constexpr double kReading = 0.1;  // share of the time
     Result<Gathered> all = readSources(order, *found, job.stage(0.0, kReading, "datasets"));
     if (!all) return tl::unexpected(all.error());
     const Result<ClassUnion> classes = ClassUnion::of(all->sources, order.class_map);

@@ -24,7 +24,7 @@ std::size_t allFrames(const GatherSummary& summary) {
     return frames;
 }
 
-/// Hugging Face's words for the number of frames.
+/// Hugging Face's size category for a number of frames.
 const char* sizeCategory(std::size_t frames) {
     if (frames < 1'000) return "n<1K";
     if (frames < 10'000) return "1K<n<10K";
@@ -33,7 +33,7 @@ const char* sizeCategory(std::size_t frames) {
     return frames < 10'000'000 ? "1M<n<10M" : "10M<n<100M";
 }
 
-/// `license: cc-by-4.0`; a text that is no identifier is named beside "other".
+/// The line `license: cc-by-4.0`; a text that is not an identifier becomes license_name of `other`.
 std::string licenseLines(const std::string& license) {
     const auto isPlain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
@@ -109,7 +109,7 @@ std::string classTable(const GatherCard& card) {
 std::string conventionList(const GatherCard& card) {
     std::string text;
     for (const auto& [name, value] : card.conventions.items()) {
-        // From dataset.json: a line break would end the list.
+        // The value is from dataset.json, and a line break in it would end the list.
         text += fmt::format("- `{}`: `{}`\n", name,
                             value.is_string() ? cleanText(value.get<std::string>()) : value.dump());
     }

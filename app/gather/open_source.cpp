@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The index of the frame that a COCO annotation belongs to. Throws nlohmann's exceptions.
+/// The frame index of a COCO annotation. Throws nlohmann's exceptions.
 std::size_t frameOf(const json& one, std::size_t frames) {
     const auto image = one.at("image_id").get<std::size_t>();
     return image >= 1 && image <= frames ? image - 1 : frames;
@@ -27,14 +27,14 @@ Annotation annotationOf(const json& one, const ClassTable& table, const ClassUni
     read.box = one.at("bbox").get<std::array<int, 4>>();
     read.area = one.at("area").get<long>();
     read.segmentation = one.at("segmentation").dump();
-    read.segmentation.shrink_to_fit();  // all of a dataset are kept at once
+    read.segmentation.shrink_to_fit();  // all annotations of a dataset are in memory at once
     return read;
 }
 
-/// Parses the text without keeping all of it as values: an annotation is taken over and dropped.
+/// Parses annotations one by one, so that the JSON of only one annotation is in memory.
 Status readAnnotations(const std::string& text, const std::string& where, const ClassUnion& classes,
                        OpenSource& opened) {
-    constexpr int kInList = 2;  // depth of an annotation
+    constexpr int kInList = 2;  // nesting depth of an annotation
     std::string section;
     bool damaged = false;
     const auto take = [&](int depth, json::parse_event_t event, json& value) {
@@ -83,7 +83,7 @@ Result<OpenSource> openSource(const Source& source, const ClassUnion& classes) {
                     "The dataset was changed while it was read; gather it again.",
                     source.folder.string());
     }
-    dataset->card = nullptr;  // large and of no more use, before annotations.json is read
+    dataset->card = nullptr;  // freed before annotations.json is read, because it is large
     const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
     if (!file) return tl::unexpected(file.error());
     const Result<std::string> text = readProven(*file);

@@ -72,7 +72,7 @@ Status OutputFiles::write(const std::string& folder,
 
 Result<bool> OutputFiles::linkPicture(const OpenSource& source, std::size_t frame,
                                       const io::GuardedFolder& to) const {
-    // Both names count from the root, and no link below it is followed.
+    // Both paths are resolved from the root without following symbolic links.
     const Result<io::GuardedFolder> root = io::GuardedFolder::open("/");
     if (!root) return tl::unexpected(root.error());
     std::error_code error;

@@ -22,17 +22,17 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Mark, lock and journal of a gathering. Its first line says what is gathered, the others list
+// Marker, lock file and journal of a run. The first line identifies the run, the other lines list
 // finished shards.
 constexpr const char* kGatherJournal = ".dollytrack-gather";
 constexpr int kGatherJournalVersion = 1;
 constexpr const char* kStagedFolder = ".dollytrack-new";
-// What gather.json and the list of the earlier dataset are called in the new one's folder while the
-// new one takes its place. Where the first is, the new dataset counts.
+// Names of the old dataset's gather.json and list of files in the new dataset's folder while it is
+// replaced. If the first exists, the new dataset is the valid one.
 constexpr const char* kReplaced = "replaced.json";
 constexpr const char* kReplacedSums = "replaced.sums";
 constexpr int kMostFolderLevels = 16;
-// Folders of the layouts.
+// All folders that layouts create.
 constexpr std::array<const char*, 6> kLayoutFolders = {"images", "labels", "annotations",
                                                        "train",  "val",    "test"};
 constexpr std::array<const char*, 4> kLayoutFiles = {"README.md", "data.yaml", kSumsFile,
@@ -42,7 +42,7 @@ std::string below(const std::string& folder, const std::string& name) {
     return folder.empty() ? name : folder + "/" + name;
 }
 
-/// No link may be in a published dataset, and none may lead its files elsewhere.
+/// Refuses symbolic links, which must not be in a published dataset or redirect its files.
 Status checkNoLinks(const io::GuardedFolder& folder, const std::string& within, int levels) {
     const auto names = folder.list(within);
     if (!names) return tl::unexpected(names.error());
@@ -66,7 +66,7 @@ Status removeAll(const io::GuardedFolder& folder, const std::string& within) {
     const auto names = folder.list(within);
     if (!names) return tl::unexpected(names.error());
     for (const std::string& name : *names) {
-        if (within.empty() && name == kReplaced) continue;  // it says that this dataset counts
+        if (within.empty() && name == kReplaced) continue;  // marks this dataset as the valid one
         const std::string path = below(within, name);
         const auto found = folder.find(path);
         const bool is_folder = found && S_ISDIR(found->st_mode);
@@ -78,8 +78,8 @@ Status removeAll(const io::GuardedFolder& folder, const std::string& within) {
     return {};
 }
 
-/// Moves all but the card, and what a killed run left of it (gather.json.tmp.123); whole folders at
-/// once where there are none of their names.
+/// Moves all files except gather.json and its temporary files (gather.json.tmp.123). Folders are
+/// moved as a whole if the destination has none of the same name.
 Status moveAll(const io::GuardedFolder& from, const io::GuardedFolder& to,
                const std::string& within) {
     const auto names = from.list(within);
@@ -103,7 +103,7 @@ Status moveAll(const io::GuardedFolder& from, const io::GuardedFolder& to,
 
 bool hasGatherCard(const io::GuardedFolder& folder) {
     if (!folder.has(kGatherCard)) return false;
-    // Somebody else's may be huge: nothing but its `format` is kept.
+    // A foreign file may be huge, so only its `format` is kept.
     const auto keep = [](int depth, json::parse_event_t event, json& parsed) {
         return depth != 1 || event != json::parse_event_t::key || parsed == "format";
     };
@@ -114,10 +114,10 @@ bool hasGatherCard(const io::GuardedFolder& folder) {
 struct GatherJournal {
     std::optional<render::DatasetIdentity> identity;
     std::vector<FinishedShard> shards;
-    std::size_t whole_bytes = 0;  // up to where a torn last line begins
+    std::size_t whole_bytes = 0;  // up to the start of an incomplete last line
 };
 
-/// Whether an open file still has this name.
+/// Whether a descriptor still refers to the file of this name.
 bool isFile(int descriptor, const io::GuardedFolder& folder, const std::string& name) {
     struct stat held {};
     const auto named = folder.find(name);
@@ -145,7 +145,7 @@ GatherJournal readGatherJournal(const io::GuardedFolder& folder) {
                                           value.at("sha256").get<std::string>()});
             }
         } catch (const json::exception&) {
-            continue;  // a damaged line: its shard is written again
+            continue;  // a damaged line: the shard is written again
         }
     }
     return journal;
@@ -231,8 +231,8 @@ Result<OutputFolder> OutputFolder::claim(const fs::path& folder, bool overwrite)
     }
     Result<io::FileDescriptor> lock = own.openFile(kGatherJournal, O_RDWR | O_CREAT | O_APPEND);
     if (!lock) return tl::unexpected(lock.error());
-    // Some file systems know no locks: there, two programs are the user's to keep apart. One that
-    // just ended has removed the file.
+    // Some file systems have no locks; there the user must keep programs apart. A program that just
+    // ended may have removed the file.
     const bool is_taken = ::flock(lock->get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (is_taken || !isFile(lock->get(), own, kGatherJournal)) {
         return fail(ErrorCode::CannotWrite,
@@ -317,7 +317,7 @@ Status OutputFolder::removeListed() {
         });
     if (!removed) return removed;
     for (const std::string& folder : folders) folder_.removeEmpty(folder);
-    // Only when they are gone for good: the new ones may have the same names.
+    // Synced first, because the new files may have the same names.
     if (Status synced = folder_.syncAll(); !synced) return synced;
     return staged_->remove(kReplacedSums);
 }
@@ -350,8 +350,7 @@ Status OutputFolder::finish() {
             return status;
         }
     }
-    // With this rename the earlier dataset is none any more, and the new one is the one that
-    // counts.
+    // This rename makes the new dataset the valid one.
     const Result<bool> moved = folder_.move(kGatherCard, *staged_, kReplaced);
     if (!moved) return tl::unexpected(moved.error());
     Status status;
@@ -362,7 +361,7 @@ Status OutputFolder::finish() {
     if (status) status = folder_.remove(kGatherJournal);
     if (!status) return status;
     (void)lock_.close();
-    return folder_.syncNames();  // files and gather.json are on the disk already
+    return folder_.syncNames();  // files and gather.json are already synced
 }
 
 }  // namespace dollytrack::gather

@@ -16,11 +16,11 @@
 namespace dollytrack::gather {
 namespace {
 
-constexpr std::uint64_t kTries = 200;  // random orders of the scenes
+constexpr std::uint64_t kTries = 200;  // number of random orders of the scenes
 
-using Assignment = std::vector<PartIndex>;  // of each scene
+using Assignment = std::vector<PartIndex>;  // part of each scene
 
-/// Numbers between slashes; none where the text is anything else.
+/// The numbers of a text such as "80/10/10"; empty if it has another form.
 std::vector<double> numbersOf(const std::string& text) {
     std::vector<double> numbers;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -34,8 +34,8 @@ std::vector<double> numbersOf(const std::string& text) {
     return numbers;
 }
 
-/// Gives one scene after the other to the part that lacks most frames; the last ones to parts that
-/// would stay empty.
+/// Assigns the scenes in order, each to the part that lacks most frames; the last ones to parts
+/// that would be empty.
 Assignment assign(const std::vector<double>& frames, const std::vector<std::size_t>& order,
                   const std::array<double, kParts.size()>& shares) {
     const double all = std::accumulate(frames.begin(), frames.end(), 0.0);
@@ -61,7 +61,7 @@ Assignment assign(const std::vector<double>& frames, const std::vector<std::size
     return parts;
 }
 
-/// How many frames are in other parts than the shares ask for.
+/// The number of frames that deviate from the shares.
 double imbalance(const std::vector<double>& frames, const Assignment& parts,
                  const std::array<double, kParts.size()>& shares) {
     const double all = std::accumulate(frames.begin(), frames.end(), 0.0);
@@ -97,7 +97,7 @@ Result<SplitOrder> parseSplit(const std::string& kind, const std::string& shares
                     "train must be above 0.",
                     fmt::format("--split by-room {}", shares));
     }
-    constexpr double kSlip = 0.001;  // of rounded shares, as in 0.333/0.333/0.333
+    constexpr double kSlip = 0.001;  // tolerance for rounded shares, as in 0.333/0.333/0.333
     if (std::abs(sum - 100.0) > 100.0 * kSlip && std::abs(sum - 1.0) > 2.0 * kSlip) {
         return fail(ErrorCode::Usage,
                     fmt::format("The shares add up to {:g}, and must add up to 100 or 1, as in "
@@ -113,7 +113,7 @@ Result<SplitOrder> parseSplit(const std::string& kind, const std::string& shares
 
 std::vector<std::size_t> scenesOf(std::span<const Source> sources) {
     DisjointSets sets(sources.size());
-    std::map<std::string, std::size_t> first;  // dataset of a hash
+    std::map<std::string, std::size_t> first;  // first scene with each hash
     for (std::size_t i = 0; i < sources.size(); ++i) {
         for (const std::string* hash : {&sources[i].scene_sha256, &sources[i].geometry_sha256}) {
             if (hash->empty()) continue;
@@ -121,7 +121,7 @@ std::vector<std::size_t> scenesOf(std::span<const Source> sources) {
             sets.join(i, other);
         }
     }
-    std::map<std::size_t, std::size_t> numbers;  // by root
+    std::map<std::size_t, std::size_t> numbers;  // group number by root
     std::vector<std::size_t> scenes;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         scenes.push_back(numbers.emplace(sets.find(i), numbers.size()).first->second);

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Conventions of all images, which datasets must share to be read by one program.
+/// Conventions that must be equal in all datasets.
 constexpr std::array<const char*, 8> kShared = {
     "length_unit",      "world",        "camera_axes",  "pose",
     "quaternion_order", "matrix_order", "pixel_origin", "intrinsics"};
@@ -52,7 +52,7 @@ Json SourceReader::conventionsOf(const verify::StoredDataset& dataset) const {
         shared["intrinsics"] = {{"width", dataset.lens.width}, {"height", dataset.lens.height}};
     }
     for (const std::string& modality : needs_.modalities) {
-        // What a class mask holds follows from the classes, which are compared apart.
+        // Class masks follow from the class tables, which are compared separately.
         if (modality == kSemantic || !dataset.has(modality)) continue;
         shared[modality] = dataset.convention(modality);
     }
@@ -77,7 +77,7 @@ Status SourceReader::compare(const verify::StoredDataset& dataset) {
     }
     for (const auto& [name, value] : own.items()) {
         if (!conventions_.contains(name)) {
-            conventions_[name] = value;  // a modality that the first one lacks
+            conventions_[name] = value;  // a modality that the first dataset lacks
             continue;
         }
         if (conventions_[name] == value) continue;

@@ -20,7 +20,7 @@ tl::unexpected<Error> damaged(const SourceFile& file) {
                 file.path.string());
 }
 
-/// Hands the file's bytes to `take`, a piece at a time; `take` returns false to end.
+/// Calls `take` for successive pieces of the file; `take` returns false to stop.
 template <class Take>
 std::string hashPieces(const io::InputFile& file, const Take& take) {
     thread_local std::vector<std::uint8_t> piece(kPiece);

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDatasetFolder = "dataset";  // of a job in a batch's folder
-constexpr int kMostLevels = 8;                     // of folders around datasets
+constexpr const char* kDatasetFolder = "dataset";  // name of a job's dataset folder in a batch
+constexpr int kMostLevels = 8;                     // levels of folders that are searched
 
 std::vector<fs::path> foldersIn(const fs::path& folder) {
     std::vector<fs::path> folders;
@@ -53,10 +53,10 @@ class DatasetSearch {
         if (fs::exists(folder / "jobs.json", error)) return lookInBatch(folder);
         if (levels == 0) return {};
         if (!entered_.insert(fs::canonical(folder, error)).second) {
-            ++looks_;  // named twice
+            ++looks_;  // found again
             return {};
         }
-        // What a dataset's dataset.json would list, without it: a copy that lacks it, say.
+        // Typical files of a dataset without dataset.json, such as an incomplete copy.
         if (fs::is_regular_file(folder / "annotations.json", error) &&
             fs::is_directory(folder / "rgb", error)) {
             return add(folder);
@@ -68,7 +68,7 @@ class DatasetSearch {
         return {};
     }
 
-    /// How many datasets were come to, those that were found before among them.
+    /// Number of datasets encountered, including repeated ones.
     [[nodiscard]] std::size_t looks() const { return looks_; }
     std::vector<fs::path> take() { return std::move(found_); }
 
@@ -101,7 +101,7 @@ class DatasetSearch {
     std::set<fs::path> entered_;  // canonical
 };
 
-/// The folders that fit a pattern's parts.
+/// The folders that match a pattern.
 std::vector<fs::path> foldersMatching(const fs::path& pattern) {
     std::vector<fs::path> folders = {pattern.is_absolute() ? pattern.root_path() : fs::path()};
     for (const fs::path& part : pattern.relative_path()) {
@@ -123,8 +123,8 @@ std::vector<fs::path> foldersMatching(const fs::path& pattern) {
     return folders;
 }
 
-/// The path by which a dataset is named: folders that are called "dataset" say nothing, and dots
-/// would end the keys of WebDataset.
+/// The path from which a dataset is named: without a last folder "dataset", and without dots, which
+/// would end WebDataset's keys.
 fs::path namingPath(const fs::path& folder) {
     std::error_code error;
     fs::path path = fs::absolute(folder, error).lexically_normal();

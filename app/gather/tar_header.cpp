@@ -21,7 +21,7 @@ std::array<char, kTarBlock> tarHeader(const std::string& name, std::uint64_t byt
     put(116, "0000000");                      // group
     put(124, fmt::format("{:011o}", bytes));  // size
     put(136, "00000000000");                  // time
-    put(kChecksum, "        ");               // as spaces while it is summed up
+    put(kChecksum, "        ");               // spaces while the checksum is computed
     put(156, "0");                            // an ordinary file
     put(257, std::string_view("ustar\00000", 8));
     const unsigned sum =

@@ -16,10 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The files of a frame, by what follows its key: "png", "depth.png", "json".
+/// The contents of a frame's files by extension: "png", "depth.png", "json".
 using FrameMembers = std::vector<std::pair<std::string, std::string>>;
 
-/// A frame's JSON. The masks are JSON already and are put in as they are.
+/// A frame's JSON. Masks are already JSON and are inserted unchanged.
 std::string describeFrame(const OpenSource& source, std::size_t frame, const ClassUnion& classes) {
     const verify::StoredFrame& stored = source.dataset.frames[frame];
     const Intrinsics& lens = source.dataset.lens;
@@ -35,7 +35,7 @@ std::string describeFrame(const OpenSource& source, std::size_t frame, const Cla
               {"position", {p.x(), p.y(), p.z()}},
               {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}})
             .dump();
-    text.pop_back();  // the closing bracket: the objects follow
+    text.pop_back();  // removes the closing bracket, because the objects follow
     std::string objects;
     for (const Annotation& one : source.annotations[frame]) {
         const GatheredClass& of = classes.classes()[one.class_index];
@@ -66,7 +66,7 @@ class WebDatasetLayout : public Layout {
         begin += passed;
         std::vector<Result<FrameMembers>> frames(end - begin, FrameMembers());
         Status appended;
-        // One thread writes and hashes the frames before these while the others read.
+        // One thread writes and hashes the previous frames while the others read.
         parallelFor(frames.size() + 1, [&](std::size_t i) {
             if (i == 0) {
                 appended = appendWaiting();
@@ -92,7 +92,7 @@ class WebDatasetLayout : public Layout {
         return fmt::format("{}-{:06}.tar", part_, shard_);
     }
 
-    /// Shards of an earlier run stay, from the first on, as long as they are whole.
+    /// Keeps the shards of an interrupted run up to the first missing or damaged one.
     Status passFinished() {
         for (;; ++shard_) {
             const std::string name = shardName();
@@ -165,10 +165,10 @@ class WebDatasetLayout : public Layout {
 
     LayoutInput input_;
     std::string part_;
-    std::size_t shard_ = 0;    // its number in the part
-    std::size_t frames_ = 0;   // in the shard that is open
-    std::size_t to_pass_ = 0;  // frames that are in finished shards
-    std::vector<std::pair<std::string, FrameMembers>> waiting_;  // read, by their keys
+    std::size_t shard_ = 0;    // number within the part
+    std::size_t frames_ = 0;   // in the current shard
+    std::size_t to_pass_ = 0;  // frames in finished shards, to be skipped
+    std::vector<std::pair<std::string, FrameMembers>> waiting_;  // frames read but not yet written
     std::optional<HashedFile> file_;
 };
 

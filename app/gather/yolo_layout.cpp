@@ -9,7 +9,7 @@
 namespace dollytrack::gather {
 namespace {
 
-/// Readers take an image's path and put `labels` in the place of `images`.
+/// Readers find labels by replacing `images` by `labels` in an image's path.
 class YoloLayout : public Layout {
   public:
     explicit YoloLayout(LayoutInput input) : input_(std::move(input)) {}
@@ -41,8 +41,8 @@ class YoloLayout : public Layout {
     Status endPart() override { return {}; }
 
     Status finish(std::span<const PartIndex> parts) override {
-        // Without a line `path`, readers look beside this file, wherever the dataset lies. They ask
-        // for `val` even where there is none.
+        // Without a line `path`, paths are relative to this file, wherever the dataset is. Readers
+        // require `val` even if there is none.
         std::string yaml;
         const bool has_val = std::ranges::count(parts, PartIndex{1}) > 0;
         for (const PartIndex part : parts) {

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostTriangles = 100'000;
-constexpr std::size_t kFewTriangles = 20'000;  // where frames and objects take most of the page
-constexpr std::size_t kReserve = 20'000;       // bytes for what is not counted beforehand
+constexpr std::size_t kFewTriangles = 20'000;  // used if frames and objects take most of the page
+constexpr std::size_t kReserve = 20'000;       // bytes for parts that are not counted beforehand
 
 Result<std::string> threeScript(const std::filesystem::path& folder) {
     std::string script;
@@ -34,7 +34,7 @@ Result<std::string> threeScript(const std::filesystem::path& folder) {
     return script;
 }
 
-/// JSON that can stand within a script element, whatever names it holds.
+/// JSON for a script element, with all '<' escaped.
 std::string scriptJson(const Json& json) {
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     std::string safe;
@@ -57,7 +57,7 @@ std::string jsonElement(std::string_view id, const Json& json) {
     return dataElement(id, "application/json", scriptJson(json));
 }
 
-/// Numbers as base64, the lowest byte first.
+/// Numbers as base64, little-endian.
 template <class Number>
 std::string base64Numbers(const std::vector<Number>& numbers) {
     std::vector<std::uint8_t> bytes;
@@ -101,7 +101,7 @@ std::string pictureElements(const FramePictures& pictures) {
     return jsonElement("pictures", kinds);
 }
 
-/// What a reader of the page should know, as sentences.
+/// Notes for readers of the page, as sentences.
 Json notesOf(const PageOrder& order, const FramePictures& pictures, std::size_t pictured) {
     Json notes = Json::array();
     if (order.scene == nullptr) {

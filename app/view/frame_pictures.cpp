@@ -23,12 +23,12 @@ constexpr std::array<ShownModality, 6> kShown = {{{"rgb", "Colour"},
                                                   {"depth_sensor", "Sensor depth"},
                                                   {"instance", "Objects"},
                                                   {"semantic", "Classes"}}};
-// Tried one after the other; the first is as wide as the page shows images.
+// Image sizes in order of preference; the first has the width of images on the page.
 constexpr std::array<SmallPictureSize, 7> kSizes = {
     {{512, 82}, {448, 82}, {384, 80}, {320, 80}, {256, 78}, {208, 75}, {160, 72}}};
-constexpr std::size_t kTried = 12;       // frames of which sizes are estimated
-constexpr double kSafety = 1.06;         // of the estimate
-constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also where there is no image
+constexpr std::size_t kTried = 12;       // number of frames for estimating sizes
+constexpr double kSafety = 1.06;         // factor on the estimate
+constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also for missing images
 
 std::string fileOf(const io::GuardedFolder& folder, const std::string& modality, int frame) {
     std::string name = verify::imageFile(modality, frame);
@@ -48,7 +48,7 @@ class PictureMaker {
 
     [[nodiscard]] const std::vector<PictureKind>& kinds() const { return kinds_; }
 
-    /// Bytes in the page of these frames' images.
+    /// Size of these frames' images in the page, bytes.
     [[nodiscard]] std::size_t bytesOf(const std::vector<int>& frames, const SmallPictureSize& size,
                                       const JobContext& job) const {
         return bytesIn(make(frames, size, job));
@@ -87,7 +87,7 @@ class PictureMaker {
     std::vector<PictureKind> kinds_;
 };
 
-/// About `count` numbers below `end` at even distances, the first and the last among them.
+/// About `count` evenly spaced numbers below `end`, including the first and the last.
 std::vector<int> evenly(std::size_t count, std::size_t end) {
     std::vector<int> chosen;
     count = std::min(count, end);
@@ -97,7 +97,7 @@ std::vector<int> evenly(std::size_t count, std::size_t end) {
     return chosen;
 }
 
-/// `count` frames: of the `first` ones as many as there is room for, then evenly chosen ones.
+/// `count` frames: as many of `first` as fit, then evenly spaced ones.
 std::vector<int> choose(const std::vector<int>& first, std::size_t count, std::size_t frames) {
     std::vector<bool> taken(frames, false);
     for (const int at : evenly(count, first.size())) {
@@ -123,8 +123,8 @@ struct PictureTry {
     std::size_t frames = 0;
 };
 
-/// The largest size of which all frames seem to fit, else as many frames of the smallest; judged by
-/// a few frames.
+/// The largest size at which all frames should fit, otherwise the smallest size with fewer frames;
+/// estimated from a few frames.
 PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t most_bytes,
                     const JobContext& job) {
     const std::vector<int> tried = evenly(kTried, frames);
@@ -141,7 +141,7 @@ PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t m
                                                       std::max(per_frame, 1.0)))};
 }
 
-/// After an estimate that was too low: smaller images, or fewer.
+/// The next smaller size or fewer frames, if the images are larger than estimated.
 PictureTry nextTry(PictureTry before) {
     if (before.size + 1 < kSizes.size()) return {before.size + 1, before.frames};
     return {before.size, before.frames * 9 / 10};

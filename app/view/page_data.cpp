@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number with few digits, which keeps the page small.
+/// A rounded number, to keep the page small.
 double rounded(double value, double steps) {
     return std::isfinite(value) ? std::round(value * steps) / steps + 0.0 : 0.0;
 }
@@ -29,7 +29,7 @@ Json rotationJson(const Eigen::Quaterniond& q) {
         {rounded(q.x(), 1e5), rounded(q.y(), 1e5), rounded(q.z(), 1e5), rounded(q.w(), 1e5)});
 }
 
-/// A list within dataset.json, by the object that each row is of; empty where it is missing.
+/// The rows of a list in dataset.json by object id; empty if the list is missing.
 std::map<int, Json> rowsByObject(const Json& card, const char* place, const char* key) {
     std::map<int, Json> rows;
     const Json::json_pointer list(place);
@@ -50,7 +50,7 @@ std::map<int, Json> plannedRows(const verify::StoredDataset& dataset) {
     return rowsByObject(dataset.card, "/metrics/planned/ledger", "id");
 }
 
-/// The frame of a counted row; -1 where no frame shows the object.
+/// The best frame of a row of counted captures; -1 if no frame shows the object.
 int bestFrameOf(const Json& counted, std::size_t frames) {
     if (!counted.contains("best_frame") || !counted["best_frame"].is_number_integer()) return -1;
     const auto frame = counted["best_frame"].get<std::int64_t>();
@@ -74,7 +74,7 @@ void addCounted(Json& row, const Json& counted, std::size_t frames) {
     }
 }
 
-/// Why planning found no (good) view, and what would help.
+/// Adds the reason why an object is not (well) captured, and the remedy.
 void addPlanned(Json& row, const Json& planned) {
     const auto text = [&](const Json& from, const char* key, const char* name) {
         if (from.is_object() && from.contains(key) && from[key].is_string()) {
@@ -116,7 +116,7 @@ int componentOf(const verify::StoredDataset& dataset, std::size_t frame) {
                : 0;
 }
 
-/// The path that each frame is on, from frames.csv; none where the dataset lacks it.
+/// Path numbers of the frames, from frames.csv; empty if the dataset lacks it.
 std::vector<double> pathsOf(const verify::StoredDataset& dataset) {
     std::vector<double> paths;
     if (!dataset.has("frames")) return paths;
@@ -128,7 +128,7 @@ std::vector<double> pathsOf(const verify::StoredDataset& dataset) {
     return paths;
 }
 
-/// [time, position, rotation, whether a path begins here].
+/// The frames as [time, position, rotation, whether a path begins here].
 Json framesJson(const verify::StoredDataset& dataset) {
     const std::vector<double> paths = pathsOf(dataset);
     Json list = Json::array();
@@ -142,7 +142,7 @@ Json framesJson(const verify::StoredDataset& dataset) {
     return list;
 }
 
-/// By object that moves: [position, rotation] in each frame.
+/// [position, rotation] in each frame, by moving object.
 Json motionsJson(const verify::StoredDataset& dataset) {
     std::map<int, std::vector<const Eigen::Isometry3d*>> moving;  // by object; null: at rest
     for (std::size_t i = 0; i < dataset.frames.size(); ++i) {
@@ -160,13 +160,13 @@ Json motionsJson(const verify::StoredDataset& dataset) {
             list.push_back(Json::array(
                 {vectorJson(now.translation()), rotationJson(Eigen::Quaterniond(now.rotation()))}));
         }
-        // The operator [] would compare the id with all before it.
+        // Operator [] of an ordered object would compare the id with all previous keys.
         motions.get_ref<Json::object_t&>().emplace_back(std::to_string(id), std::move(list));
     }
     return motions;
 }
 
-/// The other cameras of a rig, by name.
+/// The names of the rig's cameras.
 Json rigNames(const Json& card) {
     Json names = Json::array();
     if (!card.contains("cameras") || !card["cameras"].is_array()) return names;
@@ -197,7 +197,7 @@ std::vector<int> bestFrames(const verify::StoredDataset& dataset) {
 }
 
 std::size_t leastDataBytes(const verify::StoredDataset& dataset) {
-    // Shorter than any row: a number takes three bytes at least, as in "0.0".
+    // Lower bounds of the size of rows; a number takes at least three bytes, as in "0.0".
     constexpr std::size_t kObject = 110;
     constexpr std::size_t kFrame = 38;
     constexpr std::size_t kMotion = 32;

@@ -4,7 +4,7 @@
 
 namespace dollytrack {
 
-// Made from assets/view by the build; see app/CMakeLists.txt.
+// Generated from assets/view at build time; see app/CMakeLists.txt.
 extern const char* const kViewPage;
 extern const char* const kViewStyle;
 extern const char* const kViewPageData;

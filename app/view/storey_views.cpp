@@ -8,7 +8,7 @@ namespace {
 constexpr double kBelowCeiling_m = 0.02;
 constexpr std::size_t kMostRays = 2000;
 
-/// Heights at which structure ends the view straight up from cameras between two heights.
+/// Heights at which rays straight up from cameras between two heights hit structure.
 std::vector<double> ceilingsAbove(const Scene& scene, const RayCaster& rays,
                                   const verify::StoredDataset& dataset, double low, double high) {
     std::vector<double> heights;

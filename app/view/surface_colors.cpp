@@ -9,7 +9,7 @@
 namespace dollytrack::view {
 namespace {
 
-constexpr int kRows = 4;  // of sample points in a triangle; 10 in all
+constexpr int kRows = 4;  // rows of sample points in a triangle; 10 points in total
 
 const std::array<float, 256>& linearTable() {
     static const std::array<float, 256> table = [] {
@@ -22,10 +22,10 @@ const std::array<float, 256>& linearTable() {
     return table;
 }
 
-/// The pixel at a texture coordinate of a repeating image along one side.
+/// Pixel index along one axis for a texture coordinate; the texture repeats.
 int pixelAt(float coordinate, int size) {
     const float part = coordinate - std::floor(coordinate);
-    if (!(part >= 0.0F)) return 0;  // not a number
+    if (!(part >= 0.0F)) return 0;  // NaN
     return std::min(static_cast<int>(part * static_cast<float>(size)), size - 1);
 }
 
@@ -39,7 +39,7 @@ Eigen::Vector3f texel(const Texture& texture, const Eigen::Vector2f& uv) {
     return {table[texture.rgba[at]], table[texture.rgba[at + 1]], table[texture.rgba[at + 2]]};
 }
 
-/// White where there is no image.
+/// Mean texture colour of a triangle; white without a texture.
 Eigen::Vector3f meanTexel(const Scene& scene, int texture_index, const Triangle& corners) {
     if (texture_index < 0) return Eigen::Vector3f::Ones();
     const Texture& texture = scene.textures[static_cast<std::size_t>(texture_index)];

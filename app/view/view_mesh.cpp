@@ -16,17 +16,17 @@ namespace dollytrack::view {
 namespace {
 
 constexpr double kLargestStored = 65535.0;
-// How far simplified surfaces may lie from the true ones, m; tried one after the other.
+// Simplification tolerances, m, tried in order.
 constexpr std::array<float, 6> kTolerances = {0.002F, 0.005F, 0.01F, 0.02F, 0.04F, 0.08F};
 
 using Place = std::array<std::uint16_t, 3>;
 
-/// An object's surfaces while they are simplified.
+/// An object's mesh during simplification.
 struct ObjectMesh {
     int object_id = 0;
     std::vector<Place> places;
-    std::vector<Eigen::Vector3f> points;  // the same, m from the mesh's origin
-    std::vector<Eigen::Vector3f> colors;  // linear
+    std::vector<Eigen::Vector3f> points;  // vertex positions relative to the mesh's origin, m
+    std::vector<Eigen::Vector3f> colors;  // linear RGB
     std::vector<std::uint32_t> corners;
 };
 
@@ -63,8 +63,8 @@ Grid gridOf(const Scene& scene, const std::vector<const Object*>& objects) {
     return {box.min().cast<double>(), std::max(size, 1e-3) / kLargestStored};
 }
 
-/// Triangles with vertices joined where place and material are the same. A vertex has the mean
-/// colour of its triangles, by their area.
+/// A mesh in which vertices with equal position and material are merged. Vertex colours are the
+/// area-weighted mean of the triangles' colours.
 ObjectMesh joinedMesh(const Scene& scene, const Object& object, const Grid& grid) {
     ObjectMesh mesh;
     mesh.object_id = object.id;
@@ -122,11 +122,11 @@ void simplify(ObjectMesh& mesh, float tolerance_m) {
     fewer.resize(meshopt_simplify(fewer.data(), mesh.corners.data(), mesh.corners.size(), points,
                                   mesh.points.size(), sizeof(Eigen::Vector3f), 0,
                                   tolerance_m / scale, 0, nullptr));
-    // Something flat and small may vanish altogether; then it stays as it was.
+    // A small flat object may vanish completely; then it is kept unchanged.
     if (!fewer.empty()) mesh.corners = std::move(fewer);
 }
 
-/// Without regard to how the surface hangs together: the last means for very fine scenes.
+/// Simplifies without preserving topology, as a last resort for very fine scenes.
 void simplifyToShare(ObjectMesh& mesh, double share) {
     constexpr std::size_t kFewest = 3 * 12;
     const auto target = static_cast<std::size_t>(share * static_cast<double>(mesh.corners.size()));

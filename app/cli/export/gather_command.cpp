@@ -27,7 +27,7 @@ struct GatherArguments {
     bool as_json = false;
 };
 
-/// "500MB" in bytes; nothing for another text.
+/// The number of bytes of a text such as "500MB"; nullopt if it is not a size.
 std::optional<std::uint64_t> bytesOf(const std::string& text) {
     double number = 0.0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -45,7 +45,7 @@ Status readGatherArguments(GatherArguments& arguments) {
         if (arguments.layout == kind->name) order.layout = kind;
     }
     std::vector<std::string>& split = arguments.split;
-    // A dataset that follows '--split none' was meant as one.
+    // An argument after '--split none' that is not a list of shares is a dataset.
     if (split.size() > 1 && !gather::looksLikeShares(split[1])) {
         order.datasets.insert(order.datasets.begin(), split[1]);
         split.pop_back();
@@ -71,7 +71,7 @@ Status readGatherArguments(GatherArguments& arguments) {
         if (!map) return tl::unexpected(map.error());
         order.class_map = std::move(*map);
     }
-    order.title = cleanText(order.title);  // they become JSON and YAML
+    order.title = cleanText(order.title);  // cleaned, because it is written into JSON and YAML
     order.license = cleanText(order.license);
     order.out = arguments.out;
     order.product_version = DOLLYTRACK_VERSION;

@@ -23,7 +23,7 @@ struct ViewArguments {
     bool overwrite = false;
 };
 
-/// The page's file: as asked for, else DATASET.html beside the dataset.
+/// The path of the page: --out, by default DATASET.html beside the dataset.
 fs::path pageFile(const ViewArguments& arguments) {
     if (!arguments.out.empty()) return arguments.out;
     std::error_code error;
@@ -32,7 +32,7 @@ fs::path pageFile(const ViewArguments& arguments) {
     return dataset.parent_path() / (dataset.filename().string() + ".html");
 }
 
-/// A folder that has a dataset a room is none itself.
+/// Refuses a folder with one dataset per room.
 Status checkIsDataset(const fs::path& folder) {
     std::error_code error;
     if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder)) return {};
@@ -47,7 +47,7 @@ Status checkIsDataset(const fs::path& folder) {
         folder.string());
 }
 
-/// The folder to write into, once it is known that nothing stands in the way.
+/// Opens the folder of the page after checking that the page can be written.
 Result<io::GuardedFolder> openFor(const fs::path& file, bool overwrite) {
     const std::string name = file.filename().string();
     std::error_code error;
