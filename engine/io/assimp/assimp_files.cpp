@@ -29,7 +29,7 @@ class BytesStream : public Assimp::IOStream {
         std::size_t from = 0;
         if (origin == aiOrigin_CUR) from = at_;
         if (origin == aiOrigin_END) from = bytes_.size();
-        // assimp hands negative offsets over as very large ones, which wrap back here.
+        // assimp passes negative offsets as very large unsigned numbers, which wrap around here.
         const std::size_t to = from + offset;
         if (to > bytes_.size()) return aiReturn_FAILURE;
         at_ = to;

@@ -27,7 +27,7 @@ class FileStream : public Assimp::IOStream {
         const std::size_t base = origin == aiOrigin_CUR   ? at_
                                  : origin == aiOrigin_END ? file_.size()
                                                           : 0;
-        // From the end offsets count backwards, as in assimp's own streams of memory.
+        // Offsets from the end count backwards, as in assimp's memory streams.
         const std::size_t to = origin == aiOrigin_END ? base - offset : base + offset;
         if (to > file_.size()) return aiReturn_FAILURE;
         at_ = to;

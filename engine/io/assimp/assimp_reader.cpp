@@ -58,7 +58,7 @@ void keepOurReaders(Assimp::Importer& importer) {
         const aiImporterDesc* info = importer.GetImporterInfo(i);
         if (info && isOurs(info->mFileExtensions)) continue;
         const std::unique_ptr<Assimp::BaseImporter> not_ours(importer.GetImporter(i));
-        importer.UnregisterLoader(not_ours.get());  // hands it back to us
+        importer.UnregisterLoader(not_ours.get());  // passes ownership back
     }
 }
 
@@ -223,7 +223,7 @@ Material readMaterial(const aiMaterial& source, const std::string& format, Textu
     if (says && material.emission_map >= 0) {
         material.emission = {clean(emission.r), clean(emission.g), clean(emission.b)};
     }
-    // Exporters write black beside the image.
+    // Exporters write black together with an emission texture.
     const bool black = material.emission.isZero(0.0F);
     if (material.emission_map >= 0 && black) material.emission.setOnes();
 
@@ -385,7 +385,7 @@ void noteRepairs(const ModelTextRepairs& repairs, const Path& path,
         end == missing.end() ? "" : fmt::format(" and {} more", missing.size() - kMostNamed)));
 }
 
-/// Reads `path` with an importer that is set up to find it.
+/// Reads `path` with an importer that has a file system for it.
 Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& path,
                       ModelTextRepairs& repairs, const JobContext& job) {
     const std::string where = path.string();

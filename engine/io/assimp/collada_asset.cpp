@@ -14,8 +14,8 @@ void skipSpace(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
 }
 
-/// The number that begins the value of `meter="0.01"`, from behind the name; 0 when there is none.
-/// The same in every locale.
+/// The number in `="0.01"`, the text after an attribute's name; 0 if there is none. Independent of
+/// the locale.
 double valueAfterName(std::string_view text) {
     skipSpace(text);
     if (!text.starts_with('=')) return 0.0;
@@ -30,7 +30,8 @@ double valueAfterName(std::string_view text) {
     return error == std::errc() && std::isfinite(value) && value > 0.0 ? value : 0.0;
 }
 
-/// `name="meter"` and `name="centimeter"` are not the attribute looked for.
+/// The value of the attribute `meter`; the values `name="meter"` and `name="centimeter"` do not
+/// match.
 double meterOf(std::string_view tag) {
     constexpr std::string_view kName = "meter";
     for (auto at = tag.find(kName); at != std::string_view::npos; at = tag.find(kName, at + 1)) {

@@ -15,14 +15,14 @@
 namespace dollytrack {
 namespace {
 
-constexpr std::size_t kLargest = std::size_t{1} << 31U;  // bytes; larger ones are left as they are
+constexpr std::size_t kLargest = std::size_t{1} << 31U;  // bytes; larger files are not repaired
 
 bool isDigit(std::uint8_t c) {
     return c >= '0' && c <= '9';
 }
 
 /// Whether this is the decimal point of a number without leading zero: after a blank or a sign, and
-/// before a digit. Points in file names are not.
+/// before a digit. This excludes points in file names.
 bool isBarePoint(const std::vector<std::uint8_t>& text, std::size_t at) {
     if (at == 0 || at + 1 >= text.size() || !isDigit(text[at + 1])) return false;
     std::size_t before = at - 1;
@@ -33,7 +33,7 @@ bool isBarePoint(const std::vector<std::uint8_t>& text, std::size_t at) {
     return text[before] == ' ' || text[before] == '\t';
 }
 
-/// The next bare point from `at` on; the text's size when there is none.
+/// Position of the next bare point at or after `at`; the text's size if there is none.
 std::size_t nextBarePoint(const std::vector<std::uint8_t>& text, std::size_t at) {
     while (at < text.size()) {
         const void* found = std::memchr(text.data() + at, '.', text.size() - at);
@@ -45,7 +45,8 @@ std::size_t nextBarePoint(const std::vector<std::uint8_t>& text, std::size_t at)
     return text.size();
 }
 
-/// Calls visit(begin, line) for each line of an OBJ text. A backslash at its end joins the next.
+/// Calls visit(begin, line) for each line of an OBJ text. A backslash at the end of a line
+/// continues it.
 template <class Visit>
 void eachObjLine(std::string_view text, Visit&& visit) {
     for (std::size_t begin = 0; begin < text.size();) {
@@ -82,7 +83,7 @@ void eachCorner(std::string_view face, Visit&& visit) {
     }
 }
 
-/// The second number of "7/8/9"; nothing where there is none.
+/// The second number of "7/8/9"; nullopt if there is none.
 std::optional<long long> coordinateOf(std::string_view corner) {
     const auto slash = corner.find('/');
     if (slash == corner.npos) return std::nullopt;
@@ -94,8 +95,8 @@ std::optional<long long> coordinateOf(std::string_view corner) {
     return value;
 }
 
-/// Whether a face names texture coordinates that are not there: `before` of all `count` stand
-/// before it, from which negative numbers count backwards.
+/// Whether a face refers to texture coordinates that do not exist. `count`: their number in the
+/// file; `before`: their number before the face, from which negative indices count backwards.
 bool missesCoordinates(std::string_view face, long long before, long long count) {
     bool missing = false;
     eachCorner(face, [&](std::string_view corner) {
@@ -219,7 +220,7 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
         } else {
             changed = hasBarePoints(text);
             if (changed) text = withLeadingZeros(text);
-            mended_faces = 0;  // assimp may open the file again; its faces count once
+            mended_faces = 0;  // assimp may open the file again; its faces are counted once
             changed = mendObjLines(text, mended_faces) || changed;
         }
     }

@@ -90,7 +90,7 @@ Chunks findChunks(std::string_view file) {
 
 Json parseJson(std::string_view text) {
     Result<Json> json = io::parseBoundedJson(text, {});
-    // Some exporters write names in the bytes of their own machine's language.
+    // Some exporters write names in a local encoding instead of UTF-8.
     if (!json) {
         const std::string clean = cleanText(text);
         if (clean != text) json = io::parseBoundedJson(clean, {});
@@ -136,7 +136,7 @@ int sixBits(char c) {
     if (c >= 'A' && c <= 'Z') return c - 'A';
     if (c >= 'a' && c <= 'z') return c - 'a' + 26;
     if (c >= '0' && c <= '9') return c - '0' + 52;
-    if (c == '+' || c == '-') return 62;  // the second: as URIs have it
+    if (c == '+' || c == '-') return 62;  // '-': the URL-safe alphabet
     if (c == '/' || c == '_') return 63;
     return -1;
 }

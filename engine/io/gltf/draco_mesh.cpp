@@ -13,9 +13,9 @@
 namespace dollytrack::gltf {
 namespace {
 
-/// What an integer is divided by to be a fraction; 1 where it is one already.
+/// Divisor that converts integers to fractions; 1 if the values are already fractions.
 float largestOf(const draco::PointAttribute& attribute) {
-    if (attribute.normalized()) return 1.0F;  // the library divides
+    if (attribute.normalized()) return 1.0F;  // divided by the library
     switch (attribute.data_type()) {
         case draco::DT_INT8:
             return std::numeric_limits<std::int8_t>::max();

@@ -102,7 +102,7 @@ class TextureList {
             return -1;
         }
         const auto next = static_cast<int>(raw_.textures.size());
-        if (request.embedded.empty()) {  // two images of one file are one image
+        if (request.embedded.empty()) {  // images with the same file are one texture
             const auto [same, is_new] = files_.try_emplace(request.name, next);
             if (!is_new) return same->second;
         }
@@ -112,9 +112,9 @@ class TextureList {
 
     const Document& document_;
     RawScene& raw_;
-    std::map<std::size_t, int> indices_;  // of requests, by image
-    std::map<std::string, int> files_;    // of requests, by file
-    std::set<std::size_t> undecoded_;     // images
+    std::map<std::size_t, int> indices_;  // indices of requests by image
+    std::map<std::string, int> files_;    // indices of requests by file
+    std::set<std::size_t> undecoded_;     // images that cannot be decoded
     std::size_t embedded_ = 0;
     std::size_t elsewhere_ = 0;
 };

@@ -35,7 +35,7 @@ class Attributes {
         return readElements(document_, requireCount(list_, name));
     }
 
-    /// Vectors of up to three numbers; z is 0 where there are two.
+    /// Vectors of up to three components; z is 0 for two-component vectors.
     [[nodiscard]] std::vector<Eigen::Vector3f> readVectors(const char* name, std::size_t fewest) {
         const Elements elements = read(name);
         if (elements.components < fewest) {
@@ -52,7 +52,7 @@ class Attributes {
         return vectors;
     }
 
-    /// Triangles of Draco data, which have no index accessor.
+    /// Vertex indices of Draco data, which have no index accessor; null without Draco.
     [[nodiscard]] const std::vector<std::uint32_t>* dracoIndices() const {
         return draco_ ? &draco_->indices : nullptr;
     }

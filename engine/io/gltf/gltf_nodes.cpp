@@ -15,7 +15,7 @@ namespace dollytrack::gltf {
 namespace {
 
 constexpr int kDeepest = 1000;
-/// Limit for a whole file: a node takes some bytes of the file, but an instance may take none.
+/// Limit for a file, because instances may take no bytes of the file.
 constexpr std::size_t kMostInstances = std::size_t{1} << 16U;
 
 /// The rotation matrix of a quaternion x, y, z, w, which is normalised if its length clearly
@@ -36,7 +36,7 @@ Eigen::Matrix3f rotationOf(Eigen::Vector4f q) {
     return rotation;
 }
 
-/// In single precision, as the numbers of the format are: equal scenes stay equal to the last bit.
+/// In single precision, as in the file, so that equal scenes give bit-identical results.
 Eigen::Affine3d placed(const Eigen::Vector3f& translation, const Eigen::Vector4f& rotation,
                        const Eigen::Vector3f& scale) {
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
@@ -49,7 +49,7 @@ Eigen::Affine3d placed(const Eigen::Vector3f& translation, const Eigen::Vector4f
 Eigen::Affine3d transformOf(const Json& node) {
     if (node.contains("matrix")) {
         Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
-        readNumbers(node, "matrix", matrix);  // both are column after column
+        readNumbers(node, "matrix", matrix);  // both are column-major
         Eigen::Affine3d transform = Eigen::Affine3d::Identity();
         transform.matrix().topRows<3>() = matrix.topRows<3>().cast<double>();
         return transform;
@@ -108,7 +108,7 @@ std::vector<Eigen::Affine3d> instancesOf(const Document& document, const Json& i
     return instances;
 }
 
-/// Where to begin: the nodes of the default scene, or all that no other node holds.
+/// The root nodes: those of the default scene, or without scenes all nodes that are not children.
 std::vector<std::size_t> rootsOf(const Document& document) {
     std::vector<std::size_t> roots;
     const auto add = [&](const Json::array_t& list) {
@@ -207,8 +207,8 @@ class NodeWalk {
         const auto& children = listAt(node, "children");
         const auto mesh = findCount(node, "mesh");
         std::string name = cleanText(textOr(node, "name"));
-        // Quantisers put a node of their own between an object's node and its mesh, to undo the
-        // scaling of its integers.
+        // Quantizers insert a node between an object's node and its mesh, which undoes the scaling
+        // of integers.
         if (mesh && name.empty() && children.empty() && visit.parent >= 0 &&
             holds_quantized_[static_cast<std::size_t>(visit.parent)]) {
             return place(*mesh, visit.parent, here);
@@ -232,7 +232,7 @@ class NodeWalk {
         return name.empty() ? otherwise : name;
     }
 
-    /// Beside the node rather than within it, as parts of one object would be.
+    /// Adds instances as siblings of the node, because its children would be parts of one object.
     void placeInstances(std::size_t mesh, int node, const std::string& name,
                         const std::vector<Eigen::Affine3d>& instances,
                         const Eigen::Affine3d& here) {
@@ -252,7 +252,8 @@ class NodeWalk {
     RawScene& raw_;
     std::vector<bool> seen_;
     bool quantized_;
-    std::vector<bool> holds_quantized_;  // by raw node: takes the meshes of nameless children
+    std::vector<bool>
+        holds_quantized_;  // by raw node: whether it takes the meshes of nameless children
     std::size_t instances_ = 0;
     std::vector<Visit> stack_;
     std::vector<MeshPlacement> placements_;

@@ -39,7 +39,7 @@ RepairCounts build(const Task& task, MeshPart& part) {
     return counts;
 }
 
-/// Vertex colours multiply the base colour. There is one colour for a mesh: their mean.
+/// Multiplies the base colour of a mesh by the mean of its vertex colours.
 void useVertexColors(const std::vector<Task>& tasks, RawScene& raw) {
     constexpr float kSteps = 255.0F;
     std::map<std::tuple<std::uint32_t, int, int, int>, std::uint32_t> made;
@@ -61,7 +61,7 @@ void useVertexColors(const std::vector<Task>& tasks, RawScene& raw) {
     }
 }
 
-/// Reads each mesh of the file that has a placement once; the others stay empty.
+/// Reads each mesh that has a placement once; other meshes stay empty.
 std::vector<std::vector<Primitive>> readPlacedMeshes(
     const Document& document, const std::vector<PictureCoordinates>& coordinates, bool keep_colors,
     const std::vector<MeshPlacement>& placements, const JobContext& job) {

@@ -34,7 +34,7 @@ std::optional<std::size_t> findCount(const Json& object, const char* key) {
     const Json& value = member(object, key);
     if (value.is_null()) return std::nullopt;
     if (value.is_number_unsigned()) return value.get<std::size_t>();
-    // Some exporters write 3.0 for 3; what is larger than 2^53 is no exact number any more.
+    // Some exporters write 3.0 for 3; larger values than 2^53 are not exact.
     constexpr double kLargest = 9007199254740992.0;
     const double number = value.is_number_float() ? value.get<double>() : -1.0;
     if (!(number >= 0.0 && number <= kLargest) || number != std::floor(number)) {

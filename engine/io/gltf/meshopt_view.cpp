@@ -7,10 +7,10 @@
 namespace dollytrack::gltf {
 namespace {
 
-/// No stream of the codecs is packed more tightly: 256 equal bytes take four.
+/// Largest compression ratio of the codecs: 256 equal bytes take four.
 constexpr std::size_t kTightest = 64;
 
-/// The decoders check their input, not their arguments.
+/// Decodes after checking the arguments; the library's decoders only check the data.
 bool decode(std::span<const std::uint8_t> packed, const std::string& mode, std::size_t count,
             std::size_t stride, std::vector<std::uint8_t>& into) {
     const bool of_indices = stride == 2 || stride == 4;

@@ -2,14 +2,15 @@
 
 #include <csetjmp>
 #include <cstdio>
-// Needs size_t and FILE before it.
+// Needs size_t and FILE to be declared.
 #include <jpeglib.h>
 
 namespace dollytrack::io {
 namespace {
 
 struct Watch {
-    jpeg_error_mgr manager;  // first, so that the library's pointer to it is one to this
+    jpeg_error_mgr
+        manager;  // first member, so that a pointer to it is also a pointer to this struct
     std::jmp_buf leave;
 };
 
@@ -19,7 +20,7 @@ struct Watch {
 
 void onMessage(j_common_ptr) {}
 
-/// Printers' colours, inverted as every program writes them, into RGB.
+/// Converts CMYK, which programs store inverted, to RGB.
 void fromCmyk(std::vector<std::uint8_t>& row, std::uint8_t* out) {
     for (std::size_t x = 0; 4 * x < row.size(); ++x) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -28,7 +29,7 @@ void fromCmyk(std::vector<std::uint8_t>& row, std::uint8_t* out) {
     }
 }
 
-/// All that libjpeg may jump out of; holds no object with a destructor.
+/// Contains all calls that libjpeg may leave by longjmp(), and no objects with destructors.
 bool read(jpeg_decompress_struct& info, Watch& watch, PictureBytes bytes, UnpackedPicture& picture,
           std::vector<std::uint8_t>& row) {
     if (setjmp(watch.leave) != 0) return false;

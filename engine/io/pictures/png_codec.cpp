@@ -28,7 +28,7 @@ void readBytes(png_structp png, png_bytep into, png_size_t size) {
 
 void ignorePngWarning(png_structp, png_const_charp) {}
 
-/// All that libpng may jump out of; holds no object with a destructor.
+/// Contains all calls that libpng may leave by longjmp(), and no objects with destructors.
 bool read(png_structp png, png_infop info, PngSource& source) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_read_fn(png, &source, readBytes);

@@ -32,9 +32,9 @@ std::optional<double> hfovBeside(const std::filesystem::path& images) {
 
 }  // namespace
 
-// COLMAP, images.txt: camera from world, Hamilton quaternion with w first. Each image has a second
-// line of points, which may be empty. Images are ordered by name, as they were taken: a2 before
-// a10.
+// COLMAP, images.txt: camera_from_world, Hamilton quaternion with w first. Each image has a second
+// line of points, which may be empty. Images are sorted by name in natural order (a2 before a10),
+// the order of capture.
 Result<PoseList> readColmap(const PoseFile& file) {
     const std::filesystem::path& path = file.path;
     std::vector<std::pair<std::string, ReadPose>> images;

@@ -14,8 +14,8 @@ constexpr const char* kOrientations = "camera_keyframe_orientations.hdf5";
 
 }  // namespace
 
-// Hypersim: positions and orientations of a camera's key frames in two files of one folder, in the
-// units of the scene file; x right, y up, z back; one frame a second.
+// Hypersim: positions and orientations of a camera's key frames in two files of a folder, in the
+// units of the scene file; x right, y up, z back; one frame per second.
 Result<PoseList> readHypersim(const PoseFile& file) {
     std::error_code error;
     const std::filesystem::path folder =

@@ -6,8 +6,8 @@
 
 namespace dollytrack::io {
 
-// KITTI odometry: rows of a 3x4 matrix from camera i to the first camera; times in times.txt
-// beside it, where there is one.
+// KITTI odometry: row-major 3x4 matrices from camera i to the first camera; times in times.txt
+// beside the file, if it exists.
 Result<PoseList> readKitti(const PoseFile& file) {
     const auto lines = readNumberLines(file.path, file.text, 12, "the 3x4 matrix row by row");
     if (!lines) return tl::unexpected<Error>(lines.error());

@@ -18,8 +18,8 @@ int firstLine(std::string_view text) {
 
 }  // namespace
 
-// SceneNet RGB-D: two lines a frame, where the shutter opens and where it closes. The ground truth
-// is the middle of the two. World y up.
+// SceneNet RGB-D: two lines per frame, the poses at shutter open and close. The ground truth is
+// their mean. World y up.
 Result<PoseList> readSceneNet(const PoseFile& file) {
     const auto lines =
         readNumberLines(file.path, file.text, 7, "time eye xyz look-at xyz", firstLine(file.text));
@@ -42,7 +42,7 @@ Result<PoseList> readSceneNet(const PoseFile& file) {
         if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
         list.poses.push_back({eye, *rotation, middle[0], 0, line});
     }
-    // Some programs write the same time in every line, which then counts as no time.
+    // Some programs write the same time in every line; then the trajectory has no times.
     const bool rising = std::adjacent_find(list.poses.begin(), list.poses.end(),
                                            [](const ReadPose& a, const ReadPose& b) {
                                                return *b.time_s <= *a.time_s;

@@ -27,8 +27,8 @@ ReadPose poseOf(const homes::HomeCamera& camera) {
 
 }  // namespace
 
-// The views that people placed in a Sweet Home 3D home: the visitor and the stored ones stand each
-// by itself, the cameras of the video are one motion. The lens is that of the first.
+// The views that a user placed in a Sweet Home 3D home. The visitor and the stored views are
+// separate, the cameras of the video are one motion. The lens is that of the first view.
 Result<PoseList> readSweetHome(const PoseFile& file) {
     const Result<homes::Home> home = homes::readHomeFile(file.text, file.path);
     if (!home) return tl::unexpected(home.error());

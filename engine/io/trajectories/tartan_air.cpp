@@ -3,8 +3,8 @@
 
 namespace dollytrack::io {
 
-// TartanAir, pose_left.txt: a pose a line without a time. The camera's own axes are x forward,
-// y right, z down.
+// TartanAir, pose_left.txt: one pose per line, without times. Camera axes x forward, y right, z
+// down.
 Result<PoseList> readTartanAir(const PoseFile& file) {
     const auto lines = readNumberLines(file.path, file.text, 7, "tx ty tz qx qy qz qw");
     if (!lines) return tl::unexpected<Error>(lines.error());

@@ -23,7 +23,8 @@ std::optional<double> hfovOf(const nlohmann::json& root) {
 
 }  // namespace
 
-// transforms.json of nerfstudio and instant-ngp: world from camera, x right, y up, z back; z up.
+// transforms.json of nerfstudio and instant-ngp: world_from_camera, camera axes x right, y up, z
+// back, world z up.
 Result<PoseList> readTransforms(const PoseFile& file) {
     PoseList list;
     std::size_t frame = 0;
