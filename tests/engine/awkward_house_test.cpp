@@ -30,7 +30,7 @@ std::vector<std::string> namesOf(const Scene& scene) {
     return names;
 }
 
-/// Each face as `change` has it.
+/// The OBJ text with each face replaced by the result of `change`.
 std::string withFaces(const std::string& text,
                       const std::function<std::string(const std::string&)>& change) {
     std::string changed;
@@ -48,7 +48,7 @@ std::string turned(const std::string& face) {
     return "f" + corners;
 }
 
-/// Nothing about the objects and the room is as it is but for the notes.
+/// Expects the objects and the room of the unchanged scene.
 void expectTheSameRoom(const Scene& scene) {
     const Scene plain = importedText(furnished().text());
     EXPECT_EQ(namesOf(scene), namesOf(plain));
@@ -75,7 +75,7 @@ TEST(AwkwardHouse, ThingsInsideOutAreSeenAllTheSame) {
     EXPECT_TRUE(says(scene.report.notes, "4 objects have faces that point inwards"));
 }
 
-/// Three walls of a niche look inwards and are no thing turned inside out.
+/// Three walls of a niche face inwards, but the niche is not an inside-out object.
 TEST(AwkwardHouse, WhatIsOpenIsNotInsideOut) {
     ObjWriter obj = furnished();
     obj.object("niche");
@@ -89,7 +89,7 @@ TEST(AwkwardHouse, WhatIsOpenIsNotInsideOut) {
     }
 }
 
-/// Triangles, since the other side of a polygon may be cut along the other diagonal.
+/// Triangles, because the other side of a polygon may be split along the other diagonal.
 std::string bothSides(const std::string& face) {
     std::istringstream words(face.substr(2));
     std::vector<std::string> corners;
@@ -125,7 +125,7 @@ TEST(AwkwardHouse, ARoomInOneMeshIsTakenApart) {
 
 TEST(AwkwardHouse, ThingsThatPassThroughEachOtherStayThemselves) {
     ObjWriter obj = furnished();
-    obj.object("ottoman").box({1.5, 3.2, 0.0}, {2.6, 3.9, 0.6});  // in the sofa
+    obj.object("ottoman").box({1.5, 3.2, 0.0}, {2.6, 3.9, 0.6});  // inside the sofa
     obj.object("plant").box({2.5, 1.8, 0.1}, {2.7, 2.0, 1.1});    // through the table
     const Scene scene = importedText(obj.text());
     EXPECT_EQ(scene.objects.size(), 12U);
@@ -163,7 +163,7 @@ TEST(AwkwardHouse, TexturesThatAreGoneAreNamed) {
     EXPECT_EQ(namesOf(*scene), namesOf(importedText(furnished().text())));
 }
 
-/// Two floors with four things on each, and stairs between them.
+/// Two floors with four objects on each, and stairs between them.
 TEST(AwkwardHouse, StoreysAreCounted) {
     ObjWriter obj(1.0, false);
     obj.object("floor_ground").box({0, 0, -0.1}, {8, 6, 0});
@@ -190,7 +190,7 @@ TEST(AwkwardHouse, StoreysAreCounted) {
     EXPECT_TRUE(says(scene.report.notes, "2 storeys, with floors at 0.00, 2.85 m"));
 }
 
-/// A bungalow with a hipped roof, none of it named, and things in the garden.
+/// A bungalow with a hipped roof, without names, and objects in the garden.
 Scene houseWithRoof() {
     ObjWriter obj(1.0, false);
     obj.object("Object_1").box({0, 0, -0.1}, {8, 6, 0});
@@ -199,7 +199,7 @@ Scene houseWithRoof() {
     obj.object("Object_4").box({-0.1, 0, 0}, {0, 6, 2.6});
     obj.object("Object_5").box({8, 0, 0}, {8.1, 6, 2.6});
     obj.object("Object_6").box({0, 0, 2.6}, {8, 6, 2.65});
-    // Its eaves hang over; each side is an object of its own.
+    // The eaves extend over the walls; each side of the roof is an object.
     const Eigen::Vector3d a(-0.4, -0.4, 2.5), b(8.4, -0.4, 2.5), c(8.4, 6.4, 2.5),
         d(-0.4, 6.4, 2.5);
     const Eigen::Vector3d e(2.6, 3.0, 4.6), f(5.4, 3.0, 4.6);

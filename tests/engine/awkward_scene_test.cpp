@@ -30,7 +30,7 @@ TEST(AwkwardScene, UnitsThatNobodySaid) {
         EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
         EXPECT_TRUE(scene.report.warnings.empty());
     }
-    // Made to be of size 1: no usual unit gives a room, and that is said.
+    // Normalized to size 1: no usual unit gives the size of a room, so there is a warning.
     EXPECT_TRUE(says(importedText(furnished(0.2).text()).report.warnings, "unit is doubtful"));
 }
 
@@ -41,7 +41,7 @@ TEST(AwkwardScene, PhysicsMeshesAreNotSeen) {
     obj.object("room_hull").box({0, 0, 0}, {5, 4, 2.6});
     obj.object("coffee_table_collision").box({2.0, 1.5, 0.0}, {3.2, 2.3, 0.45});
     obj.object("lamp_col").box({4.4, 0.3, 0.0}, {4.7, 0.6, 1.5});
-    // What only sounds like one stays: a column of books, a model of a ship.
+    // Objects with similar names are kept: a column of books, a model of a ship.
     obj.object("books_col").box({4.0, 3.0, 0.0}, {4.3, 3.3, 0.4});
     obj.object("ship_hull").box({3.0, 3.2, 0.0}, {3.8, 3.5, 0.4});
     const Scene scene = importedText(obj.text());
@@ -58,7 +58,7 @@ TEST(AwkwardScene, ASceneOfPhysicsMeshesAloneIsShown) {
 TEST(AwkwardScene, WhatIsThereTwiceCountsOnce) {
     ObjWriter obj = furnished();
     obj.object("sofa_copy").box({0.2, 3.0, 0.0}, {2.2, 3.8, 0.8});
-    obj.object("chair_beside").box({2.2, 0.6, 0.0}, {2.65, 1.05, 0.9});  // alike, elsewhere
+    obj.object("chair_beside").box({2.2, 0.6, 0.0}, {2.65, 1.05, 0.9});  // equal, elsewhere
     const Scene scene = importedText(obj.text());
     EXPECT_EQ(countTargets(scene), 5);
     EXPECT_TRUE(says(scene.report.notes, "1 mesh occurs twice at the same position"));
@@ -85,7 +85,7 @@ TEST(AwkwardScene, AHallIsNoRoomInFeet) {
     }
 }
 
-/// What is in it tells feet from halls.
+/// Furniture distinguishes a room in feet from a hall in metres.
 TEST(AwkwardScene, ARoomInFeetIsKnownByItsFurniture) {
     EXPECT_DOUBLE_EQ(importedText(furnished(1.0 / 0.3048).text()).report.unit_m, 0.3048);
     ObjWriter obj = hall({40, 25, 8});
@@ -93,7 +93,7 @@ TEST(AwkwardScene, ARoomInFeetIsKnownByItsFurniture) {
     EXPECT_DOUBLE_EQ(importedText(obj.text()).report.unit_m, 1.0);
 }
 
-/// The same text, its corners moved.
+/// The OBJ text with moved vertices.
 std::string moved(const ObjWriter& obj, const Eigen::Vector3d& by) {
     std::ostringstream text;
     text.precision(15);
@@ -119,15 +119,15 @@ TEST(AwkwardScene, FarFromTheOriginItIsSaidWhatThatCosts) {
         const std::string text = moved(furnished(), Eigen::Vector3d(away, away, 0.0));
         return importScene(folder.write("room.obj", text), options);
     };
-    const Result<Scene> near = read(1e3);  // numbers are 0.1 mm apart
+    const Result<Scene> near = read(1e3);  // floats are 0.1 mm apart
     ASSERT_TRUE(near) << describe(near.error());
     EXPECT_TRUE(near->report.warnings.empty());
-    EXPECT_LT(near->room_bounds.center().head<2>().norm(), 1.5);  // moved to where maps reach
+    EXPECT_LT(near->room_bounds.center().head<2>().norm(), 1.5);  // moved into the range of maps
     const Eigen::Vector3d back = near->source_from_world * near->room_bounds.center();
     EXPECT_NEAR(back.head<2>().norm(), std::hypot(1002.5, 1002.0), 2.0);
     const Result<Scene> nearer = read(300.0);
     ASSERT_TRUE(nearer) << describe(nearer.error());
-    EXPECT_GT(nearer->room_bounds.center().x(), 300.0);  // left where it is
+    EXPECT_GT(nearer->room_bounds.center().x(), 300.0);  // not moved
     const Result<Scene> far = read(2e5);                 // 16 mm
     ASSERT_TRUE(far) << describe(far.error());
     EXPECT_EQ(countTargets(*far), 4);
@@ -139,7 +139,7 @@ TEST(AwkwardScene, FarFromTheOriginItIsSaidWhatThatCosts) {
         << farthest.error().message;
 }
 
-/// What exporters write that spare zeros: ".5" for "0.5".
+/// Some exporters omit leading zeros: ".5" for "0.5".
 TEST(AwkwardScene, NumbersWithoutALeadingZero) {
     const std::string text =
         "v -2.5 -.5 -2\nv 2.5 -.5 -2\nv -2.5 2.1 -2\nv 2.5 2.1 -2\n"
@@ -166,7 +166,7 @@ TEST(AwkwardScene, NamesOfFilesKeepTheirPoints) {
               bytes("mtllib a.5.mtl\nv -0.5 1. +0.25\n"));
 }
 
-// Texts and what becomes of them; an empty one stays as it is, and is not copied.
+// Texts before and after the repair; an empty result means unchanged and not copied.
 TEST(AwkwardScene, ObjLinesAreMendedWhereAssimpMisreadsThem) {
     struct Case {
         std::string text, mended;
@@ -180,7 +180,7 @@ TEST(AwkwardScene, ObjLinesAreMendedWhereAssimpMisreadsThem) {
              {"  vt 0 0\n\tf 1/1 2/1 3/1\n", "vt 0 0\nf 1/1 2/1 3/1\n", 0},
              {" f 1/1 2/0 3\nvt 0 0\n", "f 1 2 3\nvt 0 0\n", 1},
              {"vt 0 0\nf 1/-1 2/-1 3/-1\nvt 1 1\n", "", 0},
-             // Counted back from the face, not from the end of the file.
+             // Negative indices count back from the face, not from the end of the file.
              {"vt 0 0\nf 1/-2 2/-1 3/-1\nvt 1 1\n", "vt 0 0\nf 1 2 3\nvt 1 1\n", 1},
              {"f 1/2 2/1 3/1\nvt 0 0\nvt 1 1\n", "", 0},
              {"vt 0 0\nf 1/1 2/1 \\\r\n 3/5\nf 1 2 3\n", "vt 0 0\nf 1 2 3\nf 1 2 3\n", 1},
@@ -194,7 +194,7 @@ TEST(AwkwardScene, ObjLinesAreMendedWhereAssimpMisreadsThem) {
     }
 }
 
-// One face without its texture coordinates leaves the others theirs.
+// A face without texture coordinates does not affect those of other faces.
 TEST(AwkwardScene, ObjFacesLoseCoordinatesThatAreNotThere) {
     const TempFolder folder;
     const Result<RawScene> raw =
@@ -247,10 +247,10 @@ TEST(AwkwardScene, ColladaColoursMayBeginWithBlanks) {
     }
 }
 
-/// A shell whose faces look away from the room: what is inside of it is the room all the same.
+/// A shell with outward faces still encloses the room.
 TEST(AwkwardScene, AnInsideOutShellIsARoom) {
     const Scene as_it_is = importedText(furnished().text());
-    // Every face is wound the other way round.
+    // All faces have reversed winding.
     std::string turned;
     std::istringstream lines(furnished().text());
     for (std::string line; std::getline(lines, line);) {

@@ -27,7 +27,7 @@ TEST(BackgroundWorker, RunsWhatItIsGivenAndRests) {
     EXPECT_EQ(results.take(), std::nullopt);
 }
 
-// Of a hundred requests in a row the running one is cancelled, and only the newest follows it.
+// After a hundred requests the running one is cancelled, and only the newest is run.
 TEST(BackgroundWorker, NewestRequestWins) {
     BackgroundWorker worker;
     std::atomic<int> started = 0;
@@ -52,7 +52,7 @@ TEST(BackgroundWorker, NewestRequestWins) {
     EXPECT_LT(started, 100);
 }
 
-/// A clock that only the test turns, and work that goes on step by step.
+/// A clock that the test advances, for work in single steps.
 struct FakeTime {
     std::atomic<std::int64_t> now_ms = 0;
 
@@ -63,10 +63,10 @@ struct FakeTime {
     }
 };
 
-/// Work of ten steps, each of which the test lets go.
+/// Work of ten steps, each started by the test.
 struct SteppedWork {
     std::atomic<int> steps_allowed = 0;
-    std::atomic<int> steps_done = 0;  // of the piece that runs
+    std::atomic<int> steps_done = 0;  // steps of the running task
     std::atomic<int> all_steps_done = 0;
     std::atomic<int> finished = 0;
     std::atomic<int> dropped = 0;
@@ -93,7 +93,8 @@ struct SteppedWork {
     }
 };
 
-/// Changes a value every 20 ms for five seconds, while each piece of work takes `piece_ms`.
+/// Changes a value every 20 ms for five seconds, while each task takes `piece_ms`. Returns the
+/// number of finished tasks.
 int finishedWhileDragging(int piece_ms, BackgroundWorker::Patience patience) {
     FakeTime time;
     SteppedWork work;
@@ -114,8 +115,8 @@ int finishedWhileDragging(int piece_ms, BackgroundWorker::Patience patience) {
     return finished;
 }
 
-// A slider that is dragged for five seconds gets a result at least once a second, where work takes
-// less than that; and it does not where every change cancels.
+// While a slider is dragged for five seconds, there is a result at least once per second if a task
+// takes less than that, but none if every change cancels.
 TEST(BackgroundWorker, OutdatedWorkFinishesWithinItsGrace) {
     const BackgroundWorker::Patience patient{std::chrono::milliseconds(900), 0.6};
     EXPECT_GE(finishedWhileDragging(600, patient), 5);

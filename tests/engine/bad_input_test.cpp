@@ -10,7 +10,7 @@ namespace {
 
 using test::TempFolder;
 
-/// One sentence with BadInput that holds `part`, and the path as it was given.
+/// Expects BadInput with one sentence that contains `part`, and the given path.
 void expectRefused(const std::filesystem::path& path, const std::string& part) {
     const Result<Scene> scene = importScene(path);
     ASSERT_FALSE(scene) << path;
@@ -47,7 +47,7 @@ TEST(BadInput, UnknownExtensionsSayWhatToDo) {
     expectRefused(folder.write("room.STEP", "x"), "FreeCAD");
 }
 
-// Files that lie beside a scene are taken for it.
+// Users may open files beside a scene instead of the scene.
 TEST(BadInput, PartsOfScenesSayWhatToName) {
     const TempFolder folder;
     expectRefused(folder.write("room.mtl", "newmtl a"), "name the .obj beside it");
@@ -76,7 +76,7 @@ TEST(BadInput, KindsAreToldByTheirContent) {
     expectRefused(folder.write("d.json", "[1, 2]"), "not a supported scene");
 }
 
-// Files of the same name lie in many folders.
+// Many folders have files of the same name.
 TEST(BadInput, FilesBesideTheSceneAreNamedWithTheirFolder) {
     const TempFolder folder;
     const std::filesystem::path room =

@@ -7,7 +7,7 @@
 namespace dollytrack {
 
 TEST(Capture, CountsTargetsOnlyAndSeparatesWellFromBarely) {
-    const Scene scene = test::furnishedRoom();  // six of structure, then five targets
+    const Scene scene = test::furnishedRoom();  // six structure objects, then five targets
     const int table = 7;
     const int mug = 8;
     const int book = 9;
@@ -21,7 +21,7 @@ TEST(Capture, CountsTargetsOnlyAndSeparatesWellFromBarely) {
     EXPECT_EQ(captures[0].best.frame, 0);
     EXPECT_TRUE(captures[0].well_captured);
     EXPECT_EQ(captures[1].best.frame, 0);       // the highest visible fraction
-    EXPECT_EQ(captures[1].best_well.frame, 2);  // but well only here
+    EXPECT_EQ(captures[1].best_well.frame, 2);  // the only well captured view
     EXPECT_FALSE(captures[2].captured);         // 119 px
     EXPECT_EQ(captures[3].best.frame, -1);
 

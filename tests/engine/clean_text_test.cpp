@@ -33,7 +33,7 @@ TEST(CleanLines, KeepsLineBreaksAndTabsAlone) {
     EXPECT_EQ(cleanLines("a\x1B[31m\tb\r\n\x7F\xC2\x85\xFC"), "a[31m\tb\n\xEF\xBF\xBD");
 }
 
-// As a stream hands text over, cut anywhere.
+// Text from a stream, cut at any position.
 TEST(CleanLines, PiecesGiveWhatTheWholeGives) {
     const std::string text =
         "B\xC3\xBCro \xE6\xA4\x85\xE5\xAD\x90\n\x1B\xF0\x9F\x9B\x8B \xFC \xE6x.";

@@ -19,7 +19,7 @@ TEST(ClosestName, ForgivesSlipsOfTheHand) {
     EXPECT_EQ(closestName("fil", kNames), "fill");
     EXPECT_EQ(closestName("exlude", kNames), "exclude");
     EXPECT_EQ(closestName("max_sped_mpz", kNames), "max_speed_mps");
-    EXPECT_EQ(closestName("max_speed", kNames), "max_speed_mps");  // its beginning
+    EXPECT_EQ(closestName("max_speed", kNames), "max_speed_mps");  // a prefix
 }
 
 TEST(ClosestName, DoesNotGuessWhatIsFar) {

@@ -7,7 +7,7 @@
 namespace dollytrack {
 namespace {
 
-// A reconstruction that diverged has such points; a cell has to have neighbours all the same.
+// A diverged reconstruction has such points; cells must have neighbours nevertheless.
 TEST(CloudError, PointsFarBeyondAnyGridCoverNothingButThemselves) {
     const double huge = std::numeric_limits<double>::max();
     const std::vector<Eigen::Vector3d> surface = {{0, 0, 0}, {1, 0, 0}};

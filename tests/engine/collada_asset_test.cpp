@@ -30,7 +30,7 @@ TEST(ColladaAsset, KeepsDefaultsForWhatIsNoNumber) {
 TEST(ColladaAsset, ReadsNothingBeyondACut) {
     const std::string text = "<unit meter=\"0.01\"/><up_axis>Z_UP</up_axis>";
     for (std::size_t length = 0; length < text.size(); ++length) {
-        // A block of its own, so that a reader past its end is caught by the sanitizer.
+        // A separate allocation, so that the sanitizer detects reads past its end.
         const std::vector<char> head(text.begin(),
                                      text.begin() + static_cast<std::ptrdiff_t>(length));
         const ColladaAsset asset = parseColladaAsset({head.data(), head.size()});

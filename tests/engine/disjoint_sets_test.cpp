@@ -20,7 +20,7 @@ rc::Gen<Pairs> anyPairs(int count) {
         rc::gen::pair(rc::gen::inRange(0, count), rc::gen::inRange(0, count)));
 }
 
-/// A number for each set, by the definition: joining two sets renumbers all members of one.
+/// A label for each element, by definition: joining two sets relabels all members of one.
 std::vector<int> labelsOf(int count, const Pairs& joined) {
     std::vector<int> labels(static_cast<std::size_t>(count));
     std::iota(labels.begin(), labels.end(), 0);
@@ -47,7 +47,7 @@ RC_GTEST_PROP(DisjointSets, AJoinedRootIsTheSmallestMember, ()) {
     }
 }
 
-// Renumbering one set with the number of the other is what joinTo() does to its root.
+// joinTo() makes the root of the second set the root of both.
 RC_GTEST_PROP(DisjointSets, JoinToKeepsTheSecondRoot, ()) {
     const int count = *rc::gen::inRange(1, 40);
     const Pairs pairs = *anyPairs(count);

@@ -52,7 +52,7 @@ TEST_F(DurableFile, NamesTheMissingFolder) {
     EXPECT_EQ(status.error().where, (folder / "none" / "a.txt").string());
 }
 
-// The limit on file sizes makes a real write stop half way, as a full disk does.
+// The file size limit interrupts a real write, like a full disk.
 TEST_F(DurableFile, KeepsTheOldFileWhenAWriteFailsHalfWay) {
     ASSERT_TRUE(writeWhole(folder / "a.bin", "old"));
     rlimit before{};

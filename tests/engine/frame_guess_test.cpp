@@ -27,7 +27,7 @@ struct NamedBox {
     Eigen::Vector3d high;
 };
 
-/// A living room of 5 x 4 x 2.6 m, z up: what stands on the floor, on the table, and on nothing.
+/// A living room of 5 x 4 x 2.6 m, z up, with objects on the floor, on the table and on nothing.
 std::vector<NamedBox> livingRoom(bool named) {
     std::vector<NamedBox> boxes = {{"floor", {0, 0, -0.1}, {5, 4, 0}},
                                    {"ceiling", {0, 0, 2.6}, {5, 4, 2.7}},
@@ -55,7 +55,7 @@ Eigen::Vector3d cornerOf(const Eigen::Vector3d& low, const Eigen::Vector3d& high
     return {(i & 1 ? high : low).x(), (i & 2 ? high : low).y(), (i & 4 ? high : low).z()};
 }
 
-/// The file's axis `up` is the room's z; `scale` file units are a metre.
+/// OBJ text with the file axis `up` as the room's z, and `scale` units per metre.
 std::string asObj(const std::vector<NamedBox>& boxes, UpAxis up, double scale = 1.0) {
     const Eigen::Matrix3d file_from_room = scale * up.zUpFromSource().transpose();
     std::string text;
@@ -76,7 +76,7 @@ std::string asObj(const std::vector<NamedBox>& boxes, UpAxis up, double scale = 
     return text;
 }
 
-/// The same as glTF, y up by its standard, but for a root node that turns and scales all of it.
+/// The same as glTF with its standard y up, and a root node that rotates and scales everything.
 std::string asGltf(const std::vector<NamedBox>& boxes, UpAxis up, double scale,
                    const TempFolder& folder) {
     std::string bytes;
@@ -125,7 +125,7 @@ std::string asGltf(const std::vector<NamedBox>& boxes, UpAxis up, double scale,
         .dump();
 }
 
-/// The same as glTF with all boxes in one mesh of one node, as scans and optimisers leave rooms.
+/// The same as glTF with all boxes in one mesh, as in scans and optimized files.
 std::string asMergedGltf(const std::vector<NamedBox>& boxes, UpAxis up, const TempFolder& folder) {
     const Eigen::Matrix3d turn = up.zUpFromSource().transpose();
     std::string points;
@@ -192,7 +192,7 @@ TEST(UpAxis, IsReadAsItIsWritten) {
     }
 }
 
-// What a person says of the axis reaches the project file and comes back from it.
+// An axis set by the user is saved in the project file and loaded.
 TEST(UpAxis, StandsInImportSettings) {
     ImportOptions options;
     options.up_axis = UpAxis('y', true);
@@ -206,7 +206,7 @@ TEST(UpAxis, StandsInImportSettings) {
     EXPECT_EQ(wrong.error().code, ErrorCode::BadInput);
 }
 
-// Gravity tells which way is up where the format does not, with names and without.
+// Objects resting on others determine the up axis if the format does not, with names and without.
 TEST(FrameGuess, FindsAnyOfTheSixAxes) {
     const TempFolder folder;
     for (const bool named : {true, false}) {
@@ -236,7 +236,7 @@ TEST(FrameGuess, TakesAnyOfTheSixAxesAsGiven) {
     }
 }
 
-// The annotations beside a scene may say that it is upside down.
+// Annotations beside a scene may give a negative axis.
 TEST(FrameGuess, TakesANegativeAxisFromAnnotations) {
     const TempFolder folder;
     static_cast<void>(
@@ -248,7 +248,7 @@ TEST(FrameGuess, TakesANegativeAxisFromAnnotations) {
     EXPECT_EQ(scene.report.up_source, "given");
 }
 
-// glTF has y up by its standard; a root node can turn everything on its side all the same.
+// glTF has y up by its standard, but a root node can rotate everything.
 TEST(FrameGuess, DoubtsTheAxisOfAFileWhereGravityContradictsIt) {
     const TempFolder folder;
     for (const UpAxis axis : kAllAxes) {
@@ -267,8 +267,8 @@ TEST(FrameGuess, DoubtsTheAxisOfAFileWhereGravityContradictsIt) {
     }
 }
 
-// What was judged a wall or floor by its shape follows from the axis that was taken, and does not
-// speak for it.
+// Walls and floors that were found by shape depend on the assumed axis, so they are no evidence for
+// it.
 TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
     const TempFolder folder;
     for (const UpAxis axis : kAllAxes) {
@@ -288,7 +288,7 @@ TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
     }
 }
 
-// Cups, pots and lamps are round about the vertical, whatever walls and shelves look like.
+// Cups, pots and lamps are round about the vertical, whatever the walls and shelves indicate.
 TEST(FrameGuess, RoundThingsStandUpright) {
     FrameEvidence evidence;
     for (int i = 0; i < 6; ++i) {
@@ -305,19 +305,19 @@ TEST(FrameGuess, RoundThingsStandUpright) {
     EXPECT_GT(ranked[1].score - ranked[2].score, 0.3);
 }
 
-// A floor and a ceiling that few other things reach are the room's, not strays.
+// A floor and a ceiling that few objects reach belong to the room and are not outliers.
 TEST(FrameGuess, MeasuresTheRoomFromFloorToCeiling) {
     const TempFolder folder;
     std::vector<NamedBox> boxes = livingRoom(false);
     boxes.erase(boxes.begin() + 2, boxes.begin() + 6);  // the walls
-    boxes.pop_back();                                   // and the picture on one
+    boxes.pop_back();                                   // and the picture on one of them
     boxes.back().high.z() = 0.6;
     const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
     EXPECT_TRUE(scene.report.proposal.isEmpty()) << joined(scene.report.warnings);
     EXPECT_NEAR(collectEvidence(scene).core.sizes().z(), 2.8, 1e-4);
 }
 
-// A file unit that cannot be is not replaced by one that leaves a room too low to stand in.
+// An impossible file unit is not replaced by one that makes the room too low to stand in.
 TEST(FrameGuess, TakesAUnitThatLeavesRoomToStand) {
     const TempFolder folder;
     const double scale = 21.5;
@@ -328,7 +328,7 @@ TEST(FrameGuess, TakesAUnitThatLeavesRoomToStand) {
     EXPECT_LT(scene.report.unit_m * scale * 2.8, 4.0) << joined(scene.report.warnings);
 }
 
-// Furniture and the room's height tell what a unit is; what is proposed is about right.
+// Furniture and the room's height determine the unit; the proposal is approximately right.
 TEST(FrameGuess, ProposesTheUnitOfAScaledRoom) {
     const TempFolder folder;
     for (const double scale : {0.1, 0.2, 0.24, 0.3, 0.45, 3.0, 8.0}) {
@@ -348,7 +348,7 @@ TEST(FrameGuess, ProposesTheUnitOfAScaledRoom) {
     }
 }
 
-// A cut-away room is believed where furniture has its usual size.
+// The unit of a room with low walls is accepted if its furniture has usual sizes.
 TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
     const TempFolder folder;
     for (const double height : {1.2, 2.6}) {
@@ -363,7 +363,7 @@ TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
     }
 }
 
-// A robot is no room, and its format's unit is the metre.
+// A robot is not a room, and its format's unit is the metre.
 TEST(FrameGuess, DoubtsNoUnitThatTheFormatFixes) {
     const TempFolder folder;
     const Scene scene =
@@ -376,7 +376,7 @@ TEST(FrameGuess, DoubtsNoUnitThatTheFormatFixes) {
         << joined(scene.report.warnings);
 }
 
-// A school's room is high; its furniture is as large as furniture may be.
+// A school hall is high; its furniture has the largest usual sizes.
 TEST(FrameGuess, BelievesAHighHallWhereAllFurnitureHasItsUsualSize) {
     const TempFolder folder;
     std::vector<NamedBox> boxes = livingRoom(true);

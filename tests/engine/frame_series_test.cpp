@@ -11,7 +11,7 @@
 namespace dollytrack {
 namespace {
 
-/// `steps` along y, the camera looking along x, in a path of its own.
+/// Adds a path with these steps along y, the camera looking along x.
 void addPath(Trajectory& trajectory, int path, const std::vector<double>& steps) {
     for (const double y : steps) {
         TrajectoryFrame frame;
@@ -33,7 +33,7 @@ TEST(FrameSeries, ClearanceIsTheExactDistanceToTheNearestSurface) {
     const FrameSeries series = measureFrames(trajectory, {}, {}, {}, rays);
     ASSERT_EQ(series.size(), 5U);
     for (std::size_t i = 0; i < series.size(); ++i) {
-        // Against every triangle's own closest point, by dense sampling of its surface.
+        // Compared with dense samples of all triangles.
         double nearest = std::numeric_limits<double>::infinity();
         for (const Triangle& triangle : scene.triangles) {
             const Eigen::Vector3d a = scene.positions[triangle[0]].cast<double>();
@@ -74,8 +74,8 @@ TEST(FrameSeries, CountsEachCapturedObjectOnceAndOnlyThoseThatCount) {
     const RayCaster rays(test::furnishedRoom());
     Trajectory trajectory;
     addPath(trajectory, 0, {0.5, 0.6, 0.7});
-    // Object 1 is captured twice; 2 seems captured but the final word says it is not; 3 is captured
-    // last, but too small in the image to be captured well.
+    // Object 1 is captured twice; 2 seems captured, but is not in the final result; 3 is captured
+    // last, but too small in the image to be well captured.
     const std::vector<std::vector<ObjectView>> views = {
         {viewOf(1, 0, 0.9), viewOf(2, 0, 0.85)},
         {viewOf(1, 1, 0.95)},

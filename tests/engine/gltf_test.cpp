@@ -1,5 +1,5 @@
-// glTF in all its encodings, against numbers that the test itself chose: a curved sheet whose
-// heights are z = x y, once as plain floats and once in each packing.
+// glTF in all encodings, compared with known numbers: a curved sheet with heights z = x y, as plain
+// floats and in each compression.
 
 #include "engine/io/import/model_reader.h"
 #include "engine/io/import/scene_import.h"
@@ -37,7 +37,7 @@ constexpr int kFloat = 5126;
 constexpr std::size_t kSide = 20;  // vertices along a side of the sheet
 constexpr std::size_t kCount = kSide * kSide;
 
-/// A vertex of the sheet: x and y from 0 to 1, z their product.
+/// A vertex of the sheet: x and y from 0 to 1, z = x y.
 Eigen::Vector3f vertex(std::size_t i) {
     const float x = static_cast<float>(i % kSide) / (kSide - 1);
     const float y = static_cast<float>(i / kSide) / (kSide - 1);
@@ -81,8 +81,8 @@ std::string refusalOf(const std::string& bytes, const std::string& name = "sheet
     return raw.error().message;
 }
 
-/// The sheet is whole: as many triangles, each corner on z = x y, within `tolerance`, and x and y
-/// from 0 to 1. `place` undoes what the test did to the sheet.
+/// Expects the complete sheet: its number of triangles, each corner on z = x y within `tolerance`,
+/// x and y from 0 to 1. `place`: inverse of the test's transform of the sheet.
 void expectSheet(const MeshPart& part, float tolerance,
                  const std::function<Eigen::Vector3f(Eigen::Vector3f)>& place = nullptr) {
     EXPECT_EQ(part.triangles.size(), 2 * (kSide - 1) * (kSide - 1));
@@ -127,7 +127,7 @@ TEST(Gltf, PlainSheetFromBothContainers) {
     }
 }
 
-// The specification wants stride (count - 1) + element bytes, not stride count.
+// The specification requires stride * (count - 1) + element bytes, not stride * count.
 TEST(Gltf, InterleavedViewThatEndsWithItsLastElement) {
     GlbWriter file;
     constexpr std::size_t kStride = 20;
@@ -147,7 +147,7 @@ TEST(Gltf, InterleavedViewThatEndsWithItsLastElement) {
               std::string::npos);
 }
 
-/// Positions as integers, and the node that undoes their scaling, which has no name.
+/// Positions as integers, and a nameless node that undoes their scaling.
 template <class Integer>
 GlbWriter quantizedSheet(int component_type, bool normalized, float steps) {
     GlbWriter file;
@@ -178,7 +178,7 @@ TEST(Gltf, QuantizedPositions) {
         ASSERT_EQ(raw.parts.size(), 1U);
         const MeshPart& part = raw.parts[0];
         expectSheet(part, 4e-3F);
-        // The quantiser's own node is not an object.
+        // The quantizer's node is not an object.
         EXPECT_EQ(raw.nodes.at(static_cast<std::size_t>(part.node)).name, "sheet");
     }
     expectSheet(read(quantizedSheet<std::int16_t>(kShort, true, 32767.0F).glb()).parts[0], 4e-5F);
@@ -192,7 +192,7 @@ std::string meshoptVertices(const void* data, std::size_t stride) {
     return packed;
 }
 
-/// A view of packed bytes, and the fallback buffer that nothing is read from.
+/// Adds a compressed buffer view, with a fallback buffer that is not read.
 std::size_t addPacked(GlbWriter& file, const std::string& packed, std::size_t count,
                       std::size_t stride, const char* mode, const char* filter = "NONE") {
     const std::size_t index = file.addView(packed);
@@ -243,7 +243,7 @@ TEST(Gltf, MeshoptModes) {
     expectSheet(read(meshoptSheet("INDICES").glb()).parts.at(0), 1e-6F);
 }
 
-// Filters by the definitions of EXT_meshopt_compression, undone here by hand.
+// Filters as defined by EXT_meshopt_compression, decoded here independently.
 TEST(Gltf, MeshoptFilters) {
     GlbWriter file = meshoptSheet("TRIANGLES");
     std::vector<std::int32_t> exponential;
@@ -296,7 +296,7 @@ std::string dracoBytes(int quantization_bits) {
     return {buffer.data(), buffer.size()};
 }
 
-/// As exporters write it: accessors without data, indices of 32 bits.
+/// As written by exporters: accessors without data, 32-bit indices.
 GlbWriter dracoSheet(const std::string& bytes) {
     GlbWriter file;
     const std::size_t view = file.addView(bytes);
@@ -365,7 +365,7 @@ TEST(Gltf, SparseAccessorsReplaceElements) {
         {"indices", {{"bufferView", which}, {"componentType", kUnsignedShort}}},
         {"values", {{"bufferView", what}}}};
     expectSheet(read(file.glb()).parts.at(0), 1e-6F);
-    file.json["accessors"][0]["count"] = 7;  // now the seventh is not there
+    file.json["accessors"][0]["count"] = 7;  // the seventh element does not exist
     EXPECT_NE(refusalOf(file.glb()).find("sparse"), std::string::npos);
 }
 
@@ -388,7 +388,7 @@ TEST(Gltf, StripsAndFansFaceOneWay) {
     EXPECT_EQ(raw.repairs.lines, 3U);
 }
 
-/// A sheet with picture coordinates (x, y) and a material of one texture.
+/// A sheet with texture coordinates (x, y) and a material with one texture.
 GlbWriter texturedSheet(int component_type, bool normalized) {
     GlbWriter file = plainSheet();
     std::vector<float> floats;
@@ -412,7 +412,7 @@ GlbWriter texturedSheet(int component_type, bool normalized) {
     return file;
 }
 
-// KHR_texture_transform, the way that Blender's importer turns it: (x, y) with y downwards becomes
+// KHR_texture_transform with the rotation of Blender's importer: (x, y), y downwards, becomes
 // offset + (sx x cos + sy y sin, sy y cos - sx x sin).
 TEST(Gltf, PictureCoordinatesAreTransformed) {
     GlbWriter file = texturedSheet(kUnsignedShort, true);
@@ -428,7 +428,7 @@ TEST(Gltf, PictureCoordinatesAreTransformed) {
         const float y = part.positions[i].y();
         const Eigen::Vector2f at(0.25F + 2 * x * c + 3 * y * s, 0.5F + 3 * y * c - 2 * x * s);
         ASSERT_NEAR(part.uvs[i].x(), at.x(), 1e-4F);
-        ASSERT_NEAR(part.uvs[i].y(), 1.0F - at.y(), 1e-4F);  // ours point upwards
+        ASSERT_NEAR(part.uvs[i].y(), 1.0F - at.y(), 1e-4F);  // the engine's v points upwards
     }
     EXPECT_EQ(raw.textures.at(0).name, "oak%20wood.png");
 }
@@ -449,7 +449,7 @@ TEST(Gltf, SourcesOfTexturesInExtensions) {
     EXPECT_EQ(scene.textures[0].width, 4);
     EXPECT_NEAR(scene.textures[0].rgba[0], 200, 8);
 
-    // The same as KTX2: geometry and a flat colour, and one word on it.
+    // The same with KTX2: geometry with a flat colour, and one warning.
     file.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
     file.json["images"][0] = {{"uri", "oak.ktx2"}};
     file.json["extensionsRequired"] = {"KHR_texture_basisu"};
@@ -462,7 +462,7 @@ TEST(Gltf, SourcesOfTexturesInExtensions) {
     expectSheet(flat.parts.at(0), 1e-6F);
 }
 
-// Colours of vertices are linear in glTF, and multiply the base colour.
+// Vertex colours are linear in glTF and multiply the base colour.
 TEST(Gltf, ColoursOfVerticesMultiply) {
     GlbWriter file = texturedSheet(kFloat, false);
     const std::vector<std::uint8_t> colors(4 * kCount, 51);  // a fifth
@@ -500,7 +500,7 @@ TEST(Gltf, BuffersBesideTheFile) {
     const Result<RawScene> with = readModel(path, {});
     ASSERT_TRUE(with) << with.error().message;
     expectSheet(with->parts.at(0), 1e-6F);
-    // What is cut off says how much is there.
+    // The error of a truncated buffer has its size.
     static_cast<void>(folder.write("a sheet.bin", file.buffer().substr(0, 100)));
     const Result<RawScene> cut = readModel(path, {});
     ASSERT_FALSE(cut);
@@ -516,7 +516,7 @@ TEST(Gltf, NodesThatMakeNoTree) {
     file.json["nodes"][0].erase("children");
     file.json["scenes"][0]["nodes"] = json::array();
     EXPECT_NE(refusalOf(file.glb()).find("no node of its scene has a mesh"), std::string::npos);
-    // Without scenes every node counts that no other holds.
+    // Without scenes, all nodes that are not children are roots.
     file.json.erase("scenes");
     expectSheet(read(file.glb()).parts.at(0), 1e-6F);
 }
@@ -528,8 +528,8 @@ TEST(Gltf, OtherVersionsAreNamed) {
               std::string::npos);
 }
 
-// Bytes that are damaged give one sentence, whichever decoder they are for, and never more memory
-// than the file warrants.
+// Damaged bytes give one sentence with any decoder, and never need more memory than the file
+// justifies.
 TEST(Gltf, DamagedPackings) {
     const std::string draco = dracoBytes(14);
     for (const std::size_t length :
@@ -587,7 +587,7 @@ TEST(Gltf, CountsThatLie) {
     EXPECT_NE(refusalOf(empty.glb()).find("accessors[0] has no data"), std::string::npos);
 }
 
-// A .glb is told from its bytes, wherever they end.
+// A .glb truncated at any position is refused with a sentence.
 TEST(Gltf, CutOffAnywhere) {
     const std::string whole = plainSheet().glb();
     for (std::size_t length = 4; length + 8 < whole.size(); length += 97) {

@@ -72,7 +72,7 @@ TEST_F(GuardedFolderTest, LeavesFilesWithASecondNameAlone) {
     fs::create_hard_link(victim_, path_ / ("written.tmp." + std::to_string(::getpid())));
     EXPECT_FALSE(folder_.openEmptied("file"));
     EXPECT_FALSE(folder_.openFile("file", O_WRONLY | O_TRUNC));
-    EXPECT_TRUE(folder_.write("file", std::string_view("new")));  // replaces this name alone
+    EXPECT_TRUE(folder_.write("file", std::string_view("new")));  // replaces only this name
     EXPECT_TRUE(folder_.write("written", std::string_view("new")));
     EXPECT_EQ(victim(), "victim");
 }
@@ -88,7 +88,7 @@ TEST_F(GuardedFolderTest, RefusesNamesThatLeadOut) {
     EXPECT_TRUE(fs::is_empty(path_));
 }
 
-// A folder that becomes a link after it was looked at: the step to it is what counts.
+// A folder that is replaced by a link after it was opened: the opened folder is used.
 TEST_F(GuardedFolderTest, HoldsAFolderThatIsReplacedByALink) {
     const auto held = folder_.makeWithin("rgb");
     ASSERT_TRUE(held);

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// A walk with a sway in every direction, whose derivatives nobody needs to know.
+/// A walk with sway in all directions.
 Pose walk(double t) {
     const Vector3d place(0.5 * t, 0.8 * std::sin(0.7 * t), 1.2 + 0.1 * std::sin(2.1 * t));
     const double yaw = 1.1 * std::sin(0.4 * t) + 0.3 * t;
@@ -34,7 +34,7 @@ std::vector<ImuSample> trackOf(const std::vector<TrajectoryFrame>& frames, doubl
     return imuTrack(PoseSpline(frames), rate_hz, frames.front().time_s, frames.back().time_s);
 }
 
-/// 1 m around the origin in the plane, 1 rad/s, looking outwards.
+/// A horizontal circle of 1 m around the origin at 1 rad/s, looking outwards.
 Pose circle(double t) {
     const Vector3d out(std::cos(t), std::sin(t), 0.0);
     return {out, lookAlong(out)};
@@ -52,12 +52,12 @@ TEST(ImuTrack, AtRestFeelsGravityUpwardsInTheCamerasAxes) {
     ASSERT_EQ(track.size(), 41U);
     for (const ImuSample& sample : track) {
         EXPECT_LT(sample.rate_rps.norm(), 1e-9);
-        // y points down in the camera's axes.
+        // y is down in the camera frame.
         EXPECT_LT((sample.specific_force_mps2 - Vector3d(0, -9.80665, 0)).norm(), 1e-9);
     }
 }
 
-// Looking outwards on a circle: it turns about the vertical, and the centre pulls backwards.
+// Looking outwards on a circle: rotation about the vertical, acceleration backwards to the centre.
 TEST(ImuTrack, OnACircleFeelsItsCentre) {
     const auto track = trackOf(sampled(circle, 0.05, 100), 200.0);
     ASSERT_EQ(track.size(), 991U);
@@ -67,7 +67,7 @@ TEST(ImuTrack, OnACircleFeelsItsCentre) {
     }
 }
 
-// Half a minute of dead reckoning from the first pose, by the samples alone.
+// Half a minute of dead reckoning from the first pose, with the samples only.
 TEST(ImuTrack, IntegratesBackToThePoses) {
     const auto frames = sampled(walk, 0.1, 301);
     constexpr double kRate = 400.0;
@@ -75,7 +75,7 @@ TEST(ImuTrack, IntegratesBackToThePoses) {
     ASSERT_EQ(track.size(), 12001U);
     Quaterniond rotation = frames[0].pose.rotation;
     Vector3d position = frames[0].pose.position;
-    // From the definition of walk(), not from the track.
+    // From walk(), not from the track.
     Vector3d velocity = (walk(1e-4).position - walk(-1e-4).position) / 2e-4;
     double worst = 0.0;
     double worst_turn = 0.0;
@@ -115,12 +115,12 @@ TEST(ImuTrack, APartHasTheSamplesOfTheWhole) {
         });
         ASSERT_GE(std::distance(first, whole.end()), std::ssize(part));
         EXPECT_TRUE(std::equal(part.begin(), part.end(), first, same));
-        // It reaches to both ends, and by less than an interval beyond.
+        // The samples reach both ends and extend beyond by less than an interval.
         EXPECT_LE(part.front().time_s, from + 1e-9);
         EXPECT_GT(part.front().time_s, from - 1.0 / rate_hz + 1e-9);
         EXPECT_GE(part.back().time_s, to - 1e-9);
         EXPECT_LT(part.back().time_s, to + 1.0 / rate_hz - 1e-9);
-        // What the part's frames alone would tell is something else.
+        // The frames of the part alone would give other samples.
         const auto alone = trackOf({frames.begin() + 7, frames.begin() + 24}, rate_hz);
         EXPECT_GT((alone.front().specific_force_mps2 - first->specific_force_mps2).norm(), 1e-3);
     }

@@ -70,7 +70,7 @@ TEST(LabelTable, WholeNamesGoBeforeWords) {
     EXPECT_EQ(table.find(" desk/LAMP").nyu40, nyu40FromName("desk"));
     EXPECT_EQ(table.find("desk/lamp_2").nyu40, nyu40FromName("lamp"));
     EXPECT_EQ(table.find("04379243").nyu40, nyu40FromName("lamp"));
-    // A user's words go before whole names that came with the program.
+    // A user's words take precedence over full names of the built-in table.
     EXPECT_EQ(table.find("Wine Cooler").nyu40, nyu40FromName("cabinet"));
     ASSERT_TRUE(table.add("wine coolers,refrigerator\n", "mine.csv"));
     EXPECT_EQ(table.find("Wine Cooler").nyu40, nyu40FromName("refrigerator"));
@@ -82,7 +82,7 @@ struct DatasetCase {
     const char* nyu40;
 };
 
-// What the data sets' makers call their things; the classes are ours.
+// Categories of data sets, with the expected NYU40 classes.
 TEST(LabelTable, KnowsTheCategoriesOfDataSets) {
     for (const DatasetCase& c : std::initializer_list<DatasetCase>{
              {"Bookcase / jewelry Armoire", "bookshelf"},
@@ -126,14 +126,14 @@ TEST(LabelTable, NamesTheLineThatIsWrong) {
 
 TEST(LabelTable, BuiltInTableIsReadToItsEnd) {
     EXPECT_GT(LabelTable::builtIn().size(), 1500U);
-    // From the last lines of the file: an error on the way would have stopped before them.
+    // Words from the last lines of the file, which would not be read after an error.
     EXPECT_EQ(LabelTable::builtIn().find("paneling").kind, LabelKind::Weak);
     EXPECT_EQ(LabelTable::builtIn().find("c280a0a3-4a30-4683-8f8d-f55da3f7b53a").kind,
               LabelKind::Weak);
     EXPECT_EQ(LabelTable::builtIn().find("20000041").kind, LabelKind::Target);
 }
 
-// "wood" says less of a thing than "chair", wherever it stands.
+// "wood" is less specific than "chair", in any position.
 TEST(LabelTable, TheMostTellingWordNamesAThing) {
     const LabelTable& table = LabelTable::builtIn();
     const std::vector<std::string> both = {"wood_thing", "", "wall_2", "chair_01"};

@@ -38,7 +38,7 @@ std::vector<RigCamera> allLenses() {
     return cameras;
 }
 
-// Every position of a picture has a ray that leads back to it, or lies outside of the circle.
+// Every image position has a ray that is projected back to it, or is outside the image circle.
 TEST(LensModel, ProjectsEachRayBackToItsPixel) {
     for (const RigCamera& camera : allLenses()) {
         ASSERT_TRUE(validate(Rig{camera})) << lensName(camera.lens);
@@ -75,7 +75,7 @@ TEST(LensModel, LengthsAlongRaysAreTheDepthsSaid) {
     }
 }
 
-// Written out by hand from the formulas that datasets name.
+// Computed by hand from the formulas in dataset.json.
 TEST(LensModel, SeesKnownDirectionsAtKnownPlaces) {
     const LensModel sphere(standardCamera(Lens::Equirectangular));  // 1024 x 512
     const auto at = [](const LensModel& lens, double x, double y, double z) {
@@ -102,7 +102,8 @@ TEST(LensModel, SeesKnownDirectionsAtKnownPlaces) {
     EXPECT_FALSE(parallel.project({0, 0, -1}));
 }
 
-// The finest that neighbouring rays are apart is what the lens says, to the steps looked at.
+// The smallest angle between neighbouring rays agrees with the lens's resolution, up to the step
+// size.
 TEST(LensModel, SaysHowFineItsPictureIs) {
     for (const RigCamera& camera : allLenses()) {
         if (camera.lens == Lens::Orthographic) continue;
@@ -128,13 +129,13 @@ TEST(Rig, RefusesLensesThatCannotBe) {
     RigCamera camera = standardCamera(Lens::Fisheye);
     camera.name = "wide";
     EXPECT_TRUE(validate(Rig{camera}));
-    camera.k1 = -0.3;  // falls from t = 1.05 on
+    camera.k1 = -0.3;  // decreases from t = 1.05
     const Status falls = validate(Rig{camera});
     ASSERT_FALSE(falls);
     EXPECT_NE(falls.error().where.find("wide"), std::string::npos);
-    camera.fov_deg = 100.0;  // which ends before
+    camera.fov_deg = 100.0;  // ends before that
     EXPECT_TRUE(validate(Rig{camera}));
-    // Its edge would have thousands of pixels a radian.
+    // Its edge would have thousands of pixels per radian.
     RigCamera stretched = standardCamera(Lens::Fisheye);
     stretched.name = "stretched";
     stretched.width_px = stretched.height_px = 4096;
@@ -149,14 +150,14 @@ TEST(Rig, RefusesLensesThatCannotBe) {
     EXPECT_FALSE(validate(Rig{pinhole}));
     pinhole.fov_deg = 90.0;
     EXPECT_TRUE(validate(Rig{pinhole}));
-    EXPECT_FALSE(validate(Rig{pinhole, camera}));  // one name
+    EXPECT_FALSE(validate(Rig{pinhole, camera}));  // equal names
     for (const char* const name : {"", "..", "a/b", "a b", "-x", "\xC3\xA4"}) {
         pinhole.name = name;
         EXPECT_FALSE(validate(Rig{pinhole})) << name;
     }
 }
 
-// Angles by hand: right of a camera that looks along +x (world, z up) is -y.
+// Computed by hand: the right of a camera that looks along +x (world, z up) is -y.
 TEST(Rig, CarriesCamerasWhereTheySay) {
     const Pose planned = lookAt({1, 2, 1.5}, {5, 2, 1.5});
     RigCamera camera;

@@ -21,9 +21,9 @@ TEST(LightParams, APresetSetsTheLightAndWhatFollowsChangesIt) {
     ASSERT_TRUE(setField(listLightFields(params), "light_seed=7"));
     ASSERT_TRUE(setField(listLightFields(params), "lamp_strength=3"));
     ASSERT_TRUE(setField(listLightFields(params), "light_preset=night"));
-    EXPECT_EQ(params.lamp_strength, 1.0);  // the preset's
+    EXPECT_EQ(params.lamp_strength, 1.0);  // from the preset
     EXPECT_EQ(params.sky_strength, 0.0);
-    EXPECT_EQ(params.sun_azimuth_deg, 30.0);  // no preset's
+    EXPECT_EQ(params.sun_azimuth_deg, 30.0);  // not in presets
     EXPECT_EQ(params.light_seed, 7);
     ASSERT_TRUE(setField(listLightFields(params), "lamp_strength=0.5"));
     EXPECT_EQ(params.lamp_strength, 0.5);
@@ -53,7 +53,7 @@ TEST(LightParams, TheListHoldsEveryFieldAndGoesToFilesAndBack) {
     EXPECT_EQ(params, other);
 }
 
-// What is recorded is what was drawn with.
+// The recorded temperature is the one used for rendering.
 TEST(ResolvedLight, NothingGlowsColderThanABlackBodyThatIsKnown) {
     LightParams params;
     params.lamp_temperature_K = 500.0;
@@ -62,7 +62,7 @@ TEST(ResolvedLight, NothingGlowsColderThanABlackBodyThatIsKnown) {
     EXPECT_EQ(resolved(params).drawn.lamp_temperature_K, 1500.0);
 }
 
-// The neutral light is what there is without any of this, to the last bit.
+// The default parameters do not change the neutral light in any bit.
 TEST(ResolvedLight, TheDefaultChangesNothing) {
     const ResolvedLight light = resolved({});
     EXPECT_EQ(light.drawn, LightParams{});
@@ -137,12 +137,12 @@ TEST(ResolvedLight, TheVariationIsSeededAndStaysInRange) {
         }
     }
     EXPECT_GT(times.size(), 190U);
-    // Half the variation goes half as far.
+    // Half the variation gives half the deviation.
     params.light_seed = 3;
     const double far = resolved(params).drawn.exposure_ev - params.exposure_ev;
     params.light_variation = 0.5;
     EXPECT_NEAR(resolved(params).drawn.exposure_ev - params.exposure_ev, 0.5 * far, 1e-12);
-    // A night stays one: nothing of the day comes of nothing.
+    // A night has no daylight: factors of 0 stay 0.
     LightParams night = lightPreset(LightPreset::Night);
     night.light_variation = 1.0;
     EXPECT_EQ(resolved(night).sky_factor.maxCoeff(), 0.0F);

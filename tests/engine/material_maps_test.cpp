@@ -1,4 +1,4 @@
-// Which of a material's pictures arrive, and as what.
+// Which textures of a material are imported, and as which maps.
 
 #include "engine/io/import/scene_import.h"
 #include "tests/support/imported_scene.h"
@@ -17,7 +17,7 @@ using test::imported;
 using test::ObjWriter;
 using test::TempFolder;
 
-/// A picture of one texel.
+/// A texture of one texel.
 std::string picture(const std::string& rgb) {
     return "P6\n1 1\n255\n" + rgb;
 }
@@ -53,7 +53,8 @@ TEST(MaterialMaps, OfMtlFiles) {
     EXPECT_EQ(full.roughness, 1.0F);
     EXPECT_EQ(full.metallic, 1.0F);
     EXPECT_EQ(full.emission, Eigen::Vector3f(Eigen::Vector3f::Ones()));
-    // Heights are no normals, and Ke without a picture is more often a default than a lamp.
+    // Height maps are not normal maps, and Ke without a texture is more often a default than a
+    // lamp.
     const Material& bare = materialOf(scene, "chair");
     EXPECT_FALSE(bare.hasMaps());
     EXPECT_TRUE(bare.emission.isZero(0.0F));
@@ -64,7 +65,7 @@ TEST(MaterialMaps, OfGltf) {
     for (const char* name : {"normal.ppm", "surface.ppm", "glow.ppm"}) {
         static_cast<void>(folder.write(name, picture("\x10\x20\x30")));
     }
-    // Positions and texture coordinates of a triangle of one square metre and a half.
+    // Positions and texture coordinates of a triangle of 1.5 m2.
     const float numbers[15] = {0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1};
     std::string bytes(sizeof(numbers), '\0');
     std::memcpy(bytes.data(), numbers, sizeof(numbers));

@@ -19,14 +19,14 @@ using test::ObjWriter;
 using test::says;
 using test::TempFolder;
 
-/// Ten places of a classroom, those of a row nearer to each other than half a metre.
+/// Ten seats of a classroom; neighbours in a row are closer than half a metre.
 void atEachPlace(const std::function<void(double x, double y)>& draw) {
     for (int row = 0; row < 2; ++row) {
         for (int place = 0; place < 5; ++place) draw(0.8 + 0.8 * place, 1.0 + row);
     }
 }
 
-/// A room with ten chairs and ten desks, whose meshes hold what is of one material.
+/// A room with ten chairs and ten desks, with one mesh per material.
 std::string classroom() {
     ObjWriter obj;
     obj.room({5.5, 4.0, 2.8}, true);
@@ -121,8 +121,7 @@ TEST(MaterialMeshes, ObjectsOfSeveralPiecesStayWhole) {
     EXPECT_FALSE(says(kept.report.warnings, "parts of several objects"));
 }
 
-// Bars between which there is less than half a metre: one thing, or several, which only a person
-// can say.
+// Bars less than half a metre apart: one object or several, which only a user can decide.
 TEST(MaterialMeshes, AlikePiecesOfNoClassAreDoubtful) {
     ObjWriter obj = test::furnished();
     obj.object("Blorb");
@@ -133,8 +132,8 @@ TEST(MaterialMeshes, AlikePiecesOfNoClassAreDoubtful) {
         says(scene.report.warnings, "1 mesh may contain several similar, separate objects: Blorb"));
 }
 
-/// Beside the furniture six chairs whose seat, frame, back, legs and screws are meshes of a
-/// material each.
+/// The furniture, and six chairs whose seat, frame, back, legs and screws are separate meshes with
+/// one material each.
 std::string splitByMaterial(bool apart) {
     ObjWriter obj = test::furnished();
     int number = 0;
@@ -175,7 +174,7 @@ TEST(MaterialMeshes, ThatSplitEachObjectAreRegrouped) {
     EXPECT_FALSE(says(apart.report.warnings, "split by material"));
 }
 
-// What stands in or on another thing stays a thing of its own, as does what has a class of its own.
+// Objects in or on another object stay separate, as do objects with their own class.
 TEST(MaterialMeshes, ThatSplitEachObjectKeepWhatStandsInIt) {
     ObjWriter obj(1.0, false);
     obj.room({6, 5, 2.6}, true);
@@ -205,7 +204,7 @@ TEST(MaterialMeshes, ThatSplitEachObjectKeepWhatStandsInIt) {
     }
 }
 
-// Books of a material each are no parts of the bookcase around them.
+// Books with one material each are not parts of the bookcase around them.
 TEST(MaterialMeshes, BooksInABookcaseStay) {
     ObjWriter obj = test::furnished();
     int number = 0;
@@ -246,7 +245,7 @@ TEST(MaterialMeshes, ThatSplitEachObjectKeepClassesApart) {
         const Vector3d at(0.5 + 1.2 * i, 1.0, 0.0);
         part("table_", at, {0.8, 0.6, 0.7});
         part("chair_", at + Vector3d(0.1, 0.8, 0.0), {0.45, 0.45, 0.9});
-        part("Zinc", at + Vector3d(0.3, 0.5, 0.3), {0.04, 0.4, 0.04});  // from one into the other
+        part("Zinc", at + Vector3d(0.3, 0.5, 0.3), {0.04, 0.4, 0.04});  // connects two objects
         for (int k = 0; k < 3; ++k) {
             part("Bit", at + Vector3d(0.1 + 0.2 * k, 0.2, 0.3), {0.1, 0.1, 0.1});
             part("Bit", at + Vector3d(0.15 + 0.12 * k, 0.95, 0.3), {0.05, 0.1, 0.1});
@@ -258,7 +257,7 @@ TEST(MaterialMeshes, ThatSplitEachObjectKeepClassesApart) {
     EXPECT_EQ(targetsOf(scene, nyu40FromName("chair")), 6);
 }
 
-// The smallest thing that its class does not have the size of, and one that is only unusual.
+// An object that is too small for its class, and one whose size is only unusual.
 TEST(SizeDoubts, NameWhatItsClassCannotBe) {
     ObjWriter obj = test::furnished();
     obj.object("chair_small").box({3.5, 3.5, 0.0}, {3.54, 3.54, 0.04});

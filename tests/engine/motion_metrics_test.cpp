@@ -22,7 +22,7 @@ Trajectory along(double (*way)(double), int count) {
 
 }  // namespace
 
-// x = t^3: differences of a cubic are exact at their middles, the third everywhere.
+// x = t^3: central differences of a cubic are exact, and the third difference is constant.
 TEST(MotionMetrics, AreTheDifferencesOfThePoses) {
     const MotionMetrics motion = measureMotion(along([](double t) { return t * t * t; }, 12));
     EXPECT_NEAR(motion.speed_mps.max, (1.331 - 1.0) / 0.1, 1e-9);

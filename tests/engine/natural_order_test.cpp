@@ -41,7 +41,7 @@ TEST(NaturalOrder, NumbersCountByTheirValue) {
     EXPECT_EQ(names, expected);
 }
 
-// What a sort needs: nothing is before itself, and one of two names that differ is first.
+// A strict weak order: no name precedes itself, and one of two different names comes first.
 TEST(NaturalOrder, IsStrict) {
     const std::vector<std::string> names = {"", "0", "00", "a", "a0", "a00", "a0b", "a00a", "b"};
     for (const std::string& a : names) {

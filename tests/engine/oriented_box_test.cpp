@@ -22,7 +22,7 @@ std::vector<Eigen::Vector3f> cloud(Random& random, std::size_t count, const Eige
     return points;
 }
 
-/// The least rectangle over every tenth of a degree.
+/// The smallest rectangle over rotations in steps of 0.1 degrees.
 double bruteForceArea(const std::vector<Eigen::Vector3f>& points) {
     double best = std::numeric_limits<double>::infinity();
     for (int step = 0; step < 900; ++step) {

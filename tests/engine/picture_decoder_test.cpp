@@ -10,7 +10,7 @@
 namespace dollytrack {
 namespace {
 
-/// A picture with smooth colours, as OpenCV keeps it (BGR, BGRA or grey).
+/// An image with smooth colours in OpenCV's layout (BGR, BGRA or grey).
 cv::Mat gradient(int width, int height, int type) {
     cv::Mat image(height, width, type);
     const int channels = image.channels();
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> encoded(const char* extension, const cv::Mat& image) {
     return bytes;
 }
 
-/// The largest difference from the picture that OpenCV decodes, alpha included.
+/// The largest difference from the image decoded by OpenCV, including alpha.
 int differenceFromOpenCv(const std::vector<std::uint8_t>& bytes, const Texture& texture) {
     const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
     if (image.cols != texture.width || image.rows != texture.height) return 256;
@@ -101,7 +101,7 @@ TEST(PictureDecoder, RefusesWhatIsTooLargeOrCutOff) {
     EXPECT_TRUE(texture.rgba.empty());
 }
 
-// Decoders of other people see these; here it only has to end, with a picture or without.
+// Third-party decoders read damaged bytes; they must end, with or without an image.
 TEST(PictureDecoder, OutlivesDamage) {
     std::mt19937 random(5);
     for (const char* extension : {".png", ".jpg", ".bmp", ".tiff", ".webp", ".ppm"}) {

@@ -6,7 +6,7 @@
 
 namespace dollytrack {
 
-// Reference output of PCG32's own demo program: seed 42, stream 54.
+// Reference output of PCG32's demo program: seed 42, stream 54.
 TEST(Random, MatchesThePublishedSequence) {
     Random random(42, 54);
     for (const std::uint32_t expected :

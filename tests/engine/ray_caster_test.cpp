@@ -51,8 +51,8 @@ TEST(RayCaster, ClosestPointAgreesWithBruteForce) {
     for (int i = 0; i < 200; ++i) {
         const Eigen::Vector3d p(random.uniform(-1, 5), random.uniform(-1, 4),
                                 random.uniform(-1, 3));
-        // Brute force by minimising over a fine grid of each triangle: an upper bound that is
-        // within the grid's spacing of the truth.
+        // Minimum over a fine grid of each triangle: an upper bound with an error of at most the
+        // grid spacing.
         double best = 1e9;
         for (const Triangle& t : scene.triangles) {
             const Eigen::Vector3d a = scene.positions[t[0]].cast<double>();
@@ -94,7 +94,7 @@ TEST(RayCaster, IsClearAsFarAsTheClosestPoint) {
     }
 }
 
-// What is shared with the earlier one answers as what is made anew, also when that one is gone.
+// Shared geometry gives the same results as a new caster, also after the earlier one is destroyed.
 TEST(RayCaster, MadeOfAnEarlierOneAnswersAsFromTheScene) {
     Random random(8, 2);
     Scene scene = test::furnishedRoom();
@@ -122,7 +122,7 @@ TEST(RayCaster, MadeOfAnEarlierOneAnswersAsFromTheScene) {
     }
 }
 
-// Two boxes share a side; which of them is named must not hang on what else there is.
+// Two boxes share a side; which one is reported must not depend on other objects.
 TEST(RayCaster, NamesTheLowestOfThingsThatTouch) {
     Random random(4, 2);
     for (int others = 0; others < 60; ++others) {
@@ -136,7 +136,7 @@ TEST(RayCaster, NamesTheLowestOfThingsThatTouch) {
         const Scene scene = builder.build();
         const RayCaster rays(scene);
         for (int i = 0; i < 20; ++i) {
-            // Beside the seam and level with it: both are as near.
+            // Beside the seam at its height, where both boxes are equally near.
             const Eigen::Vector3d point(0.5 + random.uniform(0.01, 0.3), random.uniform(-0.4, 0.4),
                                         1.0);
             EXPECT_EQ(rays.closest(point, 0.5).object_id, 1) << others;

@@ -59,7 +59,7 @@ TEST(SceneImport, ReadsANamedRoom) {
         Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 3, 2.6)), 1e-5));
 }
 
-// Some exporters leave a single line end there, which assimp takes for a broken model.
+// Some exporters write an MTL file with a single line end, which assimp treats as a broken model.
 TEST(SceneImport, ReadsAModelWhoseMtlFileIsAsGoodAsEmpty) {
     const TempFolder folder;
     for (const char* text : {"", "\n", "# none\n", "# no materials\n"}) {
@@ -115,7 +115,7 @@ TEST_P(FrameCases, GiveTheSameWorld) {
         EXPECT_TRUE((scene.objects[i].box.center - truth.objects[i].box.center).norm() < 1e-5)
             << truth.objects[i].name;
     }
-    // And back: a world point lands on the file's own numbers.
+    // The inverse maps a world point to the file's coordinates.
     const Eigen::Vector3d at = scene.source_from_world * Eigen::Vector3d(1, 2, 3);
     const Eigen::Vector3d expected =
         c.units_per_metre * (c.y_up ? Eigen::Vector3d(1, 3, -2) : Eigen::Vector3d(1, 2, 3));
@@ -140,7 +140,7 @@ TEST(SceneImport, TakesUnitAndUpAxisAsGiven) {
     EXPECT_NEAR(scene.room_bounds.sizes().y(), 1.3, 1e-5);
 }
 
-/// glTF by hand: one triangle pair under a node, with any transform.
+/// Minimal glTF: a quad of two triangles under a node with any transform.
 std::string gltfQuad(const std::string& node_fields) {
     // Four corners of a unit square in x-y (y up), as a base64 buffer of floats and indices.
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
@@ -169,7 +169,7 @@ Eigen::Vector3f firstFaceNormal(const Scene& scene) {
         .normalized();
 }
 
-// glTF is in metres by its standard, which not every file keeps to.
+// glTF is in metres by its standard, but not all files comply.
 TEST(SceneImport, DoubtsAUnitThatMakesADollsHouse) {
     const TempFolder folder;
     static_cast<void>(folder.write("quad.bin", quadBytes()));
@@ -193,7 +193,7 @@ TEST(SceneImport, ReadsGltfAsMetresAndYUp) {
     const Scene scene = imported(folder.write("quad.gltf", gltfQuad("")));
     EXPECT_EQ(scene.report.unit_source, "file");
     EXPECT_EQ(scene.report.up_axis, "y");
-    // +z of glTF is -y of the world; the square stands upright.
+    // +z of glTF is -y of the world; the square is upright.
     EXPECT_TRUE(firstFaceNormal(scene).isApprox(Eigen::Vector3f(0, -1, 0), 1e-5F));
     EXPECT_NEAR(scene.room_bounds.max().z(), 1.0, 1e-6);
 }
@@ -245,7 +245,7 @@ TEST(SceneImport, DropsWhatReachesBeyondAllReach) {
 TEST(SceneImport, IgnoresFarThingsGroundsAndSkiesForTheRoomsSize) {
     const TempFolder folder;
     std::string text = bedroom(1.0, true);
-    // Relative indices, so that the pieces can be written behind the room.
+    // Relative indices, so that the pieces can be appended to the room.
     text += "o ground\nv -100 0 -100\nv -100 0 100\nv 100 0 100\nv 100 0 -100\nf -4 -3 -2 -1\n";
     text += "o lost_lamp\nv 300000 0 0\nv 300001 0 0\nv 300000 1 0\nf -3 -2 -1\n";
     text +=
@@ -317,7 +317,7 @@ TEST(SceneImport, KeepsStackedThingsApartAndMaterialPartsTogether) {
     EXPECT_EQ(find(scene, "cabinet")->triangle_count, 24U);
 }
 
-// "inner" says that it is a part, but of what, with air all around it?
+// "inner" denotes a part, but it touches no other object.
 TEST(SceneImport, KeepsNamedThingsThatTouchNothingAndNamesWhatItPutsTogether) {
     const TempFolder folder;
     const auto room = [](double gap) {
@@ -386,13 +386,13 @@ TEST(SceneImport, JoinsCornersThatAgreeAndKeepsTheOthers) {
     obj.room({4, 3, 2.6}, true);
     obj.object("cabinet").box({1, 1, 0}, {2, 2, 0.9});
     const Scene scene = imported(folder.write("room.obj", obj.text()));
-    // Each side of a box has four corners of its own: its edges are sharp.
+    // Each side of a box has its own four vertices, because its edges are sharp.
     EXPECT_EQ(find(scene, "cabinet")->vertex_count, 24U);
 }
 
 TEST(SceneImport, CountsTexturesFoundAndMissing) {
     const TempFolder folder;
-    // Written by hand as PPM; another case, another folder.
+    // A PPM texture in another folder, with other letter case.
     static_cast<void>(folder.write("maps/Wood.PPM", "P6\n1 1\n255\n\x10\x20\x30"));
     static_cast<void>(folder.write("room.mtl",
                                    "newmtl wood\nmap_Kd C:\\scenes\\wood.ppm\nnewmtl gone\n"
@@ -416,7 +416,7 @@ TEST(SceneImport, RefusesPicturesOfAnySize) {
     const TempFolder folder;
     const std::string signature("\x89PNG\r\n\x1A\n\0\0\0\x0DIHDR", 16);
     const std::string rest("\x08\x06\0\0\0\0\0\0\0", 9);
-    // The product of the sides overflows, is 0 when cut to 64 bits, and is merely too large.
+    // The product of the sides overflows, is 0 modulo 2^64, or is too large.
     for (const std::string& sides :
          {std::string("\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF"), std::string("\x80\0\0\0\x80\0\0\0", 8),
           std::string("\0\0\x40\0\0\0\x40\0", 8)}) {
@@ -451,7 +451,7 @@ TEST(SceneImport, MakesEveryNameValidText) {
     EXPECT_EQ(scene.name, "r" + bad + "um");
     const Material& wood = scene.materials[scene.triangle_material[table->first_triangle]];
     EXPECT_EQ(wood.name, "h" + bad + "lz");
-    // Found on disk by its own bytes, shown as text.
+    // Found by its bytes on disk, shown as valid text.
     EXPECT_EQ(scene.report.textures_found, 1);
     EXPECT_EQ(scene.textures[static_cast<std::size_t>(wood.texture)].name, "h" + bad + "lz.ppm");
     EXPECT_EQ(scene.report.textures_missing, std::vector<std::string>{"f" + bad + "r.png"});

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What a file's first pose must be in our world.
+/// The expected first pose of a file in the world frame.
 struct Expected {
     const char* format;
     const char* name;
@@ -50,26 +50,26 @@ TEST_P(ByHand, IsReadAsItsFormatSays) {
 INSTANTIATE_TEST_SUITE_P(
     TrajectoryFile, ByHand,
     testing::Values(
-        // The camera's axes are the world's: it looks up along z.
+        // The camera's axes equal the world's, so it looks up along z.
         Expected{"tum",
                  "groundtruth.txt",
                  "# timestamp tx ty tz qx qy qz qw\n10.5 1 2 3 0 0 0 1\n",
                  {1, 2, 3},
                  {0, 0, 1},
                  {0, 1, 0}},
-        // A quarter turn about z takes the camera's y axis onto -x.
+        // A quarter turn about z maps the camera's y axis to -x.
         Expected{"tum",
                  "a.tum",
                  "0,1,2,3,0,0,0.70710678,0.70710678\r\n",
                  {1, 2, 3},
                  {0, 0, 1},
                  {-1, 0, 0}},
-        // North is our x, east our -y, down our -z; unturned, it looks north.
+        // North is the world's x, east is -y, down is -z; without rotation the camera looks north.
         Expected{
             "tartanair", "pose_left.txt", "1 2 3 0 0 0 1\n", {1, -2, -3}, {1, 0, 0}, {0, 0, -1}},
-        // The first camera of KITTI: forward is our y.
+        // KITTI's first camera looks along the world's y.
         Expected{"kitti", "00.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n", {1, 3, -2}, {0, 1, 0}, {0, 0, -1}},
-        // Camera from world: the centre is minus the translation, and names give the order.
+        // camera_from_world: the centre is minus the translation; images are ordered by name.
         Expected{"colmap",
                  "images.txt",
                  "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME\n"
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                  {-1, -2, -3},
                  {0, 0, 1},
                  {0, 1, 0}},
-        // World from camera with y up and z back: unturned, it looks down.
+        // world_from_camera with y up and z back: without rotation the camera looks down.
         Expected{"transforms",
                  "transforms.json",
                  R"({"camera_angle_x": 1.0, "frames": [{"file_path": "a", "transform_matrix":
@@ -85,14 +85,14 @@ INSTANTIATE_TEST_SUITE_P(
                  {1, 2, 3},
                  {0, 0, -1},
                  {0, -1, 0}},
-        // y up: (x, y, z) is our (x, -z, y).
+        // y up: (x, y, z) is (x, -z, y) in the world.
         Expected{"3d-front",
                  "camera.json",
                  R"([{"pos":[1,2,3],"target":[1,2,1],"fov":60}])",
                  {1, -3, 2},
                  {0, 1, 0},
                  {0, 0, -1}},
-        // The middle between open and closed shutter.
+        // The mean of the poses at shutter open and close.
         Expected{"scenenet",
                  "description.txt",
                  "layout_file: ./x.obj\nobject\na/b\n#first three elements, eye and last three, "
@@ -130,7 +130,7 @@ TEST(TrajectoryFile, TimesAreTheFilesOrEven) {
     EXPECT_EQ(kitti->trajectory.frames[1].time_s, 0.5);
 }
 
-// A scene in centimetres, y up, and mirrored: the camera lands in the right place, not mirrored.
+// A mirrored scene in centimetres, y up: the camera has the right position and is not mirrored.
 TEST(TrajectoryFile, TheScenesOwnWorldMayBeScaledAndMirrored) {
     const test::TempFolder folder;
     TrajectoryReading reading;
@@ -155,12 +155,12 @@ TEST(TrajectoryFile, TheLensIsReadWhereTheFileTellsIt) {
     EXPECT_NEAR(*colmap->hfov_deg, 90.0, 1e-9);
 }
 
-// Names that were counted without leading zeros: a10 comes after a9, not after a1.
+// Names numbered without leading zeros: a10 comes after a9, not after a1.
 TEST(TrajectoryFile, ColmapImagesFollowEachOtherAsTheyAreNumbered) {
     const test::TempFolder folder;
     std::string text;
     for (const int number : {10, 2, 0, 11, 1, 9}) {
-        // Turned by nothing, so that the camera is at minus its translation.
+        // Without rotation, so that the camera is at minus its translation.
         text += "1 1 0 0 0 -" + std::to_string(number) + " 0 0 1 seq2/a" + std::to_string(number) +
                 ".png\n\n";
     }
@@ -200,7 +200,7 @@ TEST(TrajectoryFile, RoomsAndViewsWithoutTimesAreNoMotion) {
     EXPECT_NE(rooms->trajectory.frames[1].path, rooms->trajectory.frames[2].path);
 }
 
-// Every bad file is one sentence with the place.
+// Every bad file gives one sentence with its position.
 TEST(TrajectoryFile, BadFilesSayWhere) {
     struct Case {
         const char* name;
@@ -249,7 +249,7 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
     }
 }
 
-// Nobody writes into the pipe: whoever opened it as a file would wait for ever.
+// Nothing is written into the pipe, so opening it as a file would block forever.
 TEST(TrajectoryFile, NeitherPipesNorDevicesAreRead) {
     const test::TempFolder folder;
     const auto pipe = folder.path() / "poses";
@@ -263,7 +263,7 @@ TEST(TrajectoryFile, NeitherPipesNorDevicesAreRead) {
     }
 }
 
-// Copying a value recurses, so 200,000 levels would overflow the stack.
+// Copying a JSON value is recursive, so 200,000 levels would overflow the stack.
 TEST(TrajectoryFile, DeepNestingIsRefused) {
     const test::TempFolder folder;
     const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
@@ -277,7 +277,7 @@ TEST(TrajectoryFile, DeepNestingIsRefused) {
     }
 }
 
-// Lines that all have the same time have none.
+// If all lines have the same time, the trajectory has no times.
 TEST(TrajectoryFile, SceneNetsEqualTimesAreNone) {
     const test::TempFolder folder;
     const std::string pair = "1 0 0 0 1 0 0\n1 0 0 0 1 0 0\n";

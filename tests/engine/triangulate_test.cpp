@@ -30,7 +30,7 @@ double signedArea(const Corners& p, const Triangles& triangles) {
     return area;
 }
 
-/// Winding number by summed angles: a rule of its own, not the one under test.
+/// Winding number by summed angles, independent of the rule under test.
 bool encloses(const Corners& p, const Eigen::Vector3f& at) {
     double sum = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -60,7 +60,7 @@ TEST(Triangulate, FillsRandomStarsExactly) {
         EXPECT_EQ(triangles.size(), corners.size() - 2);
         EXPECT_NEAR(signedArea(corners, triangles), shoelace(corners), 1e-5);
         for (const auto& t : triangles) {
-            // Same winding as the polygon, and nothing outside it.
+            // Same winding as the polygon, and no triangle outside it.
             EXPECT_GT(shoelace({corners[t[0]], corners[t[1]], corners[t[2]]}), -1e-9);
             EXPECT_TRUE(encloses(corners, (corners[t[0]] + corners[t[1]] + corners[t[2]]) / 3.0F));
         }
@@ -86,7 +86,7 @@ TEST(Triangulate, TakesCollinearAndRepeatedCorners) {
 }
 
 TEST(Triangulate, LeavesAHoleJoinedByABridgeOpen) {
-    // A 4 x 4 square with a 2 x 2 hole, the outline running in and out along one edge.
+    // A 4 x 4 square with a 2 x 2 hole; the outline enters and leaves the hole along the same edge.
     const Corners corners = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                              {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
     Triangles triangles;
@@ -105,7 +105,7 @@ TEST(Triangulate, CutsAConcaveQuadInside) {
 }
 
 TEST(Triangulate, TakesTheDelaunayDiagonalOfAQuad) {
-    // A kite whose corners 1 and 3 are near each other: cutting 0-2 would make needles.
+    // A kite whose corners 1 and 3 are near each other: the diagonal 0-2 would make slivers.
     const Corners corners = {{-2, 0, 0}, {0, -0.5, 0}, {2, 0, 0}, {0, 0.5, 0}};
     Triangles triangles;
     ASSERT_EQ(triangulatePolygon(corners, triangles), PolygonOutcome::Exact);

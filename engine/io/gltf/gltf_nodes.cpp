@@ -252,8 +252,7 @@ class NodeWalk {
     RawScene& raw_;
     std::vector<bool> seen_;
     bool quantized_;
-    std::vector<bool>
-        holds_quantized_;  // by raw node: whether it takes the meshes of nameless children
+    std::vector<bool> holds_quantized_;  // by raw node: takes nameless children's meshes
     std::size_t instances_ = 0;
     std::vector<Visit> stack_;
     std::vector<MeshPlacement> placements_;

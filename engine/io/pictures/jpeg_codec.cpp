@@ -9,8 +9,7 @@ namespace dollytrack::io {
 namespace {
 
 struct Watch {
-    jpeg_error_mgr
-        manager;  // first member, so that a pointer to it is also a pointer to this struct
+    jpeg_error_mgr manager;  // first, so that a pointer to it is also one to this struct
     std::jmp_buf leave;
 };
 

@@ -31,15 +31,15 @@ bool hasPoint(const std::vector<Vector3d>& points, const Vector3d& wanted) {
                        [&](const Vector3d& p) { return (p - wanted).norm() < 1e-4; });
 }
 
-// Worked out by hand: a quarter turn about the file's y takes (x, y, z) to (z, y, -x), and the
-// file's (x, y, z) is (x, -z, y) here.
+// Computed by hand: a quarter turn about the file's y maps (x, y, z) to (z, y, -x), and the file's
+// (x, y, z) is (x, -z, y) in the world.
 TEST(Front3d, TurnsAModelWithoutMirroringIt) {
     const TempFolder folder;
     const Scene scene = imported(test::writeFrontHouse(folder));
     const Object* sofa = find(scene, "L-shaped Sofa");
     ASSERT_NE(sofa, nullptr);
     const std::vector<Vector3d> points = pointsOf(scene, *sofa);
-    // The arm's end (1, 0, 1.5) comes to (1.5, 0, -1) + (2, 0, 3).
+    // The arm's end (1, 0, 1.5) is mapped to (1.5, 0, -1) + (2, 0, 3).
     EXPECT_TRUE(hasPoint(points, {3.5, -2.0, 0.0}));
     EXPECT_TRUE(hasPoint(points, {3.5, -2.5, 0.5}));
     EXPECT_FALSE(hasPoint(points, {3.5, -4.0, 0.0})) << "mirrored in the model's x";
@@ -67,7 +67,7 @@ TEST(Front3d, FacesOfModelsLookOutwards) {
     const TempFolder folder;
     const Scene scene = imported(test::writeFrontHouse(folder));
     const Object& sofa = *find(scene, "L-shaped Sofa");
-    double volume = 0.0;  // of the L, by the divergence theorem: positive when outwards
+    double volume = 0.0;  // of the L, by the divergence theorem: positive if faces are outward
     for (std::uint32_t i = 0; i < sofa.triangle_count; ++i) {
         const Triangle& t = scene.triangles[sofa.first_triangle + i];
         const Vector3d a = scene.positions[t[0]].cast<double>();
@@ -84,7 +84,7 @@ TEST(Front3d, KnowsTheBuildingFromTheFurniture) {
     EXPECT_EQ(find(scene, "Floor")->role, Role::Structure);
     EXPECT_EQ(find(scene, "Floor")->nyu40, kNyuFloor);
     EXPECT_EQ(find(scene, "Ceiling")->nyu40, kNyuCeiling);
-    const Object& wall = *find(scene, "WallInner");  // two meshes of one owner
+    const Object& wall = *find(scene, "WallInner");  // two meshes of one object
     EXPECT_EQ(wall.nyu40, kNyuWall);
     EXPECT_EQ(wall.triangle_count, 4U);
     EXPECT_NE(find(scene, "WallInner_3"), nullptr);
@@ -106,8 +106,8 @@ TEST(Front3d, ReadsColoursUvsAndNormals) {
     const Material& paint = scene.materials[scene.triangle_material[floor.first_triangle]];
     EXPECT_NEAR(paint.base_color.x(), 1.0F, 1e-6);
     EXPECT_NEAR(paint.base_color.y(), 0.0F, 1e-6);
-    EXPECT_NEAR(paint.base_color.z(), 0.21586F, 1e-4);  // 128 of sRGB
-    // UVTransform's rows (0 2) and (-3 0) take (1, 0) to (0, -3) and (0, 1) to (2, 0).
+    EXPECT_NEAR(paint.base_color.z(), 0.21586F, 1e-4);  // sRGB 128
+    // UVTransform's rows (0 2) and (-3 0) map (1, 0) to (0, -3) and (0, 1) to (2, 0).
     for (std::uint32_t i = 0; i < floor.vertex_count; ++i) {
         const Eigen::Vector3f& p = scene.positions[floor.first_vertex + i];
         const Eigen::Vector2f uv(p.x() / 6.0F, -p.y() / 5.0F);
@@ -148,7 +148,7 @@ TEST(Front3d, FindsModelsWhereOneSaysTheyAre) {
     EXPECT_EQ(find(imported(path), "L-shaped Sofa"), nullptr);
     const Scene scene = imported(path, {.model_folders = {folder.path() / "elsewhere"}});
     EXPECT_NE(find(scene, "L-shaped Sofa"), nullptr);
-    // Beside the scene's folder, as the data set is unpacked.
+    // Beside the scene's folder, as in the unpacked data set.
     static_cast<void>(folder.write("3D-FUTURE-model/jid-1/raw_model.obj", test::lShapedModel()));
     std::filesystem::create_directory(folder.path() / "houses");
     std::filesystem::rename(path, folder.path() / "houses" / "house.json");
@@ -164,7 +164,7 @@ TEST(Front3d, CategoriesComeFromModelInfo) {
     EXPECT_EQ(nyu40Name(find(imported(path), "King-size Bed")->nyu40), "bed");
     static_cast<void>(folder.write(
         "model_info.json", R"({"jid-1":{"category_id":"e7a0801e-7abd-4634-b3bc-8777342d124e"}})"));
-    // The number is the last to be asked: the scene's own word is known.
+    // The number is used last, because the scene's word is known.
     EXPECT_EQ(nyu40Name(find(imported(path), "L-shaped Sofa")->nyu40), "sofa");
     static_cast<void>(folder.write("model_info.json", "[[["));
     EXPECT_TRUE(
@@ -175,7 +175,7 @@ TEST(Front3d, PaintsModelsWithThePictureBesideThem) {
     const TempFolder folder;
     const auto path = test::writeFrontHouse(folder);
     EXPECT_EQ(imported(path).report.textures_found, 0);
-    // A picture of 1 x 1 pixel as PPM: the reader tells by the bytes, not by the name.
+    // A PPM image of 1 x 1 pixel: its format is detected by bytes, not by name.
     static_cast<void>(
         folder.write("3D-FUTURE-model/jid-1/texture.png", "P6\n1 1\n255\n\x10\x20\x30"));
     const Scene scene = imported(path);
@@ -198,7 +198,7 @@ TEST(Front3d, TexturesOfTheBuildingAreFoundByUrl) {
     const Scene scene = imported(path);
     EXPECT_EQ(scene.report.textures_found, 1);
     EXPECT_TRUE(scene.materials[0].base_color.isOnes());
-    // Rooms are missing; the building alone still is a scene.
+    // Rooms are missing; the building alone is also a scene.
     EXPECT_EQ(scene.objects.size(), 1U);
 }
 
@@ -224,7 +224,7 @@ TEST(BoundedJson, CountsBracketsOutsideOfTextsOnly) {
     EXPECT_TRUE(io::parseBoundedJson(R"({"a":")" + brackets + R"(\"[[["})", "text"));
     EXPECT_FALSE(io::parseBoundedJson(std::string(65, '[') + std::string(65, ']'), "text"));
     EXPECT_TRUE(io::parseBoundedJson(std::string(64, '[') + std::string(64, ']'), "text"));
-    // 80 MB of text would take more than 2 GiB as values.
+    // 80 MB of text would need more than 2 GiB as values.
     std::string many = "[";
     many.reserve(110'000'000);
     while (many.size() < 105'000'000) many += "[],";

@@ -21,7 +21,7 @@ using test::says;
 using test::TempFolder;
 using test::world;
 
-// Each world shows a ball besides, so that it could be read but for the fault.
+// Each world also has a ball, so that it would be valid without the fault.
 TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     const TempFolder folder;
     // a includes itself, b includes c, and c includes b.
@@ -67,7 +67,7 @@ TEST(Gazebo, CirclesAndNonsenseAreRefused) {
     EXPECT_NE(damaged.error().message.find("damaged or truncated"), std::string::npos);
 }
 
-// A mesh that can be read, in a folder that the world may not name files of.
+// A valid mesh in a folder whose files the world may not use.
 TEST(Gazebo, MeshesOutsideAreLeftOut) {
     const TempFolder folder;
     const auto outside = folder.write("outside/l.obj", test::lShapedModel());
@@ -192,7 +192,7 @@ TEST(Gazebo, FaultsAreNamedWithTheirLine) {
     EXPECT_EQ(place("<model name='m'>\n<pose relative_to='n'/></model>\n<model name='n'>\n<pose "
                     "relative_to='m'/><link name='l'/></model>"),
               "2");
-    // A pose that an <include> keeps is written in the included file.
+    // An <include> without a pose keeps the pose in the included file.
     const auto sofa = folder.write("models/sofa/model.sdf",
                                    "<sdf version='1.6'>\n<model name='sofa'>\n<pose>no</pose>\n"
                                    "<link name='l'/></model></sdf>");
@@ -217,7 +217,7 @@ TEST(Gazebo, JointsOfMissingLinksAreNamed) {
     EXPECT_FALSE(says(scene.report.warnings, "'held'"));
 }
 
-// Several links that no joint holds together: plain names come with their model's.
+// Several links without joints: generic names get their model's name.
 TEST(Gazebo, PlainNamesOfLinksComeWithTheirModel) {
     const TempFolder folder;
     const Scene scene = imported(folder.write(
@@ -248,7 +248,7 @@ TEST(Gazebo, ModelsOnFuelAreLookedUpAmongDownloadedOnes) {
     EXPECT_TRUE(says(without.report.warnings,
                      "1 model or mesh is on the web and is left out; download it and write its "
                      "path in place of the address: https://example.org/models/lamp"));
-    // As `gz fuel download` keeps them: small letters, a folder for each version.
+    // The layout of `gz fuel download`: lower case, one folder per version.
     const std::string kept = "fuel/fuel.gazebosim.org/openrobotics/models/office chair/";
     for (const auto& [version, radius] : {std::pair("2", "1"), {"10", "3"}}) {
         static_cast<void>(folder.write(

@@ -46,7 +46,7 @@ TEST(Gazebo, PlacesIncludedModelsAndShapes) {
   <link name="door"><pose>0 -0.55 0 0 0 0</pose><visual name="v"><geometry><box><size>1 0.1 1</size></box></geometry></visual></link>
   <joint name="hinge" type="revolute"><parent>body</parent><child>door</child></joint></model>
  <include><uri>model://lamp</uri></include>)")));
-    // An <include> without a pose of its own keeps the model's.
+    // An <include> without a pose keeps the model's.
     expectBox(scene, "couch", {4.0, -1.0, 0.5}, {5.0, 1.0, 2.5});
     expectBox(scene, "sofa_1", {-1.0, 6.0, 10.5}, {0.0, 8.0, 12.5});
     expectBox(scene, "floor", {-10, -10, -0.1}, {10, 10, 0.1});
@@ -71,11 +71,11 @@ TEST(Gazebo, ModelsComeFromTheFoldersThatAreGiven) {
     EXPECT_NE(alone.error().message.find("model://sofa"), std::string::npos);
     const Scene scene = imported(path, {.model_folders = {folder.path() / "elsewhere/shared"}});
     expectBox(scene, "sofa", {-1, 0, 10.5}, {1, 1, 12.5});
-    // A model's own file is a scene, too, and finds itself.
+    // A model's file is also a scene and finds its own files.
     EXPECT_NE(find(imported(folder.path() / "elsewhere/shared/sofa/model.sdf"), "sofa"), nullptr);
 }
 
-// Frames, nested models, included models and a joint, named from outside with "::".
+// Frames, nested models, included models and a joint, with names that contain "::".
 TEST(Gazebo, PosesAreRelativeToNestedFrames) {
     const TempFolder folder;
     writeSofa(folder, "models");
@@ -100,11 +100,11 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
                                                                   box +
                                                                   R"(</link></model>
  <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
-    // The wrist holds the palm, which stands turned at x = 10, to the base.
+    // The joint `wrist` connects the base with the palm, which is rotated, at x = 10.
     expectBox(scene, "arm::base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
     EXPECT_EQ(find(scene, "palm"), nullptr);
     expectBox(scene, "far", {9.5, 1.5, 5.5}, {10.5, 2.5, 6.5});
-    // The shelf's top is at its pose, and the board's visual one above.
+    // The shelf's top is at its pose, and the board's visual is 1 m above.
     expectBox(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
     expectBox(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
     expectBox(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
@@ -164,7 +164,7 @@ TEST(Gazebo, SubmeshesAreCentredOrMissed) {
 TEST(Gazebo, ColoursStayWithTheirVisual) {
     const TempFolder folder;
     static_cast<void>(folder.write("l.obj", test::lShapedModel()));
-    int placed = 0;  // apart, since a mesh twice in one place counts once
+    int placed = 0;  // separate, because a mesh twice at one position counts once
     const auto model = [&](const std::string& name, const std::string& material) {
         return "<model name='" + name + "'><pose>" + std::to_string(5 * placed++) +
                " 0 0 0 0 0</pose><link name='l'><visual name='v'><geometry><mesh><uri>"
@@ -188,7 +188,7 @@ TEST(Gazebo, ColoursStayWithTheirVisual) {
     EXPECT_GT((plain - color).norm(), 1e-3F) << plain.transpose();
 }
 
-// Two pictures of one name: the mesh's path says which of them is meant.
+// Two textures with the same name: the mesh's path determines which one is used.
 TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
     const TempFolder folder;
     const std::string head = "P6\n1 1\n255\n";
@@ -227,7 +227,7 @@ TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
     }
 }
 
-// A mesh of the same file name in another model is another mesh.
+// Meshes with the same file name in different models are different.
 TEST(Gazebo, ModelsDoNotTakeFilesOfOthers) {
     const TempFolder folder;
     writeSofa(folder, "models");
@@ -253,7 +253,7 @@ TEST(Gazebo, LightsThatAreIncludedAreLeftOut) {
     EXPECT_EQ(scene.objects.size(), 1U);
 }
 
-// Links within a folder may be used; those that lead out may not.
+// Symbolic links within a folder are allowed, but not those that lead out.
 TEST(ReachableFiles, StopAtLinksThatLeadOut) {
     const TempFolder folder;
     const auto secret = folder.write("outside/secret.obj", "v 0 0 0\n");
@@ -283,7 +283,7 @@ TEST(Gazebo, NumbersAreReadAsWritten) {
     const auto numbers = gazebo::numbersOf(" +1.5\t-2e1, 1e-400 1e-310\n");
     ASSERT_TRUE(numbers);
     EXPECT_EQ(*numbers, (std::vector<double>{1.5, -20.0, 0.0, 1e-310}));
-    // 1e-396, too small, and 1e395, too large for a double, whatever their exponents say.
+    // 1e-396 and 1e395, too small and too large for a double, although their exponents are small.
     const std::string zeros(400, '0');
     EXPECT_EQ(gazebo::numbersOf("0." + zeros + "1e5"), std::vector<double>{0.0});
     EXPECT_EQ(gazebo::numbersOf(zeros + "1e5"), std::vector<double>{1e5});
@@ -293,13 +293,13 @@ TEST(Gazebo, NumbersAreReadAsWritten) {
     }
 }
 
-// Roll by 90 degrees takes y to z, then yaw by 90 degrees takes x to y: worked out by hand.
+// Computed by hand: roll by 90 degrees maps y to z, then yaw by 90 degrees maps x to y.
 TEST(Gazebo, AnglesTurnAboutFixedAxes) {
     const Eigen::Quaterniond rotation = gazebo::rotationFromRollPitchYaw({M_PI / 2, 0.0, M_PI / 2});
     EXPECT_LT((rotation * Vector3d::UnitX() - Vector3d::UnitY()).norm(), 1e-12);
     EXPECT_LT((rotation * Vector3d::UnitY() - Vector3d::UnitZ()).norm(), 1e-12);
     EXPECT_LT((rotation * Vector3d::UnitZ() - Vector3d::UnitX()).norm(), 1e-12);
-    // Pitch by 90 degrees takes x to -z, which yaw leaves there, and z to x, which it takes to y.
+    // Pitch by 90 degrees maps x to -z, which yaw keeps, and z to x, which yaw maps to y.
     const Eigen::Quaterniond other = gazebo::rotationFromRollPitchYaw({0.0, M_PI / 2, M_PI / 2});
     EXPECT_LT((other * Vector3d::UnitX() + Vector3d::UnitZ()).norm(), 1e-12);
     EXPECT_LT((other * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);

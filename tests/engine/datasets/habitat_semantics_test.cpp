@@ -21,8 +21,8 @@ constexpr const char* kLexicon =
 
 constexpr const char* kPlant = "80794dc5fde2b3276714ff40107bce7b909e45c7";
 
-/// A dataset in the layout of HSSD, whose models are called by numbers: a plant (7), a thing of
-/// class 0 and one of class 99. `semantics` are the sections on semantic files.
+/// A dataset in the layout of HSSD, whose models are named by numbers: a plant (7) and objects of
+/// the classes 0 and 99. `semantics`: the config's sections on semantic files.
 std::filesystem::path writeHssd(const TempFolder& folder, const std::string& semantics) {
     static_cast<void>(folder.write(
         "hssd.scene_dataset_config.json",
@@ -73,7 +73,7 @@ TEST(HabitatSemantics, AHandleNamesTheLexicon) {
                      "list: 99"));
 }
 
-// The scene's semantic config holds regions; the lexicon is the one of the default attributes.
+// The scene's semantic config has regions; the lexicon is that of the default attributes.
 TEST(HabitatSemantics, PathsLeadToSemanticConfigsThatNameTheLexicon) {
     const TempFolder folder;
     static_cast<void>(folder.write("semantics/hssd-hab_semantic_lexicon.json", kLexicon));
@@ -132,7 +132,7 @@ TEST(HabitatSemantics, WhatCannotBeUsedIsNamed) {
     static_cast<void>(folder.write("semantics/scenes/102.semantic_config.json",
                                    R"({"semantic_descriptor_filename": "gone.json"})"));
     EXPECT_TRUE(says(imported(path).report.warnings, "semantic lexicon gone.json that"));
-    // Nothing names a lexicon, though objects have numbers.
+    // No lexicon is given, although objects have numbers.
     const TempFolder bare;
     EXPECT_TRUE(says(imported(writeHssd(bare, R"("scene_instances": {})")).report.warnings,
                      "2 objects have a semantic_id, but no semantic lexicon has its class"));

@@ -64,7 +64,7 @@ TEST(HabitatSlips, NamesOfTemplatesThatFitSeveralOrNoFilesAreNamed) {
              "chair_2.object_config.json), and the first is used"));
     EXPECT_TRUE(says(scene.report.warnings, "soofa (no file has this name; did you mean \"sofa\""));
     EXPECT_TRUE(says(scene.report.warnings, "hollow (gone.glb)"));
-    // A whole name is no doubt.
+    // A full name causes no warning.
     EXPECT_FALSE(says(imported(writeDataset(folder, kSofa)).report.warnings, "matches several"));
 }
 
@@ -112,7 +112,7 @@ TEST(HabitatSlips, AConfigWithStagesAloneHasAScenePerStage) {
     EXPECT_EQ(scenes->size(), 2U);
 }
 
-// Objects that are missing lie where a path of the config should lead.
+// Missing objects are in folders that a path of the config should match.
 TEST(HabitatSlips, PathsOfObjectsMatterWhenOneIsMissing) {
     const TempFolder folder;
     static_cast<void>(

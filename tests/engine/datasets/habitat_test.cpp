@@ -20,7 +20,8 @@ using test::says;
 using test::TempFolder;
 using test::writeDataset;
 
-// The L is 2 x 0.5 x 2 with its middle at (0, 0.25, 0.5); the file's (x, y, z) is (x, -z, y) here.
+// The L is 2 x 0.5 x 2 with its centre at (0, 0.25, 0.5); the file's (x, y, z) is (x, -z, y) in the
+// world.
 TEST(Habitat, PlacesObjectsAsTheSceneInstanceSays) {
     const TempFolder folder;
     const Scene scene = imported(writeDataset(folder, R"({
@@ -38,13 +39,13 @@ TEST(Habitat, PlacesObjectsAsTheSceneInstanceSays) {
   {"template_name": "drawer", "translation": [5, 0, 0], "uniform_scale": 0.5}]})"));
     expectBox(scene, "sofa", {0.5, -3.0, 0.2}, {2.5, -1.0, 0.7});
     EXPECT_EQ(find(scene, "sofa")->nyu40, nyu40FromName("sofa"));
-    // By default the middle of the model's box is placed.
+    // By default the pose is that of the model's box centre.
     expectBox(scene, "sofa_2", {1.0, -1.0, 0.75}, {5.0, 3.0, 1.25});
     EXPECT_EQ(find(scene, "sofa_2")->nyu40, nyu40FromName("lamp")) << "by its own semantic_id";
     expectBox(scene, "small_sofa", {-0.5, -0.75, 0.0}, {0.5, 0.25, 0.25});
-    // A part of a name will do. Its own z is up, its y forward, as they are here.
+    // A part of the name is sufficient. The model's z is up and y forward, as in the world.
     expectBox(scene, "tippe", {-1.0, 0.0, -0.5}, {1.0, 0.5, 1.5});
-    // Body and front, of which the joint moves the second: x from -0.5 to 1.5, halved.
+    // Body and front, which a joint moves: x from -0.5 to 1.5, scaled by 0.5.
     expectBox(scene, "drawer", {4.75, -0.75, -0.5}, {5.75, 0.75, 0.5});
     EXPECT_EQ(find(scene, "floor")->role, Role::Structure);
     EXPECT_EQ(scene.report.unit_m, 1.0);
@@ -72,8 +73,8 @@ TEST(Habitat, ADatasetConfigIsItsOnlySceneOrNamesThem) {
     EXPECT_EQ((*scenes)[2], first);
 }
 
-// In Habitat-sim the model is turned by its axes and scaled, then moved by minus scale times COM,
-// then turned with the instance: here about y by half a turn.
+// Habitat-sim rotates the model to its axes, scales it, moves it by -scale * COM, and applies the
+// instance's rotation: here half a turn about y.
 TEST(Habitat, PlacesTheCentreOfMass) {
     const TempFolder folder;
     const auto scene_file = writeDataset(folder, R"({"stage_instance": {"template_name": "flat"},
@@ -122,7 +123,7 @@ TEST(Habitat, InstancesShareMaterialsAndWarningsOfModels) {
     EXPECT_TRUE(says(hidden.report.notes, "1 object is marked as invisible"));
 }
 
-// The semantic mesh has z up and looks along -y: half a turn that its box does not show.
+// The semantic mesh has z up and -y forward: half a turn that its box does not reveal.
 TEST(Habitat, SemanticMeshesHaveTheirOwnAxes) {
     const TempFolder folder;
     static_cast<void>(folder.write("mesh_semantic.ply", R"(ply
@@ -166,7 +167,7 @@ end_header
  "up": [0, 1, 0], "front": [0, 0, -1], "semantic_up": [0, 0, 1], "semantic_front": )";
     const auto turned = folder.write("turned.stage_config.json", stage + "[0, -1, 0]}");
     expectBox(imported(turned), "chair", {-2.0, -2.0, 0.0}, {-1.0, -1.5, 0.8});
-    // A quarter turn about x: the labels move to the model that is shown.
+    // A quarter turn about x: labels are transferred to the rendered model.
     const auto quarter = folder.write("quarter.stage_config.json", stage + "[0, 1, 0]}");
     expectBox(imported(quarter), "chair", {1.0, 1.5, 0.0}, {2.0, 2.0, 0.8});
 }

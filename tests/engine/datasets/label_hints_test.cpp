@@ -84,7 +84,7 @@ TEST(LabelHints, AListBesideThePlyNamesItsNumbers) {
     EXPECT_TRUE(says(scene.report.warnings, "the names in room.labels.txt were not read"));
 }
 
-/// What is said of a file of a set whose other files are not all there.
+/// Expects a warning for a mesh whose data set lacks other files.
 void expectGap(const TempFolder& folder, const std::string& mesh, const std::string& words) {
     const Scene scene = imported(folder.path() / mesh);
     EXPECT_TRUE(says(scene.report.warnings, words)) << words;
@@ -100,7 +100,7 @@ TEST(LabelHints, FilesOfScanNetThatAreMissingAreNamed) {
                             folder.path() / "s_vh_clean_2.0.010000.segs.json");
     expectGap(folder, "s_vh_clean_2.ply",
               "s_vh_clean_2.0.010000.segs.json exists, but s.aggregation.json is missing");
-    // The classes of its vertices are read, and the sentence is the same.
+    // The classes of vertices are read; the warning is the same.
     static_cast<void>(folder.write("s_vh_clean_2.labels.ply", roomWith("label", false)));
     expectGap(folder, "s_vh_clean_2.labels.ply", "s.aggregation.json is missing");
     static_cast<void>(folder.write("mesh_aligned_0.05.ply", roomWith("flags")));
@@ -118,7 +118,7 @@ TEST(LabelHints, FilesOfReplicaAndHm3dThatAreMissingAreNamed) {
     std::filesystem::remove(folder.path() / "habitat/info_semantic.json");
     expectGap(folder, "habitat/mesh_semantic.ply",
               "mesh_semantic.ply exists, but info_semantic.json is missing");
-    // A name like Matterport3D's alone tells nothing.
+    // A name like Matterport3D's alone causes no warning.
     static_cast<void>(folder.write("abc_semantic.ply", roomWith("object_id")));
     EXPECT_FALSE(says(imported(folder.path() / "abc_semantic.ply").report.warnings, "missing"));
 }

@@ -30,7 +30,7 @@ using test::TempFolder;
 using test::Triangles;
 using test::trianglesOf;
 
-/// How many triangles each object has.
+/// Number of triangles by object name.
 std::map<std::string, std::size_t> trianglesByName(const Scene& scene) {
     std::map<std::string, std::size_t> counts;
     for (const Object& object : scene.objects) counts[object.name] = object.triangle_count;
@@ -71,7 +71,7 @@ TEST(Labelled, ScanNetsVerticesHaveNyu40Classes) {
                                               {"chair", 12},
                                               {"chair_2", 12},
                                               {"lamp", 12}}));
-    // With its segments, objects are those of the aggregation; the class is the labels'.
+    // With segments, objects are those of the aggregation; classes are those of the labels.
     std::string segments = "0";
     for (int i = 1; i < 64; ++i) segments += fmt::format(",{}", i / 8);
     static_cast<void>(folder.write("scene0000_00_vh_clean_2.0.010000.segs.json",
@@ -84,7 +84,7 @@ TEST(Labelled, ScanNetsVerticesHaveNyu40Classes) {
     EXPECT_EQ(trianglesByName(scene),
               (Counts{{"floor", 12}, {"wall", 48}, {"office bench", 24}, {"unlabelled", 12}}));
     EXPECT_EQ(find(scene, "office bench")->nyu40, nyu40FromName("chair"));
-    // The mesh with the colours has the same vertices; either may be opened.
+    // The mesh with colours has the same vertices; both files can be opened.
     std::string red = asciiPly(trianglesOf(numberedRoom(255, 255, 255, 255, 255)), false, "red");
     red.replace(red.find("property ushort red"), 19, "property uchar red");
     red.insert(red.find("element face"), "property uchar green\nproperty uchar blue\n");
@@ -111,7 +111,7 @@ std::vector<std::uint32_t> indicesOf(const Triangles& mesh) {
     return indices;
 }
 
-/// The mesh as .glb: z up with the colours of objects, 0xHH20F0 where HH is ten times the number.
+/// The mesh as .glb, z up, with object colours 0xHH20F0, where HH is ten times the number.
 std::string coloredGlb(const Triangles& mesh, int placements = 1) {
     test::GlbWriter writer;
     std::vector<std::uint8_t> colors;
@@ -133,7 +133,7 @@ std::string coloredGlb(const Triangles& mesh, int placements = 1) {
     return writer.glb();
 }
 
-/// The mesh as .glb with nothing but its triangles.
+/// The mesh as .glb with triangles only.
 std::string plainGlb(const Triangles& mesh, bool y_up) {
     test::GlbWriter writer;
     std::vector<Vector3f> positions = mesh.positions;
@@ -160,7 +160,7 @@ TEST(Labelled, HabitatsColoursAreTheObjectsOfItsText) {
     static_cast<void>(folder.write("house.semantic.txt", kHouseText));
     const auto labelled = folder.write("house.semantic.glb", coloredGlb(mesh));
     EXPECT_EQ(trianglesByName(imported(labelled)), kHouse);
-    // The mesh with the room's colours: the same room, y up, without colours of objects.
+    // The mesh with the room's colours: the same room, y up, without object colours.
     EXPECT_EQ(trianglesByName(imported(folder.write("house.glb", plainGlb(mesh, true)))), kHouse);
     static_cast<void>(folder.write("house.semantic.txt", "title\n1,0A20F,floor,0\n"));
     const Result<Scene> damaged = importScene(labelled);
@@ -168,7 +168,7 @@ TEST(Labelled, HabitatsColoursAreTheObjectsOfItsText) {
     EXPECT_TRUE(damaged.error().where.ends_with("house.semantic.txt:2")) << damaged.error().where;
 }
 
-// A few hundred kilobytes that ask for 60,030,000 triangles.
+// A file of a few hundred kilobytes that places 60,030,000 triangles.
 TEST(Labelled, PlacementsBeyondTheBudgetAreRefused) {
     const TempFolder folder;
     Triangles mesh = trianglesOf({{{0, 0, 0}, {1, 1, 1}, 1}});
@@ -182,8 +182,7 @@ TEST(Labelled, PlacementsBeyondTheBudgetAreRefused) {
         << scene.error().message;
 }
 
-// Triangles of 0.1 mm, 0.2 mm apart, as in a file whose unit is the kilometre; the third repeats
-// the second.
+// Triangles of 0.1 mm, 0.2 mm apart, as in a file in kilometres; the third equals the second.
 TEST(LabelledSurface, TellsSmallTrianglesApart) {
     RawScene labelled;
     for (const float z : {0.0F, 2e-4F, 2e-4F}) {
@@ -206,7 +205,7 @@ TEST(LabelledSurface, TellsSmallTrianglesApart) {
     }
 }
 
-// Turned a quarter about x either way or not at all, the box of this room is the same.
+// This room's box is equal for rotations about x by -90, 0 and 90 degrees.
 TEST(Labelled, OfEqualBoxesTheTurnThatFitsTheSurfacesCounts) {
     const TempFolder folder;
     const Triangles mesh = trianglesOf({{{0, -1.5F, -1.5F}, {4, 1.5F, -1.4F}, 1},
@@ -225,7 +224,7 @@ TEST(Labelled, OfEqualBoxesTheTurnThatFitsTheSurfacesCounts) {
     }
 }
 
-// A sheet in the middle between a chair and a table belongs to the lower number.
+// A sheet halfway between a chair and a table gets the lower number.
 TEST(Labelled, AtEqualDistanceTheOrderOfBoxesDoesNotMatter) {
     std::vector<NumberedBox> boxes = numberedRoom(1, 2, 3, 4, 5);
     boxes[5] = {{1, 1, 0}, {1.5F, 1.5F, 0.9F}, 3};
@@ -250,7 +249,7 @@ TEST(Labelled, AtEqualDistanceTheOrderOfBoxesDoesNotMatter) {
     }
 }
 
-// Two pictures, in which the same place has different colours, on a mesh that is placed twice.
+// Two textures with different colours at the same position, on a mesh that is placed twice.
 TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
     const TempFolder folder;
     static_cast<void>(folder.write("house.semantic.txt", kHouseText));
@@ -297,7 +296,7 @@ TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
     EXPECT_EQ(
         trianglesByName(scene),
         (Counts{{"floor", 12}, {"wall", 48}, {"chair", 24}, {"bed side table", 24}, {"lamp", 24}}));
-    // From y = 1 of the first chair to 2.1 of the second.
+    // From y = 1 of the first chair to y = 2.1 of the second.
     const Object* chair = find(scene, "chair");
     ASSERT_NE(chair, nullptr);
     EXPECT_NEAR(2.0 * chair->box.half_size.maxCoeff(), 1.1, 1e-4);
@@ -317,7 +316,7 @@ TEST(Labelled, MatterportsFacesAreTheObjectsOfItsHouse) {
         (Counts{{"floor", 12}, {"wall", 48}, {"chair", 12}, {"chair_2", 12}, {"coat rack", 12}}));
 }
 
-// The boxes of ARKitScenes are not read, which is said.
+// The boxes of ARKitScenes are not read, with a note.
 TEST(Labelled, ArkitScenesBoxesAreSaidToBeLeftOut) {
     const TempFolder folder;
     const Triangles mesh = trianglesOf(numberedRoom(0, 0, 0, 0, 0));

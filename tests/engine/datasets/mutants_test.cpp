@@ -19,7 +19,7 @@ std::string textOf(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// Bytes changed, pieces cut out, doubled or moved, numbers made huge.
+/// A mutated text: changed bytes, removed, duplicated or moved pieces, huge numbers.
 std::string mutant(const std::string& text, std::mt19937& random) {
     std::string made = text;
     const auto below = [&](std::size_t limit) {
@@ -58,7 +58,7 @@ std::string mutant(const std::string& text, std::mt19937& random) {
     return made;
 }
 
-/// Each mutant is read, or refused in one sentence of a line; nothing else happens.
+/// Each mutant is read, or refused with a one-line sentence, without a crash.
 void readMutants(const TempFolder& folder, const std::string& name, int& read) {
     const std::string text = textOf(folder.path() / name);
     std::mt19937 random(7);
@@ -83,7 +83,7 @@ TEST(DatasetMutants, HousesOf3dFrontNeverCrash) {
     test::writeFrontHouse(folder);
     int read = 0;
     readMutants(folder, "house.json", read);
-    // Else only the first bytes were tried.
+    // Otherwise only the first bytes would have been tested.
     EXPECT_GT(read, 30);
     EXPECT_LT(read, 300);
 }

@@ -9,7 +9,7 @@
 
 namespace dollytrack::test {
 
-/// Boxes of twelve triangles, z up, each with a number.
+/// A box of twelve triangles, z up, with a number.
 struct NumberedBox {
     Eigen::Vector3f low;
     Eigen::Vector3f high;
@@ -44,7 +44,7 @@ inline Triangles trianglesOf(const std::vector<NumberedBox>& boxes) {
     return all;
 }
 
-/// A room of 4 x 3 x 2.5 m in slabs, two chairs and a lamp.
+/// A room of 4 x 3 x 2.5 m made of slabs, with two chairs and a lamp.
 inline std::vector<NumberedBox> numberedRoom(int floor, int wall, int chair, int other, int lamp) {
     return {{{0, 0, -0.1F}, {4, 3, 0}, floor},      {{0, 0, 0}, {4, 0.1F, 2.5F}, wall},
             {{0, 2.9F, 0}, {4, 3, 2.5F}, wall},     {{0, 0, 0}, {0.1F, 3, 2.5F}, wall},

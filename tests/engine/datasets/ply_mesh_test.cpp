@@ -26,7 +26,7 @@ using test::TempFolder;
 using test::Triangles;
 using test::trianglesOf;
 
-/// A triangle for each of these numbers, which its face has as `type` object_id.
+/// One triangle per number, which is the face's property object_id of this type.
 std::string facesNumbered(const std::string& type, const std::vector<std::string>& numbers) {
     std::string text =
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -45,7 +45,7 @@ TEST(PlyMesh, NumbersThatAreNotWholeAreNotLabels) {
         ASSERT_TRUE(mesh) << describe(mesh.error());
         EXPECT_EQ(mesh->face_objects,
                   (std::vector<std::int64_t>{3, -1, -1, -1, -1, -1, -1, -1, -7, 3, 0}));
-        // By rising number, what is unlabelled last.
+        // In order of number, unlabelled last.
         const auto faces = semantics::labelFaces(*mesh, {}, false);
         ASSERT_TRUE(faces);
         EXPECT_EQ(faces->of_face, (std::vector<std::size_t>{1, 2, 2, 2, 2, 2, 2, 2, 2, 1, 0}));
@@ -65,7 +65,7 @@ TEST(PlyMesh, ReadsNumbersWithAPlusAndOutOfRange) {
     EXPECT_EQ(mesh->positions[1], Vector3f(5, -2, kInfinity));
     EXPECT_EQ(mesh->positions[2], Vector3f(0, -kInfinity, 0));
     EXPECT_EQ(mesh->face_indices, (std::vector<std::uint32_t>{0, 1, 2}));
-    // 1e-396 and 1e395, whatever the exponents say.
+    // 1e-396 and 1e395, although the exponents are small.
     const std::string zeros(400, '0');
     EXPECT_EQ(io::numberFrom("0." + zeros + "1e5"), 0.0);
     EXPECT_EQ(io::numberFrom("-1" + zeros + "e-5"), -std::numeric_limits<double>::infinity());
@@ -74,7 +74,7 @@ TEST(PlyMesh, ReadsNumbersWithAPlusAndOutOfRange) {
     }
 }
 
-/// A number's bytes in the order of a file; the machines of the tests are little-endian.
+/// A number's bytes in a file's order; tests run on little-endian machines.
 template <class T>
 void append(std::string& bytes, T value, bool big_endian) {
     std::array<char, sizeof(T)> raw{};
@@ -83,7 +83,7 @@ void append(std::string& bytes, T value, bool big_endian) {
     bytes.append(raw.data(), raw.size());
 }
 
-/// The mesh with numbers of objects; each coordinate's first byte in the file is `first`.
+/// The mesh with object numbers; `first` is the first byte of each coordinate in the file.
 std::string binaryPly(const Triangles& mesh, bool big_endian, std::uint8_t first) {
     std::string bytes = "ply\nformat binary_" + std::string(big_endian ? "big" : "little") +
                         "_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
@@ -109,7 +109,7 @@ std::string binaryPly(const Triangles& mesh, bool big_endian, std::uint8_t first
     return bytes;
 }
 
-// A line feed behind the header is a number's first byte, and no end of a line.
+// A line feed after the header is the first byte of a number, not a line end.
 TEST(PlyMesh, TheFirstByteMayBeALineFeed) {
     const Triangles mesh = trianglesOf({{{0, 0, 0}, {1, 2, 3}, 300}});
     const std::string bytes = binaryPly(mesh, false, 0x0A);
@@ -121,7 +121,7 @@ TEST(PlyMesh, TheFirstByteMayBeALineFeed) {
     }
     EXPECT_EQ(read->face_indices.size(), 36U);
     EXPECT_EQ(read->face_objects, std::vector<std::int64_t>(12, 300));
-    // Cut anywhere, it is damaged.
+    // Truncated at any position, it is damaged.
     for (std::size_t length = 0; length < bytes.size(); length += 7) {
         EXPECT_FALSE(parsePlyMesh(bytes.substr(0, length), "box.ply")) << length;
     }

@@ -17,7 +17,7 @@ using test::find;
 using test::imported;
 using test::TempFolder;
 
-/// A model 0.8 high whose middle is (5, 0.2, -3): 0.4 wide in x, 0.2 in z.
+/// A model with centre (5, 0.2, -3): 0.8 high, 0.4 wide in x, 0.2 in z.
 std::string piano() {
     return test::ObjWriter(1.0, true).object("body").box({4.8, 2.9, -0.2}, {5.2, 3.1, 0.6}).text();
 }
@@ -30,8 +30,8 @@ std::string layout() {
     return obj.text();
 }
 
-// Scaled to 1.6 m, twice; the generator's origin is a tenth of the height above the base, so the
-// base comes to 0.5 + 0.16. The file's (x, y, z) is (x, -z, y) here.
+// Scaled by 2 to 1.6 m. The generator puts the base a tenth of the height above the position, at
+// 0.5 + 0.16. The file's (x, y, z) is (x, -z, y) in the world.
 TEST(SceneNet, PlacesModelsAsItsProgramDoes) {
     const TempFolder folder;
     static_cast<void>(folder.write("office/office1_layout.obj", layout()));
@@ -45,7 +45,7 @@ TEST(SceneNet, PlacesModelsAsItsProgramDoes) {
     EXPECT_TRUE(first->box.center.isApprox(Vector3d(1.0, -2.0, 0.66 + 0.8), 1e-5));
     EXPECT_TRUE(first->box.half_size.isApprox(Vector3d(0.4, 0.2, 0.8), 1e-5));
     EXPECT_EQ(first->role, Role::Target);
-    // Turned by 90 degrees, at its own height: wide in the other direction.
+    // Rotated by 90 degrees, unscaled: wide in the other direction.
     EXPECT_TRUE(second->box.center.isApprox(Vector3d(3.0, -2.0, 0.08 + 0.4), 1e-5));
     EXPECT_TRUE(second->box.half_size.isApprox(Vector3d(0.1, 0.2, 0.4), 1e-5));
     EXPECT_EQ(find(scene, "floor")->nyu40, kNyuFloor);
@@ -82,7 +82,7 @@ TEST(SceneNet, SaysWhatIsMissing) {
                                            "of 2 objects (1 category of ShapeNet) are not there; "),
               std::string::npos)
         << nothing.error().message;
-    // The layout alone is a scene to look at, with a warning.
+    // The layout alone is a scene, with a warning.
     static_cast<void>(folder.write("data/office1_layout.obj", layout()));
     const Scene scene = imported(path, {.model_folders = {folder.path() / "data"}});
     EXPECT_NE(find(scene, "floor"), nullptr);

@@ -7,8 +7,8 @@
 
 namespace dollytrack::test {
 
-/// An L seen from above, y up, origin on the floor: 2 x 0.5 x 1, with an arm at +x towards +z. It
-/// is the same neither mirrored nor turned.
+/// An L in plan, y up, origin on the floor: 2 x 0.5 x 1, with an arm at +x towards +z. It has no
+/// symmetry.
 inline std::string lShapedModel() {
     const auto box = [](int first, double x0, double x1, double z0, double z1) {
         std::string text;
@@ -34,9 +34,9 @@ inline std::string lShapedModel() {
     return std::string("o model\n") + box(0, -1.0, 1.0, -0.5, 0.5) + box(8, 0.5, 1.0, 0.5, 1.5);
 }
 
-/// A 3D-FRONT house of one room, 6 x 2.6 x 5 m, with a wardrobe built in and three sofas: one
-/// turned by 90 degrees, one tilted by 30, one not valid; and a lamp without a model. The model of
-/// the sofas lies below `models`/jid-1. Numbers are texts, uvs null, an instanceid is missing.
+/// A 3D-FRONT house of one room, 6 x 2.6 x 5 m, with a built-in wardrobe, three sofas (one rotated
+/// by 90 degrees, one tilted by 30, one not valid) and a lamp without a model. The sofas' model is
+/// in `models`/jid-1. Numbers are strings, uvs are null, an instanceid is missing.
 inline std::filesystem::path writeFrontHouse(const TempFolder& folder,
                                              const std::string& models = "3D-FUTURE-model") {
     static_cast<void>(folder.write(models + "/jid-1/raw_model.obj", lShapedModel()));
@@ -84,7 +84,7 @@ inline std::filesystem::path writeFrontHouse(const TempFolder& folder,
   {"ref":"m/0","instanceid":"mesh/1","pos":[0,0,0],"rot":[0,0,0,1],"scale":[1,1,1]}]}]}})");
 }
 
-/// SceneNet's scene as its trajectory generator writes it: a layout and two pianos.
+/// A scene in the format of SceneNet's trajectory generator: a layout and two pianos.
 inline std::string sceneNetText() {
     return R"(layout_file: ./office/office1_layout.obj
 object

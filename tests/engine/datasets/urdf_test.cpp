@@ -15,7 +15,7 @@ using test::imported;
 using test::says;
 using test::TempFolder;
 
-// A chain of two joints: each child's origin counts from its parent's.
+// A chain of two joints: each child's origin is relative to its parent.
 TEST(Urdf, LinksStandWhereJointsPutThem) {
     const TempFolder folder;
     static_cast<void>(folder.write("pkg/package.xml", "<package/>"));
@@ -30,7 +30,7 @@ TEST(Urdf, LinksStandWhereJointsPutThem) {
 </robot>)"));
     expectBox(scene, "room::base", {-1, -1, -0.1}, {1, 1, 0.1});
     expectBox(scene, "arm", {-0.5, 0.5, 0.5}, {0.5, 1.5, 1.5});
-    // Turned by 90 degrees, (x, y, z) becomes (-y, x, z); z is doubled.
+    // Rotation by 90 degrees maps (x, y, z) to (-y, x, z); z is scaled by 2.
     expectBox(scene, "sofa", {-0.5, 1.0, 0.0}, {0.0, 3.0, 4.0});
     const Object* base = find(scene, "room::base");
     EXPECT_TRUE(scene.materials[scene.triangle_material[base->first_triangle]].base_color.isApprox(
@@ -78,7 +78,7 @@ TEST(Urdf, MaterialsWithoutANameAreTheirVisualsAlone) {
               0.1F);
 }
 
-// Expanded files may mention their macros in a comment.
+// Expanded files may mention macros in a comment.
 TEST(Urdf, MacrosAreRefusedButInComments) {
     const TempFolder folder;
     EXPECT_EQ(
@@ -116,7 +116,7 @@ std::string joint(const std::string& name, const std::string& type, const std::s
         name, type, xyz, parent, child);
 }
 
-// A cabinet of SAPIEN's form: a drawer slides in it, and a handle is fixed to the drawer.
+// A cabinet as in SAPIEN: with a sliding drawer and a handle fixed to the drawer.
 TEST(Urdf, DrawersAndTheirHandlesAreOfTheirCabinet) {
     const std::string cabinet = "<robot name='cabinet'>\n<link name='base'/>\n" +
                                 boxLink("link_0", "1 1 1") + boxLink("link_1", "0.8 0.8 0.2") +
@@ -127,7 +127,7 @@ TEST(Urdf, DrawersAndTheirHandlesAreOfTheirCabinet) {
     const Scene alone = test::importedText(cabinet + "</robot>", "cabinet.urdf");
     EXPECT_EQ(alone.objects.size(), 1U);
     expectBox(alone, "cabinet", {-0.5, -0.5, -0.5}, {0.5, 1.05, 0.5});
-    // A second thing that is fixed to the base is an object of its own.
+    // Another link fixed to the base is a separate object.
     const Scene both =
         test::importedText(cabinet + boxLink("lamp", "1 1 1") +
                                joint("stand", "fixed", "base", "lamp", "5 0 0") + "</robot>",
@@ -137,7 +137,7 @@ TEST(Urdf, DrawersAndTheirHandlesAreOfTheirCabinet) {
     EXPECT_NE(find(both, "lamp"), nullptr);
 }
 
-// Doors that turn about the origin of a world, which shows nothing, are not one object.
+// Doors with joints to a world link without visuals are separate objects.
 TEST(Urdf, WhatHangsOnNothingThatIsShownStaysApart) {
     const Scene scene =
         test::importedText("<robot name='house'>\n<link name='world'/>\n" +

@@ -24,7 +24,7 @@ Status setAnything(json& parameters, const std::string& name, const json& value)
     return {};
 }
 
-/// An operation that may or may not fit the scene it comes upon.
+/// A random operation that may or may not be valid in a scene.
 json anyOperation() {
     static const std::vector<std::string> names = {"sofa",    "table", "mug",    "book",
                                                    "picture", "floor", "corner", "table_1"};
@@ -93,7 +93,7 @@ TEST(CommandStack, ADragIsOneStep) {
     EXPECT_EQ(stack.names().size(), 3U);
     EXPECT_EQ(*stack.undo(), withFill(0.45));
     EXPECT_EQ(*stack.undo(), withFill(0.6));
-    // After going back a drag of the same slider is a new step.
+    // After an undo, dragging the same slider is a new step.
     stack.push("Set fill", withFill(0.2), "fill");
     EXPECT_EQ(stack.names().size(), 2U);
     EXPECT_EQ(*stack.undo(), withFill(0.6));
@@ -120,7 +120,7 @@ TEST(CommandStack, KnowsWhetherTheStateIsSaved) {
     EXPECT_TRUE(stack.isSaved());
     stack.push("Set fill", withFill(0.6));
     stack.push("Set fill", withFill(0.5));
-    EXPECT_TRUE(stack.isSaved());  // the same as on disk, however it came about
+    EXPECT_TRUE(stack.isSaved());  // equal to the saved state, whatever the history
 }
 
 RC_GTEST_PROP(CommandStack, UndoesRedoesAndSavesAnyOperations, ()) {
@@ -137,7 +137,7 @@ RC_GTEST_PROP(CommandStack, UndoesRedoesAndSavesAnyOperations, ()) {
         if (next == before) continue;
         stack.push(names->front(), next);
         history.push_back(next);
-        // What a project keeps of it reads back equal, and the scene takes it without complaint.
+        // The edits are equal after saving and loading, and can be applied to the scene.
         const auto back = editsFromJson(json::parse(editsJson(next.edits).dump()));
         RC_ASSERT(back.has_value());
         RC_ASSERT(*back == next.edits);

@@ -10,7 +10,7 @@
 
 namespace dollytrack::test {
 
-/// Stands in for the planner's parameters: a section with two numbers.
+/// A substitute for the planner's parameters: a section with two numbers.
 inline Status setTestParameter(nlohmann::json& parameters, const std::string& name,
                                const nlohmann::json& value) {
     if (name != "fill" && name != "min_height_m" && name != "max_height_m") {
@@ -21,7 +21,7 @@ inline Status setTestParameter(nlohmann::json& parameters, const std::string& na
     return {};
 }
 
-/// A room with a pair of cubes in one object between two other things.
+/// A room with an object of two cubes, between two other objects.
 inline Scene pairScene() {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});                          // 1..6
@@ -33,7 +33,7 @@ inline Scene pairScene() {
     return builder.build();
 }
 
-/// A project of that scene, edited by operations.
+/// A project of this scene, edited by operations.
 struct Editing {
     Scene imported = pairScene();
     ProjectState state;

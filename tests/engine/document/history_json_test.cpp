@@ -17,7 +17,7 @@ Status setAnyParameter(json& parameters, const std::string& name, const json& va
     return {};
 }
 
-/// A person's work: parameters and edits of several kinds, one of them taken back.
+/// A history with parameters and edits of several kinds, one of them undone.
 CommandStack::History someWork() {
     const Scene scene = test::furnishedRoom();
     CommandStack stack;
@@ -47,7 +47,7 @@ void expectSame(const CommandStack::History& one, const CommandStack::History& o
     }
 }
 
-/// Through text, as a file holds it.
+/// Converts to text and back, as when saving and loading.
 Result<CommandStack::History> throughText(const json& written) {
     return historyFromJson(json::parse(written.dump()));
 }

@@ -68,7 +68,7 @@ TEST(Operation, SplitGivesTwoObjectsWithExactBoxes) {
     EXPECT_LT((scene.object(9).box.center - Eigen::Vector3d(3, 2, 0.4)).norm(), 1e-6);
     EXPECT_LT((scene.object(9).box.half_size - Eigen::Vector3d(0.2, 0.3, 0.4)).norm(), 1e-6);
     EXPECT_LT((scene.object(9).centroid - Eigen::Vector3d(3, 2, 0.4)).norm(), 1e-6);
-    // Together they have the triangles that the one had; the neighbours have theirs.
+    // Together they have the triangles of the split object; neighbours are unchanged.
     auto both = cornersOf(scene, scene.object(8));
     const auto second = cornersOf(scene, scene.object(9));
     both.insert(both.end(), second.begin(), second.end());
@@ -93,7 +93,7 @@ TEST(Operation, MergeGivesOneObjectAtThePlaceOfTheFirst) {
     EXPECT_EQ(nyu40Name(merged.nyu40), "lamp");
     EXPECT_EQ(merged.role, Role::Target);
     EXPECT_EQ(scene.object(8).name, "pair");
-    // The box around both, by their corners.
+    // The box around both objects' vertices.
     for (const int id : {7, 9}) {
         for (const Eigen::Vector3d& corner : editing.imported.object(id).box.corners()) {
             EXPECT_TRUE(merged.box.contains(corner, 1e-5));
@@ -163,7 +163,7 @@ TEST(Operation, ASplitKeepsSmallPiecesWithTheNearestLargeOne) {
     EXPECT_EQ(scene.object(8).triangle_count, 7U * 12U);
     EXPECT_LT(scene.object(7).box.center.x(), 1.6);
     EXPECT_GT(scene.object(8).box.center.x(), 1.6);
-    // The project file says the same.
+    // The project file gives the same definitions.
     const Result<Edits> read = editsFromJson(editsJson(editing.state.edits));
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ(*read, editing.state.edits);
@@ -196,7 +196,7 @@ TEST(Operation, PatternsAndClassesNameSeveralObjects) {
     EXPECT_EQ(nameOf({{"op", "reset_object"}, {"class", "chair"}}), "Reset Lamp_1, Lamp_2 and mug");
     EXPECT_EQ(editing.state, ProjectState{});
 
-    // Each object's definition follows from the numbers that the one before left.
+    // Each object's definition refers to the numbers after the previous one.
     EXPECT_EQ(nameOf({{"op", "split"}, {"object", "Lamp_*"}}),
               "Split Lamp_1 and Lamp_2 into 4 pieces, the smallest 0.2 m");
     const Scene split = editing.scene();
@@ -257,7 +257,7 @@ TEST(Operation, AGroupIsMadeOfWhatTouches) {
     EXPECT_EQ(scene.object(9).role, Role::Excluded);
     EXPECT_EQ(scene.object(10).role, Role::Target);
 
-    // Of a larger gap; by the name of the largest part; saved and read as any definition.
+    // With a larger gap, named after the largest part, saved and loaded like any definition.
     ASSERT_TRUE(
         editing.apply({{{"op", "group"}, {"object", {"chair_*", "lamp"}}, {"gap_m", 0.01}}}));
     EXPECT_EQ(editing.scene().objects.size(), 9U);
@@ -298,10 +298,10 @@ TEST(Operation, NumbersFollowWhatDefinitionsDo) {
     EXPECT_TRUE(scene.report.warnings.empty());
 }
 
-// One step of undo, and the history names everything it touched.
+// This is one undo step, and the history names all changed objects.
 TEST(Operation, ExcludesAndIncludesSeveralObjectsAtOnce) {
     Editing editing;
-    const json all = {"lamp", "pair", "mug", 1};  // the last is the building's
+    const json all = {"lamp", "pair", "mug", 1};  // the last one is structure
     auto names = editing.apply({{{"op", "exclude"}, {"object", all}}});
     ASSERT_TRUE(names) << describe(names.error());
     EXPECT_EQ(names->front(), "Exclude lamp, pair and mug");

@@ -19,7 +19,7 @@ std::vector<std::string> namesOf(const Scene& scene, const std::vector<int>& ids
     return names;
 }
 
-/// The pair scene before and after operations that deal out numbers anew.
+/// The pair scene before and after operations that renumber objects.
 struct Edited {
     test::Editing editing;
     Scene before = editing.scene();
@@ -44,7 +44,7 @@ struct Edited {
 
 using Names = std::vector<std::string>;
 
-// Every object that was not touched is itself afterwards, although its number is another's now.
+// Unchanged objects are found again, although their numbers have changed.
 TEST(ObjectTrace, FollowsWhatWasNotTouchedByName) {
     const Edited scene(json::parse(R"([{"op":"split","object":"pair"}])"));
     ASSERT_NE(scene.idBefore("mug"), scene.idAfter("mug"));
@@ -79,7 +79,7 @@ TEST(ObjectTrace, FollowsOneDefinitionAfterAnother) {
     EXPECT_EQ(scene.followBack({scene.idAfter("heap")}), (Names{"mug", "pair"}));
 }
 
-// Half of the new object was in sight: it stays in sight.
+// Half of the new object was visible, so it is visible.
 TEST(ObjectTrace, AnObjectIsHiddenOnlyWhereAllItsPartsWere) {
     const Edited scene(
         json::parse(R"([{"op":"merge","objects":["lamp","mug"],"name":"still life"}])"));

@@ -14,13 +14,13 @@ ObjectChange tracked(int id, std::vector<TrackKey> track) {
     return change;
 }
 
-/// From 1 s to 5 s straight along x, then at rest until 7 s, then turning until 9 s.
+/// Straight along x from 1 s to 5 s, at rest until 7 s, turning until 9 s.
 const std::vector<TrackKey> kDrive = {
     {1.0, {}}, {5.0, {{2, 0, 0}, 0.0}}, {7.0, {{2, 0, 0}, 0.0}}, {9.0, {{2, 0, 0}, 1.0}}};
 
 }  // namespace
 
-// Whatever time one goes to, where things stand tells it again, from a guess far away, too.
+// After going to any time, the objects' poses give this time again, also from a distant guess.
 TEST(ObjectTrack, TimeIsReadFromWhereThingsStand) {
     Random random(3, 1);
     SceneEdits edits;
@@ -40,11 +40,11 @@ TEST(ObjectTrack, OfManyTimesTheNearestIsTaken) {
     SceneEdits edits;
     edits.changes = {tracked(1, kDrive)};
     putAtTime(edits, 6.0);
-    EXPECT_EQ(timeOfMoves(edits, 6.5), 6.5);  // at rest all the while
+    EXPECT_EQ(timeOfMoves(edits, 6.5), 6.5);  // at rest
     EXPECT_EQ(timeOfMoves(edits, 2.0), 5.0);
     EXPECT_EQ(timeOfMoves(edits, 20.0), 7.0);
     putAtTime(edits, 30.0);
-    EXPECT_EQ(timeOfMoves(edits, 12.0), 12.0);  // stays where the last key has it
+    EXPECT_EQ(timeOfMoves(edits, 12.0), 12.0);  // at the pose of the last key
 }
 
 TEST(ObjectTrack, ThereIsNoTimeForWhatStandsElsewhere) {
@@ -55,7 +55,7 @@ TEST(ObjectTrack, ThereIsNoTimeForWhatStandsElsewhere) {
     edits.changes[0].move->offset_m.y() = 0.01;
     EXPECT_FALSE(timeOfMoves(edits, 3.0));
     putAtTime(edits, 3.0);
-    edits.changes[1].move = ObjectMove{{0, -0.5, 0}, 0.0};  // each has a time, but not the same
+    edits.changes[1].move = ObjectMove{{0, -0.5, 0}, 0.0};  // at different times
     EXPECT_FALSE(timeOfMoves(edits, 3.0));
 }
 

@@ -105,9 +105,9 @@ TEST(Operation, SameNamesNeedTheNumber) {
     EXPECT_TRUE(editing.apply({{{"op", "exclude"}, {"object", 9}}}));
 }
 
-// The gizmo and the fields of numbers hand over the whole box or view: what differs counts.
+// The gizmo and number fields pass the whole box or view; only differences are changes.
 
-// A quarter turn about the box's middle takes (x, y) to (-y, x), and then comes the offset.
+// A quarter turn about the box's centre maps (x, y) to (-y, x); the offset is applied afterwards.
 TEST(Operation, MovesAnObjectWithAllThatIsMeasuredOfIt) {
     Editing editing;
     const Object before = editing.imported.object(7);
@@ -142,7 +142,7 @@ TEST(Operation, MovesAnObjectWithAllThatIsMeasuredOfIt) {
     }
     EXPECT_LT((lamp.centroid - put(before.centroid)).norm(), 1e-12);
     EXPECT_NEAR(lamp.box.volume(), before.box.volume(), 1e-12);
-    // The front that was set at 30 degrees turned with the lamp; one set now is as it is said.
+    // The front set at 30 degrees turned with the lamp; one set now is not turned.
     EXPECT_NEAR(std::atan2(lamp.front.y(), lamp.front.x()), 120.0 * std::numbers::pi / 180, 1e-9);
     ASSERT_TRUE(editing.apply({{{"op", "set_front"}, {"object", "lamp"}, {"front", 10}}}));
     const Eigen::Vector3d front = editing.scene().object(7).front;
@@ -169,7 +169,7 @@ TEST(Operation, AMovedObjectIsKeptInTheProjectAndGoesBackExactly) {
     EXPECT_EQ(editing.state, ProjectState{});
 }
 
-// From (0, 0, 0) at 1 s to (2, 0, 1) and half a turn at 3 s; then it rests.
+// From (0, 0, 0) at 1 s to (2, 0, 1) with half a turn at 3 s, then at rest.
 TEST(Operation, ATrackSaysWhereItsObjectIsAtATime) {
     Editing editing;
     ASSERT_TRUE(editing.apply({{{"op", "object_track"},
@@ -207,7 +207,7 @@ TEST(Operation, ATrackSaysWhereItsObjectIsAtATime) {
     EXPECT_EQ(editing.state, ProjectState{});
 }
 
-// Its pieces, or what it becomes a part of, would be where the file has them again.
+// Its pieces, or the merged object, would be at the file's positions again.
 TEST(Operation, AMovedObjectIsNotRegrouped) {
     for (const json& operation :
          {json{{"op", "split"}, {"object", "pair"}},

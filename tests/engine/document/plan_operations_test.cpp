@@ -118,7 +118,7 @@ TEST(Operation, NamesWhatWasDoneToABoxOrAView) {
     EXPECT_EQ(nameOf(there), "Pin the view of mug");
     there["position"] = {1, 2, 1};
     EXPECT_EQ(nameOf(there), "Move the pinned view of mug");
-    // The point has its object's name, but it is not the object that moves.
+    // The point has the name of its object, but only the point is moved.
     const json moved = {{"op", "move_point"}, {"point", "mug"}, {"position", {1, 2.5, 1}}};
     EXPECT_EQ(nameOf(moved), "Move the pinned view of mug");
     EXPECT_EQ(nameOf({{"op", "unpin"}, {"point", "mug"}}), "Unpin the view of mug");

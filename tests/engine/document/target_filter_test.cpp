@@ -31,11 +31,11 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     EXPECT_EQ(namesOf(with(edits)), (std::set<std::string>{"picture", "sofa", "table"}));
     edits.ignore = {"picture"};
     EXPECT_EQ(namesOf(with(edits)), (std::set<std::string>{"sofa", "table"}));
-    // What is said of one object comes before the lists.
+    // Changes of single objects take precedence over the lists.
     edits.changes = {{{7, scene.object(7).name}, Role::Target, {}, {}, {}, {}, {}}};
     edits.ignore = {"*"};
     EXPECT_EQ(namesOf(with(edits)), (std::set<std::string>{scene.object(7).name}));
-    // No slip goes by unsaid.
+    // Misspelt names cause a warning.
     edits = {};
     edits.ignore = {"sofaa"};
     const Scene slipped = with(edits);
@@ -43,7 +43,7 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     ASSERT_EQ(slipped.report.warnings.size(), 1U);
     EXPECT_NE(slipped.report.warnings[0].find("did you mean 'sofa'"), std::string::npos);
 
-    // Nor lists that leave nothing.
+    // So do lists that leave no target.
     const auto warningFor = [&](std::vector<std::string> only, std::vector<std::string> ignore) {
         SceneEdits lists;
         lists.only = std::move(only);
@@ -60,7 +60,7 @@ TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     EXPECT_NE(warningFor({"nosuch"}, {}).find("is neither a class nor an object"),
               std::string::npos);
 
-    // An object that the lists leave out can be wanted by name all the same.
+    // An object excluded by the lists can be included by name.
     ProjectState state;
     state.edits.scene.only = {"sofa"};
     const Scene filtered = with(state.edits.scene);
@@ -85,7 +85,7 @@ TEST(TargetLists, AreKeptInTheProject) {
     const auto failed = editsFromJson(section);
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().where, "edits.end");
-    // What is taken back is not left behind.
+    // Removed settings are not stored.
     EXPECT_FALSE(editsJson({}, editsJson(edits)).contains("start"));
 }
 

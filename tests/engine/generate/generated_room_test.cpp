@@ -27,7 +27,7 @@ Vector3d pointOf(const ordered_json& json) {
     return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
 
-/// One written and read again.
+/// A generated room that was written and read again.
 struct ReadRoom {
     std::string name;
     ordered_json truth;
@@ -47,7 +47,7 @@ bool isOpening(const Object& object) {
     return object.nyu40 == kNyuDoor || object.nyu40 == kNyuWindow;
 }
 
-/// Furniture of Debian's package, and as many rooms as DOLLYTRACK_GENERATED_ROOMS says.
+/// Rooms with furniture of Debian's package; DOLLYTRACK_GENERATED_ROOMS sets their number.
 class GeneratedRooms : public testing::Test {
   protected:
     static void SetUpTestSuite() {
@@ -89,7 +89,7 @@ class GeneratedRooms : public testing::Test {
     static inline std::vector<ReadRoom> rooms;
 };
 
-/// Vertices as the truth sees them: along the thing's own axes, from its middle.
+/// Bounds of an object's vertices in the axes of its true box, relative to its centre.
 Eigen::AlignedBox3d boundsInTruth(const ReadRoom& room, const Object& object,
                                   const ordered_json& truth) {
     const double yaw = truth["yaw_deg"].get<double>() * std::numbers::pi / 180.0;
@@ -103,7 +103,7 @@ Eigen::AlignedBox3d boundsInTruth(const ReadRoom& room, const Object& object,
     return bounds;
 }
 
-/// Cells of 10 cm at a height where a camera with 20 cm around it can be, joined to the entrance.
+/// Free cells of 10 cm at a camera's height with a clearance of 20 cm, connected with the entrance.
 class Ways {
   public:
     Ways(const ReadRoom& room, const RayCaster& rays, double height) : height_(height) {
@@ -116,7 +116,7 @@ class Ways {
     [[nodiscard]] Vector3d pointAt(int cell) const {
         return {(cell % columns_ + 0.5) * kCell, -(cell / columns_ + 0.5) * kCell, height_};
     }
-    /// The cells joined to that nearest to a point.
+    /// The cells connected with the cell nearest to a point.
     [[nodiscard]] std::vector<int> from(const Vector3d& start) const {
         int best = -1;
         for (int i = 0; i < columns_ * rows_; ++i) {
@@ -150,7 +150,7 @@ class Ways {
     std::vector<bool> open_;
 };
 
-/// Whether the carrier is above the thing.
+/// Whether the supporting object is also above the object.
 bool isCovered(const RayCaster& rays, const Object& carrier, const Object& thing) {
     Vector3d from = thing.box.center;
     for (int i = 0; i < 40; ++i) {
@@ -162,7 +162,7 @@ bool isCovered(const RayCaster& rays, const Object& carrier, const Object& thing
     return false;
 }
 
-/// What a ray meets once it has left the thing; object 0 for nothing.
+/// The first hit of a ray after it has left the object; object 0 if there is none.
 RayHit nextAfter(const RayCaster& rays, const Object& thing, Vector3d from, const Vector3d& way) {
     RayHit hit = rays.cast(from, way, 1.0);
     for (int i = 0; i < 40 && hit.object_id == thing.id; ++i) {
@@ -198,7 +198,7 @@ TEST_F(GeneratedRooms, HoldWhatTheTruthSays) {
             targets += object->structure ? 0 : 1;
         }
         EXPECT_EQ(targets, room.truth["objects_placed"].get<int>());
-        // A quarter of the presets is hardly to be filled; most of it has to be there.
+        // Small presets are hard to fill; at least 90 % of the requested objects must be there.
         EXPECT_GE(targets, 0.9 * room.truth["objects_asked"].get<int>());
     }
 }
@@ -207,7 +207,7 @@ TEST_F(GeneratedRooms, HaveNoMeshesInOneAnother) {
     for (const ReadRoom& room : rooms) {
         const auto collisions =
             test::collisionsIn(room.scene, [](const Object& a, const Object& b) {
-                // What stands on the floor touches it; frames lie in their walls.
+                // Objects on the floor touch it; frames are inside walls.
                 const bool floor = a.nyu40 == kNyuFloor || b.nyu40 == kNyuFloor;
                 return floor || (a.structure && b.structure);
             });
@@ -252,7 +252,7 @@ TEST_F(GeneratedRooms, StandOnWhatTheTruthSays) {
     }
 }
 
-// Not behind the doors of a cupboard: from over or before it one sees the thing.
+// Objects are visible from above or from the front, not behind the doors of a cupboard.
 TEST_F(GeneratedRooms, HideNothingInFurniture) {
     for (const ReadRoom& room : rooms) {
         SCOPED_TRACE(room.name);
@@ -267,7 +267,8 @@ TEST_F(GeneratedRooms, HideNothingInFurniture) {
             for (const Vector3d& way : {Vector3d(0, 0, 1), front}) {
                 Vector3d from = centre;
                 for (int i = 0; i < 40 && !free; ++i) {
-                    // Through the thing itself and its neighbours, but not through the carrier.
+                    // The ray may pass through the object and its neighbours, but not through the
+                    // supporting object.
                     const RayHit hit = rays.cast(from, way, 3.0);
                     if (hit.object_id == carrier->id) break;
                     const bool out =
@@ -281,7 +282,8 @@ TEST_F(GeneratedRooms, HideNothingInFurniture) {
     }
 }
 
-// What is open above can be looked down on; what is not has the whole way to the front for itself.
+// Objects under the open top are visible from above; in shelves the space in front of each object
+// is free.
 TEST_F(GeneratedRooms, PutNothingBehindAnotherInAShelf) {
     int in_shelves = 0;
     for (const ReadRoom& room : rooms) {
@@ -314,7 +316,7 @@ TEST_F(GeneratedRooms, PutNothingBehindAnotherInAShelf) {
     EXPECT_GT(in_shelves, 20);
 }
 
-// Decorations once, small things up to thrice; chairs and cupboards may come in rows.
+// Decorations occur once, small objects up to three times; chairs and cupboards may occur in rows.
 TEST_F(GeneratedRooms, RepeatLittle) {
     const std::set<std::string> once = {"floor_lamp", "floor_plant", "wall_thing", "floor_thing",
                                         "work_floor_thing"};

@@ -53,7 +53,7 @@ PlacedPiece placedAt(const CatalogPiece& piece, const Vector2d& at) {
     return placed;
 }
 
-/// Boxes of a model one unit in size, as the importer hands it on: y up, front +z.
+/// Adds a box to a model of size 1 in the importer's axes: y up, front +z.
 void addBox(homes::FurnitureModel& model, const Vector3d& low, const Vector3d& high) {
     MeshPart part;
     for (int i = 0; i < 8; ++i) {
@@ -74,7 +74,7 @@ void addBox(homes::FurnitureModel& model, const Vector3d& low, const Vector3d& h
     model.raw.parts.push_back(std::move(part));
 }
 
-/// 100 x 40 x 100 with a back, two sides, a top, a bottom and, closed, a door.
+/// A cupboard of 100 x 40 x 100 with back, sides, top, bottom and, if closed, a door.
 homes::FurnitureModel cupboard(bool closed) {
     homes::FurnitureModel model;
     addBox(model, {0, 0, 0}, {100, 2, 40});
@@ -106,7 +106,7 @@ std::set<int> restingHeights(bool closed) {
 
 }  // namespace
 
-// A triangle that has a point in the box reaches into it; one that a plane parts from it does not.
+// A triangle with a point in the box intersects it; one separated by a plane does not.
 RC_GTEST_PROP(UprightBoxes, TellWhatReachesIntoThem, ()) {
     const UprightBox box = anyBox();
     TriangleInRoom t;
@@ -118,7 +118,8 @@ RC_GTEST_PROP(UprightBoxes, TellWhatReachesIntoThem, ()) {
         }
     }
     if (inside) RC_ASSERT(reachesInto(t, box));
-    UprightBox wider = box;  // what misses a wider box by sampling cannot reach into the narrow one
+    UprightBox wider =
+        box;  // if no sample is in a wider box, the triangle cannot intersect the narrow one
     wider.half += Vector2d::Constant(0.4);
     wider.low -= 0.4;
     wider.high += 0.4;
@@ -166,7 +167,7 @@ TEST(RoomLayout, KeepsTheFloorInOnePiece) {
     RoomLayout layout(300, 400, 250);
     EXPECT_TRUE(layout.add(placedAt(wall, {120.5, 200}))) << "59 cm are left beside it";
     EXPECT_FALSE(RoomLayout(300, 400, 250).add(placedAt(pieceOf(280, 20, 100), {150, 200})));
-    // A narrower way is none, unless it is part of nothing more than a niche.
+    // A narrower passage counts as blocked, unless it only leads to a niche.
     const CatalogPiece broad = pieceOf(262, 20, 100);
     EXPECT_FALSE(RoomLayout(300, 400, 250).add(placedAt(broad, {131.5, 200})));
     EXPECT_TRUE(RoomLayout(300, 400, 250).add(placedAt(broad, {131.5, 11})));

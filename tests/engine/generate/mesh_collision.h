@@ -7,8 +7,8 @@
 
 namespace dollytrack::test {
 
-/// Pairs of objects, "Chair 1 - Table 1", of which a triangle of one meets a triangle of the other,
-/// by exact predicates. `skip` says which pairs may touch.
+/// Pairs of objects whose triangles intersect, by exact predicates, as "Chair 1 - Table 1". `skip`:
+/// whether a pair may touch.
 std::vector<std::string> collisionsIn(const Scene& scene,
                                       bool (*skip)(const Object& a, const Object& b));
 

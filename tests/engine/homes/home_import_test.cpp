@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A 4 x 3 m room between the middle lines of walls 10 cm thick; more elements can be added.
+/// A room of 4 x 3 m between the centre lines of 10 cm walls, with additional elements.
 std::string home(const std::string& more) {
     return R"(<?xml version='1.0'?>
 <home version='5500' name='t.sh3d' wallHeight='250.0'>
@@ -32,7 +32,8 @@ std::string home(const std::string& more) {
 )" + more + "</home>\n";
 }
 
-/// A tetrahedron with a different edge along each axis: its corners tell every turn and mirror.
+/// A tetrahedron with different edges along the axes, so that its corners reveal rotations and
+/// mirroring.
 constexpr const char* kTetrahedron =
     "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
@@ -86,7 +87,7 @@ const std::string kPiece =
 
 }  // namespace
 
-// The plan's y runs down the page, so that a mirrored reading would look right from above.
+// The plan's y points down the page, so a mirrored import would look right from above.
 TEST_F(HomeImport, TurnsAPieceClockwiseOnThePage) {
     const Scene scene = read("<pieceOfFurniture angle='1.5707963267948966'" + kPiece + "/>");
     const Object& piece = named(scene, "Armchair");
@@ -103,7 +104,7 @@ TEST_F(HomeImport, TurnsAPieceClockwiseOnThePage) {
 TEST_F(HomeImport, MirrorsAcrossTheWidth) {
     const Scene scene = read("<pieceOfFurniture modelMirrored='true'" + kPiece + "/>");
     const Object& piece = named(scene, "Armchair");
-    // Unmirrored the long edge along the width starts at the left, x = 0.6.
+    // Without mirroring, the long edge along the width starts at the left, x = 0.6.
     EXPECT_TRUE(hasCorner(scene, piece, {1.4, -1.8, 0.1}));
     EXPECT_TRUE(hasCorner(scene, piece, {0.6, -1.8, 0.1}));
     EXPECT_TRUE(hasCorner(scene, piece, {1.4, -1.8, 0.6}));
@@ -113,7 +114,7 @@ TEST_F(HomeImport, MirrorsAcrossTheWidth) {
 }
 
 TEST_F(HomeImport, TurnsTheModelBeforeItIsSized) {
-    // x to z, z to -x: what was 4 deep becomes the width.
+    // x to z, z to -x: the depth of 4 becomes the width.
     const Scene scene =
         read("<pieceOfFurniture modelRotation='0 0 -1 0 1 0 1 0 0'" + kPiece + "/>");
     const Object& piece = named(scene, "Armchair");
@@ -140,7 +141,7 @@ TEST_F(HomeImport, TheUsersTableOfLabelsComesFirst) {
               "bed");
 }
 
-// Models drawn askew are turned straight: it is the turned model that fills the piece's size.
+// Models with a rotation are rotated first; then the rotated model is scaled to the piece's size.
 TEST_F(HomeImport, SizesAModelByItsOwnShapeAndNotItsBox) {
     const Scene scene =
         read("<pieceOfFurniture modelRotation='0.8 0 0.6 0 1 0 -0.6 0 0.8'" + kPiece + "/>");
@@ -175,7 +176,7 @@ TEST_F(HomeImport, CutsTheHoleOfADoor) {
     const Object& wall = named(scene, "wall_1");
     EXPECT_NEAR(areaFacing(scene, wall, {0, 1, 0}), 4.10 * 2.5 - 0.9 * 2.0, 1e-4);
     EXPECT_NEAR(areaFacing(scene, wall, {0, -1, 0}), 3.90 * 2.5 - 0.9 * 2.0, 1e-4);
-    // The ends and the side of the cut that look along +x.
+    // The ends and the reveal that face +x.
     EXPECT_NEAR(areaFacing(scene, wall, {1, 0, 0}), 0.1 * 2.0, 1e-4);
     EXPECT_NEAR(areaFacing(scene, wall, {0, 0, -1}), 0.1 * (4.0 + 0.9), 1e-4);  // bottom, lintel
     const Object& door = named(scene, "Door");
@@ -255,7 +256,7 @@ TEST_F(HomeImport, ColorsPiecesAndTakesGroupsApart) {
               1);
 }
 
-// Two of three groups are of the same material: only the names tell the pane from the frame.
+// Two of three groups have the same material, so only names distinguish pane and frame.
 TEST_F(HomeImport, PanesKeepTheirOwnMaterialUnderAPiecesColor) {
     static_cast<void>(folder.write("window.mtl",
                                    "newmtl glass\nKd 0.2 0.4 0.6\nd 0.3\n"

@@ -34,7 +34,7 @@ std::string packedColor(std::uint32_t color) {
     return {reinterpret_cast<const char*>(&color), sizeof(color)};
 }
 
-/// LZF without any compression: runs of literal bytes.
+/// LZF without compression: runs of literal bytes.
 std::string storedLzf(const std::string& bytes) {
     std::string packed;
     for (std::size_t at = 0; at < bytes.size(); at += 32) {
@@ -48,7 +48,7 @@ std::string storedLzf(const std::string& bytes) {
 
 void expectThreePoints(const Result<PointCloud>& cloud) {
     ASSERT_TRUE(cloud) << describe(cloud.error());
-    ASSERT_EQ(cloud->points.size(), 2U);  // the one that is no number is gone
+    ASSERT_EQ(cloud->points.size(), 2U);  // the NaN point is dropped
     EXPECT_EQ(cloud->left_out, 1U);
     EXPECT_EQ(cloud->points[0], Eigen::Vector3d(1.0, 2.0, 3.0));
     EXPECT_EQ(cloud->points[1], Eigen::Vector3d(-1.0, 0.5, 0.25));
@@ -57,8 +57,8 @@ void expectThreePoints(const Result<PointCloud>& cloud) {
     EXPECT_EQ(cloud->colors[1], (std::array<std::uint8_t, 3>{0, 0, 9}));
 }
 
-// The bytes were put together by hand from the format's description: 3 literals, then 6 bytes from
-// 3 back, which overlaps what it makes.
+// Written by hand from the format's description: 3 literals, then 6 bytes from 3 back, which
+// overlap the output.
 TEST(Lzf, CopiesWhatItJustMade) {
     const std::vector<std::uint8_t> packed = {2, 'a', 'b', 'c', 0x80, 2};
     const auto out = io::unpackLzf(packed, 9);
@@ -151,7 +151,7 @@ TEST(PlyPoints, ToldFromMeshes) {
     EXPECT_FALSE(io::isPlyOfPoints("obj\nend_header\n"));
 }
 
-// Whatever is changed in a file: an answer, and no more points than it has room for.
+// A file with any change is read or refused, and has no more points than fit into it.
 TEST(CloudFiles, AnswerWhateverIsInThem) {
     const std::string by_field = bytesOf({1, 5, -1}) + bytesOf({2, 6, 0.5F}) +
                                  bytesOf({3, 7, 0.25F}) + packedColor(0xFF8001) + packedColor(0) +

@@ -21,7 +21,7 @@ namespace {
 using Color = std::array<int, 3>;
 using Map = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
-/// A scan as text: a room of 3 x 4 x 2.5 m with a floor, three walls and two boxes, a point every
+/// A scan as text: a room of 3 x 4 x 2.5 m with a floor, three walls and two boxes, one point every
 /// 2.5 cm with 1 mm of noise.
 class RoomScan {
   public:
@@ -80,7 +80,7 @@ Eigen::Vector3d asItIs(const Eigen::Vector3d& p) {
     return p;
 }
 
-/// A camera's axes: x right, y down, z forward; held 8 degrees askew.
+/// Converts to a camera's axes, x right, y down, z forward, tilted by 8 degrees.
 Eigen::Vector3d seenByACamera(const Eigen::Vector3d& p) {
     const Eigen::Vector3d level(p.x(), -p.z() + 1.2, p.y() + 1.0);
     return Eigen::AngleAxisd(0.14, Eigen::Vector3d(1.0, 0.0, 0.3).normalized()) * level;
@@ -97,7 +97,7 @@ std::vector<const Object*> targetsOf(const Scene& scene) {
     return targets;
 }
 
-/// The mean colour that a thing is drawn in: of its triangles' middles, as the picture has it.
+/// The mean texture colour of an object, at its triangles' centres.
 Eigen::Vector3d meanColor(const Scene& scene, const Object& object) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (std::uint32_t t = object.first_triangle; t < object.first_triangle + object.triangle_count;
@@ -128,7 +128,7 @@ void expectTheRoom(const Scene& scene, double tolerance_m) {
     ASSERT_EQ(targets.size(), 2U);
     EXPECT_NEAR(2.0 * targets[0]->box.half_size.z(), 0.7, 0.06);
     EXPECT_NEAR(2.0 * targets[1]->box.half_size.z(), 0.5, 0.06);
-    // The two stand as far from each other as they were built, whatever the file's axes.
+    // The distance of the two objects does not depend on the file's axes.
     const Eigen::Vector3d apart = targets[0]->box.center - targets[1]->box.center;
     EXPECT_NEAR(apart.head<2>().norm(), std::hypot(0.8 - 2.05, 1.3 - 2.65), tolerance_m);
     const Eigen::Vector3d red = meanColor(scene, *targets[0]);
@@ -146,7 +146,7 @@ TEST(CloudRoom, IsARoomWithThingsInIt) {
     expectTheRoom(*scene, 0.05);
 }
 
-/// Share of an object's surface that is level or upright, by 20 degrees.
+/// Share of an object's surface that is level or upright within 20 degrees.
 double evenShare(const Scene& scene, const Object& object) {
     double even = 0.0;
     double all = 0.0;
@@ -162,7 +162,7 @@ double evenShare(const Scene& scene, const Object& object) {
     return even / all;
 }
 
-// Without being smoothed a floor of such points is a heap of shards, two fifths of it even.
+// Without smoothing, a floor of such points is a heap of fragments, only two fifths of it level.
 TEST(CloudRoom, NoisyScansKeepTheirFloorsAndSaySo) {
     const test::TempFolder folder;
     const auto scene = importScene(folder.write("room.xyz", RoomScan(asItIs, 0.02, 0.0125).text()));
@@ -187,8 +187,8 @@ TEST(CloudRoom, SparseScansGetLargerCubesAndSaySo) {
         [](const std::string& line) { return line.find("mm apart") != std::string::npos; }));
 }
 
-// The same room in a camera's tilted axes comes out level: the way back to the file's axes says how
-// it was turned.
+// The same room in a camera's tilted axes is levelled; the transform to the file's axes has the
+// rotation.
 TEST(CloudRoom, LevelsWhatACameraSaw) {
     const test::TempFolder folder;
     const auto scene = importScene(folder.write("room.xyz", RoomScan(seenByACamera).text()));
@@ -220,8 +220,8 @@ TEST(CloudRoom, FarAwayMillimetresComeOutInMetres) {
     EXPECT_NEAR(at.y(), far({0.8, 1.3, 0.35}).y(), 60.0);
 }
 
-// CGAL orders by addresses what it is not told to order: between the runs memory is left in pieces,
-// so that the second finds other addresses in another order.
+// CGAL orders some data by addresses. Memory is fragmented between the runs, so that the second run
+// has other addresses.
 TEST(CloudRoom, GivesTheSameBytesTwice) {
     const test::TempFolder folder;
     const auto path = folder.write("room.xyz", RoomScan(asItIs).text());
@@ -241,8 +241,8 @@ TEST(CloudRoom, GivesTheSameBytesTwice) {
     EXPECT_EQ(once->textures[0].rgba, twice->textures[0].rgba);
 }
 
-/// A wall seen askew by a depth camera 160 points wide, 3 to 5 m away; inverse depths in whole
-/// steps, or as they are with 0.
+/// A slanted wall seen by a depth camera of 160 points, 3 to 5 m away; inverse depths are quantized
+/// to `step` (0: not quantized).
 io::PointCloud pictureOfAWall(double step) {
     io::PointCloud cloud;
     for (int row = 0; row < 120; ++row) {
@@ -280,7 +280,7 @@ TEST(CloudDepths, WhatHasNoStepsStaysToTheLastBit) {
     EXPECT_EQ(cloud.points, before);
 }
 
-// A wall alone: the floor lies below it, level, and reaches to where it was scanned from.
+// Only a wall: a level floor is added below it that extends to the scanner's position.
 TEST(CloudRoom, HasAFloorWhereTheScanShowsNone) {
     std::string text;
     for (int i = 0; i <= 80; ++i) {
@@ -328,7 +328,7 @@ TEST(CloudRoom, TooFewPointsAreRefused) {
     EXPECT_NE(scene.error().message.find("no surface"), std::string::npos);
 }
 
-// A square of 6 x 6 fields without the middle 2 x 2: the hole is filled, the outline is not.
+// A square of 6 x 6 cells without the middle 2 x 2: the hole is filled, but not the outline.
 TEST(HoleFiller, FillsHolesAndLeavesTheOutline) {
     std::vector<Eigen::Vector3d> points;
     for (int y = 0; y <= 6; ++y) {
@@ -353,7 +353,8 @@ TEST(HoleFiller, FillsHolesAndLeavesTheOutline) {
     };
     const auto filling = io::fillHoles(points, triangles, 0.3, holes);
     EXPECT_EQ(holes, 1U);
-    EXPECT_NEAR(areaOf(filling), 0.04, 1e-12);  // and wound as the rest: the area is positive
+    EXPECT_NEAR(areaOf(filling), 0.04,
+                1e-12);  // with the winding of the rest: the area is positive
     holes = 0;
     EXPECT_TRUE(io::fillHoles(points, triangles, 0.2, holes).empty());  // 0.28 m across
     EXPECT_EQ(holes, 0U);

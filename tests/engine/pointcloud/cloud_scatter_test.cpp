@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// 2 x 2 m of a plane askew, with so many points and noise across it.
+/// `count` points of a slanted plane of 2 x 2 m, with normal noise.
 Points plane(int count, double noise_m) {
     Random random(5);
     const Eigen::Vector3d normal = Eigen::Vector3d(1, 2, 3).normalized();
@@ -27,7 +27,7 @@ Points plane(int count, double noise_m) {
     return points;
 }
 
-/// Of the inner points, whose neighbours are on all sides.
+/// Deviation of the inner points, which have neighbours on all sides.
 double deviation(const Points& points) {
     const Eigen::Vector3d normal = Eigen::Vector3d(1, 2, 3).normalized();
     double squares = 0.0;
@@ -46,7 +46,7 @@ TEST(CloudScatter, SpacingIsThatOfGridsAndOfRandomPoints) {
         for (int j = 0; j < 100; ++j) grid.emplace_back(0.03 * i, 0.03 * j, 0.0);
     }
     EXPECT_NEAR(spacingOf(grid, 0.002), 0.03, 0.002);
-    // 10,000 points on 4 m2: one each 2 cm.
+    // 10,000 points on 4 m2: one every 2 cm.
     EXPECT_NEAR(spacingOf(plane(10'000, 0.0), 0.002), 0.02, 0.002);
     EXPECT_NEAR(spacingOf(plane(10'000, 0.0), 0.2), 0.02, 0.002);
 }
@@ -64,7 +64,7 @@ TEST(CloudScatter, SmoothedPointsLieOnTheirPlane) {
     EXPECT_NEAR(deviation(points), 0.02, 0.001);
     smoothScatter(points, scatterOf(points, 0.06).radius_m, {});
     EXPECT_LT(deviation(points), 0.002);
-    // What sees too little of a surface moves less, and says so: the smallest radius is no help.
+    // With too few neighbours points move less, even with the smallest radius.
     Points near = plane(40'000, 0.02);
     smoothScatter(near, 0.02, {});
     EXPECT_GT(deviation(near), 0.005);

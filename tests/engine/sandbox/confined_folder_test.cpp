@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using io::ConfinedFolder;
 using test::TempFolder;
 
-/// A scene's folder beside something secret.
+/// A scene's folder beside a secret file.
 struct Folders {
     TempFolder all;
     fs::path scene = all.path() / "scene";
@@ -51,13 +51,13 @@ TEST(ConfinedFolder, OpensWhatLiesBeneath) {
     EXPECT_FALSE(linked->readAll(7));
 }
 
-// A reader puts the folder before every name that a scene has, absolute ones among them.
+// A reader prepends the folder to all names in a scene, including absolute ones.
 TEST(ConfinedFolder, AbsoluteNamesStayAbsolute) {
     const Folders folders;
     const ConfinedFolder folder(folders.scene);
     const std::string before = folders.scene.string() + "/";
     EXPECT_EQ(folder.relative(before + "/etc/passwd"), "/etc/passwd");
-    EXPECT_EQ(folder.relative(before + "/etc/pass"), "etc/pass");  // nobody's
+    EXPECT_EQ(folder.relative(before + "/etc/pass"), "etc/pass");  // no such file
     EXPECT_EQ(folder.relative(before + "/room.mtl"), "room.mtl");
     EXPECT_EQ(folder.relative(before + "none.mtl"), "none.mtl");
     io::InputRecord record;
@@ -85,7 +85,7 @@ TEST(ConfinedFolder, RefusesWhatLiesOutside) {
     }
 }
 
-// A pipe would block its reader for ever, and a folder is no file.
+// A pipe would block its reader forever, and a folder is not a file.
 TEST(ConfinedFolder, RefusesWhatIsNoFile) {
     const Folders folders;
     ASSERT_EQ(mkfifo((folders.scene / "pipe").c_str(), 0600), 0);
@@ -104,7 +104,7 @@ TEST(ConfinedFolder, RefusesWhatIsNoFile) {
     }
 }
 
-// The list of what was asked for is handed back, and one with such a name would be refused.
+// The list of inputs is returned, and one with such a name would be refused.
 TEST(ConfinedFolder, ForgetsNamesThatNoFileCanHave) {
     const Folders folders;
     const io::InputRecord record;
@@ -116,7 +116,7 @@ TEST(ConfinedFolder, ForgetsNamesThatNoFileCanHave) {
     EXPECT_TRUE(io::parseInputList(io::inputListText(record.uses())));
 }
 
-// Whoever believes such a list walks each of the folders.
+// All folders in the list are listed again for validation.
 TEST(ConfinedFolder, NoReadingListsThousandsOfFolders) {
     std::vector<io::InputUse> uses(1000);
     for (io::InputUse& use : uses) use.kind = io::InputUse::Listing;

@@ -7,8 +7,8 @@
 
 namespace dollytrack::test {
 
-/// A scene with something in every member: two meshes under three nodes, two materials, two
-/// objects, a picture that was found, one that is missing and a broken one.
+/// A scene with data in every member: two meshes under three nodes, two materials, two objects, and
+/// a valid, a missing and a broken texture.
 io::ReadScene smallReadScene();
 
 std::vector<std::uint8_t> frameOf(const Result<io::ReadScene>& outcome);

@@ -40,7 +40,7 @@ TEST(ImporterProcess, HandsASceneBackWithWhatItRead) {
     EXPECT_FALSE(asked(io::InputUse::File, "gone.png"));
 }
 
-// A chain of nodes deeper than the reader's stack.
+// A chain of nodes deeper than the reader's stack allows.
 TEST(ImporterProcess, ItsCrashIsAnError) {
     const TempFolder folder;
     std::string text =

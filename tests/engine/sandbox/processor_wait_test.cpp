@@ -23,7 +23,7 @@ using io::ProcessorWait;
 using io::ReadingClock;
 using Seconds = ProcessorWait::Seconds;
 
-/// A process that computes, or sleeps, on one processor until this is destroyed.
+/// A process that computes or sleeps on one processor until this object is destroyed.
 class Child {
   public:
     Child(int processor, bool computes) : process_(::fork()) {
@@ -33,7 +33,7 @@ class Child {
         CPU_SET(processor, &one);
         ::sched_setaffinity(0, sizeof(one), &one);
         while (true) {
-            // A call of the system: the compiler may take nothing away.
+            // A system call, which the compiler cannot remove.
             if (computes) {
                 ::getppid();
             } else {
@@ -76,8 +76,8 @@ bool isAsleep(pid_t process) {
     return state != std::string::npos && text.substr(state + 2, 1) == "S";
 }
 
-// Four that share one processor wait for each other; one that sleeps waits for none. No bound is
-// on how long that takes: on a busy machine each look may come late.
+// Four processes on one processor wait for each other; a sleeping one does not wait. There is no
+// time limit, because on a busy machine samples may be late.
 TEST(ProcessorWait, IsWhatOthersTook) {
     if (!kernelCounts()) GTEST_SKIP() << "the kernel does not count it";
     const int processor = anyProcessor();

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using io::SceneCache;
 using test::TempFolder;
 
-/// A scene with a picture, read in this process, and a cache for it.
+/// A scene with a texture, read in this process, and a cache for it.
 class SceneCacheTest : public testing::Test {
   protected:
     void SetUp() override {
@@ -30,7 +30,7 @@ class SceneCacheTest : public testing::Test {
     void put(const std::string& name, std::string_view text) const {
         EXPECT_FALSE(folder_.write(name, text).empty());
     }
-    /// Asks as a reader does: the scene, its picture, one that is not there.
+    /// Records the inputs of a reader: the scene, its texture and a missing one.
     bool keep(const SceneCache& cache, const std::string& key = "key") const {
         io::InputRecord record;
         const io::ConfinedFolder folder(scene_.parent_path());
@@ -109,12 +109,12 @@ TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
         }
         return files;
     };
-    // Just written: a second write could leave the same time.
+    // The file was just written, so a second write could have the same time stamp.
     EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
     EXPECT_TRUE(digests().empty());
     EXPECT_EQ(*at_once.digestOf(scene_), *io::sha256OfFile(scene_));
     ASSERT_EQ(digests().size(), 1U);
-    // It is read again while it is whole, which its time shows; no changed digit is believed.
+    // A valid entry is used, which its time stamp shows; one with a changed digit is not.
     const fs::path kept = digests()[0];
     const std::string whole = *io::readNamedFile(kept, 1000);
     const fs::file_time_type old{std::chrono::hours(1)};
@@ -134,7 +134,7 @@ TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
 
     put("cache/" + kept.filename().string(), whole);
     const auto time = fs::last_write_time(scene_);
-    put("scene/room.obj", "v 9 9 9");  // as long as before
+    put("scene/room.obj", "v 9 9 9");  // same length
     fs::last_write_time(scene_, time);
     EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
     EXPECT_FALSE(cache_.digestOf(folder_.path() / "gone.obj"));
@@ -151,7 +151,7 @@ TEST_F(SceneCacheTest, KeepsNothingThatChangedMeanwhile) {
     EXPECT_TRUE(cache_.keep("key", scene_, digest, roots_, {}, frame_));
 }
 
-// An importer that was taken over could name any file; it is not read, not even for its digest.
+// A compromised importer could name any file; such files are not read, not even for a digest.
 TEST_F(SceneCacheTest, KeepsNothingFromElsewhere) {
     put("secret.txt", "secret");
     const auto secret = io::openNamedFile(folder_.path() / "secret.txt");
@@ -193,7 +193,7 @@ TEST_F(SceneCacheTest, TheOldestMakeRoom) {
     for (const auto& [key, age] : {std::pair("a", 3), std::pair("b", 2), std::pair("c", 1)}) {
         fs::last_write_time(entry(key), now - std::chrono::hours(age));
     }
-    EXPECT_TRUE(small.find("a", roots_));  // which makes it the youngest
+    EXPECT_TRUE(small.find("a", roots_));  // becomes the most recently used
     ASSERT_TRUE(keep(small, "d"));
     EXPECT_TRUE(fs::exists(entry("a")));
     EXPECT_FALSE(fs::exists(entry("b")));

@@ -17,7 +17,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kHeaderBytes = 32;
 
-/// What whoever works with a scene relies on, said a second time and without the code under test.
+/// The invariants of a scene, checked independently of the code under test.
 void expectSound(const ReadScene& scene) {
     const RawScene& raw = scene.raw;
     for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
@@ -80,7 +80,7 @@ TEST(SceneFrame, BringsEverythingBack) {
     EXPECT_EQ(after->raw.notes, before.raw.notes);
     EXPECT_EQ(after->textures.textures[0].rgba, before.textures.textures[0].rgba);
     EXPECT_EQ(after->textures.broken, before.textures.broken);
-    // And written again it is the same to the last byte.
+    // Written again, it is byte-identical.
     EXPECT_EQ(test::frameOf(*after), frame);
 }
 
@@ -92,12 +92,12 @@ TEST(SceneFrame, BringsErrorsBackCleaned) {
     ASSERT_FALSE(error);
     EXPECT_FALSE(damaged);
     EXPECT_EQ(error.error().message, "bad[31mfile");
-    // What only this process can know is not believed.
+    // Error codes that the importer cannot know are not accepted.
     const Bytes other = test::frameOf(tl::unexpected(Error{ErrorCode::CannotWrite, "x", ""}));
     EXPECT_EQ(io::readFrame(other, damaged).error().code, ErrorCode::BadInput);
 }
 
-// Every single changed byte, and every length it could be cut to, is noticed.
+// Each changed byte and each truncation is detected.
 TEST(SceneFrame, NoticesEveryByte) {
     const Bytes frame = test::frameOf(test::smallReadScene());
     for (std::size_t i = 0; i < frame.size(); ++i) {
@@ -113,8 +113,8 @@ TEST(SceneFrame, NoticesEveryByte) {
     }
 }
 
-// With the sum made right again, as an importer would that has been taken over: what comes
-// through has to be a scene one can work with.
+// With a corrected checksum, as a compromised importer could write: frames that are accepted must
+// contain valid scenes.
 TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
     const Bytes frame = test::frameOf(test::smallReadScene());
     std::mt19937 random(7);
@@ -122,7 +122,7 @@ TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
                                                1,
                                                0x7FFFFFFF,
                                                0xFFFFFFFF,
-                                               0x7FC00000,  // not a number, as a float
+                                               0x7FC00000,  // NaN as a float
                                                0x7F800000,  // infinity
                                                0x7FFFFFFFFFFFFFFF,
                                                0xFFFFFFFFFFFFFFFF};
@@ -150,14 +150,14 @@ TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
         expectSound(*read);
         if (HasFatalFailure()) FAIL() << "mutant " << mutant;
     }
-    // Both kinds came up, or this proves little.
+    // Both results must occur, otherwise the test proves little.
     EXPECT_GT(refused, 1000);
     EXPECT_GT(sound, 1000);
 }
 
 TEST(SceneFrame, CountsAreNotBelieved) {
     Bytes frame = test::frameOf(test::smallReadScene());
-    // The first number behind the header says how many nodes there are.
+    // The first number after the header is the number of nodes.
     for (const std::uint64_t count :
          {std::uint64_t{4}, std::uint64_t{1} << 32U, std::numeric_limits<std::uint64_t>::max()}) {
         std::memcpy(frame.data() + kHeaderBytes, &count, sizeof(count));
@@ -182,7 +182,7 @@ TEST(SceneFrame, EntriesLargerThanTheirBytesAreBounded) {
     }
 }
 
-/// Something wrong with a scene, which a taken-over importer could hand back.
+/// A defect that a compromised importer could put into a scene.
 using Spoil = void (*)(ReadScene&);
 
 TEST(SceneFrame, RefusesScenesThatAreNotSound) {
