@@ -314,8 +314,9 @@ TEST_F(HomeImport, RefusesWhatIsNoHome) {
     EXPECT_NE(refusal("<?xml version='1.0'?><!DOCTYPE home [<!ENTITY a 'b'>]><home/>")
                   .find("document type"),
               std::string::npos);
-    EXPECT_NE(refusal(home("<wall xStart='nan' yStart='0' xEnd='1' yEnd='1'/>")).find("not a number"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal(home("<wall xStart='nan' yStart='0' xEnd='1' yEnd='1'/>")).find("not a number"),
+        std::string::npos);
     EXPECT_NE(refusal(home("<room><point x='1e300' y='0'/></room>")).find("10 km"),
               std::string::npos);
     EXPECT_NE(refusal("<home><wall></home>").find("not complete XML"), std::string::npos);
