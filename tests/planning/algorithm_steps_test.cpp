@@ -12,7 +12,7 @@ namespace {
 
 using Kind = AlgorithmStep::Kind;
 
-/// Two rooms with a door so that straight moves are refused and links are needed.
+/// Two rooms with a door, so that straight moves are refused and links are needed.
 std::shared_ptr<const Plan> planRooms(PathMode mode = PathMode::Tour) {
     Pipeline pipeline(std::make_shared<const Scene>(test::twoRoomsWithDoor(0.7)));
     PlanParams params;
@@ -83,7 +83,7 @@ TEST(AlgorithmSteps, NearTakesTheLeastCostAndItsTermsAreThePapers) {
                     1e-5);
         EXPECT_NEAR(step.turn_cost, angleBetween(a.forward(), b.forward()), 1e-5);
         EXPECT_GT(step.size_cost, 0.0F);
-        // Of one sample, each vertex costs at least as much as the one before it.
+        // Within one sample each vertex costs at least as much as the one before it.
         EXPECT_GE(step.cost(), last_cost - 1e-5F);
         last_cost = step.cost();
     }

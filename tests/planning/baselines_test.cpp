@@ -52,7 +52,8 @@ TEST_P(EveryPlanner, RepeatsExactlyWithAnyNumberOfThreads) {
     expectSame(*one, *four);
 }
 
-// The camera's centre, at least, is in a room; frames are counted, timed, unit and level or shaken.
+// At least the camera's centre is in a room; the number of frames, the times and the orientations
+// (unit quaternions, level unless shaken) are right.
 TEST_P(EveryPlanner, KeepsToTheRoomAndTheBudget) {
     const BaselineScene scene = mapped(test::twoRoomsWithDoor(0.9));
     const auto motion = GetParam().plan(scene, smallBudget(), 3, {});
@@ -114,7 +115,8 @@ TEST(Baselines, TheShakeMovesFramesByCentimetres) {
     EXPECT_GT(most, 0.03);
 }
 
-// Two rooms of 3 x 3 m without a door between them: both get their share, and all is given.
+// Two rooms of 3 x 3 m without a door between them: both get their share of the frames, and none is
+// left over.
 TEST(Baselines, FramesAreSharedByVolume) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {3, 3, 2.5});
@@ -137,7 +139,8 @@ TEST(Baselines, AMisspeltNameIsToldTheRightOne) {
     EXPECT_EQ(choosePlanners({"all"})->size(), planners().size());
 }
 
-// Against the definition: no point inside any circle, and the triangles tile the convex hull.
+// Checked against the definition: no point lies inside any circumcircle, and the triangles tile the
+// convex hull.
 TEST(Delaunay, CirclesAreEmptyAndTheHullIsTiled) {
     Random random(5);
     std::vector<Eigen::Vector2d> points = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {4, 0}};

@@ -27,7 +27,7 @@ const LedgerRow& rowOf(const Scene& scene, const Plan& plan, const std::string& 
     return *found;
 }
 
-/// Pixels of a 640 x 480 image whose first surface is the object's; every ray cast by itself.
+/// Pixels of a 640 x 480 image in which the object is the first surface; one ray is cast per pixel.
 int pixelsOf(const RayCaster& rays, const Pose& pose, int object_id) {
     const Intrinsics lens = makeIntrinsics({});
     int count = 0;
@@ -40,7 +40,7 @@ int pixelsOf(const RayCaster& rays, const Pose& pose, int object_id) {
     return count;
 }
 
-/// One object with one position point; what the plan makes of it is up to each test.
+/// One object with one position point; each test fills in the rest of the plan.
 struct MadeByHand {
     MadeByHand() {
         test::SceneBuilder builder;
@@ -62,7 +62,7 @@ struct MadeByHand {
         plan.smooth_paths[0].keys = {{0.0, 0, passes}};
     }
     [[nodiscard]] LedgerRow row() const { return captureLedger(scene, plan).at(0); }
-    /// The loss when the search tried just these places and none was a view.
+    /// The loss when the search tried exactly these positions and none became a view.
     Loss after(const std::vector<Verdict>& verdicts) {
         plan.position_points.clear();
         plan.searches[0].candidates.clear();
@@ -124,19 +124,19 @@ TEST(CaptureLedger, AViewThatWasFoundIsFollowedToWhereItIsLost) {
     made.plan.trajectory.frames.resize(1);
     made.plan.trajectory.frames[0].position_point = 0;
     EXPECT_EQ(made.row().loss, Loss::LostInSmoothing);
-    // Passed 0.3 m away.
+    // The path passes it 0.3 m away.
     made.onPath({1, 1.3, 1});
     EXPECT_NE(made.row().reason.find("0.30 m"), std::string::npos) << made.row().reason;
 }
 
 TEST(CaptureLedger, WhatOneStageKeepsIsNotBlamedOnIt) {
     MadeByHand made;
-    // One view fell to the budget, another came as far as the path: that one tells.
+    // One view was dropped for the budget, another got as far as the path: the latter decides.
     made.plan.position_points.push_back(made.plan.position_points[0]);
     made.plan.key_frames = {1};
     made.plan.smooth_paths.resize(1);
     EXPECT_EQ(made.row().loss, Loss::DroppedByPath);
-    // Captured, not well: only views that capture well count.
+    // Captured, but not well: only views that capture well count.
     made.plan.captures[0].captured = true;
     EXPECT_EQ(made.row().loss, Loss::TooSmall);
     made.plan.position_points[0].well_captured = {1};

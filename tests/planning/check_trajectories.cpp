@@ -1,5 +1,5 @@
-// Plans scenes in several ways and checks every trajectory against the exact triangles with the
-// slow checker. Exit code 1 when one touches anything.
+// Plans scenes with several settings and checks every trajectory against the exact triangles with
+// the slow checker. Exit code 1 when a trajectory touches anything.
 
 #include "engine/core/log.h"
 #include "engine/io/import/scene_import.h"
@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Places that touch something, over all plans of a scene; -1 when it cannot be planned.
+/// Number of positions that touch something, over all plans of a scene; -1 when planning fails.
 int checkScene(const char* path) {
     Result<Scene> loaded = importScene(path);
     if (!loaded) {

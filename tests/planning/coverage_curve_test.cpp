@@ -7,7 +7,7 @@
 
 namespace dollytrack::planning {
 
-// Each point is what a plan with that very budget, made from nothing, gives.
+// Each point of the curve equals the result of a plan made from scratch with that budget.
 TEST(CoverageCurve, EachPointIsThePlanOfItsBudget) {
     const auto scene = std::make_shared<const Scene>(test::furnishedRoom());
     PlanParams params;
@@ -37,7 +37,7 @@ TEST(CoverageCurve, EachPointIsThePlanOfItsBudget) {
         }
     }
     for (const CoveragePoint& point : curves->by_frames) {
-        EXPECT_GE(point.well_captured, before);  // key frames come by what they add
+        EXPECT_GE(point.well_captured, before);  // key frames are ordered by how much they add
         before = point.well_captured;
     }
     EXPECT_EQ(before, (*plan)->capture_metrics.well_captured);

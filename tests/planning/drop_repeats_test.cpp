@@ -28,7 +28,7 @@ std::vector<int> keysInOrder(const Trajectory& trajectory) {
 
 }  // namespace
 
-// A room of a few things is soon seen: many frames would show nothing new.
+// A room with few objects is soon seen completely: many frames would show nothing new.
 TEST(DropRepeats, LowersTheRateUntilFewFramesRepeatAndLosesNoCapture) {
     PlanParams params;
     params.timing.max_frames = 300;
@@ -51,7 +51,7 @@ TEST(DropRepeats, LowersTheRateUntilFewFramesRepeatAndLosesNoCapture) {
     }
 }
 
-// No more are dropped than need be: with half as many again too many repeat.
+// No more frames are dropped than necessary: with half as many again, too many would repeat.
 TEST(DropRepeats, KeepsAsManyFramesAsTheLimitAllows) {
     PlanParams params;
     params.gaze.view_mix = 0.0;  // room views are key frames, which stay
@@ -78,7 +78,7 @@ TEST(DropRepeats, KeyFramesStayWhateverTheyRepeat) {
     EXPECT_EQ(keysInOrder(thinned->trajectory).size(), thinned->key_frames.size());
 }
 
-// Without a budget the frame rate is what was asked for.
+// Without a budget the frame rate stays as requested.
 TEST(DropRepeats, WithoutABudgetNothingIsDropped) {
     const PlanParams params;
     const auto plan = planned(params, 0.2);

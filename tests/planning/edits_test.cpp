@@ -29,7 +29,7 @@ std::string pathOf(const Plan& plan) {
     return trajectoryJson(plan.trajectory).dump();
 }
 
-/// All places the camera passes, a few millimetres apart, from the curves and the frames.
+/// All positions that the camera passes, a few millimetres apart, from the curves and the frames.
 void visitPlaces(const Plan& plan, const std::function<void(const Eigen::Vector3d&)>& visit) {
     for (const SmoothPath& path : plan.smooth_paths) {
         const int steps = static_cast<int>(path.length_m / 0.003) + 1;
@@ -38,8 +38,8 @@ void visitPlaces(const Plan& plan, const std::function<void(const Eigen::Vector3
     for (const TrajectoryFrame& frame : plan.trajectory.frames) visit(frame.pose.position);
 }
 
-/// Distance to an upright box, written out on its own: the box as the product of three intervals
-/// in axes turned with it.
+/// Distance to an upright box, computed independently: the box as the product of three intervals
+/// along its own axes.
 double distanceToBox(const OrientedBox& box, const Eigen::Vector3d& point) {
     const double dx = point.x() - box.center.x();
     const double dy = point.y() - box.center.y();
@@ -92,7 +92,7 @@ TEST(Edits, NoPartOfTheCameraEntersANoGoBox) {
     const Scene scene = test::furnishedRoom();
     const auto without = planOf(scene);
     PlanEdits edits;
-    // Across the room, with a way around at one end; and a turned one in a corner.
+    // One box across the room that can be passed at one end, and a turned one in a corner.
     edits.no_go = {boxAt({2.0, 1.0, 1.3}, {0.4, 2.0, 2.6}),
                    boxAt({3.5, 2.7, 1.8}, {0.8, 0.6, 0.7}, 0.5)};
     const auto nearest = [&](const Plan& plan) {
@@ -114,7 +114,7 @@ TEST(Edits, NoPartOfTheCameraEntersANoGoBox) {
         EXPECT_EQ(plan->smooth_paths.size(), 1U);
         EXPECT_EQ(plan->capture_metrics.captured, 5);
     }
-    // The refused edges and candidates say why.
+    // The refused edges and candidates state the reason.
     const auto plan = planOf(scene, edits);
     bool said = false;
     for (const ViewpointSearch& search : plan->searches) {
@@ -139,7 +139,7 @@ TEST(Edits, ANoGoBoxFromWallToWallPartsTheRoom) {
     });
 }
 
-// As if every box were asked, to the last bit, and of several as near the first.
+// The same result, to the last bit, as testing every box; of several equally near ones, the first.
 TEST(Edits, TheNearestOfManyNoGoBoxesIsFoundInTheIndex) {
     Random random(11);
     const auto within = [&](double most) { return random.uniform(-most, most); };
@@ -199,7 +199,7 @@ TEST(Edits, ProofsAgainstNoGoBoxesHoldOnEveryCurve) {
             ++accepted;
             EXPECT_GE(least, 0.1 - 1e-6);
         } else if (without.bezier(a, b, c).free) {
-            // Refused because of the boxes only: then it comes as near as contact counts.
+            // Refused because of the boxes only: then the move comes within the contact distance.
             ++refused;
             EXPECT_LT(least, 0.1 + 0.0015);
             EXPECT_EQ(with.bezier(a, b, c).reason, Verdict::NoGo);
@@ -225,11 +225,11 @@ TEST(Edits, KeepsToTheHeightBandAboveTheFloorBelow) {
     params.free_space.max_height_m = 1.75;
     const auto plan = planOf(scene, {}, params);
     EXPECT_EQ(plan->capture_metrics.captured, 2);
-    EXPECT_EQ(plan->smooth_paths.size(), 1U);  // it goes from one level to the other
+    EXPECT_EQ(plan->smooth_paths.size(), 1U);  // the path goes from one level to the other
     double least = 1e9;
     double most = 0.0;
     visitPlaces(*plan, [&](const Eigen::Vector3d& place) {
-        // Beside the step either floor may count, to one cell.
+        // Within one cell of the step either floor may count.
         const bool low = place.x() < 3.05;
         const bool high = place.x() > 2.95;
         const double above_low = place.z();
@@ -313,7 +313,7 @@ TEST(Edits, UnpinningGoesBackToTheSearchedPlanExactly) {
     edits.pinned = {pinFor(scene, "sofa", {2.1, 1.0, 1.3})};
     EXPECT_NE(pathOf(*run(edits)), searched);
     EXPECT_EQ(pathOf(*run({})), searched);
-    // Locking a point where it is changes its corner at most, never its pose.
+    // Locking a point at its position may change the corner there, but never its pose.
     const PositionPoint* sofa = pointFor(*run({}), {idOf(scene, "sofa")});
     edits.pinned[0].pose = sofa->pose;
     const auto locked = run(edits);
@@ -336,7 +336,7 @@ TEST(Edits, APinThatIsNotLegalIsRefusedWithItsReason) {
     EXPECT_EQ(plan->refused_pins[1].verdict, Verdict::OutsideRoom);
     EXPECT_EQ(plan->refused_pins[2].verdict, Verdict::NoGo);
     EXPECT_NE(plan->refused_pins[2].reason.find("plant"), std::string::npos);
-    // What the search found stands in, so nothing is lost.
+    // The view that the search found takes its place, so no capture is lost.
     EXPECT_EQ(plan->capture_metrics.captured, 5);
     EXPECT_EQ(pointFor(*plan, {idOf(scene, "picture")})->pin, -1);
 
@@ -413,7 +413,7 @@ TEST(Edits, AnExcludedObjectIsNoTargetAndMovesNoOtherPlace) {
             EXPECT_TRUE(stage.reused) << stage.name;
         }
     }
-    // Keeping what holds gives what starting anew gives.
+    // Reusing the results that still hold gives the same plan as starting from scratch.
     EXPECT_EQ(pathOf(*after), pathOf(*planOf(*edited)));
     pipeline.setScene(shared, true);
     EXPECT_EQ(pathOf(**pipeline.run({}, JobContext{})), pathOf(*before));

@@ -1,4 +1,4 @@
-// Trajectories of all kinds through rooms of all kinds, checked by a slow and separate program.
+// Trajectories of all kinds through rooms of all kinds, verified by the slow, independent checker.
 
 #include "engine/core/random.h"
 #include "planning/collision/swept_sphere.h"
@@ -17,7 +17,7 @@ namespace {
 
 using test_support::SlowChecker;
 
-/// Things that sampling misses: cords of 2 mm, panes without thickness, thin legs, a mobile.
+/// Objects that sampling would miss: cords of 2 mm, panes without thickness, thin legs, a mobile.
 Scene thinThings(unsigned seed) {
     test::SceneBuilder builder;
     Random random(seed);
@@ -90,7 +90,7 @@ TEST(EveryTrajectory, KeepsTheSphereOutOfAllTriangles) {
                     EXPECT_EQ(found.touching, 0) << found.position.transpose();
                     places += found.places;
                     if (found.places == 0) continue;
-                    // The place that is reported is one, and none is tighter.
+                    // The reported position has the reported clearance, and no other is tighter.
                     const MinimumClearance& tightest = (*plan)->trajectory_metrics.tightest;
                     EXPECT_NEAR(tightest.clearance_m, found.clearance_m, 1.2e-3);
                     EXPECT_LE(tightest.clearance_m, found.clearance_m + 1.2e-4);
@@ -102,7 +102,8 @@ TEST(EveryTrajectory, KeepsTheSphereOutOfAllTriangles) {
     EXPECT_GT(places, 300'000);
 }
 
-// What the checker is worth: corners cut without a look run into things, and it says so.
+// A test of the checker itself: corners cut without collision checks hit objects, and it reports
+// that.
 TEST(EveryTrajectory, TheCheckerFindsCornersCutBlindly) {
     int touching = 0;
     int unproven = 0;

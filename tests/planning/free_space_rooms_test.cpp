@@ -1,4 +1,4 @@
-// Where rooms end: the cases that real scenes bring.
+// Where rooms end: cases that occur in real scenes.
 
 #include "tests/planning/map_support.h"
 
@@ -313,7 +313,7 @@ TEST(FreeSpaceRooms, AWindowWithoutGlassIsReportedWhereItIs) {
     EXPECT_LT((hole.center_in_world - Vector3d(2.25, 0, 1.5)).norm(), 0.15);
 }
 
-// A yard between two wings, in a house without floor and ceiling, and a low wall before a room.
+// A yard between two wings of a house without floor and ceiling, and a low wall in front of a room.
 TEST(FreeSpaceRooms, AYardWithThreeWallsIsOutsideButTheRoomBehindItsLowWallIsNot) {
     SceneBuilder builder;
     addWall(builder, {0, 10, 0}, {16, 10, 0}, 2.5);
@@ -374,7 +374,7 @@ TEST(FreeSpaceRooms, AirOverACupboardAtAnOuterWallIsTheRooms) {
     EXPECT_TRUE(space.leaks().isClosed()) << allOpenings(space);
 }
 
-// A scene of one mesh without names: its shell is no piece of furniture.
+// A scene that is one unnamed mesh: its shell must not be taken for furniture.
 TEST(FreeSpaceRooms, ARoomThatIsOneTargetObjectIsStillARoom) {
     SceneBuilder builder;
     builder.object("mesh").box({1.5, 1.5, 1.25}, {3, 3, 2.5});

@@ -30,7 +30,7 @@ TEST(FreeSpace, AClosedRoomIsFreeInsideAndUnknownInFurniture) {
     EXPECT_EQ(space.stateAt({3.3, 1.5, 0.3}), CellState::Free) << "under the table";
     EXPECT_EQ(space.stateAt({-0.5, 1.5, 1.2}), CellState::Unknown) << "outside";
     EXPECT_TRUE(space.leaks().isClosed());
-    // 4 x 3 x 2.6 m less the camera's radius all round, the sofa and the table top.
+    // 4 x 3 x 2.6 m minus the camera's radius on all sides, the sofa and the table top.
     const double expected = 3.8 * 2.8 * 2.4 - 0.9 * 2.0 * 0.7 - 0.9 * 1.6 * 0.24;
     EXPECT_NEAR(space.rooms()[0].volume_m3, expected, 0.05 * expected);
     EXPECT_NEAR(space.rooms()[0].floor_area_m2, 3.8 * 2.8, 0.6);
@@ -70,7 +70,7 @@ TEST_P(Clearance, IsNeverMoreThanTheTrueDistanceAndNotMuchLess) {
                 continue;
             }
             ++free;
-            // Two cells' diagonals: the point's own and the surface's.
+            // The diagonals of two cells: that of the point and that of the surface.
             ASSERT_GE(clearance, distance - 2.0 * std::sqrt(3.0) * resolution - 1e-3);
         }
         EXPECT_GT(free, 1000);
@@ -106,7 +106,7 @@ TEST(FreeSpace, RoomCellsHoldTheSphereExactly) {
             ASSERT_EQ(space.stateAt(center), CellState::Free);
             ASSERT_GE(rays.closest(center).distance, 0.13 - 1e-6);
         }
-        // And none that fits is missing, in a room where all places are joined.
+        // No position that fits is missing, in a room where all positions are connected.
         int missed = 0;
         Random random(1);
         for (int i = 0; i < 3000; ++i) {
@@ -119,7 +119,7 @@ TEST(FreeSpace, RoomCellsHoldTheSphereExactly) {
     }
 }
 
-// What is below the tree's surface: every cell once, by OctoMap's own search.
+// The inner cells of the tree: every cell is looked up once with OctoMap's own search.
 TEST(FreeSpace, OctreeHoldsTheStateOfEveryCell) {
     const FreeSpace space = map(test::furnishedRoom(), 0.1);
     const octomap::OcTree& tree = space.octree();
@@ -161,7 +161,7 @@ TEST(FreeSpace, LeavesAreAsLargeAsTheyCanBeAndTileTheSpace) {
             space.inOneFreeLeaf(corner, corner + Vector3d(0.01 * leaf.size_m + 0.002, 0, 0)));
     });
     EXPECT_GE(largest, 0.8);
-    // 4 x 3 x 2.6 m less a cell at each side and the furniture.
+    // 4 x 3 x 2.6 m minus one cell at each side and the furniture.
     EXPECT_NEAR(free_volume, 3.9 * 2.9 * 2.5 - 0.85 * 1.9 * 0.75 - 0.9 * 1.5 * 0.1, 0.5);
     const Vector3d cells = space.bounds().sizes() / 0.05;
     EXPECT_LT(static_cast<double>(leaves), 0.3 * cells.prod());

@@ -158,7 +158,7 @@ TEST(RoomViews, ShowManyObjectsFromEyeLevelBesideTheCloseViews) {
     EXPECT_EQ(close_views, static_cast<int>(close->key_frames.size()));
     ASSERT_GT(room_views, 3);
     EXPECT_GT(at_room / room_views, 1.75 * at_close / close_views);
-    // Whatever shows an object well without room views does so with them.
+    // Objects that are captured well without room views are captured well with them, too.
     EXPECT_GE(mixed->capture_metrics.well_captured, close->capture_metrics.well_captured);
     EXPECT_EQ(mixed->trajectory_metrics.frame_collision_rate, 0.0);
 }
@@ -193,7 +193,7 @@ TEST(RoomViews, SeeNoObjectThroughAWall) {
     const auto plan = planOf(builder.build(), withContext(0.9));
     for (const PositionPoint& point : plan->position_points) {
         if (!point.room_view || point.pose.position.x() > 4.0) continue;
-        // From the left room the objects of the right one are no reason to look that way.
+        // In the left room the objects of the right room must not attract the camera.
         EXPECT_LT(
             angleBetween(point.pose.forward(), Eigen::Vector3d(0.5, 2, 0.4) - point.pose.position),
             0.7);
@@ -279,7 +279,7 @@ TEST(ImageMotion, IsTheTurnPlusTheWayOverTheDistance) {
     path.keys[1].arc_m = 0.0;
     path.keys[1].position = {2, 1, 1.5};
     measureImageMotion(path, pose_at, views, PitchBand{});
-    EXPECT_NEAR(path.keys[1].image_motion_rad, 0.5 * 3.14159265, 1e-3);  // on the spot
+    EXPECT_NEAR(path.keys[1].image_motion_rad, 0.5 * 3.14159265, 1e-3);  // turning on the spot
 }
 
 TEST(ImageMotion, IsSpreadMoreEvenlyOverABudgetOfFrames) {

@@ -34,7 +34,7 @@ test::SceneBuilder roomWithCord() {
     return builder;
 }
 
-/// A motion through places, a second apart, looking along x.
+/// A motion through positions, one second apart, looking along x.
 PlannedMotion through(const std::vector<Vector3d>& places) {
     PlannedMotion motion;
     motion.trajectory.frame_interval_s = 1.0;
@@ -55,7 +55,7 @@ Judgement judged(const BaselineScene& scene, const PlannedMotion& motion) {
 
 }  // namespace
 
-// A cord 2 mm thick is on the way between two frames; neither frame touches it.
+// A cord 2 mm thick lies on the path between two frames; neither frame touches it.
 TEST(Judge, MeetsAThinCordBetweenFrames) {
     const BaselineScene scene = mapped(roomWithCord().build());
     const Judgement result = judged(
@@ -66,7 +66,7 @@ TEST(Judge, MeetsAThinCordBetweenFrames) {
     EXPECT_LT(result.min_clearance_m, 0.02);
 }
 
-// The way that a planner tells counts, not the straight line.
+// The path that a planner gives is judged, not the straight line.
 TEST(Judge, FollowsTheWayBetweenFrames) {
     const BaselineScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
@@ -79,7 +79,8 @@ TEST(Judge, FollowsTheWayBetweenFrames) {
     EXPECT_NEAR(result.min_clearance_m, 0.486, 1e-6);
 }
 
-// From one end of what a file may hold to the other, through the room: 10^8 steps of 2 cm.
+// From the smallest coordinate that a file may hold to the largest, through the room: 10^8 steps of
+// 2 cm.
 TEST(Judge, AWayFromVeryFarMeetsTheRoomAndEnds) {
     const BaselineScene scene = mapped(roomWithCord().build());
     const Judgement result =
@@ -125,7 +126,7 @@ TEST(Judge, TurnsAreInDegreesASecond) {
     EXPECT_NEAR(*result.turn_median_dps, 67.5, 1e-9);
 }
 
-// Pictures that no motion joins have no speed, no length and no collisions on the way.
+// Frames without a motion between them have no speed, no length and no collisions in between.
 TEST(Judge, ViewsWithoutMotionHaveNoMotionMetrics) {
     const BaselineScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
@@ -143,7 +144,7 @@ TEST(Judge, AnEmptyFlightCapturesNothing) {
     EXPECT_GT(result.captures.objects, 0);
 }
 
-// The same numbers as `plan` gives for its own trajectory, from the poses alone.
+// The poses alone give the same numbers that `plan` gives for its own trajectory.
 TEST(Judge, AgreesWithThePipeline) {
     PlanParams params;
     params.timing.max_frames = 120;
@@ -163,15 +164,16 @@ TEST(Judge, AgreesWithThePipeline) {
     EXPECT_EQ(*result.corner_collision_rate, motion.corner_collision_rate);
     EXPECT_EQ(*result.move_collision_rate, 0.0);
     EXPECT_EQ(result.outside_rate, 0.0);
-    // Chords of at most a centimetre instead of the curves, and only from first to last key.
+    // The judge takes chords of at most a centimetre instead of the curves, and only from the first
+    // to the last key frame.
     EXPECT_NEAR(*result.path_length_m, motion.path_length_m, 1e-3 * motion.path_length_m);
     EXPECT_LE(*result.speed_max_mps, motionLimits(params.timing).speed_mps + 1e-6);
     EXPECT_LE(*result.turn_max_dps,
               motionLimits(params.timing).turn_rps * 180.0 / std::numbers::pi + 0.5);
 }
 
-// A pillar in the inner corner of a right-angled turn: the curve of the whole set-back cuts it, and
-// the blind smoothing takes that curve.
+// A pillar in the inner corner of a right-angled turn: the curve with the full set-back cuts it,
+// and the blind smoothing takes that curve.
 TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 4, 2.6});
@@ -188,7 +190,7 @@ TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
     EXPECT_NEAR((wide.pieces[1].start - Vector3d(2.5, 2.5, 1.2)).norm(), 0.0, 1e-12);
     EXPECT_EQ(wide.corner_collisions, 1);
     EXPECT_EQ(smoothBlindly(path, 0.1, around).corner_collisions, 0);
-    // Longer than half a leg, it is clipped to that.
+    // A set-back longer than half a leg is clipped to half the leg.
     EXPECT_NEAR(smoothBlindly(path, 5.0, around).corners.front().set_back_m, 1.0, 1e-12);
     const auto ours =
         smoothPath(path, {}, {}, around, SmoothingParams{.corner_distance_m = 1.0}, JobContext{});

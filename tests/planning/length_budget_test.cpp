@@ -50,7 +50,8 @@ int objectsShown(const BudgetedTour& tour, const std::vector<int>& stops) {
     return static_cast<int>(ids.size());
 }
 
-/// The most objects that any order of any of the stops shows within the length, by trying all.
+/// The most objects that any order of any subset of the stops shows within the length, by trying
+/// all.
 int mostWithin(const BudgetedTour& tour, double max_length_m, std::vector<int>& stops,
                double length = 0.0) {
     int most = objectsShown(tour, stops);
@@ -76,7 +77,7 @@ double lengthOf(const std::vector<BudgetedTour>& tours) {
 std::shared_ptr<const Plan> planned(double max_length_m, const PlanEdits& edits = {}) {
     PlanParams params;
     params.path.max_length_m = max_length_m;
-    params.gaze.view_mix = 0.0;  // without a budget of metres the path goes through room views, too
+    params.gaze.view_mix = 0.0;  // without a length budget the path goes through room views, too
     Pipeline pipeline(std::make_shared<const Scene>(test::furnishedRoom()));
     const auto plan = pipeline.run(params, edits, JobContext{});
     EXPECT_TRUE(plan.has_value());
@@ -107,7 +108,7 @@ TEST(LengthBudget, ShowsNearlyAsMuchAsAnyWayOfThatLength) {
 }
 
 TEST(LengthBudget, WeightyObjectsAreReachedFirst) {
-    // Along a line, with the middle as the only place to begin: one side or the other.
+    // Stops along a line with the start in the middle: only one of the two sides fits the budget.
     BudgetedTour tour;
     const std::vector<double> at = {-5.0, 0.0, 5.0};
     tour.shows = {{1}, {}, {2}};
@@ -158,7 +159,7 @@ TEST(LengthBudget, AClosedTourStillEndsWhereItBegins) {
     EXPECT_EQ(tours[0].order.back(), tour.ends.last);
 }
 
-// What two rooms have to share goes where it shows more.
+// Two rooms share a length budget: it is spent in the room where it shows more objects.
 TEST(LengthBudget, SpendsTheLengthWhereItShowsMore) {
     Random random(4, 0);
     BudgetedTour rich = someStops(random, 6);
@@ -186,7 +187,7 @@ TEST(LengthBudget, APlanKeepsToIt) {
         well = shorter->capture_metrics.well_captured;
         EXPECT_GT(well, 0);
     }
-    // What no key frame has to be left out for is planned as ever.
+    // A budget for which no key frame is left out changes nothing in the plan.
     const auto same = planned(10.0 * length);
     ASSERT_TRUE(same);
     EXPECT_EQ(same->trajectory_metrics.path_length_m, length);
@@ -216,7 +217,7 @@ TEST(LengthBudget, MoreMetresOrMoreStopsShowNoLess) {
     }
 }
 
-// Through the whole planner: what the key frames on the way show together, in rooms of chance.
+// With the whole planner, in random rooms: what all key frames on the path show together.
 TEST(LengthBudget, ALargerBudgetReachesNoLess) {
     Random random(6, 0);
     for (int run = 0; run < 3; ++run) {
@@ -266,7 +267,7 @@ TEST(LengthBudget, PinnedPointsStayInIt) {
     const auto all = planned(0.0);
     ASSERT_TRUE(all);
     ASSERT_FALSE(all->key_frames.empty());
-    // The one that is left out first where nothing is pinned.
+    // The key frame that is left out first when nothing is pinned.
     const auto shorter = planned(0.3 * all->trajectory_metrics.path_length_m);
     ASSERT_TRUE(shorter);
     std::set<int> visited;

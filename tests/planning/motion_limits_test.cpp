@@ -23,7 +23,7 @@ Vector3d anywhere(Random& random) {
     return {random.uniform(0.0, 6.0), random.uniform(0.0, 6.0), random.uniform(0.3, 2.2)};
 }
 
-/// Key frames and corners at random: rounded ones, stops, turns on the spot, views straight down.
+/// Random key frames and corners: rounded corners, stops, turns on the spot, views straight down.
 Tour randomTour(int seed) {
     Random random(static_cast<std::uint64_t>(seed));
     Tour tour;
@@ -58,7 +58,7 @@ Tour randomTour(int seed) {
     return tour;
 }
 
-/// Body rates between two orientations, rad in all.
+/// Rotation between two orientations in the camera's own axes, rad.
 Vector3d rotationBetween(const Quaterniond& from, const Quaterniond& to) {
     const Eigen::AngleAxisd turn(from.conjugate() * to);
     return turn.angle() <= std::numbers::pi
@@ -66,7 +66,7 @@ Vector3d rotationBetween(const Quaterniond& from, const Quaterniond& to) {
                : Vector3d((turn.angle() - 2.0 * std::numbers::pi) * turn.axis());
 }
 
-/// From the emitted frames alone, by finite differences.
+/// Checks the limits with finite differences of the emitted frames.
 void expectKept(const Trajectory& trajectory, const MotionLimits& limits, const std::string& what) {
     const double dt = trajectory.frame_interval_s;
     const auto& frames = trajectory.frames;
@@ -94,8 +94,8 @@ void expectKept(const Trajectory& trajectory, const MotionLimits& limits, const 
     EXPECT_LE(turn_acceleration, limits.turn_acceleration_rps2 * 1.05) << what;
 }
 
-/// The shortest time along a path from rest to rest, on a grid of a millimetre and by the whole
-/// circle of accelerations; curvature from the path's points alone.
+/// The shortest time along a path from rest to rest, on a grid of 1 mm, with tangential and normal
+/// acceleration limited together; the curvature is computed from the path's points.
 double slowLeastTime(const SmoothPath& path, const MotionLimits& limits) {
     constexpr double kStep = 0.001;
     const auto count = static_cast<std::size_t>(path.length_m / kStep);
@@ -170,7 +170,7 @@ TEST(MotionLimits, TakeHardlyLongerThanTheShortestTime) {
     for (const double set_back : {0.05, 0.2, 0.45, 0.9}) {
         for (const MotionPreset preset :
              {MotionPreset::Easy, MotionPreset::Medium, MotionPreset::Hard}) {
-            // No key frame at the corner: nothing but the limits decides.
+            // No key frame at the corner: only the limits decide.
             Tour tour;
             tour.startPath();
             tour.key({0, 0, 1}, {9, 9, 1});
@@ -225,7 +225,7 @@ TEST(MotionLimits, OwnLimitsComeBeforeThePresets) {
     EXPECT_GT(motionLimits(params).turn_rps, 1e3);
 }
 
-// A view straight down has no heading but its camera's: the turn must not leap to another.
+// A view straight down has only the heading of its camera: the turn must not jump to another.
 TEST(MotionLimits, TurnSteadilyToAViewStraightDown) {
     Tour tour;
     tour.startPath();

@@ -1,4 +1,4 @@
-// The map that is made anew only where things have moved, against the one from scratch.
+// The map that is updated only where objects moved must equal the one made from scratch.
 
 #include "engine/document/apply_scene_edits.h"
 #include "engine/io/import/scene_import.h"
@@ -19,7 +19,7 @@ namespace {
 
 using namespace test_support;
 
-/// A map and what it was made of.
+/// A map and what it was made from.
 struct Mapped {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const RayCaster> rays;
@@ -64,7 +64,7 @@ void expectSameRooms(const FreeSpace& a, const FreeSpace& b) {
     EXPECT_EQ(a.leaks().openings.size(), b.leaks().openings.size());
 }
 
-/// Every cell of the two, by all that they can be asked.
+/// Compares every cell of the two maps with every query.
 void expectSame(const Mapped& a, const Mapped& b) {
     EXPECT_EQ(a.surfaces->surfaces().cells, b.surfaces->surfaces().cells);
     EXPECT_EQ(a.surfaces->surfaces().gap_beyond_m, b.surfaces->surfaces().gap_beyond_m);
@@ -94,7 +94,7 @@ void expectSame(const Mapped& a, const Mapped& b) {
     EXPECT_EQ(different, 0U);
 }
 
-/// Without structure every upright surface is a wall.
+/// Without structure objects every upright surface is a wall.
 Scene withoutStructure(Scene scene) {
     for (Object& object : scene.objects) object.structure = false;
     return scene;
@@ -139,15 +139,15 @@ TEST(MovedMap, IsTheOneFromScratchInOpenAndUnnamedBuildings) {
     }
 }
 
-// Two hundred and fifty things in four rooms, imported.
+// An imported apartment with 250 objects in four rooms.
 TEST(MovedMap, IsTheOneFromScratchInTheApartment) {
     auto apartment = importScene(DOLLYTRACK_APARTMENT);
     ASSERT_TRUE(apartment) << describe(apartment.error());
     moveAtRandom(*apartment, 9, 4);
 }
 
-// A hall has gaps far larger than those at furniture, and what leaves takes the nearest surface
-// away from all of it.
+// In a hall gaps are far larger than those at furniture, and moving the only object away changes
+// the nearest surface everywhere.
 TEST(MovedMap, GapsAreExactWhereTheOnlyThingNearLeaves) {
     VoxelGrid grid;
     grid.count = {90, 70, 60};
@@ -160,7 +160,7 @@ TEST(MovedMap, GapsAreExactWhereTheOnlyThingNearLeaves) {
         for (int i = 0; i < 2; ++i) {
             CellBox box = {{any(84), any(64), any(54)}, {}};
             for (unsigned k = 0; k < 3; ++k) box.end[k] = box.begin[k] + 1 + any(6);
-            // Things come and go; now and then everything does.
+            // Objects come and go; every tenth step removes all of them.
             if (step % 10 == 9) box = wholeGrid(grid);
             const std::uint8_t to = step % 10 == 9 ? 0 : static_cast<std::uint8_t>(any(3) != 0);
             visitRows(box, grid, [&](std::size_t begin, std::size_t end, int, int, int) {
@@ -193,7 +193,7 @@ TEST(MovedMap, LeavesAreThoseOfTheWholeTree) {
                           for (std::size_t c = begin; c < end; ++c)
                               now[c] = static_cast<std::uint8_t>(to);
                       });
-            if (i < 2) likely.push_back(box);  // the third is a surprise
+            if (i < 2) likely.push_back(box);  // the third is not among the likely ones
         }
         std::vector<std::uint8_t> whole = now;
         markLeaves(grid, whole);

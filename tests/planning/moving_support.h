@@ -15,7 +15,7 @@
 namespace dollytrack::planning::test_support {
 
 /// Rooms of 3 x 3 x 2.5 m in a row along x, with a doorway from each to the next, a door leaf that
-/// stands beside the first one, and furniture wherever the random numbers put it.
+/// stands beside the first one, and furniture at random positions.
 inline Scene anyFlat(Random& random, int rooms, bool with_ceiling = true) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {3.1 * rooms, 3, 2.5}, with_ceiling);
@@ -62,7 +62,8 @@ inline void setMove(SceneEdits& edits, const ObjectChange& change) {
     std::ranges::sort(edits.changes, {}, [](const auto& one) { return one.object.id; });
 }
 
-/// A move of anything to anywhere near; the door leaf goes into its doorway or out of it.
+/// A random move of a random object to somewhere near; the door leaf moves into its doorway or out
+/// of it.
 inline ObjectChange anyMove(const Scene& scene, Random& random) {
     std::vector<std::string> names;
     for (const Object& object : scene.objects) {
@@ -73,7 +74,7 @@ inline ObjectChange anyMove(const Scene& scene, Random& random) {
         return moveOf(scene, name,
                       random.below(2) == 0 ? ObjectMove{{0.2, -0.9, 0.0}, 0.0} : ObjectMove{});
     }
-    // Now and then into or onto another thing.
+    // Sometimes into or onto another object.
     if (random.below(4) == 0) {
         const auto place = [&](const std::string& of) {
             return std::ranges::find(scene.objects, of, &Object::name)->box.center;
@@ -81,8 +82,7 @@ inline ObjectChange anyMove(const Scene& scene, Random& random) {
         const std::string& other = names[random.below(static_cast<std::uint32_t>(names.size()))];
         return moveOf(scene, name, {place(other) - place(name), 0.0});
     }
-    // Now and then only a hair, or to the far side of the flat, or into a wall, or out of all
-    // rooms.
+    // Sometimes by only 1 cm, or to the far side of the flat, into a wall or out of all rooms.
     const double reach = std::array{0.01, 0.3, 4.0, 15.0}[random.below(4)];
     const auto any = [&] { return reach * (2.0 * random.uniform() - 1.0); };
     const double turn = random.below(2) == 0 ? 0.0 : std::numbers::pi * random.uniform();
@@ -90,7 +90,7 @@ inline ObjectChange anyMove(const Scene& scene, Random& random) {
                   {{any(), 0.5 * any(), random.below(4) == 0 ? 0.2 * any() : 0.0}, turn});
 }
 
-/// The same of several things at a time.
+/// Random moves of several objects at a time.
 inline std::vector<ObjectChange> anyMoves(const Scene& scene, Random& random) {
     std::vector<ObjectChange> changes;
     for (std::uint32_t left = 1 + random.below(3); left > 0; --left) {

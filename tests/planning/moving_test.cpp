@@ -24,7 +24,7 @@ namespace {
 
 using namespace test_support;
 
-/// Everything a plan says but for how long it took, every number with all its digits.
+/// The whole content of a plan except for the times it took, every number with all its digits.
 std::string wordsOf(const Plan& plan) {
     nlohmann::json all = {{"trajectory", trajectoryJson(plan.trajectory)}};
     const auto point = [](const Eigen::Vector3d& p) { return nlohmann::json{p.x(), p.y(), p.z()}; };
@@ -78,7 +78,7 @@ TEST(Moving, PlansAsFromScratchAfterAnyMoves) {
             const auto scene = std::make_shared<const Scene>(*applySceneEdits(imported, edits));
             setThreadCount(step % 2 == 0 ? 4 : 1);
             kept.setScene(scene, false);
-            // Moves come faster than plans: some are overtaken before they were planned.
+            // Moves come faster than plans: some are replaced by the next before they were planned.
             if (random.below(4) == 0) continue;
             const std::string local = planOf(kept);
             setThreadCount(step % 2 == 0 ? 1 : 4);
@@ -108,7 +108,7 @@ TEST(Moving, FollowsADoorThatIsShutAndOpened) {
     EXPECT_EQ(planOf(pipeline), wordsOf(*before));
 }
 
-// Parameters, edits and moves may change in one go, and a cancelled run may come between.
+// Parameters, edits and moves may change together, and a cancelled run may come in between.
 TEST(Moving, KeepsNothingThatOtherChangesTouch) {
     Random random(9, 7);
     const Scene imported = anyFlat(random, 2);
@@ -141,8 +141,8 @@ TEST(Moving, KeepsNothingThatOtherChangesTouch) {
     }
 }
 
-// Every ray from the point to the box that meets a moved thing's box is known to; a brute-force
-// look along many rays finds none that cross() denies.
+// cross() must be true whenever a ray from the point to the box meets a moved object's box: brute
+// force over many rays finds none for which it is false.
 TEST(Moving, NeverDeniesARayThatMeetsSomething) {
     Random random(3, 7);
     const auto any = [&] { return random.uniform(-1.5, 1.5); };
@@ -171,7 +171,7 @@ TEST(Moving, NeverDeniesARayThatMeetsSomething) {
         EXPECT_TRUE(!meets || moved.cross(from, target));
     }
     EXPECT_GT(met, 100);
-    EXPECT_GT(denied, 3000);  // else it would keep nothing
+    EXPECT_GT(denied, 3000);  // otherwise no result would be reused
 }
 
 TEST(Moving, WhatStandsFarAwayIsNotSearchedAgain) {

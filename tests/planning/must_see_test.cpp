@@ -18,7 +18,7 @@ namespace {
 
 using test_support::planOf;
 
-/// A room with a shelf in a corner that has a back side nobody can get behind.
+/// A room with a shelf in a corner, whose back side cannot be seen from anywhere.
 Scene roomWithShelf() {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {5, 4, 2.6});
@@ -46,8 +46,8 @@ std::vector<Eigen::Vector3d> pointsOfShelf(Random& random, int count) {
     return points;
 }
 
-/// The definition of "seen", written out on its own: in the image, met by a ray, not too slanted,
-/// near enough for a patch of 0.1 m to be 8 pixels wide.
+/// An independent implementation of "seen": in the image, hit by a ray, not too slanted, and near
+/// enough for a patch of 0.1 m to be 8 pixels wide.
 bool shows(const RayCaster& rays, const Intrinsics& k, const Pose& pose,
            const Eigen::Vector3d& point) {
     const Eigen::Vector3d p = pose.rotation.inverse() * (point - pose.position);
@@ -73,7 +73,7 @@ TEST(MustSee, FramesShowTheSurfaceThatCanBeSeen) {
     std::vector<Eigen::Vector3d> seeable;
     const auto& cells = map->cells(0);
     for (const Eigen::Vector3d& point : pointsOfShelf(random, 1500)) {
-        // From anywhere the camera may be, looking straight at it.
+        // From any position that the camera may take, looking straight at the point.
         bool seen = false;
         for (int i = 0; i < 400 && !seen; ++i) {
             const Eigen::Vector3d place =
@@ -156,7 +156,7 @@ TEST(RegionWeights, TheLargestRegionCountsAndNothingIsLostWithoutABudget) {
     for (const double weight : objectWeights(scene, {{"a", all, 3.0}, {"b", all, 0.5}})) {
         EXPECT_EQ(weight, 3.0);
     }
-    // Without a budget weights cost nobody a capture.
+    // Without a budget, weights cost no object its capture.
     PlanEdits edits;
     OrientedBox half = all;
     half.half_size.x() = 2.0;

@@ -20,7 +20,8 @@ namespace {
 
 using test_support::planOf;
 
-/// Smallest distance from a densely sampled trajectory to any surface, without the planner.
+/// Smallest distance from a densely sampled trajectory to any surface, computed independently of
+/// the planner.
 double smallestDistance(const Scene& scene, const Plan& plan) {
     const RayCaster rays(scene);
     double smallest = 1e9;
@@ -158,7 +159,7 @@ TEST(Pipeline, RepeatsOnlyWhatDependsOnAChange) {
     EXPECT_FALSE(rerun().contains("free_space"));
     params.free_space.octree_resolution_m = 0.1;
     EXPECT_TRUE(rerun().contains("viewpoints"));
-    // And the result is what planning from scratch gives.
+    // The result equals that of planning from scratch.
     const auto reused = pipeline.run(params, JobContext{});
     const auto fresh = planOf(test::furnishedRoom(), params);
     EXPECT_EQ(trajectoryJson((*reused)->trajectory).dump(),
@@ -230,8 +231,8 @@ nlohmann::json resultWithEveryField() {
     return result;
 }
 
-// A field that is added to stored plans and not to their form is found here: nothing would check
-// it.
+// This test finds a field that was added to stored plans but not to their schema, where nothing
+// would check it.
 TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
     const nlohmann::json result = resultWithEveryField();
     const Status sound = io::checkStoredPlan(result, "result");
@@ -240,8 +241,8 @@ TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
     int fields = 0;
     std::set<std::string> seen;
     for (const auto& [path, value] : flat.items()) {
-        // One of all entries of a list, and all values in what operations hold, which are their
-        // own.
+        // One entry stands for all entries of a list. The values below operations are skipped,
+        // since each kind of operation has its own.
         std::string kind;
         for (std::size_t at = 0; at < path.size();) {
             const std::size_t end = std::min(path.find('/', at + 1), path.size());
@@ -280,7 +281,7 @@ TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
             nlohmann::json& at = damaged[nlohmann::json::json_pointer(path)];
             const bool key_frames = std::string(path) == "/key_frames" && wrong.is_array();
             const bool metrics = std::string(path) == "/metrics" && wrong.is_object();
-            if (key_frames || metrics) continue;  // of the right form
+            if (key_frames || metrics) continue;  // these match the schema
             at = wrong;
             EXPECT_FALSE(io::checkStoredPlan(damaged, "result")) << path << " = " << wrong;
         }

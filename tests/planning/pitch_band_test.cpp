@@ -17,7 +17,7 @@ using test_support::planOf;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Elevation of what a frame looks along, in degrees, from its rotation matrix alone.
+/// Elevation of a frame's viewing direction in degrees, from its rotation matrix.
 double pitchOf(const Pose& pose) {
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
     return std::asin(std::clamp(world_from_camera(2, 2), -1.0, 1.0)) * kDegrees;
@@ -29,7 +29,7 @@ std::pair<double, double> pitchesOf(const Plan& plan) {
     for (const TrajectoryFrame& frame : plan.trajectory.frames) {
         low = std::min(low, pitchOf(frame.pose));
         high = std::max(high, pitchOf(frame.pose));
-        // What it looks at lies where it looks.
+        // The frame's target lies in its viewing direction.
         const Eigen::Vector3d to = frame.target_in_world - frame.pose.position;
         EXPECT_LT(angleBetween(to, frame.pose.forward()), 1e-6);
     }
@@ -91,7 +91,7 @@ TEST(PitchBand, RandomRoomsAndBandsKeepIt) {
     }
 }
 
-// The tightest band there is: from the one end's pitch to the other's.
+// The narrowest possible band: from the pitch of one end to that of the other.
 TEST(PitchBand, TurnsStayWithinItBetweenAnyTwoViews) {
     Random random(5);
     for (int round = 0; round < 3000; ++round) {

@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Another value of the field than it has.
+/// Sets the field to a different value.
 void change(const Field& field) {
     if (const auto* choice = std::get_if<Field::Choice>(&field.value)) {
         choice->set((choice->get() + 1) % static_cast<int>(choice->info.names.size()));
@@ -33,7 +33,7 @@ TEST(PlanParams, EveryNameIsThereOnce) {
     }
 }
 
-// What shapes pictures and files alone leaves a plan what it is; everything else does not.
+// A plan does not depend on parameters that only affect images and files; it depends on all others.
 TEST(PlanParams, KnowWhatAPlanDependsOn) {
     const std::set<std::string> without_a_say = {"imu", "stereo", "picture", "light", "sensor"};
     const PlanParams standard;

@@ -38,7 +38,7 @@ struct Treated {
             rows, [&](const LedgerRow& r) { return scene->object(r.object_id).name == name; });
     }
 
-    /// The object's capture after everything that its remedy says, from scratch.
+    /// The object's capture when its remedy is applied and everything is planned from scratch.
     ObjectCapture cured(const LedgerRow& row) const {
         Scene changed = *scene;
         PlanParams now = params;
@@ -50,7 +50,7 @@ struct Treated {
         EXPECT_TRUE(done) << describe(done.error());
         EXPECT_TRUE(setFromJson(listFields(now), state.parameters));
         with = state.edits.plan;
-        if (remedy.move_object != 0) {  // out of the door, so to speak
+        if (remedy.move_object != 0) {  // out of the building
             const Object& object = changed.object(remedy.move_object);
             for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
                 changed.positions[object.first_vertex + v].y() += 4.0F;
@@ -111,7 +111,7 @@ TEST(Remedies, ANoGoBoxIsToldByName) {
     EXPECT_TRUE(stage.cured(coin).captured);
 }
 
-// What lies on a high shelf under the ceiling is seen from above its board only.
+// An object on a high shelf under the ceiling is visible only from above the shelf's board.
 TEST(Remedies, TheHeightBandIsWidenedAsFarAsNeeded) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});
@@ -148,14 +148,14 @@ TEST(Remedies, ThePitchBandIsLoosenedAsFarAsNeeded) {
     ASSERT_EQ(tray.remedy->settings[0].rfind("min_pitch_deg=", 0), 0U) << tray.remedy->text;
     const double lowest = std::stod(tray.remedy->settings[0].substr(14));
     EXPECT_TRUE(room.cured(tray).well_captured);
-    // Half of the loosening is not enough.
+    // Half of the change is not enough.
     params.constraints.min_pitch_deg = 0.5 * (30.0 + lowest);
     const auto half = Treated::planOf(*room.scene, params, {});
     EXPECT_FALSE(std::ranges::find(half->captures, tray.object_id, &ObjectCapture::object_id)
                      ->well_captured);
 }
 
-// Where every place may look at it, the band is not to blame.
+// Where every position may look at the object, the band is not the cause.
 TEST(Remedies, APitchBandThatKeepsNothingOutIsLeftAlone) {
     PlanParams params = {};
     params.constraints.min_pitch_deg = -60.0;
@@ -169,7 +169,7 @@ TEST(Remedies, APitchBandThatKeepsNothingOutIsLeftAlone) {
     }
 }
 
-// From 1.1 m away 60 degrees span 1.3 m, and the poster is 3 m wide; aslant it takes less.
+// From 1.1 m away 60 degrees span 1.3 m, and the poster is 3 m wide; a slanted view needs less.
 TEST(Remedies, AWideLensShowsWhatDoesNotFit) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 1.2, 2.6});
@@ -183,7 +183,7 @@ TEST(Remedies, AWideLensShowsWhatDoesNotFit) {
     const double hfov = std::stod(poster.remedy->settings[0].substr(9));
     EXPECT_GT(hfov, 60.0);
     EXPECT_TRUE(corridor.cured(poster).captured);
-    // No wider than it takes.
+    // The lens is no wider than necessary.
     PlanParams narrower;
     narrower.camera.hfov_deg = hfov - 5.0;
     const auto plan = Treated::planOf(*corridor.scene, narrower, {});
@@ -206,7 +206,7 @@ TEST(Remedies, ASmallerCameraGoesIn) {
     EXPECT_TRUE(wall.cured(coin).well_captured);
 }
 
-// A vase in an alcove behind a tight screen.
+// A vase in an alcove closed by a screen.
 TEST(Remedies, AScreenIsToBeMoved) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});

@@ -19,7 +19,8 @@ namespace {
 
 using test_support::planOf;
 
-/// A long hall with small things far apart: on its way the camera passes much bare wall.
+/// A long hall with small objects far apart: on its path the camera passes long stretches of bare
+/// wall.
 Scene longHall() {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {14, 4, 2.6});
@@ -84,7 +85,7 @@ TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
     EXPECT_LT(after->repair.after.low, after->repair.before.low);
     EXPECT_GE(after->repair.after.mean, after->repair.before.mean);
     EXPECT_GT(after->repair.glances + after->repair.replanned, 0);
-    // What it says is what the frames' scores are.
+    // The reported count matches the frames' scores.
     EXPECT_EQ(after->repair.after.low, countLow(after->series.score, after->repair.threshold));
     ASSERT_EQ(before->captures.size(), after->captures.size());
     for (std::size_t i = 0; i < before->captures.size(); ++i) {
@@ -93,7 +94,8 @@ TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
     }
 }
 
-// Another way rounds the corners at both of its key frames otherwise; glances change none.
+// An alternative path rounds the corners at its two end key frames differently; turning the camera
+// aside changes none.
 TEST(Repair, KeepsKeyFramesToTheLastBitButAtTheEndsOfOtherWays) {
     const Scene scene = longHall();
     const auto keyPoses = [](const Plan& plan) {
@@ -114,7 +116,7 @@ TEST(Repair, KeepsKeyFramesToTheLastBitButAtTheEndsOfOtherWays) {
     }
 }
 
-// Both key frames see each other, and nothing is to be seen on the straight way.
+// Both key frames see each other, and the straight path between them shows nothing.
 TEST(OtherWay, LeadsAroundThoughTheStraightWayIsFree) {
     RrtStarProblem problem;
     problem.start = {0, 0, 0};
@@ -145,7 +147,8 @@ TEST(Repair, KeepsTheSphereOutOfAllTriangles) {
     for (const int seed : {1, 2, 3}) {
         PlanParams params = repaired(6);
         params.seed = seed;
-        params.repair.score_threshold = 1.0;  // half of all frames are low: other ways are tried
+        // Half of all frames are low, so alternative paths are tried.
+        params.repair.score_threshold = 1.0;
         const auto plan = pipeline.run(params, JobContext{});
         ASSERT_TRUE(plan.has_value());
         const auto found = checker.check(**plan, params.camera.camera_radius_m, false);
@@ -166,7 +169,7 @@ TEST(Repair, LeavesOutLowFramesButNoneThatIsNeeded) {
               after->trajectory.frames.size() + static_cast<std::size_t>(after->repair.dropped));
     EXPECT_EQ(before->capture_metrics.captured, after->capture_metrics.captured);
     EXPECT_EQ(before->capture_metrics.well_captured, after->capture_metrics.well_captured);
-    // Each frame that is left keeps its pose and its time.
+    // Each remaining frame keeps its pose and its time.
     auto at = before->trajectory.frames.begin();
     for (const TrajectoryFrame& frame : after->trajectory.frames) {
         at = std::find_if(at, before->trajectory.frames.end(),
@@ -185,7 +188,7 @@ TEST(Repair, KeepsToABudgetOfFrames) {
 
 TEST(Repair, IsTheSameForAnyNumberOfThreads) {
     const Scene scene = longHall();
-    for (const int max_frames : {0, 200}) {  // with a budget repeats are counted, too
+    for (const int max_frames : {0, 200}) {  // with a budget, repeated frames count, too
         PlanParams params = repaired(3);
         params.timing.max_frames = max_frames;
         std::vector<std::vector<double>> scores;

@@ -64,7 +64,7 @@ std::shared_ptr<const Plan> robotPlan(const Scene& scene, const PlanParams& para
     return plan ? *plan : std::make_shared<const Plan>();
 }
 
-/// Distance between a segment and a point, both in the plane.
+/// Distance between a segment and a point in the plane.
 double distanceInPlane(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
     const Vector2d along = b - a;
     const double share = along.squaredNorm() > 0.0
@@ -129,7 +129,7 @@ double leastDistance(const Scene& scene, const Vector3d& camera, const PlanParam
     return least;
 }
 
-/// All places that the camera passes, at most `apart_m` apart.
+/// All positions that the camera passes, at most `apart_m` apart.
 void visitDriven(const Plan& plan, double apart_m, const std::function<void(const Vector3d&)>& at) {
     for (const SmoothPath& path : plan.smooth_paths) {
         const int steps = static_cast<int>(path.length_m / apart_m) + 1;
@@ -138,8 +138,8 @@ void visitDriven(const Plan& plan, double apart_m, const std::function<void(cons
     for (const TrajectoryFrame& frame : plan.trajectory.frames) at(frame.pose.position);
 }
 
-/// Largest angle from above between where the camera looks and where it moves, over all frames
-/// that it moves to.
+/// Largest horizontal angle between the viewing direction and the direction of motion, over all
+/// frames that the camera moves to.
 double largestHeadingAngle(const Plan& plan) {
     double largest = 0.0;
     const auto& frames = plan.trajectory.frames;
@@ -198,7 +198,7 @@ TEST(Robot, DrivesAtItsHeightWithItsBodyClearAndLooksWhereItGoes) {
     EXPECT_LE(largestHeadingAngle(*plan), params.body.max_heading_deg + 0.1);
 }
 
-// What the test above measures is not so by itself.
+// The counterpart of the test above: a free camera does not keep that rule by chance.
 TEST(Robot, AFreeCameraLooksAsideWhileItMoves) {
     PlanParams params = robot();
     params.body.heading = Heading::Free;
@@ -215,7 +215,7 @@ TEST(Robot, KeepsToItsBudgetOfFrames) {
     EXPECT_LE(largestHeadingAngle(*plan), params.body.max_heading_deg + 0.1);
 }
 
-// Storeys that only stairs join are driven on each by itself.
+// Storeys that only stairs connect are driven on separately.
 TEST(Robot, DrivesOnEachStoreyByItself) {
     test::SceneBuilder builder;
     const test::SceneBuilder::Look floor{kNyuFloor, Role::Structure, {0.6F, 0.6F, 0.6F}};
@@ -254,7 +254,7 @@ TEST(Robot, APresetSetsHeightBodyPitchAndHeading) {
     EXPECT_EQ(params, robot());
     EXPECT_EQ(params.constraints.min_pitch_deg, 0.0);
     EXPECT_EQ(params.constraints.max_pitch_deg, 0.0);
-    PlanParams named;  // JSON sorts its names: what is beside the preset comes first there
+    PlanParams named;  // JSON sorts its names: the other parameters come before the preset there
     ASSERT_TRUE(setFromJson(listFields(named),
                             {{"body", {{"body_radius_m", 0.3}, {"camera_preset", "robot"}}},
                              {"constraints", {{"max_pitch_deg", 5.0}}}}));

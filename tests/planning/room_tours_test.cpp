@@ -65,7 +65,7 @@ TEST(RoomPlan, FindsTheDoorBetweenTwoRooms) {
 }
 
 TEST(RoomPlan, WalksThroughDoorwaysAndNotThroughWindows) {
-    // A hole of 2.2 m in the wall between two rooms, from a sill to a lintel.
+    // An opening 2.2 m wide in the wall between two rooms, from a sill to a lintel.
     const auto rooms = [](double sill, double lintel) {
         test::SceneBuilder builder;
         builder.room({0, 0, 0}, {6.1, 3, 2.8});
@@ -134,7 +134,7 @@ TEST(RoomTours, EachRoomGetsItsOwn) {
     }
 }
 
-// The short way from one side of the large room to the other is through the small one.
+// The shortest path from one side of the large room to the other is through the small one.
 TEST(RoomTours, NoWayLeadsThroughAnotherRoom) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {7, 5.5, 2.5});
@@ -208,7 +208,7 @@ TEST(Anchors, TheTrajectoryGoesThroughEveryDoorway) {
 
 TEST(Anchors, OpeningsAreLookedOutOfAndCorridorsAlong) {
     test::SceneBuilder builder;
-    // Four walls, one of them with a hole of 1.2 x 1 m.
+    // Four walls, one of them with an opening of 1.2 x 1 m.
     builder.object("floor", {kNyuFloor, Role::Structure, {0.5F, 0.5F, 0.5F}})
         .quad({0, 0, 0}, {4, 0, 0}, {0, 3, 0});
     builder.object("ceiling", {kNyuCeiling, Role::Structure, {0.5F, 0.5F, 0.5F}})
@@ -238,7 +238,7 @@ TEST(Anchors, OpeningsAreLookedOutOfAndCorridorsAlong) {
     ASSERT_EQ(hole_plan->anchors.size(), 1U);
     EXPECT_EQ(hole_plan->anchors[0].visited, 1);
 
-    // What a scene lacks is told as such.
+    // The error says what the scene lacks.
     params.constraints.anchors = Anchors::Corridors;
     const auto without = planOf(builder.build(), params);
     ASSERT_EQ(without->anchors.size(), 1U);

@@ -16,7 +16,7 @@ constexpr double kHalfWall = 0.1;  // a wall along y at x = 0
 constexpr double kGapLow = 0.8;
 constexpr double kGapHigh = 1.4;
 
-/// Two places in a plane of 6 x 4 m with a wall between them, which may have a gap.
+/// Two positions in a plane of 6 x 4 m with a wall between them, which may have a gap.
 struct Plane {
     bool has_gap = true;
 
@@ -129,8 +129,8 @@ TEST(RrtStar, AGoalInPlainSightNeedsNoCorner) {
     EXPECT_TRUE(result.corners.empty());
 }
 
-// A chimney of 12 cm with a bend, out of which no straight move leads. Samples are spread as wide
-// as links spread theirs, so that nearly all of them lie behind its walls.
+// A bent tube 12 cm wide, out of which no straight move leads. Samples are spread as widely as
+// those of links, so that nearly all of them lie behind its walls.
 TEST(RrtStar, FindsItsWayOutOfANook) {
     const std::vector<Eigen::AlignedBox3d> free = {
         {Vector3d(-0.06, -0.06, -0.06), Vector3d(0.06, 0.06, 0.26)},

@@ -57,12 +57,13 @@ Scene partialScan() {
     builder.object("box").box({2, 1, 0.25}, {0.5, 0.5, 0.5});
     builder.object("picture");
     addMesh(builder, {4.97, 3, 1.25}, {0, -0.5, 0}, {0, 0, 0.5});
-    // Both sides were scanned: it shows as well from behind the wall.
+    // Both sides were scanned: it is equally visible from behind the wall.
     builder.object("board").box({5.2, 2.5, 1.25}, {0.05, 0.6, 0.6});
     return builder.build();
 }
 
-/// Of all directions from a place the share that meets fronts, less the share that meets backs.
+/// The share of all directions from a position that hit front faces minus the share that hit back
+/// faces.
 double frontsLessBacks(const Scene& scene, const RayCaster& rays, const V& from) {
     int sum = 0;
     constexpr int kDirections = 2000;
@@ -125,7 +126,7 @@ TEST(Scans, AModelledRoomWithoutCeilingAndOneWallIsNoScan) {
     EXPECT_EQ(ViewEstimator(scene, rays, CameraParams{}).scannedShare(outwards), 1.0);
 }
 
-// A cupboard stands 0.35 m before the wall, and a thing lies behind it.
+// A cupboard stands 0.35 m in front of the wall, and an object lies behind it.
 TEST(Scans, AGapBehindACupboardHoldsNoViewpoint) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {5, 4, 2.5});

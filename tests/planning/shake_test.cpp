@@ -36,8 +36,8 @@ double furthest(const Trajectory& a, const Trajectory& b) {
 
 }  // namespace
 
-// A sway of 30 cm in a door of 80 cm and between furniture must give way, all along the camera's
-// way and not only at its frames.
+// A sway of 30 cm in a door of 80 cm and between furniture must be reduced, all along the camera's
+// path and not only at its frames.
 TEST(Shake, TouchesNothing) {
     for (const Scene& scene : {test::twoRoomsWithDoor(0.8), test::furnishedRoom()}) {
         const test_support::SlowChecker checker(scene);
@@ -55,8 +55,8 @@ TEST(Shake, TouchesNothing) {
     }
 }
 
-// Without limits of motion frames are metres apart, and the straight line from one to the next
-// goes through things that the camera flies around. What is measured is the way it flies.
+// Without motion limits frames are metres apart, and the straight line from one to the next passes
+// through objects that the camera flies around. The test measures the path it flies.
 TEST(Shake, FewFramesOfAFastCameraHideNoCollision) {
     int lines_that_hit = 0;
     for (const Scene& scene : {test::twoRoomsWithDoor(0.8), test::furnishedRoom()}) {
@@ -141,7 +141,7 @@ TEST(Shake, SwaysWithinItsAmplitudeAtItsFrequency) {
             }
             EXPECT_LE(most, 1.0 + 1e-12);
             EXPECT_GT(most, 0.5);
-            if (kind == ShakeKind::Sinusoidal) {  // two crossings a period
+            if (kind == ShakeKind::Sinusoidal) {  // two zero crossings per period
                 EXPECT_GE(turns, 2 * 60 * 2.0 * 0.79);
                 EXPECT_LE(turns, 2 * 60 * 2.0 * 1.26);
             }

@@ -11,7 +11,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Turns around twice in the middle of the room: the second time there is nothing new to see.
+/// Two full turns in the middle of the room: the second one shows nothing new.
 Trajectory twiceAround(int frames_a_turn) {
     Trajectory trajectory;
     for (int i = 0; i < 2 * frames_a_turn; ++i) {

@@ -9,7 +9,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// A ball of thin splinters: nothing about it is parallel to anything.
+/// A ball of thin splinters, no two of them parallel.
 Scene splinters(Random& random) {
     test::SceneBuilder builder;
     builder.object("splinters");
@@ -24,7 +24,7 @@ Eigen::Vector3d anyDirection(Random& random) {
     return Eigen::Vector3d(random.normal(), random.normal(), random.normal());
 }
 
-/// Asked about in the last place of several, among others that must not matter.
+/// Queries the direction as the last of several; the others must not matter.
 float exitOf(const SlabHull::From& from, const Eigen::Vector3d& direction) {
     SlabHull::From::Directions directions;
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -59,7 +59,7 @@ TEST(SlabHull, NeverSparesARayThatMeetsTheObject) {
         }
     }
     EXPECT_GT(met, 500);
-    EXPECT_GT(spared, 1000);  // else it would spare nothing
+    EXPECT_GT(spared, 1000);  // otherwise it would save no rays
 }
 
 TEST(SlabHull, IsExactForABoxInItsOwnAxes) {

@@ -25,15 +25,15 @@ Kernel::Point_3 pointOf(const Eigen::Vector3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// de Casteljau, by the definition of the curve.
+/// A point of the curve by de Casteljau's algorithm.
 Eigen::Vector3d onCurve(const SmoothPath::Piece& piece, double t) {
     const Eigen::Vector3d a = (1 - t) * piece.start + t * piece.control;
     const Eigen::Vector3d b = (1 - t) * piece.control + t * piece.end;
     return (1 - t) * a + t * b;
 }
 
-/// From frame to frame along the path, as far beside it as the sway goes from the one to the other:
-/// evenly from curve to curve, and within each by the curve's own parameter.
+/// Goes from frame to frame along the path, displaced by the sway, which is interpolated: evenly
+/// from curve to curve, and within each by the curve's own parameter.
 template <class Look>
 void walkBeside(const SmoothPath& path, const TrajectoryFrame& from, const TrajectoryFrame& to,
                 const Look& look) {
@@ -68,7 +68,8 @@ SlowChecker::SlowChecker(const Scene& scene) : impl_(std::make_unique<Impl>()) {
             return pointOf(scene.positions[corners[k]].cast<double>());
         };
         const Kernel::Triangle_3 triangle(at(0), at(1), at(2));
-        // CGAL has no distance to a triangle without area; its sides belong to others as a rule.
+        // CGAL has no distance to a triangle without area; its sides usually belong to other
+        // triangles, too.
         if (!triangle.is_degenerate()) impl_->triangles.push_back(triangle);
     }
     impl_->tree.insert(impl_->triangles.begin(), impl_->triangles.end());

@@ -49,7 +49,7 @@ test::SceneBuilder emptyRoom() {
     return builder;
 }
 
-/// Calls `visit` every 2 mm along the path, from its pieces' definition.
+/// Calls `visit` every 2 mm along the path, computed from the definition of its pieces.
 template <class Visit>
 void walk(const SmoothPath& path, Visit&& visit) {
     for (const SmoothPath::Piece& piece : path.pieces) {
@@ -74,7 +74,7 @@ double nearestTo(const SmoothPath& path, const Vector3d& place) {
 
 }  // namespace
 
-// A quadratic Bezier passes its corner at sqrt(2)/4 of the set-back when that is square.
+// A quadratic Bezier curve passes a right-angled corner at a distance of sqrt(2)/4 of the set-back.
 TEST(SmoothPath, CutsASquareCornerBySixteenCentimetres) {
     const World world(emptyRoom().build());
     const SmoothPath path = world.smooth({{1, 1, 1.2}, kCorner, {3, 3, 1.2}});
@@ -105,7 +105,7 @@ TEST(SmoothPath, TakesAtMostHalfOfAShortLeg) {
     EXPECT_TRUE(path.corners[0].shortened);
 }
 
-// The post leaves 17 cm to both legs, but stands in the way of the full curve.
+// The post is 17 cm away from both legs, but blocks the full curve.
 TEST(SmoothPath, ShrinksNextToAnObstacleAndStaysFree) {
     test::SceneBuilder builder = emptyRoom();
     builder.object("post").box(kCorner + Vector3d(-0.22, 0.22, -0.3), {0.1, 0.1, 1.8});

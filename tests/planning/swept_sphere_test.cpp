@@ -38,7 +38,7 @@ TEST(SweptSphere, MeetsAThinCord) {
     EXPECT_TRUE(sphere.segment({0.5, 1.7, 1.9}, {3.5, 1.7, 1.9}).free);
 }
 
-// A gap exactly a little wider than the sphere is passable, a little narrower is not.
+// A gap slightly wider than the sphere is passable, a slightly narrower one is not.
 TEST(SweptSphere, TheTightestGapIsTheDiameter) {
     for (const double gap : {0.196, 0.206}) {
         test::SceneBuilder builder;
@@ -84,7 +84,7 @@ TEST(SweptSphere, AgreesWithDenseSamplingOfCurves) {
             EXPECT_LE(sweep.min_clearance_m, smallest + 0.01);
         } else {
             ++blocked;
-            // What is refused is really blocked, but for a hair (or leaves the free space).
+            // A refused move is really blocked, within a small tolerance, or leaves the free space.
             if (sweep.object_id != 0) {
                 EXPECT_LT(smallest, 0.1 + 0.02);
             }

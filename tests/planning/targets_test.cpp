@@ -74,7 +74,7 @@ TEST(Carriers, AThingBetweenBoardsIsSeenThroughTheOpenSide) {
     EXPECT_LT(vase.outward.y(), -0.99);
 }
 
-// A cup in a small cupboard on the wall: the cup is no wall.
+// A cup in a small cupboard on the wall: the cup must not be taken for a wall.
 TEST(Carriers, WhatLiesInsideHoldsNothingUp) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});

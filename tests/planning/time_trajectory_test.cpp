@@ -49,7 +49,8 @@ Tour threeKeysAndTwo() {
     return tour;
 }
 
-/// Each key frame in order and exactly once, at its place, its target in the image's middle.
+/// Each key frame occurs in order and exactly once, at its position, with its target in the middle
+/// of the image.
 void expectEveryKey(const Tour& tour, const Trajectory& trajectory) {
     int next = 0;
     for (const TrajectoryFrame& frame : trajectory.frames) {
@@ -89,7 +90,7 @@ TEST(BetweenOrientations, StaysRollFreeAndEndsExactly) {
     for (int i = 1; i <= 100; ++i) {
         const Quaterniond now = turn.at(turn.angle() * i / 100.0);
         expectRollFree(now);
-        // By the angle turned: even steps are even turns.
+        // Interpolation is by angle: even steps give even turns.
         EXPECT_NEAR(angle(last, now), turn.angle() / 100.0, 0.02 * turn.angle() / 100.0);
         last = now;
     }
@@ -112,7 +113,7 @@ TEST(BetweenOrientations, NeverSpinsTheHeading) {
                     largest = std::max(largest, angle(last, now));
                     last = now;
                 }
-                // At most three times as fast as an even turn of the half circle.
+                // At most three times as fast as an even turn by 180 degrees.
                 EXPECT_LE(largest, 3.0 * std::numbers::pi / kSteps)
                     << from_pitch << " to " << to_pitch << ", yaw " << yaw;
             }
@@ -163,7 +164,7 @@ TEST(TimeTrajectory, StopsAtTheTipOfACurveThatTurnsBack) {
             ASSERT_TRUE(trajectory) << describe(trajectory.error());
             expectEveryKey(tour, *trajectory);
             expectLimitsKept(*trajectory, params);
-            // 4.9 m at 0.5 m/s, with a stop and half a dozen turns.
+            // 4.9 m at 0.5 m/s, with one stop and six turns.
             EXPECT_LT(trajectory->frames.back().time_s, 40.0);
         }
     }

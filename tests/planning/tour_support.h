@@ -14,14 +14,14 @@ struct Tour {
     std::vector<ObservationPoint> targets;
     std::vector<SmoothPath> paths;
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
-    bool begun = false;  // the path has a place
+    bool begun = false;  // the path has a position
 
     void startPath() {
         paths.emplace_back();
         begun = false;
     }
 
-    /// Straight on to a place.
+    /// Moves straight to a position and stops there.
     void stop(const Eigen::Vector3d& place) {
         if (begun) paths.back().append(last, 0.5 * (last + place), place, false);
         last = place;
@@ -33,8 +33,8 @@ struct Tour {
         addKey(paths.back().length_m, place, target);
     }
 
-    /// On towards a corner and round it to `end`, from as far before it as after it, at the most
-    /// `set_back`, with a key frame in the curve's middle.
+    /// Moves towards a corner and around it to `end`. The curve begins as far before the corner as
+    /// it ends after it, at most `set_back`; a key frame is in its middle.
     void curve(const Eigen::Vector3d& corner, const Eigen::Vector3d& end, double set_back,
                std::optional<Eigen::Vector3d> target) {
         SmoothPath& path = paths.back();

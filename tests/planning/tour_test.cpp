@@ -12,7 +12,7 @@
 namespace dollytrack::planning {
 namespace {
 
-/// Distances between places in a square of 10 x 10 m.
+/// Distances between positions in a square of 10 x 10 m.
 CostMatrix distances(Random& random, std::size_t count) {
     std::vector<std::pair<double, double>> places(count);
     for (auto& [x, y] : places) {
@@ -29,7 +29,7 @@ CostMatrix distances(Random& random, std::size_t count) {
     return cost;
 }
 
-/// Ways around obstacles need not be like distances: anything symmetric.
+/// Costs need not be distances, since paths go around obstacles: any symmetric matrix.
 CostMatrix anyCosts(Random& random, std::size_t count) {
     CostMatrix cost(count, std::vector<double>(count, 0.0));
     for (std::size_t i = 0; i < count; ++i) {

@@ -76,7 +76,8 @@ TEST(ViewEstimator, BehindTheCameraIsNotSeen) {
     EXPECT_EQ(views.estimate(lookAt({4, 0, 0}, {6, 0, 0}), 1, 16).visible_fraction, 0.0);
 }
 
-// Equation 1 as corrected: projecting the box's corners from the distance found gives the fill.
+// Checks the corrected Equation 1: projecting the box's corners from the distance found gives the
+// requested fill.
 TEST(Framing, DistanceForFillFillsTheImageAsAsked) {
     test::SceneBuilder builder;
     builder.object("crate").box({0, 0, 0}, {0.6, 0.9, 0.3});

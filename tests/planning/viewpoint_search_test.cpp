@@ -16,7 +16,8 @@
 namespace dollytrack::planning {
 namespace {
 
-/// A small thing at the end of a niche in a free-standing block, whose mouth lies in `direction`.
+/// A small object at the end of a niche in a free-standing block; the niche opens towards
+/// `direction`.
 Scene thingInANiche(double yaw, double mouth_m) {
     constexpr double kDepth = 0.7;
     constexpr double kWall = 0.05;
@@ -53,7 +54,7 @@ struct Fixture {
         return at == scene.objects.end() ? 0 : at->id;
     }
 
-    /// Looked for from the front, wherever the thing may be open to.
+    /// Searches from the front, whichever side the niche opens to.
     [[nodiscard]] FoundView search(int id, int seed) const {
         ObservationPoint point;
         point.objects = {id};
@@ -76,8 +77,8 @@ struct Fixture {
 
 }  // namespace
 
-// From the axis of the niche the thing shows whole; a few degrees off, its walls hide it. So few
-// places do that samples spread over all directions and distances miss them.
+// From the axis of the niche the object is fully visible; a few degrees off, the walls hide it. So
+// few positions work that samples over all directions and distances miss them.
 TEST(ViewpointSearch, FindsTheNarrowConeFromWhichAThingInANicheShows) {
     for (const double yaw : {2.4, 3.5, 4.6}) {
         const Fixture f(thingInANiche(yaw, 0.30));
@@ -96,7 +97,7 @@ TEST(ViewpointSearch, FindsTheNarrowConeFromWhichAThingInANicheShows) {
     }
 }
 
-// From straight above alone it shows, and the place that would show it as large as wished for is
+// It is visible only from straight above, and the position that would show it in the wished size is
 // too narrow for the camera.
 TEST(ViewpointSearch, LooksDownFromTheCeilingIntoAShaft) {
     constexpr double kInside = 0.18;
@@ -120,7 +121,7 @@ TEST(ViewpointSearch, LooksDownFromTheCeilingIntoAShaft) {
     }
 }
 
-// An area is wished for: what is slender spans more of the image than what is as high as wide.
+// The wished size is an area: a slender object spans more of the image than one as high as wide.
 TEST(ViewpointSearch, SlenderThingsSpanMoreOfTheImage) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {5, 5, 2.6});
@@ -134,7 +135,7 @@ TEST(ViewpointSearch, SlenderThingsSpanMoreOfTheImage) {
     EXPECT_NEAR(pole->fill, 0.85, 0.1);
 }
 
-// From nowhere in a room so narrow does the wardrobe fit into the image, but four fifths of it do.
+// In so narrow a room the wardrobe fits into the image from no position, but four fifths of it do.
 TEST(ViewpointSearch, TakesAWardrobeInANarrowRoomThatTheImageCrops) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {3.6, 1.55, 2.6});
@@ -149,15 +150,15 @@ TEST(ViewpointSearch, TakesAWardrobeInANarrowRoomThatTheImageCrops) {
     }
 }
 
-// The walls of a narrower, deeper mouth leave too little to see: an honest no, from any seed.
+// A narrower, deeper niche leaves too little visible: the search reports no view, with any seed.
 TEST(ViewpointSearch, DoesNotClaimWhatNoPlaceShows) {
     const Fixture f(thingInANiche(2.4, 0.12));
     const FoundView found = f.search(f.idOf("thing"), 1);
     EXPECT_FALSE(found.best && !found.best->captured.empty());
 }
 
-// A few degrees off the axis the thing just fails the rule, and the places nearby that pass it are
-// found; from where most of it is hidden nothing is tried.
+// A few degrees off the axis the object just fails the visibility rule, and the positions nearby
+// that pass are found; where most of it is hidden, nothing is tried.
 TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
     const double yaw = 2.4;
     const Fixture f(thingInANiche(yaw, 0.30));
@@ -177,7 +178,7 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
             thing + 0.75 * Eigen::Vector3d(std::cos(yaw + off), std::sin(yaw + off), 0.0);
         const double shown = shownFrom(start).visible_fraction;
         const bool close = shown > 0.76 && shown < 0.795;
-        if (!close && shown > 0.7) continue;  // too near the rule to tell beforehand
+        if (!close && shown > 0.7) continue;  // too near the threshold to predict
         Random random(7, 1);
         const ExactSearchResult climbed = searchExactViewpoint(around, judge, id, {start}, random);
         const auto& place = climbed.place;
@@ -191,8 +192,8 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
     EXPECT_GT(found, 0);
 }
 
-// A rod seen aslant meets few cells of an even grid over its extent; what few rays say of how much
-// of it shows is off by several per cent, what many say is not.
+// A slanted rod covers few cells of a regular grid over its extent. The visible share estimated
+// with few rays is off by several per cent, with many rays it is not.
 TEST(ViewEstimator, LooksCloserWhereTheSilhouetteIsASmallPartOfItsExtent) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {5, 5, 2.6});

@@ -1,4 +1,5 @@
-// The grid's parts against brute force: which cells a triangle touches, gaps, pieces.
+// The parts of the grid checked against brute force: the cells that a triangle touches, gaps,
+// connected pieces.
 
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
@@ -80,7 +81,7 @@ TEST(Voxelize, MarksExactlyTheCellsThatATriangleTouches) {
                 for (int x = 0; x < grid.count[0]; ++x) {
                     const Vector3d center = grid.centerOf(x, y, z);
                     const bool marked = found.cells[grid.indexOf(x, y, z)] != 0;
-                    // Between the two lies the hair by which cells are enlarged.
+                    // The two sizes differ by the small margin by which cells are enlarged.
                     if (overlaps(corners, center, 0.05)) {
                         ASSERT_TRUE(marked) << i;
                     }
