@@ -1,4 +1,5 @@
-// Mapping of free space. "Map" is what the metric map_ms counts: ray structure, octree, clearance.
+// Time to map the free space. "Map" covers what the metric map_ms counts: the ray structure, the
+// octree and the clearances.
 
 #include "planning/free_space/free_space.h"
 

@@ -18,7 +18,7 @@ void planBuilding(benchmark::State& state) {
     std::shared_ptr<const Plan> plan;
     for (auto _ : state) {
         planning::Pipeline pipeline(scene);
-        // The metrics look at every frame, thousands where no budget is given, and are no part of
+        // The metrics render every frame, thousands without a budget, and are not part of
         // `plan_ms`.
         const auto enough = std::make_shared<std::atomic<bool>>(false);
         plan = nullptr;

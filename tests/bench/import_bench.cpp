@@ -14,7 +14,7 @@ namespace {
 
 using namespace dollytrack;
 
-/// The file of DOLLYTRACK_BENCH_SCENE, else a room of 33,334 boxes: 400,000 triangles.
+/// The file that DOLLYTRACK_BENCH_SCENE names, or else a room of 33,334 boxes (400,000 triangles).
 const std::filesystem::path& benchScene() {
     static const test::TempFolder folder;
     static const std::filesystem::path path = [] {
@@ -35,7 +35,7 @@ const std::filesystem::path& benchScene() {
     return path;
 }
 
-/// The bar: reading the file with assimp and nothing more, clean-up included.
+/// The baseline: only reading the file with assimp, clean-up included.
 void assimpAlone(benchmark::State& state) {
     const std::string path = benchScene().string();
     for (auto _ : state) {
@@ -75,7 +75,7 @@ void importWithoutTextures(benchmark::State& state) {
 }
 BENCHMARK(importWithoutTextures)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The file alone becomes geometry: in this process, in one of its own, or out of the cache.
+/// Imports the geometry of the file: in this process, in a separate one, or from the cache.
 void readBy(benchmark::State& state, const std::filesystem::path& path,
             const ImportOptions& options) {
     const SceneFormat* format = *checkSceneFile(path);

@@ -1,5 +1,5 @@
-// RRT* between pairs of places in one octree: ours and OMPL's, which ask the same questions of the
-// same map. DOLLYTRACK_BENCH_SCENE names a scene; else the apartment.
+// RRT* between pairs of positions in one octree: ours and OMPL's, with the same collision checks on
+// the same map. DOLLYTRACK_BENCH_SCENE names a scene; else the apartment.
 
 #include "engine/core/log.h"
 #include "engine/core/random.h"
@@ -51,7 +51,8 @@ struct World {
           rays(scene),
           space(std::move(*FreeSpace::build(scene, rays, {}, {}))),
           sphere(rays, space, CameraParams{}.camera_radius_m) {
-        // Places of the largest room that do not see each other: a straight move needs no search.
+        // Positions in the largest room that do not see each other: a straight move would need no
+        // search.
         const auto& cells = space.cells(0);
         Random random(7);
         const auto place = [&] {
@@ -85,7 +86,7 @@ struct Way {
     std::optional<double> length_m;
 };
 
-/// To its own end, or for `budget_s` when that is given.
+/// Runs until it ends by itself, or for `budget_s` when that is given.
 Way ours(const World& in, std::size_t pair, std::optional<double> budget_s) {
     RrtStarProblem problem;
     std::tie(problem.start, problem.goal) = in.pairs[pair];
@@ -112,7 +113,7 @@ Way ours(const World& in, std::size_t pair, std::optional<double> budget_s) {
     }
     const RrtStarResult found = rrtStar(problem, Random(1));
     if (found.found) {
-        // As links are made.
+        // The same shortening as for links.
         const auto corners = shortened(found.corners, problem.start, problem.goal, in.sphere);
         way.length_m = wayLength(corners, problem.start, problem.goal);
     }
@@ -142,7 +143,7 @@ class ProvenMoves : public ob::MotionValidator {
     const SweptSphere& sphere_;
 };
 
-/// Until the first way, or for `budget_s` when that is given.
+/// Runs until the first path is found, or for `budget_s` when that is given.
 Way theirs(const World& in, std::size_t pair, std::optional<double> budget_s) {
     const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
     ob::RealVectorBounds bounds(3);
@@ -165,7 +166,8 @@ Way theirs(const World& in, std::size_t pair, std::optional<double> budget_s) {
     setup.setStartAndGoalStates(start, goal);
     auto objective =
         std::make_shared<ob::PathLengthOptimizationObjective>(setup.getSpaceInformation());
-    // Satisfied by any length when only the first way counts, by none otherwise.
+    // Without a budget any length satisfies the objective (only the first path counts); with one,
+    // none does.
     objective->setCostThreshold(ob::Cost(budget_s ? 0.0 : 1e9));
     setup.setOptimizationObjective(objective);
     setup.setPlanner(std::make_shared<og::RRTstar>(setup.getSpaceInformation()));
@@ -209,8 +211,8 @@ void firstWay(benchmark::State& state, bool ompl) {
 BENCHMARK_CAPTURE(firstWay, ours, false)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(firstWay, ompl, true)->UseManualTime()->Unit(benchmark::kMillisecond);
 
-/// Both get the same time for each pair: so many milliseconds, or 0 for what ours took to its own
-/// end.
+/// Both get the same time for each pair, given in milliseconds; 0 stands for the time that ours
+/// takes until it ends by itself.
 void lengthAtEqualTime(benchmark::State& state) {
     const World* in = world();
     if (in == nullptr) return state.SkipWithError("the scene cannot be loaded");

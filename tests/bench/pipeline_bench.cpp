@@ -1,4 +1,5 @@
-// Planning as a user waits for it. DOLLYTRACK_BENCH_SCENE names a scene; else the apartment.
+// The planning times that a user waits for. DOLLYTRACK_BENCH_SCENE names a scene; the default is
+// the apartment.
 #include "engine/core/log.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/scene/move_object.h"
@@ -34,7 +35,7 @@ planning::PlanParams params() {
     return p;
 }
 
-/// From nothing: `plan_ms` and `map_ms` are the published figures.
+/// Plans from scratch: `plan_ms` and `map_ms` are the published figures.
 void planFromScratch(benchmark::State& state) {
     const auto scene = benchScene();
     if (!scene) return state.SkipWithError("the scene cannot be loaded");
@@ -49,8 +50,8 @@ void planFromScratch(benchmark::State& state) {
 }
 BENCHMARK(planFromScratch)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Milliseconds from a change to the new trajectory, as the editor waits for it: `change` alters
-/// the parameters by a step that alternates.
+/// Milliseconds from a change to the new trajectory, as in the editor: `change` alters the
+/// parameters by a step whose sign alternates.
 template <class Change>
 void replanAfter(benchmark::State& state, Change&& change) {
     const auto scene = benchScene();
@@ -92,9 +93,9 @@ void replanFromFieldOfView(benchmark::State& state) {
 }
 BENCHMARK(replanFromFieldOfView)->Unit(benchmark::kMillisecond)->UseManualTime();
 
-/// From moving a thing by 0.2 m, to and fro, to the new trajectory; counters say what the map, the
-/// search and everything cost, in ms. The argument picks the thing: the one whose box is nearest to
-/// so many litres.
+/// Time from moving an object by 0.2 m, back and forth, to the new trajectory. Counters give the
+/// time of the map, of the search and in total, in ms. The argument chooses the object: the one
+/// whose box volume is nearest to that many litres.
 void moveThing(benchmark::State& state, bool keep) {
     const auto imported = benchScene();
     if (!imported) return state.SkipWithError("the scene cannot be loaded");
@@ -156,7 +157,7 @@ BENCHMARK(moveFromScratch)
     ->Unit(benchmark::kMillisecond)
     ->UseManualTime();
 
-/// What dragging a slider of the smoothing costs.
+/// Time to plan anew while a smoothing slider is dragged.
 void replanFromSmoothing(benchmark::State& state) {
     const auto scene = benchScene();
     if (!scene) return state.SkipWithError("the scene cannot be loaded");

@@ -1,5 +1,5 @@
-// Frames a second of the whole export: drawing, counting, compressing and writing. The room is
-// generated, or DOLLYTRACK_BENCH_SCENE names a scene file.
+// Frames per second of the whole export: rendering, counting pixels, compressing and writing. The
+// room is generated, or DOLLYTRACK_BENCH_SCENE names a scene file.
 
 #include "engine/camera/intrinsics.h"
 #include "engine/core/random.h"
@@ -23,7 +23,7 @@ namespace {
 
 using namespace dollytrack;
 
-/// A room of 5 x 5 m with 60 balls of `rings` * 2 * rings triangles each about.
+/// A room of 5 x 5 m with 60 balls of about `rings` * 2 * rings triangles each.
 Scene ballRoom(int rings) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {5, 5, 2.8});
@@ -114,7 +114,7 @@ void bakeLight(benchmark::State& state) {
 }
 BENCHMARK(bakeLight)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// 20,000 cells of a slice, 5,000 lines and 1,000 signs over a picture of 900 x 560.
+/// 20,000 cells of a slice, 5,000 lines and 1,000 markers over an image of 900 x 560.
 void drawOverlays(benchmark::State& state) {
     auto context = gl::createOsMesaContext();
     if (!context) return state.SkipWithError(describe(context.error()).c_str());

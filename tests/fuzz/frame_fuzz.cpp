@@ -9,7 +9,7 @@
 
 namespace {
 
-/// A header that fits, so that what is behind it gets read.
+/// Prepends a valid header, so that the data behind it is read.
 std::vector<std::uint8_t> withHeader(const std::uint8_t* data, std::size_t size) {
     using namespace dollytrack;
     const Result<io::ReadScene> empty = io::ReadScene{};
@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     bool damaged = false;
     const auto scene = io::readFrame(withHeader(data, size), damaged);
     if (!scene) return 0;
-    // What was accepted can be written, and is then accepted again.
+    // A frame that was accepted can be written, and is then accepted again.
     std::vector<std::uint8_t> again(io::frameSize(scene));
     io::writeFrame(scene, again);
     if (!io::readFrame(again, damaged)) std::abort();

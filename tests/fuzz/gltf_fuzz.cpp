@@ -2,7 +2,7 @@
 
 #include <new>
 
-// Everything a glTF file packs: its container and JSON, accessors, Draco, meshoptimizer.
+// All parts of a glTF file: container, JSON, accessors, Draco and meshoptimizer compression.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace dollytrack;
     const gltf::ReadBeside nothing = [](const std::string& name) -> Result<std::string> {
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         (void)gltf::readGltf(std::string(reinterpret_cast<const char*>(data), size), nothing,
                              "fuzz.glb", {});
     } catch (const std::bad_alloc&) {
-        // The importer says so; here it is the fuzzer's own limit.
+        // The importer reports this as an error; here it is only the fuzzer's memory limit.
     }
     return 0;
 }

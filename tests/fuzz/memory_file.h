@@ -11,7 +11,7 @@
 
 namespace dollytrack::fuzz {
 
-/// Bytes as a file with a path, for readers that take one.
+/// Bytes in memory as a file with a path, for readers that need a path.
 class MemoryFile {
   public:
     MemoryFile(const std::uint8_t* data, std::size_t size) {

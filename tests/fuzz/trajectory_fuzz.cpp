@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-/// The first byte chooses the format; HDF5 files are another library's to read.
+/// The first byte chooses the format. HDF5 is left out: another library reads those files.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace dollytrack;
     if (size < 1) return 0;

@@ -10,7 +10,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// A table that is asked for its keys once a frame, as the window does.
+/// A table whose keys are checked once per frame, as the window does.
 class CommandTableTest : public testing::Test {
   protected:
     CommandTableTest() {
@@ -35,7 +35,7 @@ TEST_F(CommandTableTest, RunsWhatItsKeysSay) {
     EXPECT_EQ(ran["larger"], 3);
 }
 
-// On a German keyboard + is the key right of Ü, where an American one has ].
+// On a German keyboard + is right of Ü, at the position of ] on an American one.
 TEST_F(CommandTableTest, FindsPlusAndMinusWhereTheKeyboardHasThem) {
     screen.press(GLFW_KEY_RIGHT_BRACKET, true);
     EXPECT_EQ(ran["larger"], 0) << "nobody has said that it writes +";

@@ -16,7 +16,7 @@ float widthOf(const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x;
 }
 
-/// Calls `check` where text can be measured.
+/// Calls `check` inside a drawn frame, where text can be measured.
 void onScreen(const std::function<void()>& check) {
     bool done = false;
     const test::Screen screen([&] {
@@ -31,7 +31,7 @@ TEST(CutText, LeavesAloneWhatFits) {
     });
 }
 
-// Against trying every length.
+// The result must equal that of trying every length.
 TEST(CutText, KeepsAsMuchAsFits) {
     onScreen([] {
         const std::string text = "curtain_living_room_left_2";

@@ -11,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The panel over a furnished room. What it asks for is applied at once, as the editor does, so
-/// that an operation that the document would refuse fails the test.
+/// The panel for a furnished room. Its operations are applied at once, as in the editor, so that an
+/// operation that the document would refuse fails the test.
 class EditsPanelTest : public testing::Test {
   protected:
     EditsPanelTest() {
@@ -121,7 +121,7 @@ TEST_F(EditsPanelTest, BoxesAreAddedGoneToAndDeleted) {
     screen.frame(2);
     ASSERT_TRUE(screen.click("edits.add_box_around"));
     ASSERT_EQ(state.edits.plan.no_go.size(), 3U);
-    // The floor is flat, its box is not.
+    // The floor has no thickness, but the box around it must have some.
     const OrientedBox& box = state.edits.plan.no_go[2].box;
     EXPECT_EQ(box.center, around->center);
     EXPECT_EQ(box.half_size.head<2>(), around->half_size.head<2>());

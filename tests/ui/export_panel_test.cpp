@@ -82,7 +82,7 @@ struct Export {
     ExportView view;
     ExportDraft draft;
     ExportActions actions;
-    std::set<std::string> edited;  // all parameters that were
+    std::set<std::string> edited;  // names of all edited parameters
 };
 
 TEST(ExportPanel, AsksForWhatItsButtonsSay) {
@@ -130,7 +130,7 @@ TEST(ExportPanel, FitsItsFramesToAShorterTrajectory) {
     EXPECT_EQ(requestOf(panel.view, panel.draft).range, "::");
 }
 
-// What is typed beyond the end is not changed behind one's back.
+// A range beyond the last frame stays as typed.
 TEST(ExportPanel, SaysWhenTheRangeHasFramesThatAreNotThere) {
     Export panel;
     test::Screen screen([&] { panel.draw(); }, 380, 900);
@@ -140,7 +140,7 @@ TEST(ExportPanel, SaysWhenTheRangeHasFramesThatAreNotThere) {
     EXPECT_EQ(panel.draft.last, 150);
     EXPECT_EQ(frameCountOf(panel.view, panel.draft), 100);
     EXPECT_TRUE(screen.enabled("export.add"));
-    panel.view.frame_count = 200;  // a new plan has them
+    panel.view.frame_count = 200;  // a new plan has these frames
     screen.frame(2);
     EXPECT_EQ(screen.names().find("range_note"), std::string::npos);
     EXPECT_EQ(requestOf(panel.view, panel.draft).range, "0:151:1");
@@ -149,7 +149,7 @@ TEST(ExportPanel, SaysWhenTheRangeHasFramesThatAreNotThere) {
     EXPECT_FALSE(screen.enabled("export.add")) << "not one frame of it is there";
 }
 
-// A double click must not hit what has just moved under the mouse.
+// Widgets must not move under the mouse, where a double click would hit the wrong one.
 TEST(ExportPanel, NothingMovesForWhatThereIsToSay) {
     Export panel;
     test::Screen screen([&] { panel.draw(); }, 380, 900);
@@ -171,7 +171,7 @@ TEST(ExportPanel, NothingMovesForWhatThereIsToSay) {
     EXPECT_EQ(places(), before);
 }
 
-// Other projects have as many frames as they have.
+// Other projects have their own number of frames.
 TEST(ExportPanel, TakesTheRangeForOtherProjectsAsItIsMeant) {
     ExportDraft draft;
     EXPECT_EQ(rangeForOthers(draft), "::");
@@ -184,7 +184,7 @@ TEST(ExportPanel, TakesTheRangeForOtherProjectsAsItIsMeant) {
     EXPECT_EQ(rangeForOthers(draft), "::");
 }
 
-// What belongs to the other mode is not offered, and nothing where no colour is written.
+// Settings of the other mode are not offered, and none are when no colour image is written.
 TEST(ExportPanel, ChoosesHowPicturesAreMade) {
     Export panel;
     Parameters project;
@@ -211,7 +211,7 @@ TEST(ExportPanel, ChoosesHowPicturesAreMade) {
     EXPECT_NE(screen.names().find("export.render_mode"), std::string::npos);
 }
 
-// A sensor's settings show where it takes something, and a preset sets what belongs to it.
+// A sensor's settings are shown when it records something, and a preset sets its values.
 TEST(ExportPanel, ChoosesTheSensor) {
     Export panel;
     Parameters project;
@@ -226,7 +226,7 @@ TEST(ExportPanel, ChoosesTheSensor) {
     ASSERT_TRUE(screen.click("choice.webcam"));
     EXPECT_EQ(project.sensor, sensorPreset(SensorPreset::Webcam));
     EXPECT_TRUE(panel.edited.contains("sensor_preset"));
-    // The same one again: what was changed since is as it has it.
+    // Choosing the same preset again resets the values that were changed.
     project.sensor.k1 = 0.3;
     panel.edited.clear();
     ASSERT_TRUE(screen.click("export.sensor_preset"));
@@ -277,7 +277,7 @@ TEST(ExportPanel, SetsTheSizeOfTheImage) {
     EXPECT_EQ(width, 160);
 }
 
-// Which of the two was meant, only the user knows.
+// Only the user knows which of the two was meant.
 TEST(ExportPanel, WaitsForARangeThatIsTheRightWayRound) {
     Export panel;
     test::Screen screen([&] { panel.draw(); }, 380, 900);
@@ -303,7 +303,7 @@ TEST(ExportPanel, WritesNowhereThatItCannot) {
     panel.view.why_not_folder = "This is a file, not a folder.";
     screen.frame(2);
     EXPECT_FALSE(screen.enabled("export.add"));
-    // Other projects get folders of their own, whether or not one is chosen here.
+    // Other projects get their own folders, whether or not one is chosen here.
     panel.draft.folder.clear();
     screen.frame(2);
     EXPECT_TRUE(screen.enabled("export.add_files"));
@@ -356,7 +356,7 @@ TEST(ExportPanel, OffersWhatAJobsStateAllows) {
     EXPECT_TRUE(panel.actions.toggle_hold);
 }
 
-// 1280 x 720 leaves the panel this much.
+// The size that is left for the panel in a window of 1280 x 720.
 TEST(ExportPanel, ShowsItsButtonAndTheProgressWhereItIsShort) {
     Export panel;
     test::Screen screen([&] { panel.draw(); }, 1280, 165);
@@ -374,7 +374,7 @@ TEST(ExportPanel, ShowsItsButtonAndTheProgressWhereItIsShort) {
     EXPECT_TRUE(panel.actions.add_current);
 }
 
-// What is under the mouse after Cancel must not be Continue.
+// After Cancel, Continue must not appear under the mouse.
 TEST(ExportPanel, ASecondClickOnCancelDoesNotContinue) {
     Export panel;
     panel.addJob(ExportState::Running);

@@ -51,7 +51,7 @@ TEST(FolderOrder, FoldersFirstAndNumbersAsNumbers) {
     EXPECT_EQ(shownNames(listing, order), (std::vector<std::string>{"zoo"}));
 }
 
-/// A dialog on a folder with two scenes, a text and a folder.
+/// A dialog that shows a folder with two scenes, a text file and a folder.
 class FileBrowserTest : public testing::Test {
   protected:
     FileBrowserTest() {
@@ -74,7 +74,7 @@ class FileBrowserTest : public testing::Test {
         waitFor("files.accept");
         settle();
     }
-    /// Frames until the widget is there; the disk may take its time.
+    /// Draws frames until the widget appears, since reading the disk may take a while.
     bool waitFor(const std::string& name) {
         for (int i = 0; i < 500; ++i) {
             screen.frame();
@@ -119,7 +119,7 @@ TEST_F(FileBrowserTest, GoesIntoFoldersAndUpWithTheKeyboard) {
     screen.press(GLFW_KEY_BACKSPACE);
     ASSERT_TRUE(waitFor("files.row.bedroom.obj"));
     settle();
-    // Up leaves the folder it came from selected; the next is the first file.
+    // After going up, the folder just left is selected; the next entry is the first file.
     screen.press(GLFW_KEY_DOWN);
     screen.press(GLFW_KEY_ENTER);
     settle();
@@ -150,7 +150,8 @@ TEST_F(FileBrowserTest, SavingOverAFileAsksFirst) {
     EXPECT_EQ(answer->path, folder.path() / "kept.dolly");
 }
 
-// "room.do" cannot be opened as a project, and what is called "room.do.dolly" is not lost unasked.
+// "room.do" could not be opened as a project, so ".dolly" is appended; an existing "room.do.dolly"
+// is not overwritten without a question.
 TEST_F(FileBrowserTest, SavesUnderANameThatCanBeOpenedAgain) {
     static_cast<void>(folder.write("there.do.dolly", "{}"));
     ask(FileRequest::Purpose::Save);

@@ -25,7 +25,7 @@ TEST(FrameAxis, ShowsAllFramesFromEdgeToEdge) {
     const FrameAxis axis(300, 100, 700, 0, 0);
     EXPECT_DOUBLE_EQ(axis.xOf(0), 100);
     EXPECT_DOUBLE_EQ(axis.xOf(300), 700);
-    EXPECT_EQ(axis.frameAt(101.99), 0);  // 2 px a frame
+    EXPECT_EQ(axis.frameAt(101.99), 0);  // 2 px per frame
     EXPECT_EQ(axis.frameAt(102.0), 1);
     EXPECT_EQ(axis.frameAt(-50), 0);
     EXPECT_EQ(axis.frameAt(5000), 299);
@@ -61,7 +61,7 @@ TEST(FrameAxis, RevealsAFrameWithTheLeastScrolling) {
 }
 
 // For random lengths, widths, zooms and values, the columns reach exactly the smallest and the
-// largest value of what is shown, and every column's range is that of values under it.
+// largest shown value, and each column's range is that of the values in it.
 TEST(PlotColumns, KeepExtremes) {
     std::mt19937 random(7);
     const auto between = [&](int low, int high) {

@@ -21,7 +21,7 @@ TEST(HistoryPanel, ClickGoesToAStepBackAndForward) {
     EXPECT_EQ(asked, 0U);
     ASSERT_TRUE(screen.click("history.step.2"));
     EXPECT_EQ(asked, 2U);
-    // The step at which we are asks for nothing.
+    // Clicking the current step does nothing.
     asked.reset();
     ASSERT_TRUE(screen.click("history.step.1"));
     EXPECT_FALSE(asked);

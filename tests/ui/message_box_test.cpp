@@ -8,7 +8,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Shows a message until it is answered.
+/// Shows a message box until it is answered.
 struct Asking {
     MessageBox box;
     int answer = -1;

@@ -43,7 +43,7 @@ TEST(PreviewPanel, ChoosesAModality) {
     EXPECT_EQ(preview.changes, 1) << "the same again is no change";
 }
 
-// Its title is what it is folded and carried by.
+// The title bar must stay in sight: it folds and moves the panel.
 TEST(PreviewPanel, APortraitFitsIntoTheViewport) {
     Preview preview;
     preview.image.record.width = 320;

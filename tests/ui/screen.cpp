@@ -23,7 +23,7 @@ ImFontAtlas& atlas() {
     return *the_atlas;
 }
 
-/// As the editor's window has them.
+/// The same keys as in the editor's window.
 void setKeys(ImGuiIO& io) {
     const std::pair<ImGuiKey, int> keys[] = {{ImGuiKey_Tab, GLFW_KEY_TAB},
                                              {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
@@ -124,7 +124,7 @@ bool Screen::click(const std::string& name) {
     frame();
     ImGui::GetIO().MouseDown[0] = false;
     frame(2);
-    // So long that the next click is not taken for the second of a double click.
+    // Long enough that the next click is not taken for the second one of a double click.
     frame(30);
     return true;
 }

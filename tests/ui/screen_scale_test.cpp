@@ -5,7 +5,7 @@
 namespace dollytrack::ui {
 namespace {
 
-// What desktops set on these screens by themselves, or people by hand.
+// Scales that desktops choose for these screens, or that people set by hand.
 TEST(ScreenScale, IsUsualOnUsualScreens) {
     EXPECT_EQ(screenScale(1.0, {1920, 1080, 531, 299}), 1.0) << "24 inches";
     EXPECT_EQ(screenScale(1.0, {2560, 1440, 597, 336}), 1.0) << "27 inches";
@@ -29,7 +29,7 @@ TEST(ScreenScale, GuessesByTheLinesWhereTheSizeIsMadeUp) {
     EXPECT_EQ(screenScale(1.0, {0, 0, 0, 0}), 1.0);
 }
 
-// Nothing may be cut off: the window's parts fit from 1280 x 720 on.
+// The window's parts fit from 1280 x 720 on, so that nothing is cut off.
 TEST(ScreenScale, LeavesRoomForTheWindow) {
     for (const int width : {800, 1280, 1366, 1600, 1920, 2560, 3840, 7680}) {
         const int height = width * 9 / 16;

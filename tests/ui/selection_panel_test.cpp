@@ -36,7 +36,7 @@ Candidate candidate(Verdict verdict, double visible, int occluder = 0) {
 }
 
 /// The panel over a furnished room with a small plan made by hand: the sofa has a position point,
-/// mug and book have none. What the panel asks for is applied at once, as the editor does.
+/// mug and book have none. The panel's operations are applied at once, as in the editor.
 class SelectionPanelTest : public testing::Test {
   protected:
     SelectionPanelTest() {
@@ -116,7 +116,7 @@ class SelectionPanelTest : public testing::Test {
         selected.reset();
         screen.frame(3);
     }
-    /// What the edits say of the only object that was changed.
+    /// The edits of the only object that was changed.
     [[nodiscard]] const ObjectChange& change() const { return state.edits.scene.changes.at(0); }
 
     Scene scene = test::furnishedRoom();
@@ -249,7 +249,7 @@ TEST_F(SelectionPanelTest, UncapturedObjectLeadsToItsCandidates) {
     EXPECT_FALSE(screen.shows("selection.best_frame"));
     ASSERT_TRUE(screen.click("selection.show_candidates"));
     EXPECT_FALSE(memory.show_candidates);
-    // Hidden by the sofa comes first: two candidates of three.
+    // "Hidden by the sofa" comes first: two candidates of three.
     ASSERT_TRUE(screen.click("selection.outcome.0")) << screen.names();
     EXPECT_EQ(selected, Selection::ofCandidate(1, 2));
     ASSERT_TRUE(screen.click("selection.outcome.0.occluder"));
@@ -395,7 +395,7 @@ TEST_F(SelectionPanelTest, NoGoBoxIsRenamedWhenItsNameIsWhole) {
     EXPECT_EQ(name(), "stairs");
     screen.click("selection.box.name");
     screen.type("well");
-    screen.click("selection.frame");  // another widget ends it as Enter does
+    screen.click("selection.frame");  // clicking another widget confirms it as Enter does
     EXPECT_EQ(name(), "well");
 }
 

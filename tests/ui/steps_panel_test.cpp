@@ -48,7 +48,7 @@ TEST(StepsPanel, GoesForwardAndBackToBothEnds) {
     EXPECT_FALSE(screen.enabled("steps.forward"));
 }
 
-// Below the buttons is the slider that they move.
+// The slider is below the buttons that move it, so their tooltips go above.
 TEST(StepsPanel, TipsAtTheBottomOfTheWindowAreAboveTheirButtons) {
     Steps steps({Kind::Sample, Kind::Near});
     test::Screen screen(

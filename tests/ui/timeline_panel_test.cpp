@@ -10,7 +10,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// A timeline as the editor uses it: what is asked for happens.
+/// A timeline as the editor uses it: requests are carried out.
 struct Timeline {
     explicit Timeline(int count) {
         series.clearance_m.assign(static_cast<std::size_t>(count), 0.5);
@@ -68,7 +68,7 @@ TEST(TimelinePanel, MovesWithItsButtons) {
     EXPECT_EQ(timeline.state.speed, 4.0);
 }
 
-// With few frames half of one is more than a second.
+// With few frames, half a frame lasts more than a second.
 TEST(TimelinePanel, TheAxisAndThePlayheadAgree) {
     Timeline timeline(5);
     timeline.keys.clear();
@@ -109,7 +109,7 @@ TEST(TimelinePanel, GoesToTheFrameUnderTheMouse) {
         clickAt(screen, x, axis->bottom - 5);
         EXPECT_EQ(timeline.view.frame, frame);
     }
-    // A little beside a key frame's sign.
+    // Slightly beside a key frame's marker.
     const auto key = screen.find("timeline.key.100");
     ASSERT_TRUE(key);
     clickAt(screen, (key->left + key->right) / 2 + 5, (key->top + key->bottom) / 2);
@@ -137,7 +137,7 @@ TEST(TimelinePanel, ZoomsWithTheWheelAndShowsAllAgain) {
     screen.frame();
     EXPECT_LT(timeline.state.first, first);
     EXPECT_EQ(timeline.view.frame, 0) << "panning must not scrub";
-    // What plays comes into view.
+    // The frame that plays is scrolled into view.
     timeline.view.frame = 19'000;
     screen.frame();
     EXPECT_GE(timeline.state.first + timeline.state.shown, 19'000.0);

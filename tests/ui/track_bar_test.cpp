@@ -7,7 +7,7 @@
 namespace dollytrack::ui {
 namespace {
 
-/// A row as the editor uses it: what is asked for happens.
+/// A row as the editor uses it: requests are carried out.
 struct TrackBar {
     void draw() {
         const TrackBarActions actions = drawTrackBar(view);

@@ -24,7 +24,7 @@ Eigen::AlignedBox3d boxOf(const Scene& scene, const std::string& name) {
     return {};
 }
 
-/// A cube behind a screen that covers the half of it with y > 0 from an eye on the x axis.
+/// A cube behind a screen that hides its half with y > 0 from an eye on the x axis.
 Scene halfHidden() {
     return SceneBuilder()
         .object("cube")
@@ -98,7 +98,8 @@ TEST(ClearLook, PicturesLeaveAwayWhatIsHiddenAndStructureAboveTheCut) {
     EXPECT_TRUE(render::isCutAway(view, scene, cube, {2, 1.5, 2}));
 }
 
-// The upper storey is what one looks into; a cupboard's inside says nothing of its ceiling.
+// The view looks into the upper storey; the inside of a cupboard does not tell the height of the
+// ceiling.
 TEST(ClearLook, TheCeilingIsWhereTheRoomsOfTheTopmostStoreyEnd) {
     const Scene scene = SceneBuilder().room({0, 0, 0}, {4, 3, 5.5}).build();
     const auto room = [](double floor, double ceiling, double side) {
@@ -111,7 +112,7 @@ TEST(ClearLook, TheCeilingIsWhereTheRoomsOfTheTopmostStoreyEnd) {
     EXPECT_GT(render::ceilingOf(scene, {}), scene.room_bounds.max().z()) << "no room, no ceiling";
 }
 
-// A hollow below the floor, as a scan has one, must not make the floor a part that is cut.
+// A hollow below the floor, as in scans, must not cause the floor to be cut away.
 TEST(ClearLook, AFloorIsNeverCut) {
     const Scene scene = SceneBuilder()
                             .object("shell", {kNyuWall, Role::Structure, {0.6F, 0.6F, 0.6F}})

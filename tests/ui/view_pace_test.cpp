@@ -7,18 +7,18 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A drag over a scene whose whole picture takes 120 ms.
+// A mouse drag over a scene whose full image takes 120 ms.
 TEST(ViewPace, IsCoarseWhileTheViewMovesAndWholeWhenItRests) {
     ViewPace pace;
     ViewPace::Time now{std::chrono::hours(1)};
-    EXPECT_EQ(pace.shrinkFor(false, now), 1);  // nobody knows yet
+    EXPECT_EQ(pace.shrinkFor(false, now), 1);  // the time is not known yet
     pace.drew(1, false, true, 120.0, now);
     EXPECT_EQ(pace.shrinkFor(false, now + milliseconds(20)), 2);
     pace.drew(2, false, true, 40.0, now += milliseconds(60));
     EXPECT_EQ(pace.shrinkFor(false, now + milliseconds(20)), 2);
     EXPECT_EQ(pace.restsAt(), now + ViewPace::kRest);
     EXPECT_EQ(pace.shrinkFor(true, pace.restsAt()), 1);
-    // One step at a time is no movement.
+    // A single step does not count as movement.
     EXPECT_EQ(pace.shrinkFor(false, now + milliseconds(500)), 1);
 }
 

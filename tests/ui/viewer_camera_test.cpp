@@ -25,7 +25,7 @@ TEST(ViewerCamera, LooksAtItsPivotFromItsDistance) {
     const render::View view = camera.view(kWidth, kHeight);
     EXPECT_NEAR((view.pose.position - camera.pivot).norm(), camera.distance, 1e-9);
     EXPECT_NEAR((pixelOf(camera, camera.pivot) - Eigen::Vector2d(400, 300)).norm(), 0.0, 1e-6);
-    // Up is up: a point above the pivot is higher in the picture, straight above it.
+    // A point above the pivot appears straight above it in the image.
     const Eigen::Vector2d above = pixelOf(camera, camera.pivot + Eigen::Vector3d(0, 0, 0.5));
     EXPECT_LT(above.y(), 300.0);
     EXPECT_NEAR(above.x(), 400.0, 1e-6);
@@ -62,7 +62,7 @@ TEST(ViewerCamera, AxisViewsLookAlongTheirAxis) {
     ViewerCamera camera;
     camera.lookFrom(Axis::Top);
     EXPECT_NEAR((camera.pose().forward() - Eigen::Vector3d(0, 0, -1)).norm(), 0.0, 1e-9);
-    // From above, +x is right and +y is up in the picture.
+    // Seen from above, +x is right and +y is up in the image.
     EXPECT_GT(pixelOf(camera, {1, 0, 0}).x(), 400.0);
     EXPECT_LT(pixelOf(camera, {0, 1, 0}).y(), 300.0);
     camera.lookFrom(Axis::Front);

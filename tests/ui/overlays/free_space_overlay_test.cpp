@@ -36,7 +36,7 @@ double volumeOf(const render::Overlay& overlay) {
     return volume;
 }
 
-/// Cells of one state whose centres lie in [low, high) along an axis, one by one.
+/// Number of cells of one state whose centres lie in [low, high) along an axis, counted one by one.
 int cellsIn(const FreeSpace& map, CellState state, int axis, double low, double high) {
     const double cell = map.resolution_m();
     const Eigen::AlignedBox3d box = map.bounds();

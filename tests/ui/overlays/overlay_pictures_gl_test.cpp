@@ -1,6 +1,6 @@
-// Every overlay over a real scene. Checks that each shows and costs no OpenGL error; with
-// DOLLYTRACK_PICTURES=folder the pictures are kept for people to judge, and
-// DOLLYTRACK_PICTURE_SCENE names another scene than the apartment.
+// Draws every overlay over a real scene and checks that it is visible and causes no OpenGL error.
+// DOLLYTRACK_PICTURES=folder keeps the images for a visual check; DOLLYTRACK_PICTURE_SCENE names
+// another scene than the apartment.
 
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/png_writer.h"
@@ -79,7 +79,7 @@ class OverlayPicturesGl : public render::test::GlTest {
 
     static const char* folder() { return std::getenv("DOLLYTRACK_PICTURES"); }
 
-    /// Draws one layer, checks that it changed the picture, and keeps it when asked to.
+    /// Draws one layer, checks that it changes the image, and keeps the image if requested.
     void show(const std::string& name, const PlanLayer& layer) {
         ASSERT_TRUE(renderer_->scene().draw(view_, renderer_->target()));
         std::vector<std::uint8_t> before;

@@ -9,7 +9,7 @@ namespace {
 
 using render::OverlayMark;
 
-/// Looks along x from the origin; the principal point is (320, 240), 554 px a metre at 1 m.
+/// Looks along x from the origin; the principal point is (320, 240), the focal length 554 px.
 render::View viewAlongX() {
     render::View view;
     view.intrinsics = makeIntrinsics({});
@@ -47,7 +47,7 @@ TEST(PickElement, PutsWhatIsSeenBeforeWhatIsHidden) {
     const render::View view = viewAlongX();
     render::Overlay overlay;
     overlay.marks = {dot({4, 0, 0}, 1), dot({2, -0.02, 0}, 2)};
-    // Right on the far one; but a wall at 3 m hides it.
+    // Exactly on the far mark, but a wall at 3 m hides it.
     EXPECT_EQ(pickElement(overlay, view, {320, 240}, 0.0)->tag.index, 1);
     const auto picked = pickElement(overlay, view, {320, 240}, 3.0);
     EXPECT_EQ(picked->tag.index, 2);

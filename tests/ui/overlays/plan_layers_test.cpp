@@ -40,7 +40,7 @@ std::set<int> tagged(const render::Overlay& overlay, Picked kind) {
     return indices;
 }
 
-/// One observation point at the origin that looks along x, with a candidate 2 m before it.
+/// One observation point at the origin that faces along x, with a candidate 2 m in front of it.
 Plan oneSearch() {
     Plan plan;
     plan.observation_points.resize(1);
@@ -195,7 +195,7 @@ TEST(RoadmapLayer, DrawsEachKindOfEdgeAsItIs) {
         EXPECT_EQ(mark.at, edge.collision);
     }
     EXPECT_EQ(crosses, 2);
-    // The path lies on top: its lines come last.
+    // The path is drawn on top, so its lines come last.
     EXPECT_EQ(layer.overlay.lines.back().rgba, kPathColor);
     EXPECT_EQ(layer.overlay.lines.back().b, plan.paths[0].vertices.back().position);
 }
@@ -261,7 +261,7 @@ TEST(TrajectoryLayer, DotsAreWhereSomethingNewIsCaptured) {
     EXPECT_EQ(captured, static_cast<std::size_t>(room.plan->capture_metrics.captured));
 }
 
-// The legend goes on counting those that are not drawn, so that one knows that they are there.
+// The legend also counts the candidates that are not drawn, so that users know about them.
 TEST(CandidatesLayer, LeavesOutWhatIsNotToBeShown) {
     const test::PlannedRoom& room = furnished();
     CandidatesOverlayOptions options;
