@@ -8,7 +8,7 @@ namespace {
 
 using dollytrack::test::SceneBuilder;
 
-/// A floor of stripes that run away from the camera, each 2 cm wide.
+/// A floor with stripes that run away from the camera, each 2 cm wide.
 Scene stripedFloor() {
     SceneBuilder builder;
     builder.object("floor", {kNyuFloor, Role::Structure, {1, 1, 1}})
@@ -31,8 +31,9 @@ Scene stripedFloor() {
 
 class AnisotropyGl : public test::GlTest {};
 
-// Stripes that a camera looks along stay apart for longer; a mean over a pixel's whole width and
-// height, as without, washes them out. Against many more pixels, brought down.
+// With anisotropic filtering the stripes stay distinct farther away; without it, the mean over a
+// pixel's whole width and height blurs them. The reference is an image of many more pixels, scaled
+// down.
 TEST_F(AnisotropyGl, FloorsStaySharpFarther) {
     const Scene scene = stripedFloor();
     CameraParams camera;
@@ -67,7 +68,7 @@ TEST_F(AnisotropyGl, FloorsStaySharpFarther) {
     const double none = away(draw(1, 1));
     const double eight = away(draw(8, 1));
     EXPECT_LT(eight, 0.7 * none);
-    // Unasked, what draws by the processor leaves it out.
+    // The default on a software renderer is to leave it out.
     EXPECT_EQ(away(draw(0, 1)), none);
 }
 

@@ -28,7 +28,8 @@ TEST(CameraJson, AScenewithZUpTurnsIntoYUp) {
     EXPECT_EQ(entry.at("targets"), nlohmann::json::array({"sofa"}));
 }
 
-// A source in centimetres, y up, turned about its up axis: its own axes, but metres.
+// A source in centimetres, y up, turned about its up axis: the poses keep its axes but are in
+// metres.
 TEST(CameraJson, AYUpSourceKeepsItsAxesInMetres) {
     Scene scene;
     scene.report.up_axis = "y";

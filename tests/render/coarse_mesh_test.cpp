@@ -15,7 +15,7 @@ struct Ball {
     std::vector<std::uint32_t> corners;
 };
 
-/// A ball of radius 1 in so many rings.
+/// A ball of radius 1 with this many rings.
 Ball makeBall(std::uint32_t rings) {
     Ball ball;
     for (std::uint32_t i = 0; i <= rings; ++i) {

@@ -10,8 +10,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// A room of thick boxes that stand on each other: their edges lie on one line, in no common
-/// corner.
+/// A room of thick boxes stacked on each other: their edges lie on one line but share no corner.
 Scene roomOfBoxes() {
     dollytrack::test::SceneBuilder builder;
     const dollytrack::test::SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
@@ -31,7 +30,7 @@ std::ptrdiff_t unlabelled(const FrameRecord& frame) {
 
 class CrackFillingGl : public test::GlTest {};
 
-// From inside a closed room every pixel shows something.
+// Inside a closed room every pixel shows a surface.
 TEST_F(CrackFillingGl, NoPixelOfAClosedRoomShowsNothing) {
     const Scene scene = roomOfBoxes();
     const RayCaster rays(scene);
@@ -74,7 +73,7 @@ TEST_F(CrackFillingGl, NoPixelOfAClosedRoomShowsNothing) {
     EXPECT_GT(drawn_as_nothing, 0) << "this room has no cracks to be filled";
 }
 
-/// A room with boards at eye level, which are seen along themselves.
+/// A room with boards at eye level, which are seen edge-on.
 Scene roomOfBoards() {
     dollytrack::test::SceneBuilder builder;
     const dollytrack::test::SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
@@ -88,7 +87,8 @@ Scene roomOfBoards() {
     return builder.build();
 }
 
-/// Pixels whose depth no ray through them, or a hundredth of a pixel beside, finds on their object.
+/// Number of pixels whose depth is not found on their object by any ray through them or a hundredth
+/// of a pixel beside.
 int depthsOfNothing(const FrameRecord& frame, const View& view, const RayCaster& rays) {
     int wrong = 0;
     for (std::size_t pixel = 0; pixel < frame.instance.size(); ++pixel) {
@@ -102,7 +102,8 @@ int depthsOfNothing(const FrameRecord& frame, const View& view, const RayCaster&
                 const ViewRay ray = view.rayThrough(x + right, y + down);
                 const RayHit hit = rays.cast(ray.origin, ray.direction,
                                              std::numeric_limits<double>::infinity(), view.near_m);
-                // Half a millimetre for the pixel's hundredth, and as much for the ray's.
+                // Tolerance: half a millimetre for the hundredth of a pixel, and as much for the
+                // ray.
                 found = hit.object_id == frame.instance[pixel] &&
                         std::abs(hit.distance - depth) <= 0.001 + 1e-4 * depth;
             }
@@ -112,7 +113,7 @@ int depthsOfNothing(const FrameRecord& frame, const View& view, const RayCaster&
     return wrong;
 }
 
-// Drawing carries the plane of a board that is seen along itself on beyond its end, by metres.
+// Rasterization extrapolates the plane of a board that is seen edge-on beyond its end, by metres.
 TEST_F(CrackFillingGl, DepthOfASurfaceSeenAlongItselfIsThatOfItsRay) {
     const Scene scene = roomOfBoards();
     const RayCaster rays(scene);
@@ -143,7 +144,7 @@ TEST_F(CrackFillingGl, DepthOfASurfaceSeenAlongItselfIsThatOfItsRay) {
     EXPECT_GT(drawn_wrong, 0) << "nothing here is seen along itself";
 }
 
-// Where there is nothing, and a window's corner is no crack.
+// Open areas and the corner of a window must not be filled as cracks.
 TEST_F(CrackFillingGl, WhatIsOpenStaysOpen) {
     dollytrack::test::SceneBuilder builder;
     builder.object("post").box({0, 2, 0}, {0.2, 0.2, 4});

@@ -36,7 +36,7 @@ inline Trajectory circle(int frames) {
     return trajectory;
 }
 
-/// Exports of a small room into a folder that is gone afterwards.
+/// Exports a small room into a temporary folder.
 class DatasetGlTest : public GlTest {
   protected:
     void SetUp() override {

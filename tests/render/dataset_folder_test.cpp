@@ -20,7 +20,7 @@ constexpr const char* kMark = ".dollytrack-export";
 constexpr const char* kOurCard =
     R"({"format": "dollytrack dataset", "files": {"rgb/000007.png": ""}})";
 
-/// What an export of the standard modalities, or of these, may write.
+/// The names that an export of these modalities (none: the standard ones) may write.
 DatasetNames namesFor(const std::vector<std::string>& modalities = {}, int frames = 10) {
     return namesOf(*chooseModalities(modalities), {}, frames, {});
 }
@@ -39,7 +39,8 @@ void writeJournal(const fs::path& folder, const DatasetNames& names) {
                                       "a driver", names));
 }
 
-// dataset.json is a common name: what others put in theirs must not cost them their pictures.
+// dataset.json is a common name: images beside a dataset.json of another program must not be
+// deleted.
 TEST(DatasetFolder, RefusesADatasetOfSomebodyElse) {
     for (const char* card :
          {"{}", R"({"format": "coco"})", R"({"info": {"format": "dollytrack dataset"}})",
@@ -93,8 +94,8 @@ TEST(DatasetFolder, KeepsAnEarlierDatasetUntilTheNewOneIsComplete) {
                                                             "rgb/000000.png", "rgb/000008.png"}));
 }
 
-// An export that is killed before it begins leaves an empty journal. It makes no dataset of a
-// folder that holds other files, and goes with the next export that is refused.
+// An export that is killed before it begins leaves an empty journal. A claim that writes nothing
+// removes it, and it does not turn a folder with other files into a dataset.
 TEST(DatasetFolder, AnEmptyJournalIsNoMark) {
     const test::TempFolder folder;
     (void)folder.write(kMark, "");
@@ -106,11 +107,12 @@ TEST(DatasetFolder, AnEmptyJournalIsNoMark) {
     EXPECT_EQ(treeOf(folder.path()), (std::set<std::string>{kMark, "thesis.txt"}));
 }
 
-// Cut off while the new dataset moves into its place, the next claim ends that.
+// When an export was killed while the new dataset was moved into place, the next claim completes
+// the move.
 TEST(DatasetFolder, EndsAMoveThatWasCutOff) {
     const test::TempFolder folder;
     (void)folder.write("rgb/000007.png", "old");
-    (void)folder.write("rgb/000000.png", "new");  // has moved already
+    (void)folder.write("rgb/000000.png", "new");  // already moved
     (void)folder.write(kMark, "{}\n");
     for (const auto& [name, text] :
          std::map<std::string, std::string>{{"replaced.json", kOurCard},
@@ -138,7 +140,8 @@ TEST(DatasetFolder, RemovesWhatAKilledExportLeftButForWhatIsKept) {
     auto claimed = DatasetFolder::claim(folder.path(), false);
     ASSERT_TRUE(claimed);
     ASSERT_TRUE(claimed->begin(namesFor({"rgb", "instance"}), {"rgb/000000.png"}));
-    // Neither the eleventh frame of ten nor albedo is the killed export's.
+    // The killed export had ten frames and no albedo, so an eleventh frame and albedo files are not
+    // its own.
     EXPECT_EQ(treeOf(folder.path()),
               (std::set<std::string>{kMark, "albedo", "albedo/000000.png", "instance", "rgb",
                                      "rgb/000000.png", "rgb/000010.png", "rgb/mine.png"}));
@@ -166,7 +169,7 @@ TEST(DatasetFolder, TakesAFolderItMadeForNothingAwayAgain) {
     EXPECT_FALSE(fs::exists(folder.path() / "a"));
 }
 
-// A mark that is left would pass off a folder of other files as an unfinished dataset.
+// A mark that stays behind would make a folder of other files look like an unfinished dataset.
 TEST(DatasetFolder, LeavesNothingWhereBeginRefuses) {
     const test::TempFolder folder;
     (void)folder.write("thesis.txt", "mine");
@@ -209,7 +212,6 @@ TEST(DatasetFolder, LeavesNothingWhereNoJournalWasBegun) {
     EXPECT_TRUE(fs::exists(folder.path() / ".dollytrack-new/rgb"));
 }
 
-// What a cut-off dataset holds is free for the new one; a complete one stays until the end.
 TEST(DatasetFolder, LeavesNothingWhereAFolderWithinAnotherFails) {
     for (const std::string& inner : {std::string("train"), std::string(300, 'x')}) {
         const test::TempFolder folder;
@@ -226,6 +228,8 @@ TEST(DatasetFolder, LeavesNothingWhereAFolderWithinAnotherFails) {
     }
 }
 
+// The space of an unfinished dataset is free for the new one; a complete dataset is kept until
+// the new one is finished.
 TEST(DatasetFolder, CountsTheSpaceThatIsGivenBack) {
     const test::TempFolder folder;
     (void)folder.write("rgb/000000.png", std::string(64'000'000, 'x'));
@@ -236,7 +240,7 @@ TEST(DatasetFolder, CountsTheSpaceThatIsGivenBack) {
     {
         auto claimed = DatasetFolder::claim(folder.path(), false);
         ASSERT_TRUE(claimed);
-        // Half of it as a margin: others write on this disk, too.
+        // Half of the file's size is a margin, since other programs write to this disk, too.
         EXPECT_TRUE(claimed->checkSpace(free + 32'000'000, {}));
         const Status kept = claimed->checkSpace(free + 32'000'000, {"rgb/000000.png"});
         ASSERT_FALSE(kept);

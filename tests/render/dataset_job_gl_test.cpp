@@ -27,7 +27,7 @@ TEST_F(DatasetJobGl, WritesADatasetThatAgreesWithItself) {
     EXPECT_FALSE(fs::exists(out / ".dollytrack-export"));
 
     const auto card = nlohmann::json::parse(read(out / "dataset.json"));
-    // Every other file is listed with its hash, and no other.
+    // All other files, and only these, are listed with their hashes.
     auto files = tree(out);
     files.erase("dataset.json");
     EXPECT_EQ(files.size(), 7U * 4 + 5);
@@ -66,7 +66,7 @@ TEST_F(DatasetJobGl, WritesADatasetThatAgreesWithItself) {
         EXPECT_EQ(wrong, 0);
     }
 
-    // A pixel taken back into the world by the card's own conventions lies on its object.
+    // A pixel that is unprojected by the conventions in dataset.json lies on its object.
     const auto& lens = card.at("conventions").at("intrinsics");
     const auto& row = card.at("frames").at(3);
     const Eigen::Quaterniond rotation(
@@ -139,7 +139,8 @@ TEST_F(DatasetJobGl, AFolderInTheWayOfAPictureIsSaidBeforeTheOldDatasetIsTouched
     fs::create_directories(folder_ / "out");
     const auto first = exportTo(folder_ / "out", circle(2));
     ASSERT_TRUE(first);
-    // A folder where a picture should go fails for root, too, whom permissions do not stop.
+    // A folder in the place of an image makes writing fail even for root, whom permissions do not
+    // stop.
     fs::remove(folder_ / "out/rgb/000001.png");
     fs::create_directories(folder_ / "out/rgb/000001.png/full");
     const auto before = tree(folder_ / "out");
@@ -169,7 +170,7 @@ TEST_F(DatasetJobGl, CancellingLeavesWholeImagesAndNoCard) {
     EXPECT_EQ(files.count("dataset.json"), 0U);
 }
 
-// The count by pixels against the same count by rays.
+// The captures counted by pixels must match a count by rays.
 TEST_F(DatasetJobGl, CapturesMatchACountByRays) {
     const Trajectory trajectory = circle(6);
     const auto summary = exportTo(folder_ / "out", trajectory);

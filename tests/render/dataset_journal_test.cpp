@@ -18,7 +18,7 @@ JournalEntry entryOf(int index) {
     entry.index = index;
     entry.sha256s = {{"rgb/" + std::to_string(index), "5a"}, {"depth/x", "77"}};
     entry.masks = {{3, {5, 2, 5}, 2, {1, 2, 1, 2}}, {9, {0, 12}, 12, {0, 0, 4, 3}}};
-    // No short decimals: what is read must be the very numbers.
+    // Numbers without a short decimal form: reading must return exactly the same values.
     entry.views = {{3, index, 1.0 / 3.0, 123.4567890123456789, 0.1 + 0.2, 1e-17 / 7.0}};
     entry.well_shown = {3, 9};
     if (index > 0) entry.quality = PictureQuality::Flat;
@@ -73,7 +73,7 @@ TEST_F(Journal, GivesBackWhatWasWritten) {
     EXPECT_EQ(entry.views[0].mask_share, expected.views[0].mask_share);
 }
 
-// A journal may come from anywhere; its qualities are looked up in a table.
+// A journal may come from anywhere, and its quality values are used as a table index.
 TEST_F(Journal, AnEntryOfAnUnknownQualityIsNone) {
     write(1);
     auto journal = DatasetJournal::resume(guarded_, readJournal(guarded_));
@@ -113,7 +113,7 @@ TEST_F(Journal, DropsDamagedLinesAndNoOthers) {
     const std::size_t middle = whole.find("\"frame\":1");
     ASSERT_NE(middle, std::string::npos);
     std::string damaged = whole;
-    damaged[middle + 8] = '2';  // still JSON, and of another frame
+    damaged[middle + 8] = '2';  // still JSON, but of another frame
     replace(damaged);
     const JournalContents contents = readJournal(guarded_);
     ASSERT_TRUE(contents.identity);

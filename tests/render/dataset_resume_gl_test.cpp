@@ -26,7 +26,7 @@ class DatasetResumeGl : public test::DatasetGlTest {
         return settings;
     }
 
-    /// An export that is cancelled when `frames` are drawn. What is left of it.
+    /// Exports and cancels after `frames` were rendered, so that a partial dataset is left.
     void exportPart(const fs::path& folder, const Trajectory& trajectory, int frames) {
         auto cancel = std::make_shared<std::atomic<bool>>(false);
         const JobContext job(cancel, {}, [&](int done, int) { *cancel = done >= frames; });
@@ -36,7 +36,7 @@ class DatasetResumeGl : public test::DatasetGlTest {
         EXPECT_NE(stopped.error().message.find("--resume"), std::string::npos);
     }
 
-    /// How many frames an export draws that continues in the folder.
+    /// How many frames an export that continues in the folder renders.
     int framesDrawnBy(const fs::path& folder, const Trajectory& trajectory) {
         int first = -1;
         const JobContext job({}, {}, [&](int done, int) { first = first < 0 ? done : first; });
@@ -67,7 +67,7 @@ TEST_F(DatasetResumeGl, RendersAgainWhatIsMissingOrDamaged) {
     const std::string picture = read(out / "rgb/000004.png");
     std::ofstream(out / "rgb/000004.png", std::ios::binary) << picture.substr(0, 500);
     (void)std::ofstream(out / "rgb/000001.png.tmp.99");
-    // No frame of this dataset has that number, so the file is somebody else's and stays.
+    // No frame of this dataset has that number, so the file is not the export's own and is kept.
     (void)std::ofstream(out / "rgb/000099.png");
     EXPECT_EQ(framesDrawnBy(out, trajectory), 4);
     EXPECT_TRUE(fs::remove(out / "rgb/000099.png"));
@@ -75,7 +75,7 @@ TEST_F(DatasetResumeGl, RendersAgainWhatIsMissingOrDamaged) {
 }
 
 // The counter asks for fewer silhouettes after better frames; the order in which frames are
-// rendered must not show in what is counted.
+// rendered must not change the counts.
 TEST_F(DatasetResumeGl, CountsTheSameWhicheverFramesAreMissing) {
     const Trajectory trajectory = circle(10);
     ASSERT_TRUE(exportTo(folder_ / "unbroken", trajectory));
@@ -123,8 +123,8 @@ TEST_F(DatasetResumeGl, RefusesToMixTwoDatasets) {
     refused(settingsFor(out), trajectory, "the scene");
 }
 
-// The camera's curve through the frames of a range, and so what they blur and what inertial sensors
-// measure, depends on the frames around them.
+// The camera's curve through the frames of a range depends on the frames around the range, and with
+// it motion blur and inertial measurements.
 TEST_F(DatasetResumeGl, KnowsTheMotionOutsideOfTheRange) {
     const Trajectory trajectory = circle(8);
     const auto motionsUpTo = [&](double metres) {
@@ -192,7 +192,7 @@ TEST_F(DatasetResumeGl, ACompleteDatasetIsCheckedAndLeftAlone) {
     EXPECT_NE(damaged.error().where.find("000003.png"), std::string::npos);
 }
 
-// Killed when dataset.json stood already, but the journal, too.
+// Killed when dataset.json was written already but the journal was not removed yet.
 TEST_F(DatasetResumeGl, EndsWhatWasKilledAtTheVeryEnd) {
     const Trajectory trajectory = circle(4);
     const fs::path out = folder_ / "out";
@@ -238,7 +238,7 @@ TEST_F(DatasetResumeGl, WritesTheChosenModalitiesAndFormatsOnly) {
     for (const char* same : {"depth/000002.png", "semantic/000001.png", "camera.json"}) {
         EXPECT_EQ(files.at(same), expected.at(same)) << same;
     }
-    // The sheet shows what there is.
+    // The contact sheet shows the frames that exist.
     const cv::Mat sheet = cv::imread((folder_ / "some/contact_sheet.jpg").string());
     ASSERT_FALSE(sheet.empty());
     EXPECT_GT(cv::mean(sheet)[0], 40.0);
@@ -251,7 +251,7 @@ TEST_F(DatasetResumeGl, WritesTheChosenModalitiesAndFormatsOnly) {
     EXPECT_NE(unknown.error().message.find("'rgb'"), std::string::npos);
 }
 
-// What a preview draws is what export writes.
+// A preview renders the same image that an export writes.
 TEST_F(DatasetResumeGl, TheFilesHoldWhatTheSceneRendererDraws) {
     const Trajectory trajectory = circle(4);
     ASSERT_TRUE(exportTo(folder_ / "out", trajectory));

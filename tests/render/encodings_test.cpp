@@ -10,7 +10,8 @@
 namespace dollytrack::render {
 namespace {
 
-/// How often an outline goes around a point, by brute force: edges that cross the ray to the right.
+/// Winding number of an outline around a point, by brute force: counts edges that cross the ray to
+/// the right.
 int windings(const Outline& outline, double x, double y) {
     int count = 0;
     for (std::size_t i = 0; i < outline.corners.size(); ++i) {

@@ -13,7 +13,8 @@
 namespace dollytrack::render {
 namespace {
 
-/// A trajectory along a line at 10 frames a second; so many frames in each room.
+/// A trajectory along a line at 10 frames per second; `rooms` gives the number of frames in each
+/// room.
 std::vector<DatasetFrame> trajectoryOf(const std::vector<int>& rooms) {
     std::vector<DatasetFrame> frames;
     for (std::size_t room = 0; room < rooms.size(); ++room) {
@@ -29,7 +30,7 @@ std::vector<DatasetFrame> trajectoryOf(const std::vector<int>& rooms) {
     return frames;
 }
 
-/// Each frame is held back once, and in no fold both learnt from and held back.
+/// Each frame is held out exactly once, and no fold uses a frame both for training and held out.
 void expectSplit(const FrameFolds& split, std::size_t frames, int count) {
     ASSERT_EQ(split.folds.size(), static_cast<std::size_t>(count));
     std::vector<int> held_back(frames);
@@ -62,7 +63,7 @@ TEST(FrameFolds, HoldsBackWholeRoomsWhereThereAreEnough) {
 
 TEST(FrameFolds, KeepsBlocksApartInTimeAndPlace) {
     auto frames = trajectoryOf({200});
-    // It comes by again: frame 150 stands where frame 20 stood.
+    // The trajectory returns: frame 150 has the pose of frame 20.
     frames[150].camera.pose = frames[20].camera.pose;
     for (const std::uint64_t seed : {1, 2, 3}) {
         const auto split = splitFrames(frames, {5, seed});
@@ -83,7 +84,7 @@ TEST(FrameFolds, KeepsBlocksApartInTimeAndPlace) {
     EXPECT_EQ(splitFrames(frames, {5, 1})->folds[0].val, splitFrames(frames, {5, 1})->folds[0].val);
 }
 
-// Four rooms of five are too unequal to be held back whole.
+// The sizes of the rooms differ too much to hold out whole rooms.
 TEST(FrameFolds, OneLargeRoomIsCutIntoBlocks) {
     EXPECT_FALSE(splitFrames(trajectoryOf({300, 5, 5, 5, 5}), {5, 1})->by_room);
 }

@@ -15,7 +15,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Sun, sky, lamps and a floor that shines.
+/// A room with sun, sky, lamps and a glossy floor.
 Scene brightRoom() {
     Scene scene = test::sunnyRoom(test::Hole::Window);
     scene.materials[0].emission = {0.1F, 0.06F, 0.03F};
@@ -56,7 +56,7 @@ TEST(FrameLights, AFrameDrawsItsStrengthsAndTheSceneItsSun) {
 
 class FrameLightsGl : public test::DatasetGlTest {
   protected:
-    /// Of a view into the room, as bytes.
+    /// The image of a view into the room, as bytes.
     static std::vector<std::uint8_t> pictureOf(SceneRenderer& renderer, RenderTarget& target) {
         const View view = makeView(test::smallCamera(), lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
         std::vector<std::uint8_t> rgb;
@@ -64,7 +64,7 @@ class FrameLightsGl : public test::DatasetGlTest {
         target.readRgb(rgb);
         return rgb;
     }
-    /// The mean difference in steps of a byte, and the share of what is more than 6 apart.
+    /// The mean difference on the scale 0..255, and the share of values that differ by more than 6.
     static std::pair<double, double> apart(const std::vector<std::uint8_t>& a,
                                            const std::vector<std::uint8_t>& b) {
         if (a.size() != b.size() || a.empty()) return {255.0, 1.0};
@@ -97,7 +97,7 @@ class FrameLightsGl : public test::DatasetGlTest {
     }
 };
 
-// The parts added up are the light that is baked for those very values.
+// The sum of the parts equals the light that is baked for these values.
 TEST_F(FrameLightsGl, AFramesLightIsThatOfTheSameValuesSetForTheScene) {
     const Scene scene = brightRoom();
     const RayCaster rays(scene);
@@ -118,16 +118,17 @@ TEST_F(FrameLightsGl, AFramesLightIsThatOfTheSameValuesSetForTheScene) {
         set.light_variation = 0.0;
         LightVolume baked =
             bakeLightVolume(scene, rays, makeLightRig(scene, rays, {}, resolved(set)), grid);
-        // The exposure stays that of the light which frames vary around.
+        // The exposure stays that of the base light, which the frames vary.
         const double ev = set.exposure_ev - params.exposure_ev;
         EXPECT_NEAR(lights.exposureAt(frame), lights.volume().exposure * std::exp2(ev), 1e-5);
         baked.exposure = lights.exposureAt(frame);
         ASSERT_TRUE(renderer->scene().setLight(baked));
         const auto expected = pictureOf(renderer->scene(), renderer->target());
-        // Bounced light comes from where all of it does, in all colours: what differs is its hue.
+        // The direction of bounced light is stored once for all sources, so only its hue may
+        // differ.
         const auto [mean, far] = apart(changed, expected);
         EXPECT_LT(mean, 1.5) << frame;
-        EXPECT_LT(far, 0.001) << frame;  // pixels that one edge filter takes and another not
+        EXPECT_LT(far, 0.001) << frame;  // pixels that only one of the two edge filters changes
         if (!last.empty()) {
             EXPECT_GT(apart(changed, last).first, 4.0) << frame;
         }
@@ -150,11 +151,11 @@ TEST_F(FrameLightsGl, AStillCameraSeesItChangeWhereItIsAskedTo) {
         EXPECT_EQ(read(folder_ / "frame/depth/000000.png"),
                   read(folder_ / "frame" / frameFile("depth", i, ".png")));
     }
-    // A part has the bytes of the whole.
+    // Exporting a part of the frames gives the same bytes as exporting all.
     light.light_varies = LightVaries::Frame;
     ASSERT_TRUE(exportInto("part", light, still, {1, 6, 2}));
     for (int i = 0; i < 3; ++i) EXPECT_EQ(picture("part", i), picture("frame", 1 + 2 * i)) << i;
-    // And what it was is in the table.
+    // The light of each frame is in the table.
     const std::string table = read(folder_ / "part/frames.csv");
     EXPECT_NE(
         table.find(",score,picture,lamp_strength,lamp_temperature_K,sky_strength,sun_strength,"

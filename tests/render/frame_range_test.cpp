@@ -39,7 +39,7 @@ TEST(FrameRange, SaysItselfAsItIsRead) {
     }
 }
 
-// The sum of an index and such a step is beyond the type's end.
+// The sum of an index and such a step would overflow.
 TEST(FrameRange, TakesTheLargestStep) {
     const int huge = std::numeric_limits<int>::max();
     const auto range = parseFrameRange("3::" + std::to_string(huge));

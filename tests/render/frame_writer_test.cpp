@@ -17,7 +17,7 @@ namespace {
 std::atomic<int> handed_over = 0;
 int waits_for = 0;
 
-/// Ends when so many frames were handed over, and after a while; writes nothing.
+/// Waits until `waits_for` frames were handed over, and 5 ms more; writes nothing.
 Result<std::vector<FrameFile>> slowly(const FrameContext& /*context*/,
                                       const FrameRecord& /*frame*/) {
     while (handed_over < waits_for) std::this_thread::yield();
@@ -29,7 +29,7 @@ const Modality kSlow = {"slow", "", 0.0, false, 0, slowly, nullptr};
 
 class FrameWriterTest : public testing::Test {
   protected:
-    /// The most frames on their way after one more was handed over.
+    /// The largest number of unfinished frames right after handing one over.
     int mostOnTheirWay(std::size_t max_bytes, std::size_t frame_bytes, int frames) {
         std::atomic<int> done = 0;
         handed_over = 0;
@@ -84,7 +84,7 @@ TEST_F(FrameWriterTest, CountsAllImagesOfAFrame) {
     frame.whole.resize(2);
     frame.whole[1].inside.resize(7);
     frame.rig_rgb.assign(3, std::vector<std::uint8_t>(6));
-    const std::size_t pictures = 3 * 2 * (3 + 3) + 24 * 2;  // and what is written of them
+    const std::size_t pictures = 3 * 2 * (3 + 3) + 24 * 2;  // and the encoded files
     EXPECT_EQ(frame.bytes(), 30U + 40 + 20 + 20 + 120 + 30 + 30 + 40 + 120 + 7 + pictures);
 }
 

@@ -67,7 +67,7 @@ class Gltf : public testing::Test {
     DatasetContents contents_{scene_, {}, {}, {}};
 };
 
-// Another reader than ours would have to: assimp, behind the import.
+// The file is read by assimp, as another program would.
 TEST_F(Gltf, HoldsTheSceneWhereItIs) {
     const test::TempFolder folder;
     ImportOptions options;
@@ -97,7 +97,7 @@ TEST_F(Gltf, MovesTheCameraAsTheFramesDo) {
     const auto times = glb.keys("time", 1);
     const auto positions = glb.keys("translation", 3);
     const auto rotations = glb.keys("rotation", 4);
-    // Where the camera is carried over, one key more keeps it where it was.
+    // Where the camera jumps, an additional key keeps it at its old position until then.
     ASSERT_EQ(times.size(), 6U);
     ASSERT_EQ(positions.size(), 18U);
     ASSERT_EQ(rotations.size(), 24U);
@@ -149,7 +149,7 @@ TEST_F(Gltf, MovesThingsThatMove) {
     };
     const auto positions = output(2, 3), rotations = output(3, 4);
     for (std::size_t i = 0; i < 5; ++i) {
-        // A point of the thing, by its node and by its motion.
+        // A point of the object, computed by its node and by its motion.
         const Eigen::Vector3d offset(0.2, -0.3, 0.1);
         const Eigen::Vector3d expected = motion.by_frame[i] * (object.box.center + offset);
         const float* q = &rotations[4 * i];

@@ -13,7 +13,7 @@ using dollytrack::test::SceneBuilder;
 
 const Eigen::AlignedBox3d kBox(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(2, 2, 2));
 
-/// Cells of 10 cm; between the halves of the box in x stands a wall, or nothing.
+/// Cells of 10 cm; a wall may stand between the two halves of the box in x.
 IrradianceGrid linkedCells(bool with_wall) {
     SceneBuilder builder;
     builder.object("floor").quad({-1, -1, -1}, {4, 0, 0}, {0, 4, 0});
@@ -24,7 +24,7 @@ IrradianceGrid linkedCells(bool with_wall) {
     return cells;
 }
 
-/// How bright it is where x is above 1 m after light from below there was blurred.
+/// Brightness where x is above 1 m, after blurring light that is only where x is below 1 m.
 double beyondTheWall(bool with_wall) {
     const IrradianceGrid cells = linkedCells(with_wall);
     std::vector<Eigen::Vector3f> values(cells.count(), Eigen::Vector3f::Zero());

@@ -5,7 +5,8 @@
 namespace dollytrack::render::test {
 
 /// A room 3 x 3 x 2.6 m without gloss, and a table lamp beside its wall at x = 0: 0.5 m high with a
-/// closed shade 0.2 m wide, its ball at lampBall(). `paint` is all that is not the lamp.
+/// closed shade 0.2 m wide, its ball at lampBall(). `paint` is the colour of everything except the
+/// lamp.
 inline Scene lampRoom(float paint, bool second_room = false) {
     using dollytrack::test::SceneBuilder;
     SceneBuilder builder;

@@ -134,7 +134,7 @@ TEST_F(LightCacheTest, TheOldestMakesRoom) {
     cache.keep("b", volume_);
     age("a", 2);
     age("b", 1);
-    ASSERT_TRUE(cache.find("a"));  // is the youngest now
+    ASSERT_TRUE(cache.find("a"));  // is now the most recently used
     cache.keep("c", volume_);
     EXPECT_TRUE(cache.find("a"));
     EXPECT_FALSE(cache.find("b"));

@@ -1,4 +1,4 @@
-// The sun and the light's settings, in drawn pictures.
+// Tests of the sun and the light settings in rendered images.
 
 #include "engine/scene/varied_materials.h"
 #include "render/draw/tone_curve.h"
@@ -28,8 +28,8 @@ CameraParams squareCamera() {
     return camera;
 }
 
-/// Looks straight down at the floor from under the ceiling: 100 px a metre, the picture's middle at
-/// x = 1.5, y = 1.5.
+/// Looks straight down at the floor from below the ceiling: 100 px per metre, the image centre at x
+/// = 1.5, y = 1.5.
 View downwards() {
     View view = makeView(squareCamera(), Pose{});
     Eigen::Matrix3d axes;  // right is x, down is -y
@@ -59,7 +59,7 @@ class LightGl : public test::GlTest {
         return values;
     }
 
-    /// No light but the sun's own, as bright as the rig has it.
+    /// Only the sun's direct light, with the rig's brightness.
     static LightVolume onlySun(const LightRig& rig) {
         LightVolume light;
         light.cells = {1, 1, 1};
@@ -69,8 +69,8 @@ class LightGl : public test::GlTest {
         return light;
     }
 
-    /// Mean difference of the drawn picture from the path traced one, whose light is `scale` times
-    /// as bright; as the tone curve would: what is very bright must not decide.
+    /// Mean difference between the rasterized image and the path traced one, whose light is scaled
+    /// by `scale`. Compressed as by the tone curve, so that very bright pixels do not dominate.
     double difference(const Scene& scene, const RayCaster& rays, const LightRig& rig,
                       const LightVolume& volume, const View& view, float scale) {
         const std::vector<float> drawn = lightOf(scene, volume, view);
@@ -97,7 +97,7 @@ class LightGl : public test::GlTest {
     }
 };
 
-// The sun at 45 degrees throws the window onto the floor one metre further in.
+// At 45 degrees the sun projects the window onto the floor one metre further inside.
 TEST_F(LightGl, TheSunDrawsTheWindowOnTheFloor) {
     const Scene scene = sunnyRoom(Hole::Window);
     const std::vector<float> light = lightOf(scene, onlySun(sunAlone(scene)), downwards());
@@ -116,8 +116,8 @@ TEST_F(LightGl, TheSunDrawsTheWindowOnTheFloor) {
     }
 }
 
-// What a black, half glossy floor throws of the sun at eyes about the mirror's way, against the
-// BRDF that path tracing takes. From where the sun comes the floor is all but black.
+// The highlight of the sun on a black, half glossy floor, seen from around the mirror direction,
+// must match the BRDF of path tracing. Seen from the sun's side the floor is nearly black.
 TEST_F(LightGl, TheSunGlintsAsTheBrdfHasIt) {
     Scene scene = sunnyRoom(Hole::Window);
     for (const float roughness : {0.35F, 0.6F, 0.9F}) {
@@ -152,7 +152,8 @@ TEST_F(LightGl, NoSunThroughShuttersAndLessThroughGlass) {
     const Scene closed = sunnyRoom(Hole::Shutter);
     const std::vector<float> dark = lightOf(closed, onlySun(sunAlone(closed)), downwards());
     EXPECT_EQ(*std::ranges::max_element(dark), 0.0F);
-    // Nor along the joints of floor and walls on the far side, where the sun looks past the room.
+    // Also no light along the joints of floor and walls on the far side, where the sun is outside
+    // the room.
     View far_corner = downwards();
     far_corner.pose.position = {3.0, 2.0, 2.5};
     const std::vector<float> corner = lightOf(closed, onlySun(sunAlone(closed)), far_corner);
@@ -203,7 +204,7 @@ TEST_F(LightGl, SmoothedNormalsThrowNoStripes) {
     }
 }
 
-// Grounds reach further than what casts shadows: beyond these the sun shines.
+// The ground reaches further than the shadow map: beyond it the sun shines.
 TEST_F(LightGl, TheSunShinesBehindTheShadowOfTheBuilding) {
     dollytrack::test::SceneBuilder builder;
     builder.object("ground", {kNyuFloor, Role::Structure, {0.5F, 0.5F, 0.5F}})
@@ -222,7 +223,7 @@ TEST_F(LightGl, TheSunShinesBehindTheShadowOfTheBuilding) {
     for (const double x : {6.8, 7.4}) EXPECT_NEAR(at(light, x - 5.0, 1.5), expected, 0.04F) << x;
 }
 
-// Baked, drawn and traced are the same light, the sun's and what it becomes.
+// Baked, rasterized and traced light agree, both direct sunlight and its bounces.
 TEST_F(LightGl, DrawnAndTracedPicturesAgreeInTheSun) {
     const Scene scene = sunnyRoom(Hole::Window);
     const RayCaster rays(scene);
@@ -237,8 +238,8 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeInTheSun) {
     EXPECT_GT(difference(scene, rays, rig, volume, view, 1.5F), 0.12);
 }
 
-// A table lamp and the room's: the same in drawn pictures and in traced ones, and what is missed
-// without it is more than what they differ by.
+// Rasterized and traced images agree for a table lamp and the room's lamp, and leaving out the
+// table lamp would change more than they differ.
 TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
     const Scene scene = test::lampRoom(0.8F);
     const RayCaster rays(scene);
@@ -254,7 +255,7 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
     without.own_lamps.clear();
     const LightVolume dim = bakeLightVolume(scene, rays, without);
     EXPECT_GT(difference(scene, rays, rig, dim, view, 1.0F), 0.1);
-    // The room as a whole stays as bright.
+    // The exposure of the whole room stays about the same.
     EXPECT_NEAR(volume.exposure, dim.exposure, 0.25F * dim.exposure);
 }
 
@@ -274,7 +275,7 @@ class DatasetLightGl : public test::DatasetGlTest {
 TEST_F(DatasetLightGl, TheSameSeedIsTheSamePictureAndAnotherIsNot) {
     const std::string neutral = pictureWith({}, "neutral");
     LightParams seeded;
-    seeded.light_seed = 9;  // says nothing without a variation
+    seeded.light_seed = 9;  // has no effect without a variation
     EXPECT_EQ(pictureWith(seeded, "seeded"), neutral);
     LightParams varied = lightPreset(LightPreset::Evening);
     varied.light_variation = 0.8;
@@ -283,7 +284,7 @@ TEST_F(DatasetLightGl, TheSameSeedIsTheSamePictureAndAnotherIsNot) {
     EXPECT_EQ(pictureWith(varied, "again"), first);
     varied.light_seed = 2;
     EXPECT_NE(pictureWith(varied, "other"), first);
-    // Depth and labels know nothing of the light.
+    // Depth and labels do not depend on the light.
     for (const char* file : {"depth/000000.png", "instance/000000.png"}) {
         EXPECT_EQ(read(folder_ / "first" / file), read(folder_ / "neutral" / file)) << file;
         EXPECT_FALSE(read(folder_ / "first" / file).empty()) << file;
@@ -318,7 +319,7 @@ TEST(Sky, IsGreyWhenOvercastOverTheSameGround) {
     EXPECT_GT(colorful(colorOf(1.0F, LightPreset::Day)), 0.5F);
 }
 
-// Night: what came through the window is gone, to the last bit; the lamps still show the room.
+// At night no light at all comes through the window; the lamps still light the room.
 TEST_F(LightGl, ANightHasNoDaylight) {
     const Scene scene = sunnyRoom(Hole::Window);
     const RayCaster rays(scene);
@@ -343,13 +344,13 @@ TEST_F(LightGl, ANightHasNoDaylight) {
     const LightVolume black = volumeOf(night);
     for (const Eigen::Vector3f& ambient : black.ambient) ASSERT_EQ(ambient.maxCoeff(), 0.0F);
     EXPECT_EQ(meanOf(black), 0.0);
-    // The same without lamps is not black by day, nor under an overcast sky.
+    // Without lamps the room is not black by day or under an overcast sky.
     for (const LightPreset preset : {LightPreset::Day, LightPreset::Overcast}) {
         LightParams lit = lightPreset(preset);
         lit.lamp_strength = 0.0;
         EXPECT_GT(meanOf(volumeOf(lit)), 0.05);
     }
-    // And the sun is the day's alone.
+    // Only the preset Day has a sun.
     EXPECT_TRUE(volumeOf(lightPreset(LightPreset::Day)).sun.shines());
     EXPECT_FALSE(volumeOf(lightPreset(LightPreset::Overcast)).sun.shines());
     EXPECT_FALSE(volumeOf({}).sun.shines());

@@ -40,7 +40,7 @@ Scene wall(int nyu40 = kNyuWall) {
 
 class MaterialMapsGl : public test::GlTest {
   protected:
-    /// Light of the picture's middle, in a room that a lamp fills from one direction alone.
+    /// Light at the image centre, in a room that is lit from one direction only.
     Eigen::Vector3f lightOf(const Scene& scene, const LightVolume& light) {
         if (!context_) context_ = std::move(*gl::createOsMesaContext());
         CameraParams camera;
@@ -89,7 +89,7 @@ TEST_F(MaterialMapsGl, ANormalMapTurnsTheSurface) {
     EXPECT_NEAR(up[0], 0.5F * 0.5F, 0.01F);
     EXPECT_LT(down[0], 0.01F);
     EXPECT_NEAR(front[0], 0.5F * std::sqrt(0.75F), 0.015F);
-    // The scale makes it flatter: the slope of 1 / sqrt(3) halves.
+    // The scale flattens the map: the slope of 1 / sqrt(3) is halved.
     scene.materials[0].normal_scale = 0.5F;
     const double slope = 0.5 / std::sqrt(3.0);
     EXPECT_NEAR(lightOf(scene, lampFrom({0, 0, 1}))[0], 0.5 * slope / std::hypot(1.0, slope), 0.01);
@@ -121,7 +121,8 @@ TEST_F(MaterialMapsGl, TracedSurfacesHaveTheSameMaps) {
     EXPECT_NEAR(point.emission[0], std::pow((188 / 255.0 + 0.055) / 1.055, 2.4), 1e-3);
     EXPECT_EQ(point.emission[1], 0.0F);
     EXPECT_NEAR(point.emission[2], 0.25F, 1e-3F);
-    // A map that was not found says nothing; metal and emission without their pictures are none.
+    // A map that was not found has no effect on normals and roughness; without their maps, metallic
+    // and emission are zero.
     for (Texture& texture : scene.textures) texture = {};
     const TracedSurface bare(scene, nullptr);
     const SurfacePoint plain = bare.at({0, 0.1, 0.2}, way, rays.cast({0, 0.1, 0.2}, way));
@@ -139,7 +140,8 @@ TEST_F(MaterialMapsGl, MetalAndGlowComeFromTheirMaps) {
     const float plain = lightOf(scene, lamp)[0];
     EXPECT_NEAR(plain, 0.5F, 0.01F);
     Material& material = scene.materials[0];
-    // All metal: nothing is thrown back diffusely; the factor without metal in the map: all is.
+    // Metallic 1 everywhere: no diffuse reflection. Metallic factor 1 but 0 in the map: full
+    // diffuse reflection.
     material.metallic = 1.0F;
     material.metallic_map = 0;
     EXPECT_LT(lightOf(scene, lamp)[0], 0.25F);  // the lamp's highlight
@@ -147,7 +149,7 @@ TEST_F(MaterialMapsGl, MetalAndGlowComeFromTheirMaps) {
     EXPECT_NEAR(lightOf(scene, lamp)[0], plain, 0.01F);
     material.metallic = 0.0F;
     material.metallic_map = -1;
-    // Glow of the map's own colour, without any other light.
+    // The emission has the map's colour, without any other light.
     material.emission = {2.0F, 2.0F, 2.0F};
     material.emission_map = 1;
     const LightVolume dark = lampFrom({0, 0, 0});
@@ -155,7 +157,7 @@ TEST_F(MaterialMapsGl, MetalAndGlowComeFromTheirMaps) {
     EXPECT_LT(glow[0], 0.01F);
     EXPECT_NEAR(glow[1], 2.0F * std::numbers::pi_v<float>, 0.2F);
     material.emission_map = -1;
-    // What is no metal shines all the same.
+    // Non-metals emit all the same.
     material.metallic = 1.0F;
     material.metallic_map = 1;
     EXPECT_NEAR(lightOf(scene, dark)[0], 2.0F * std::numbers::pi_v<float>, 0.2F);
@@ -164,12 +166,14 @@ TEST_F(MaterialMapsGl, MetalAndGlowComeFromTheirMaps) {
     EXPECT_NEAR(lightOf(scene, dark)[0], 2.0F * std::numbers::pi_v<float>, 0.2F);
 }
 
-// What shows the outside goes with the sky, once; other things go with the lamps.
+// The emission of objects that show the outside is scaled with the sky; that of others with the
+// lamps.
 TEST_F(MaterialMapsGl, GlowGoesWithTheLightItStandsFor) {
     LightVolume evening = lampFrom({0, 0, 0});
     evening.outside_shines = 0.25F;
     evening.lamps_shine = 2.0F;
-    // Half a step of the surface buffer, of what shines most, and half a step of the vertex.
+    // Rounding: half a step of the surface buffer at its brightest emission, and half a step of the
+    // vertex attribute.
     constexpr float kRounded = (0.5F * 16.0F + 0.5F * 8.0F) / 255.0F * 2.0F;
     for (const auto& [nyu40, share] : {std::pair(kNyuWindow, 0.25F), std::pair(kNyuWall, 2.0F)}) {
         Scene scene = wall(nyu40);
@@ -182,7 +186,8 @@ TEST_F(MaterialMapsGl, GlowGoesWithTheLightItStandsFor) {
     EXPECT_LT(lightOf(off, evening)[0], 0.01F) << "a lamp that is off";
 }
 
-/// A red pane before a blue one before a white wall, or the other way round in the file.
+/// A red pane in front of a blue one in front of a white wall; `far_one_first` gives the order in
+/// the file.
 Scene panes(bool far_one_first) {
     SceneBuilder builder;
     builder.object("wall", {kNyuWall, Role::Structure, {1.0F, 1.0F, 1.0F}})
@@ -199,8 +204,8 @@ Scene panes(bool far_one_first) {
     return scene;
 }
 
-// Whatever comes first in the file, the near pane lies over the far one; labels and depth are
-// those of the near one.
+// Whatever the order in the file, the near pane is drawn over the far one; labels and depth are
+// those of the near pane.
 TEST_F(MaterialMapsGl, GlassIsDrawnFromBackToFront) {
     CameraParams camera;
     camera.width_px = 32;
@@ -217,10 +222,11 @@ TEST_F(MaterialMapsGl, GlassIsDrawnFromBackToFront) {
         EXPECT_EQ(scene.object(frame->instance[middle]).name, "red");
         EXPECT_NEAR(frame->depth_m[middle], 2.0F, 1e-4F);
         seen.emplace_back(frame->rgb.begin() + 3 * middle, frame->rgb.begin() + 3 * middle + 3);
-        // Of the wall's white, blue leaves half, red half of the rest and adds its own.
+        // Blue lets half of the white wall through; red lets half of the rest through and adds its
+        // own colour.
         EXPECT_GT(seen.back()[0], seen.back()[2] + 30);
         EXPECT_GT(seen.back()[2], seen.back()[1] + 20);
-        // From behind it is the other way round.
+        // Seen from behind, the order is reversed.
         const auto behind = renderer->render(makeView(camera, lookAt({3.9, 0, 0}, {1, 0, 0})));
         ASSERT_TRUE(behind);
         EXPECT_EQ(scene.object(behind->instance[middle]).name, "blue");

@@ -25,8 +25,8 @@ void addDense(SceneBuilder& builder, const std::string& name, double x, double y
     }
 }
 
-/// Seen from the origin along x: a wall on the left with one thing wholly behind it and one in
-/// part, on the right one behind a pane of glass.
+/// Seen from the origin along x: on the left a wall with one object fully and one partly behind it,
+/// on the right an object behind a pane of glass.
 Scene thingsBehindThings() {
     SceneBuilder builder;
     builder.object("wall").quad({2, 0.3, -3}, {0, 6, 0}, {0, 0, 6});
@@ -71,7 +71,7 @@ class OcclusionCullingGl : public test::GlTest {
         return rgb;
     }
 
-    /// A list for View::hidden of this object alone.
+    /// A list for View::hidden with only this object.
     static std::vector<bool> only(int id) {
         std::vector<bool> hidden(static_cast<std::size_t>(id) + 1, false);
         hidden.back() = true;
@@ -89,7 +89,7 @@ TEST_F(OcclusionCullingGl, LeavesOutWhatStandsWhollyBehindOthers) {
     const std::vector<std::uint8_t> picture = draw(ahead);
     EXPECT_EQ(renderer_->scene().hiddenByOthers(), 1);
     EXPECT_EQ(picture, draw(ahead, only(kBehind))) << "it was not that which nothing shows";
-    // What is seen past an edge or through glass is drawn.
+    // Objects that are visible past an edge or through glass are drawn.
     EXPECT_NE(picture, draw(ahead, only(kPeeking)));
     EXPECT_NE(picture, draw(ahead, only(kBehindPane)));
     EXPECT_NE(picture, draw(ahead, only(kWall)));
@@ -102,7 +102,7 @@ TEST_F(OcclusionCullingGl, AsksAnewFromEveryPlace) {
     EXPECT_NE(beside, draw(lookAt({2.1, 0.9, 0}, {4, 1.2, 0}), only(kBehind)));
 }
 
-// The wall is cut away: what it hid is seen, though the wall itself is still in view.
+// The wall is cut away: objects behind it are visible, although the wall is still inside the view.
 TEST_F(OcclusionCullingGl, SeesBehindAWallThatIsLeftAway) {
     (void)draw(lookAt({0, 0, 0}, {1, 0, 0}), only(kWall));
     EXPECT_EQ(renderer_->scene().hiddenByOthers(), 0);

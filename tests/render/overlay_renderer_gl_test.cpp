@@ -15,7 +15,7 @@ constexpr int kWidth = 200;
 constexpr int kHeight = 150;
 const Eigen::Vector4f kRed(1, 0, 0, 1);
 
-/// A grey wall at x = 4 with nothing before it: the camera in the origin looks along x.
+/// A grey wall at x = 4 with nothing in front of it; the camera at the origin looks along x.
 class OverlayRendererGl : public test::GlTest {
   protected:
     void SetUp() override {
@@ -40,13 +40,13 @@ class OverlayRendererGl : public test::GlTest {
         buffers_.emplace();
     }
     void TearDown() override {
-        // OpenGL's things go before the context they live in.
+        // OpenGL objects are destroyed before their context.
         buffers_.reset();
         canvas_.reset();
         overlays_.reset();
     }
 
-    /// The picture with the overlay; `plain_` is the one without.
+    /// Draws the image with the overlay; `plain_` is the image without it.
     void draw(const Overlay& overlay, float hidden_opacity = 0.25F) {
         ASSERT_TRUE(renderer_->scene().draw(view_, renderer_->target()));
         renderer_->target().readRgb(plain_);
@@ -57,12 +57,13 @@ class OverlayRendererGl : public test::GlTest {
         canvas_->readRgb(drawn_);
     }
 
-    /// How much of the way from the picture to pure red a pixel went, 0..1, by its green.
+    /// How far a pixel changed from the plain image to pure red, 0..1, measured by its green
+    /// channel.
     [[nodiscard]] double cover(int x, int y) const {
         const std::size_t i = 3 * (static_cast<std::size_t>(y) * kWidth + x) + 1;
         return plain_[i] == 0 ? 0.0 : 1.0 - double(drawn_[i]) / plain_[i];
     }
-    /// Sum of that over one column: the width of a level line, px.
+    /// Sum of cover() over one column: the width of a horizontal line, px.
     [[nodiscard]] double columnCover(int x) const {
         double sum = 0.0;
         for (int y = 0; y < kHeight; ++y) sum += cover(x, y);
@@ -107,14 +108,14 @@ TEST_F(OverlayRendererGl, ALineBehindAWallIsFaint) {
     EXPECT_NEAR(cover(100, 75), 0.25, 0.01);
     draw(overlay, 0.0F);
     EXPECT_EQ(plain_, drawn_);
-    // The same line before the wall: full.
+    // The same line in front of the wall: fully opaque.
     overlay.lines[0].a.x() = overlay.lines[0].b.x() = 3.0;
     draw(overlay, 0.25F);
     EXPECT_NEAR(cover(100, 75), 1.0, 0.01);
 }
 
 TEST_F(OverlayRendererGl, ALineThroughAWallIsFaintFromThereOn) {
-    // Its depth at a pixel follows from perspective, not evenly from end to end.
+    // The depth at a pixel must be interpolated with perspective, not linearly from end to end.
     Overlay overlay;
     overlay.lines.push_back({{2, 0.8, 0}, {12, -4.8, 0}, kRed, 6.0});
     draw(overlay, 0.25F);
@@ -131,7 +132,7 @@ TEST_F(OverlayRendererGl, ALineIsCutAtTheNearPlane) {
     overlay.lines.push_back({{-6, 0, -0.5}, {3, 0, -0.5}, kRed, 4.0});
     overlay.lines.push_back({{-6, 1, 0}, {-1, 1, 0}, kRed, 4.0});
     draw(overlay);
-    // From its far end downwards, straight out of the picture.
+    // From its far end the line runs straight down out of the image.
     const int end = static_cast<int>(view_.project(view_.pose.toCamera({3, 0, -0.5})).y());
     EXPECT_NEAR(cover(100, end + 4), 1.0, 0.01);
     EXPECT_NEAR(cover(100, kHeight - 1), 1.0, 0.01);
@@ -167,7 +168,7 @@ TEST_F(OverlayRendererGl, ADotHasItsSizeAndItsPlace) {
             EXPECT_NEAR(cover(100 + away, 75), 1.0, 0.01) << away;
             EXPECT_NEAR(cover(100, 75 - away), 1.0, 0.01) << away;
         }
-        // Beyond the rim there is nothing.
+        // Outside the rim nothing is drawn.
         EXPECT_EQ(cover(113, 75), 0.0);
         EXPECT_EQ(cover(100 + 9, 75 + 9), 0.0);
     }
@@ -222,7 +223,7 @@ TEST_F(OverlayRendererGl, BoxesBehindOneAnotherTintOnceInAnyOrder) {
     overlay.triangles.push_back({{1.5, -3, -3}, {1.5, 3, -3}, {1.5, 0, 3}, {1, 0, 0, 0.7}});
     draw(overlay);
     EXPECT_NEAR(cover(100, 75), 0.4, 0.02);
-    // Turned about, the boxes' inner faces would be seen; they are not drawn.
+    // Seen from behind, the inner faces of the boxes would be visible; they are not drawn.
     overlay.boxes[1].center.x() = 0.0;
     draw(overlay);
     EXPECT_NEAR(cover(100, 75), 0.7, 0.02);
@@ -257,7 +258,7 @@ TEST_F(OverlayRendererGl, FacesBetweenNeighboursAreLeftAway) {
     EXPECT_NE(before, drawn_);
 }
 
-// The painter knows nothing of OpenGL: where both draw the same, both are right.
+// The software painter shares no code with OpenGL: if both draw the same, both are right.
 TEST_F(OverlayRendererGl, AgreesWithThePainterOnThinLines) {
     Overlay overlay;
     for (int i = 0; i < 12; ++i) {

@@ -32,7 +32,7 @@ Image16 labels(const std::vector<Box>& boxes) {
     return ids;
 }
 
-/// Each id in a shade of its own, `contrast` of 255 apart, with as much noise as is asked for.
+/// An image with a grey value for each id, `contrast` of 255 apart, and the given amount of noise.
 Image8 pictureOf(const Image16& ids, int contrast, int noise) {
     Random random(3);
     Image8 picture{kWidth, kHeight, 3, {}};
@@ -101,7 +101,7 @@ TEST(PictureEdges, APictureOfSomethingElseIsNotExplained) {
     EXPECT_FALSE(explainsBetter(fit.own, change.fit(outlinesOf(other, false))));
 }
 
-// A door in a wall of its colour: what is to be seen is a groove a few pixels inside.
+// A door in a wall of the same colour: only a groove a few pixels inside the border is visible.
 TEST(PictureEdges, ALineBesideAFaintBorderProvesNothing) {
     const Image16 ids = labels({{40, 0, 110, 95, 1}});
     Image8 picture = pictureOf(ids, 0, 2);

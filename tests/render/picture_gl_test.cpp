@@ -27,7 +27,7 @@ CameraParams goldenCamera() {
 
 class PictureGl : public test::GlTest {
   protected:
-    /// How bright a black wall is behind a clear pane that stands at x = 2 m, turned about z.
+    /// Brightness of a black wall behind a clear pane at x = 2 m, turned about z.
     double blackBehindPane(double turn_deg, bool with_pane = true) {
         SceneBuilder builder;
         builder.object("wall", {kNyuWall, Role::Structure, {0.0F, 0.0F, 0.0F}})
@@ -71,8 +71,8 @@ Difference compare(const cv::Mat& a, const cv::Mat& b) {
     return result;
 }
 
-// A change of the light, the shaders or the geometry shows here. Run with
-// DOLLYTRACK_UPDATE_GOLDEN=1 to accept a new picture, and say in the commit why it changed.
+// Changes of the light, the shaders or the geometry make this test fail. Run with
+// DOLLYTRACK_UPDATE_GOLDEN=1 to accept a new image, and explain the change in the commit.
 TEST_F(PictureGl, LooksLikeTheGoldenImage) {
     const Scene scene = furnishedRoom();
     const CameraParams camera = goldenCamera();
@@ -97,8 +97,8 @@ TEST_F(PictureGl, LooksLikeTheGoldenImage) {
         cv::imwrite((folder / "golden_difference.png").string(), shown);
     }
 
-    // The tolerance must not be so wide that a wrong picture passes: the camera 2 cm aside, and
-    // the same picture a little darker.
+    // The tolerance must not let wrong images pass: one with the camera 2 cm aside, and one
+    // slightly darker.
     const auto moved =
         renderer->render(makeView(camera, lookAt({0.42, 0.3, 1.8}, {3.12, 2.0, 0.7})));
     ASSERT_TRUE(moved);
@@ -109,15 +109,15 @@ TEST_F(PictureGl, LooksLikeTheGoldenImage) {
     EXPECT_GT(compare(darker, expected).mean, 0.5);
 }
 
-/// A picture of half the width and height, each pixel the mean of four.
+/// An image of half the width and height, each pixel the mean of four.
 cv::Mat halved(const cv::Mat& picture) {
     cv::Mat half;
     cv::resize(picture, half, {picture.cols / 2, picture.rows / 2}, 0, 0, cv::INTER_AREA);
     return half;
 }
 
-// Against a picture of many more pixels, brought down: more looks come closer to it. Labels and
-// depth know nothing of them.
+// Compared with an image of many more pixels, scaled down: more samples come closer to it. Labels
+// and depth do not depend on the samples.
 TEST_F(PictureGl, MoreLooksAPixelComeCloserToALargePicture) {
     const Scene scene = furnishedRoom();
     const CameraParams camera = goldenCamera();
@@ -156,7 +156,8 @@ TEST_F(PictureGl, MoreLooksAPixelComeCloserToALargePicture) {
     EXPECT_NE(four.rgb, edges.rgb);
 }
 
-// What is drawn is what light would do, but for what a coarse grid of light cannot hold.
+// Rasterized images match path traced ones, except for details that the coarse light grid cannot
+// represent.
 TEST_F(PictureGl, DrawnAndPathTracedPicturesAgree) {
     const Scene scene = furnishedRoom();
     const RayCaster rays(scene);
@@ -180,12 +181,12 @@ TEST_F(PictureGl, DrawnAndPathTracedPicturesAgree) {
     traced.rgb = developed(image, light.exposure);
     const Difference difference = compare(asMat(*drawn), asMat(traced));
     EXPECT_LT(difference.mean, 12.0);
-    // The measure is not so lax that other light would pass.
+    // The tolerance would not accept other light.
     traced.rgb = developed(image, 1.3F * light.exposure);
     EXPECT_GT(compare(asMat(*drawn), asMat(traced)).mean, 12.0);
 }
 
-// Glass shows what is behind it and is itself in the labels.
+// Glass is transparent in the image, but the labels contain the glass itself.
 TEST_F(PictureGl, GlassIsSeenThroughButLabelled) {
     SceneBuilder builder;
     builder.object("wall", {kNyuWall, Role::Structure, {0.8F, 0.1F, 0.1F}})
@@ -205,7 +206,8 @@ TEST_F(PictureGl, GlassIsSeenThroughButLabelled) {
     EXPECT_GT(frame->rgb[3 * middle], frame->rgb[3 * middle + 2] + 40);
 }
 
-// A bowl is seen by its rim. Without a pane (it ends below the picture's middle) black is black.
+// A glass bowl is visible by its rim. Without a pane (it ends below the image centre) black stays
+// black.
 TEST_F(PictureGl, GlassReflectsTheMoreItIsLookedAlong) {
     const double none = blackBehindPane(0.0, false);
     const double facing = blackBehindPane(0.0);
@@ -225,7 +227,7 @@ TEST_F(PictureGl, TheOverviewHoldsTheWholeRoomWithoutItsCeiling) {
     settings.height_px = 150;
     settings.supersampling = 1;
     const View view = overviewOf(scene, settings);
-    // The floor's corners are inside the picture.
+    // The floor's corners are inside the image.
     for (const double x : {0.0, 4.0}) {
         for (const double y : {0.0, 3.0}) {
             const Eigen::Vector2d at = view.intrinsics.project(view.pose.toCamera({x, y, 0.0}));
@@ -261,7 +263,7 @@ TEST(OverlayPainter, HiddenLinesAreFaintAndVisibleOnesAreNot) {
     view.pose = lookAt({0, 0, 0}, {1, 0, 0});
     Overlay overlay;
     overlay.lines.push_back({{3, 2, 0}, {3, -2, 0}, {1, 1, 1, 1}, 3.0});
-    // The left half of the picture has a surface before the line, the right half behind it.
+    // The left half of the image has a surface in front of the line, the right half one behind it.
     std::vector<float> depth(64UL * 48, 2.0F);
     for (std::size_t i = 0; i < depth.size(); ++i) {
         if (i % 64 >= 32) depth[i] = 4.0F;

@@ -7,10 +7,10 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr int kWidth = 60;  // no whole number of tiles
+constexpr int kWidth = 60;  // not a multiple of the tile size
 constexpr int kHeight = 44;
 
-/// Of a grey picture with this value at each pixel.
+/// The quality of a grey image with this value at each pixel.
 PictureQuality qualityOf(const std::function<int(int x, int y)>& grey) {
     std::vector<std::uint8_t> rgb;
     for (int y = 0; y < kHeight; ++y) {
@@ -21,7 +21,7 @@ PictureQuality qualityOf(const std::function<int(int x, int y)>& grey) {
     return pictureQuality(kWidth, kHeight, rgb);
 }
 
-/// A bright thing in a dark picture that covers so many of the picture's 44 rows.
+/// The quality of a dark image with a bright object that covers this many of its 44 rows.
 PictureQuality withBrightRows(int rows) {
     return qualityOf([&](int, int y) { return y < rows ? 200 : 31; });
 }
@@ -40,7 +40,7 @@ TEST(PictureQuality, IsWhiteWhereNearlyAllIsBlownOut) {
 
 TEST(PictureQuality, IsFlatWhereNothingStandsOut) {
     EXPECT_EQ(qualityOf([](int, int) { return 120; }), PictureQuality::Flat);
-    // A wall that is lit from the side, and grain, tell nothing apart.
+    // Neither a wall that is lit from the side nor grain counts as content.
     EXPECT_EQ(qualityOf([](int x, int) { return 100 + x / 2; }), PictureQuality::Flat);
     EXPECT_EQ(qualityOf([](int x, int y) { return (x + y) % 2 == 0 ? 110 : 140; }),
               PictureQuality::Flat);

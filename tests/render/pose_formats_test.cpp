@@ -21,7 +21,7 @@
 namespace dollytrack::render {
 namespace {
 
-/// Frames anywhere, turned any way: no axis is like another.
+/// Frames with random positions and orientations, so that no two axes can be confused.
 DatasetContents randomFlight(const Scene& scene, std::uint64_t seed) {
     DatasetContents contents{scene, {}, {}, {}};
     contents.modalities = chooseModalities({"rgb", "depth"}).value();
@@ -41,7 +41,7 @@ DatasetContents randomFlight(const Scene& scene, std::uint64_t seed) {
 
 class PoseFormats : public testing::Test {
   protected:
-    /// Writes a format's files into the folder, under their names alone.
+    /// Writes a format's files into the folder, without their subfolders.
     std::map<std::string, std::string> write(const Format& format) {
         const auto files = format.write(contents_);
         EXPECT_TRUE(files);
@@ -57,7 +57,8 @@ class PoseFormats : public testing::Test {
         return texts;
     }
 
-    /// That our reader of the format, which knows nothing of its writer, gives the poses back.
+    /// Checks that our reader of the format, which shares no code with the writer, returns the
+    /// poses.
     void expectSame(const std::string& name, const std::string& format, bool relative = false) {
         io::TrajectoryReading reading;
         reading.format = format;
@@ -97,7 +98,7 @@ TEST_F(PoseFormats, TumComesBack) {
     }
 }
 
-// A list of pictures that are not there is worse than none.
+// A list must not name images that do not exist.
 TEST_F(PoseFormats, TumListsOnlyWhatIsThere) {
     contents_.modalities = chooseModalities({"depth"}).value();
     const auto texts = write(kTumFormat);
@@ -117,7 +118,7 @@ TEST_F(PoseFormats, KittiComesBackFromItsFirstCamera) {
         for (int i = 0; i < 12; ++i) text >> p.data()[i];
         ASSERT_EQ(name.size(), 3U);
         EXPECT_EQ(name[1], static_cast<char>('0' + cameras++));
-        // Whole numbers are pixel centres here: half a pixel less than ours.
+        // In this format integers are pixel centres: half a pixel less than ours.
         const Eigen::Vector3d at = p * Eigen::Vector4d(0.3, -0.2, 2.0, 1.0);
         // The second and fourth camera stand to the right, so they see it further left.
         const double right_m = cameras % 2 == 0 ? contents_.stereo_baseline_m : 0.0;
@@ -171,14 +172,15 @@ TEST_F(PoseFormats, ColmapComesBackWithPointsThatAreSurface) {
         Eigen::Vector3d p;
         values >> id >> p.x() >> p.y() >> p.z();
         EXPECT_EQ(id, ++points);
-        bool near = false;  // every surface of the room is flat: some triangle's plane has it
+        // All surfaces of the room are flat, so the point lies in some triangle's plane.
+        bool near = false;
         for (const Object& object : scene_.objects) near |= object.box.contains(p, 1e-4);
         EXPECT_TRUE(near) << line;
     }
     EXPECT_GT(points, 10'000);
 }
 
-// Area decides: the share of points on each object is its share of the surface.
+// Points are distributed by area: each object's share of points is its share of the surface.
 TEST(SurfaceSample, IsEvenAndHasTheSurfacesColours) {
     test::SceneBuilder builder;
     builder.object("red", {kNyuOtherProp, Role::Target, {1, 0, 0}})

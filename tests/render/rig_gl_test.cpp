@@ -33,7 +33,7 @@ RigCamera cameraOf(const std::string& name, Lens lens) {
     return camera;
 }
 
-/// How far it is to the walls of the empty room, in lengths of the direction.
+/// Distance to the walls of the empty room, in multiples of the direction's length.
 double toWalls(const Vector3d& from, const Vector3d& direction) {
     double nearest = 1e9;
     for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +84,8 @@ Trajectory one(const Vector3d& from, const Vector3d& to) {
     return trajectory;
 }
 
-// Computed by hand for each pixel: direction by longitude and latitude, distance to the walls.
+// Expected values for each pixel: the direction by longitude and latitude, and the distance to the
+// walls.
 TEST_F(RigGl, APanoramasDepthIsTheExactDistanceAlongEachRay) {
     emptyRoom();
     RigCamera all = cameraOf("all", Lens::Equirectangular);
@@ -103,7 +104,7 @@ TEST_F(RigGl, APanoramasDepthIsTheExactDistanceAlongEachRay) {
                                      std::sin(lat));
             const double expected = toWalls(eye, direction);
             ASSERT_NEAR(0.001 * depth.at<std::uint16_t>(y, x), expected, 0.00051) << x << " " << y;
-            // The normal is against the one axis along which the ray leaves the room.
+            // The normal points against the axis along which the ray leaves the room.
             const Vector3d place = eye + expected * direction;
             const cv::Vec3w bgr = normal.at<cv::Vec3w>(y, x);
             const Vector3d n =
@@ -149,7 +150,7 @@ TEST_F(RigGl, AFisheyeSeesItsCircleAndNothingAround) {
     EXPECT_NEAR(inside, kPi * 80 * 80, 100);
 }
 
-// A box 0.8 m wide and 0.3 m high, at 80 px a metre, whatever its distance.
+// A box 0.8 m wide and 0.3 m high has the same size at any distance: 80 px per metre.
 TEST_F(RigGl, ParallelRaysShowThingsToScale) {
     dollytrack::test::SceneBuilder builder;
     builder.room(kLow, kHigh);
@@ -172,7 +173,7 @@ TEST_F(RigGl, ParallelRaysShowThingsToScale) {
     EXPECT_EQ(depth.at<std::uint16_t>(60, 80), 1750);
     EXPECT_EQ(depth.at<std::uint16_t>(60, 50), 1750);
     EXPECT_EQ(depth.at<std::uint16_t>(60, 20), 3500);
-    // The picture agrees with the labels: it changes at the crate's borders and not within.
+    // The image agrees with the labels: it changes at the crate's borders and not inside.
     const auto at = [&](int x) { return cv::norm(rgb.at<cv::Vec3b>(60, x)); };
     EXPECT_GT(std::abs(at(46) - at(49)), 4.0);
     EXPECT_LT(std::abs(at(52) - at(55)), 4.0);
@@ -186,7 +187,8 @@ int differing(const cv::Mat& a, const cv::Mat& b, double most) {
     return cv::countNonZero(difference > most);
 }
 
-// Drawn and cast, and by the other way that a second camera can come to be.
+// Rig cameras with a pinhole lens must give the images of the planned camera and of the stereo
+// pair's right camera, although they are made in another way.
 TEST_F(RigGl, PinholesAreThePlannedCameraAndTheStereoPairsRightOne) {
     RigCamera same = cameraOf("same", Lens::Pinhole), right = cameraOf("right", Lens::Pinhole);
     right.right_m = 0.1;  // the pair's baseline
@@ -195,7 +197,7 @@ TEST_F(RigGl, PinholesAreThePlannedCameraAndTheStereoPairsRightOne) {
     for (int frame = 0; frame < 3; ++frame) {
         EXPECT_EQ(differing(rigImage("same", "rgb", frame), image("rgb", frame), 0), 0);
         EXPECT_EQ(differing(rigImage("right", "rgb", frame), image("rgb_right", frame), 0), 0);
-        // Drawing rounds corners to fractions of a pixel.
+        // Rasterization rounds corners to fractions of a pixel.
         const int few = 160 * 120 / 500;
         EXPECT_LE(differing(rigImage("same", "instance", frame), image("instance", frame), 0), few);
         EXPECT_LE(differing(rigImage("same", "depth", frame), image("depth", frame), 1), few);
@@ -252,7 +254,7 @@ TEST_F(RigGl, AreNamedOnlyWithARig) {
     EXPECT_TRUE(checkSettings(settings));
 }
 
-// What an earlier rig left goes when another dataset takes the folder.
+// Files of an earlier rig are removed when another dataset replaces it in the folder.
 TEST_F(RigGl, AnotherRigLeavesNothingOfTheOneBefore) {
     exportRig({cameraOf("old", Lens::Pinhole)}, test::circle(2), {"rgb"});
     ASSERT_TRUE(fs::exists(folder_ / "out/cameras/old/rgb/000001.png"));
@@ -271,7 +273,7 @@ TEST_F(RigGl, AnotherRigLeavesNothingOfTheOneBefore) {
 
 TEST_F(RigGl, WarnsOfCamerasInThings) {
     emptyRoom();
-    const Trajectory trajectory = one({1.0, 2.0, 1.2}, {0.0, 2.0, 1.2});  // 1 m before a wall
+    const Trajectory trajectory = one({1.0, 2.0, 1.2}, {0.0, 2.0, 1.2});  // 1 m in front of a wall
     DatasetContents contents{scene_, smallCamera(), {}, {}};
     contents.frames.resize(1);
     contents.frames[0].camera = trajectory.frames[0];
@@ -292,7 +294,7 @@ TEST_F(RigGl, WarnsOfCamerasInThings) {
     EXPECT_NE(behind.find("frame 7: 'wall"), std::string::npos) << behind;
 }
 
-/// Pictures of the furnished room, with its light, through any lens.
+/// Renders the furnished room, with its light, through any lens.
 class LensPicturesGl : public RigGl {
   protected:
     void SetUp() override {
@@ -323,7 +325,7 @@ class LensPicturesGl : public RigGl {
 
 struct Off {
     double mean = 0.0;
-    double share = 0.0;  // of pixels that are off by more than 12 of 255
+    double share = 0.0;  // share of pixels that differ by more than 12 of 255
 };
 Off off(const cv::Mat& a, const cv::Mat& b) {
     cv::Mat difference;
@@ -332,8 +334,8 @@ Off off(const cv::Mat& a, const cv::Mat& b) {
                                                     static_cast<double>(difference.total() * 3)};
 }
 
-// Where a border of a cube's sides is must not show: with the cube turned, the borders are
-// elsewhere, and the picture is the same but for how its pixels fall between those of the sides.
+// The borders between the sides of the cube map must be invisible: with a turned cube they are
+// elsewhere, and the image is the same except for resampling.
 TEST_F(LensPicturesGl, BordersOfTheSidesDoNotShow) {
     const Pose pose = lookAt({1.9, 1.3, 1.4}, {3.5, 1.6, 0.8});
     for (const Lens lens : {Lens::Equirectangular, Lens::Fisheye}) {
@@ -346,7 +348,7 @@ TEST_F(LensPicturesGl, BordersOfTheSidesDoNotShow) {
         EXPECT_LT(seams.mean, 0.4) << lensName(lens);
         EXPECT_LT(seams.share, 0.0005) << lensName(lens);
         EXPECT_GT(differing(plain, turned, 0), 100) << "the cube did not turn";
-        // A pixel aside differs far more.
+        // A shift by one pixel differs far more.
         Pose aside = pose;
         aside.rotation = pose.rotation * Eigen::AngleAxisd(0.02, Vector3d::UnitY());
         const Off moved = off(plain, draw(camera, aside));
@@ -355,8 +357,8 @@ TEST_F(LensPicturesGl, BordersOfTheSidesDoNotShow) {
     }
 }
 
-// Around its poles a panorama stretches what it is put together from: edges have no teeth there, by
-// a panorama four times as fine, of whose pixels 4 x 4 are one.
+// Around its poles a panorama stretches the sides of its cube map; edges must not be jagged there.
+// The reference is a panorama four times as fine, scaled down.
 TEST_F(LensPicturesGl, EdgesHaveNoTeethAroundThePoles) {
     const Pose pose = lookAt({1.9, 1.3, 1.4}, {3.5, 1.6, 0.3});
     RigCamera camera = cameraOf("a", Lens::Equirectangular);
@@ -372,8 +374,8 @@ TEST_F(LensPicturesGl, EdgesHaveNoTeethAroundThePoles) {
     cv::pow(fine, 1.0 / 2.2, fine);
     fine(lower).convertTo(truth, CV_8U, 255.0);
     const double teeth = off(found, truth).mean;
-    EXPECT_LT(teeth, 0.55);  // 0.68 of sides no finer than the equator
-    // A picture half as fine is further off.
+    EXPECT_LT(teeth, 0.55);  // sides only as fine as the equator needs give 0.68
+    // An image half as fine differs more.
     camera.width_px = 128;
     camera.height_px = 64;
     cv::Mat coarse;
@@ -381,7 +383,7 @@ TEST_F(LensPicturesGl, EdgesHaveNoTeethAroundThePoles) {
     EXPECT_GT(off(coarse(lower), truth).mean, 2.0 * teeth);
 }
 
-// A narrow fisheye's picture, looked up pixel by pixel in a pinhole picture of the same room.
+// The image of a narrow fisheye lens, looked up pixel by pixel in a pinhole image of the same room.
 TEST_F(LensPicturesGl, ResampledPicturesShowWhatPinholesShow) {
     const Pose pose = lookAt({1.9, 1.3, 1.4}, {3.5, 1.6, 0.8});
     RigCamera narrow = cameraOf("a", Lens::Fisheye), pinhole = cameraOf("b", Lens::Pinhole);
@@ -412,7 +414,7 @@ TEST_F(LensPicturesGl, ResampledPicturesShowWhatPinholesShow) {
     EXPECT_LT(far_off, seen / 25);  // edges
 }
 
-// No more sides than a lens needs, and none coarser than it asks.
+// Only the sides that a lens needs, and none coarser than it needs.
 TEST(LensSides, AreThoseThatTheLensSees) {
     const LensPictures pictures(0.05, PictureParams());
     const auto count = [&](Lens lens, double fov_deg) {

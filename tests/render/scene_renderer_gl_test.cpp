@@ -52,8 +52,8 @@ TEST_F(SceneRendererGl, TheNearPlaneCutsWhatIsCloser) {
     for (const std::uint16_t id : frame->instance) ASSERT_EQ(id, 0);
 }
 
-// Seen from above with 20 px a metre, a box of 2 x 1 x 0.5 m covers 40 x 20 px, wherever it stands
-// and however high it is; its top lies 0.5 m nearer than the floor.
+// Seen from above with 20 px per metre, a box of 2 x 1 x 0.5 m covers 40 x 20 px at any position
+// and height; its top is 0.5 m nearer than the floor.
 TEST_F(SceneRendererGl, AnOrthographicViewKeepsSizesAndMeasuresDepthAlongItsAxis) {
     SceneBuilder builder;
     builder.object("floor").quad({-10, -10, 0}, {20, 0, 0}, {0, 20, 0});
@@ -71,7 +71,7 @@ TEST_F(SceneRendererGl, AnOrthographicViewKeepsSizesAndMeasuresDepthAlongItsAxis
         for (int y = 0; y < camera.height_px; ++y) {
             for (int x = 0; x < camera.width_px; ++x) {
                 const std::size_t i = static_cast<std::size_t>(y) * camera.width_px + x;
-                // Straight down the camera's x axis is the world's; rows go towards -y.
+                // Looking straight down, the camera's x axis is the world's; rows go towards -y.
                 const double east = (x + 0.5 - 80.0) / 20.0;
                 const double north = -(y + 0.5 - 60.0) / 20.0;
                 const bool on_box = east > 0.0 && east < 2.0 && north > 0.0 && north < 1.0;
@@ -117,7 +117,8 @@ TEST_F(SceneRendererGl, AnOrthographicViewMeetsTheRayOfEachPixel) {
     EXPECT_LT(wrong, 200);  // along edges, of 19200
 }
 
-/// Of the pixels whose neighbourhood is one object by rays, how many disagree.
+/// Number of pixels whose neighbourhood is a single object by ray casting, and how many of them
+/// disagree.
 struct Agreement {
     int compared = 0;
     int wrong_id = 0;
@@ -171,7 +172,7 @@ TEST_F(SceneRendererGl, IdsAndDepthAgreeWithRaysThroughPixelCentres) {
     }
 }
 
-// The comparison above must be able to fail: half a pixel off is seen.
+// The comparison above must detect a shift of half a pixel.
 TEST_F(SceneRendererGl, TheRayComparisonNoticesAnotherPose) {
     const Scene scene = furnishedRoom();
     const RayCaster rays(scene);
@@ -204,7 +205,7 @@ TEST_F(SceneRendererGl, RowZeroIsTheTopAndColumnZeroTheLeft) {
     EXPECT_EQ(at(80, 60), 0);
 }
 
-// A box half hidden by another: what fraction is hidden follows from similar triangles.
+// A box half hidden by another: the hidden fraction follows from similar triangles.
 TEST_F(SceneRendererGl, SilhouettesIgnoreOccluders) {
     SceneBuilder builder;
     builder.object("behind").quad({4, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1});
@@ -225,7 +226,7 @@ TEST_F(SceneRendererGl, SilhouettesIgnoreOccluders) {
     EXPECT_NEAR(static_cast<double>(visible) / static_cast<double>(whole[0]), 0.5, 0.01);
 }
 
-// The same box counted where it fits the image and where most of it lies outside.
+// The same box counted where it fits into the image and where most of it lies outside.
 TEST_F(SceneRendererGl, SilhouettesReachBeyondTheImage) {
     SceneBuilder builder;
     builder.object("panel").quad({2, -0.5, -0.5}, {0, 1, 0}, {0, 0, 1});
@@ -247,7 +248,7 @@ TEST_F(SceneRendererGl, SilhouettesReachBeyondTheImage) {
     EXPECT_EQ(whole[0], whole[3]);
 }
 
-// Parallel rays have another depth buffer: several looks at each pixel still see the same picture.
+// Orthographic views have another depth buffer: several samples per pixel must give the same image.
 TEST_F(SceneRendererGl, SeveralLooksAtAnOrthographicViewAgreeWithOne) {
     const Scene scene = furnishedRoom();
     const CameraParams camera = smallCamera();
@@ -274,9 +275,9 @@ TEST_F(SceneRendererGl, SeveralLooksAtAnOrthographicViewAgreeWithOne) {
     EXPECT_GT(apart(once, drawn(Antialias::Samples4)), 4.0);
 }
 
-// Far more of a floor than its image shows: within two thousandths of what similar triangles say.
-// The part inside is that of the labels, pixel for pixel: a floor that ends there is counted to the
-// pixel.
+// The silhouette of a floor that is far larger than the image agrees with similar triangles within
+// 0.2 %. The part inside the image is that of the labels, so a floor that ends there is counted
+// exactly.
 TEST_F(SceneRendererGl, SilhouettesOfManyImagesAreCountedInPart) {
     SceneBuilder builder;
     builder.object("inside").quad({1, -0.3, -0.2}, {0, 0.6, 0}, {0, 0, 0.4});
@@ -288,7 +289,7 @@ TEST_F(SceneRendererGl, SilhouettesOfManyImagesAreCountedInPart) {
     auto renderer = makeRenderer(scene, camera);
     ASSERT_TRUE(renderer);
     View view = makeView(camera, lookAt({0, 0, 0}, {1, 0, 0}));
-    view.intrinsics.width -= 3;  // no whole number of steps
+    view.intrinsics.width -= 3;  // not a multiple of the steps
     view.intrinsics.height -= 1;
     const std::vector<int> ids = {1, 2};
     ASSERT_TRUE(renderer->scene().startSilhouettes(view, ids));

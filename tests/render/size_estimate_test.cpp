@@ -5,7 +5,7 @@
 namespace dollytrack::render {
 namespace {
 
-// Middlebury's files are not compressed: eight bytes a pixel, for each frame that flow goes to.
+// Middlebury's files are not compressed: eight bytes per pixel, for each frame that has flow.
 TEST(SizeEstimate, ExpectsTheFilesOfEveryDistanceThatFlowGoesTo) {
     const Scene scene;
     DatasetContents contents{scene, {}, *chooseModalities({"flow_forward"}), {}};

@@ -7,12 +7,12 @@
 
 namespace dollytrack::render::test {
 
-/// What is in the hole of the wall.
+/// What fills the hole in the wall.
 enum class Hole { Window, Shutter, Pane };
 
-/// A room 4 x 3 x 2.6 m with a hole 1 x 1 m in the wall at x = 0, from y and z 1 to 2. The panes
-/// of the window are opaque in the file; the floor is object 1. A pane is no window's, of glass,
-/// and lets a part of the light through.
+/// A room 4 x 3 x 2.6 m with a hole 1 x 1 m in the wall at x = 0, from y and z 1 to 2. The panes of
+/// the window are opaque in the file; the floor is object 1. Hole::Pane is glass that does not
+/// belong to a window object and lets a part of the light through.
 inline Scene sunnyRoom(Hole hole) {
     using dollytrack::test::SceneBuilder;
     const SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
@@ -38,8 +38,8 @@ inline Scene sunnyRoom(Hole hole) {
     return scene;
 }
 
-/// Nothing but a sun at 45 degrees before that wall: its light falls on the floor between x and y
-/// of 1 and 2.
+/// Only a sun at 45 degrees in front of that wall: its light falls on the floor where x and y are
+/// between 1 and 2.
 inline LightRig sunAlone(const Scene& scene) {
     LightRig rig;
     rig.sky_strength = 0.0;

@@ -1,4 +1,4 @@
-// Normals and base colours of what is labelled, drawn along with the labels.
+// Normals and base colours of the labelled surfaces, rendered together with the labels.
 
 #include "render/draw/surface_target.h"
 #include "tests/render/gl_fixture.h"
@@ -11,7 +11,8 @@ using dollytrack::test::SceneBuilder;
 
 constexpr int kSize = 32;
 
-/// Leaves of which every second texel is a hole, before a plain wall; nothing else has a texture.
+/// Leaves in which every second texel is a hole, in front of a plain wall; nothing else has a
+/// texture.
 Scene leaves() {
     SceneBuilder builder;
     builder.object("leaves", {kNyuWall, Role::Target, {1.0F, 1.0F, 1.0F}})
@@ -71,7 +72,8 @@ TEST_F(SurfaceTargetGl, CutOutsAloneWithATextureAreWholeInLabelsAndSurfaces) {
         EXPECT_NEAR(alone.albedo[3 * i + 1], 188, 2);
         EXPECT_NEAR(alone.albedo[3 * i + 2], 90, 2);
     }
-    // Beside a picture, however it is drawn, they are the same, and the picture has the holes.
+    // They are the same when an image is rendered, too, with any antialiasing, and the image has
+    // the holes.
     for (const Antialias antialias : {Antialias::Edges, Antialias::Samples4}) {
         view.antialias = antialias;
         ASSERT_TRUE(renderer->scene().draw(view, target, &*surfaces));
@@ -90,7 +92,7 @@ TEST_F(SurfaceTargetGl, CutOutsAloneWithATextureAreWholeInLabelsAndSurfaces) {
         EXPECT_GT(green, kSize * kSize / 4);
         EXPECT_GT(grey, kSize * kSize / 4);
         view.antialias = Antialias::Edges;
-        ASSERT_TRUE(renderer->scene().draw(view, target));  // labels with the picture
+        ASSERT_TRUE(renderer->scene().draw(view, target));  // labels together with the image
         std::vector<std::uint16_t> ids;
         target.readIds(ids);
         EXPECT_EQ(ids, alone.ids);

@@ -16,7 +16,8 @@ using dollytrack::test::SceneBuilder;
 constexpr int kMirror = 1;
 constexpr double kMirrorX = 2.0;
 
-/// A room with a mirror at x = 2, things before it and coloured walls; its camera side is at x = 0.
+/// A room with a mirror at x = 2, objects in front of it and coloured walls; the camera's side is
+/// at x = 0.
 Scene mirrorRoom(float roughness = 0.05F, float metallic = 1.0F) {
     SceneBuilder builder;
     builder.object("mirror", {kNyuOtherProp, Role::Structure, {1, 1, 1}})
@@ -79,7 +80,7 @@ class TracedReflectionsGl : public test::GlTest {
     std::optional<OffscreenRenderer> renderer_;
 };
 
-/// Mean difference where the first picture shows the mirror, of 255.
+/// Mean difference on the scale 0..255 where the first image shows the mirror.
 double differenceInMirror(const std::vector<std::uint16_t>& ids, const std::vector<std::uint8_t>& a,
                           const std::vector<std::uint8_t>& b) {
     double sum = 0.0;
@@ -106,7 +107,7 @@ std::vector<std::uint8_t> mirrored(const std::vector<std::uint8_t>& rgb, int wid
     return turned;
 }
 
-// What a plane mirror shows is what a camera behind it sees, left and right changed.
+// A plane mirror shows the view of a camera behind it, with left and right exchanged.
 TEST_F(TracedReflectionsGl, AMirrorShowsWhatACameraBehindItSees) {
     make(mirrorRoom());
     const CameraParams camera = smallCamera();
@@ -118,10 +119,11 @@ TEST_F(TracedReflectionsGl, AMirrorShowsWhatACameraBehindItSees) {
     const std::vector<std::uint8_t> wanted = mirrored(draw(behind, nullptr).rgb, 128, 96);
     const Drawn traced = draw(view, &reflections);
     const Drawn blurred = draw(view, nullptr);
-    // The camera behind sees corners darkened by what stands near, which rays do not.
+    // The camera behind has corners darkened by ambient occlusion, which traced rays do not have.
     EXPECT_LT(differenceInMirror(traced.ids, traced.rgb, wanted), 5.0);
     EXPECT_GT(differenceInMirror(traced.ids, blurred.rgb, wanted), 15.0);
-    // Beside it nothing is another; edges are blurred along, so not right beside.
+    // Outside the mirror nothing differs, except right beside it, where antialiasing blends the
+    // edge.
     const auto isMirror = [&](int x, int y) {
         return traced.ids[static_cast<std::size_t>(y * 128 + x)] == kMirror;
     };

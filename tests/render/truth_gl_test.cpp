@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::smallCamera;
 
-/// A camera that goes past the room's things, none of which is far away.
+/// A camera that passes the objects of the room, none of which is far away.
 Trajectory pass(int frames) {
     Trajectory trajectory;
     for (int i = 0; i < frames; ++i) {
@@ -45,7 +45,7 @@ class TruthGl : public test::DatasetGlTest {
         return 0;
     }
 
-    /// All there is of a short motion, in which the first target moves.
+    /// Exports all modalities of a short motion; if `moving`, the first target moves.
     void exportAll(bool moving) {
         trajectory_ = pass(4);
         auto context = gl::createOsMesaContext();
@@ -106,7 +106,7 @@ class TruthGl : public test::DatasetGlTest {
     Trajectory trajectory_;
 };
 
-/// Follows what rays meet, not what was drawn.
+/// Computes the flow from ray casting, not from the rendered image.
 TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
     exportAll(true);
     const Intrinsics lens = makeIntrinsics(smallCamera());
@@ -139,11 +139,11 @@ TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
                 }
                 const Eigen::Vector3d there = other.toCamera(place);
                 const Eigen::Vector2d expected = lens.project(there) - at;
-                // A ray and the rasterizer may disagree about whose a border pixel is.
+                // A ray and the rasterizer may assign a border pixel to different objects.
                 if ((expected.cast<float>() - motion).norm() > 0.02F) continue;
                 ++seen;
                 if (mask == PixelVisibility::Outside) continue;
-                // Looked at from a little before the surface, so that it does not hide itself.
+                // The ray starts slightly in front of the surface, so that it does not hide itself.
                 const Eigen::Vector3d before = place + 0.01 * (other.position - place).normalized();
                 if (mask == PixelVisibility::Occluded) {
                     ++occluded;
@@ -248,7 +248,7 @@ TEST_F(TruthGl, ThePairOfCamerasSeesWhatDisparitySays) {
     EXPECT_GT(agree, 0.995 * seen);
 }
 
-// A box shaded as if it were round: near its outline the normal looks past what is seen.
+// A box with smoothed normals: near its outline they point away from the camera.
 TEST_F(TruthGl, NormalsAreOnTheSideThatIsSeenAlsoWhereFacesAreSmoothed) {
     for (const Object& object : scene_.objects) {
         if (object.structure) continue;
@@ -318,7 +318,7 @@ TEST_F(TruthGl, AContinuedExportOfEverythingEndsWithTheBytesOfAnUnbrokenOne) {
         const JobContext job(cancel, {}, [&](int done, int) { *cancel = done >= frames; });
         EXPECT_FALSE(run(settings, job));
     }
-    // The same pictures, but other flow: not the same dataset.
+    // The same images but different flow: not the same dataset.
     DatasetSettings others = settings;
     others.flow_distances = {1};
     const auto refused = run(others, {});

@@ -26,7 +26,7 @@ std::string video(int width, int height, int frames) {
     return file.value_or("");
 }
 
-// No date, no version, and nothing that depends on the number of cores.
+// The file contains no date, no version and nothing that depends on the number of cores.
 TEST(VideoEncoder, GivesTheSameBytesAgain) {
     const std::string file = video(96, 64, 40);
     for (int again = 0; again < 4; ++again) EXPECT_TRUE(file == video(96, 64, 40));

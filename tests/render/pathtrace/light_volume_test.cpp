@@ -29,7 +29,7 @@ Eigen::Vector3d centerOf(const LightVolume& volume, const Eigen::Vector3d& point
     return volume.low + (at.array().floor() + 0.5).matrix() * volume.cell_m;
 }
 
-/// Irradiance vector of a lamp that nothing hides, summed over its area.
+/// Irradiance vector of an unoccluded lamp, summed over its area.
 Eigen::Vector3d lampVector(const Lamp& lamp, const Eigen::Vector3d& at) {
     constexpr int kSteps = 100;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -68,8 +68,8 @@ TEST(LightVolume, LampsSendWhatTheirAreaSends) {
     }
 }
 
-/// What falls on a surface from all but the lamps, by path tracing. Lamps are not seen by cameras,
-/// so the mean of what a camera sees is what all surfaces send.
+/// Irradiance of a surface from everything except the lamps, by path tracing. Lamps are invisible
+/// to cameras, so the mean of a camera's view is the light of all surfaces.
 double irradianceByPaths(const PathTracer& tracer, const Eigen::Vector3d& at,
                          const Eigen::Vector3d& normal) {
     constexpr int kPaths = 1500;
@@ -118,7 +118,7 @@ TEST(LightVolume, BouncedLightIsThatOfThePathTracerFromEachSide) {
     EXPECT_GT(error_without_slope, 1.5 * error);
 }
 
-/// How far off, in shares of what is expected, the light is on the boards of a shelf.
+/// Relative error of the light on the boards of a shelf.
 double errorInsideShelf(double cell_m) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});
@@ -153,7 +153,8 @@ TEST(LightVolume, InsideAShelfItIsAsDarkAsPathTraced) {
     EXPECT_GT(errorInsideShelf(0.25), 0.4);
 }
 
-// Cells of a hall are about as wide as its columns: which of them lie within one changes along it.
+// The cells of a hall are about as wide as its columns, so which cells lie inside a column varies
+// along it.
 TEST(LightVolume, TheInsideOfAColumnDoesNotDarkenItsFaces) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {6, 5, 4});
@@ -172,8 +173,8 @@ TEST(LightVolume, TheInsideOfAColumnDoesNotDarkenItsFaces) {
     }
 }
 
-/// A house of two storeys in one box, as it is for a camera that gets everywhere: a gallery over
-/// most of a hall, two rooms behind a wall on it, and a store room below that has no door.
+/// A house of two storeys in one box, as for a camera that can reach all of it: a gallery over most
+/// of a hall, two rooms behind a wall on the gallery, and a store room without a door below.
 Scene houseWithGallery() {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {8, 6, 5.4});
@@ -196,7 +197,7 @@ TEST(LightVolume, EachStoreyAndClosedRoomIsAboutAsBright) {
     params.cell_m = 0.15;
     const LightVolume volume = bakeLightVolume(scene, rays, rig, params);
     const PathTracer tracer(scene, rays, balanced(rig, volume));
-    // The store room, the room below, the hall, and both rooms above: places on their floors.
+    // Positions on the floors of the store room, the room below, the hall and both rooms above.
     const std::vector<Eigen::Vector3d> places = {
         {0.7, 0.6, 0.1}, {5.0, 2.4, 0.1}, {4.0, 5.4, 0.1}, {1.5, 2.4, 2.8}, {5.5, 2.4, 2.8}};
     std::vector<double> light;
@@ -255,12 +256,12 @@ TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
     ASSERT_EQ(rig.lamps.size(), 1U);
     EXPECT_NEAR(rig.lamps[0].position.x(), 1.9, 1e-6);
     EXPECT_NEAR(rig.lamps[0].position.y(), 1.2, 1e-6);
-    EXPECT_LT(rig.lamps[0].position.z(), 2.0);  // under it
+    EXPECT_LT(rig.lamps[0].position.z(), 2.0);  // below the pendant
     EXPECT_GT(rig.lamps[0].position.z(), 1.6);
 
     SceneBuilder without;
     without.room({0, 0, 0}, {3, 3, 2.6});
-    // From beside a wall its light would go through the wall.
+    // So close to a wall its light would pass through the wall.
     without.object("sconce", {35, Role::Target, {0.8F, 0.8F, 0.8F}})
         .box({0.6, 1.5, 1.9}, {0.2, 0.2, 0.2});
     const Scene bare = without.build();
@@ -268,8 +269,8 @@ TEST(LightRig, LampsOfTheSceneAreWhereLightComesFrom) {
     EXPECT_NEAR(middle.lamps.at(0).position.x(), 1.5, 1e-6);
 }
 
-/// The first lamp of a room of 4 x 4 m with a partition at y = 2.2 m, a spotlight 20 cm before it
-/// and a cupboard that hangs over the room's middle, if wanted.
+/// The first lamp of a room of 4 x 4 m with a partition at y = 2.2 m, a spotlight 20 cm in front of
+/// it and, if requested, a cupboard that hangs over the middle of the room.
 Lamp lampBesideWall(bool with_wall, bool with_cupboard) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 4, 2.6});
@@ -287,17 +288,17 @@ Lamp lampBesideWall(bool with_wall, bool with_cupboard) {
 TEST(LightRig, RoomLampsKeepClearOfWallsAndCupboards) {
     const Lamp beside = lampBesideWall(true, false);
     EXPECT_GT(std::abs(beside.position.y() - 2.25) - 0.05, beside.radius_m);
-    EXPECT_GT(beside.position.z(), 2.2);  // not under the spotlight
+    EXPECT_GT(beside.position.z(), 2.2);  // not below the spotlight
     const Lamp aside = lampBesideWall(true, true);
-    EXPECT_LT(aside.position.y() + aside.radius_m, 1.6);  // nor in the cupboard, or behind the wall
+    EXPECT_LT(aside.position.y() + aside.radius_m, 1.6);  // not in the cupboard or behind the wall
     EXPECT_GT(aside.position.z(), 2.2);
-    // Where nothing is in the way the spotlight is where light comes from.
+    // Without obstacles the lamp is at the spotlight.
     const Lamp free = lampBesideWall(false, false);
     EXPECT_LT((free.position.head<2>() - Eigen::Vector2d(2, 2)).norm(), 1e-6);
     EXPECT_LT(free.position.z(), 1.6);
 }
 
-/// What a wall gets from a lamp's ball that it cuts through.
+/// The light on a wall from a lamp whose ball the wall cuts through.
 TEST(LightRig, APlaceInALampsBallIsLitByASmallerBall) {
     SceneLamp lamp;
     lamp.radius_m = 0.1;

@@ -26,7 +26,7 @@ LightRig darkness() {
     return rig;
 }
 
-/// Mean and its standard error.
+/// A mean and its standard error.
 struct Measured {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     double error = 0.0;  // of the mean of the channels
@@ -74,7 +74,8 @@ Scene ball(const Eigen::Vector3f& color, int rings) {
     return builder.build();
 }
 
-// The white furnace: in light from everywhere a ball that absorbs nothing cannot be seen.
+// White furnace test: in uniform light from all directions a ball that absorbs nothing is
+// invisible.
 TEST(PathTracer, AWhiteBallVanishesInEvenLight) {
     LightRig rig = darkness();
     rig.sky_strength = 1.0;
@@ -88,7 +89,7 @@ TEST(PathTracer, AWhiteBallVanishesInEvenLight) {
                 const RayCaster rays(scene);
                 const PathTracer tracer(scene, rays, rig);
                 double sum = 0.0;
-                for (int k = 0; k < 9; ++k) {  // across the ball, nearly to its rim
+                for (int k = 0; k < 9; ++k) {  // across the ball, almost to its rim
                     sum += trace(tracer, {0.1 * k, -3, 0.05}, {0.1 * k, 0, 0.05}, 1024).mean.mean();
                 }
                 return sum / 9.0;
@@ -99,8 +100,8 @@ TEST(PathTracer, AWhiteBallVanishesInEvenLight) {
     }
 }
 
-/// What a round lamp sends along `out` off a level surface at the origin, summed over its area;
-/// `seen` says which of its points the surface sees.
+/// Light of a round lamp that a horizontal surface at the origin reflects along `out`, summed over
+/// the lamp's area; `seen` tells which points of the lamp the surface sees.
 template <class Seen>
 double lampSum(const Lamp& lamp, const SurfaceBrdf* brdf, Seen&& seen) {
     constexpr int kRings = 200;
@@ -131,7 +132,7 @@ TEST(PathTracer, APlaneUnderALampIsAsBrightAsTheIntegralSays) {
     LightRig rig = darkness();
     rig.lamps.push_back({{0.0, 0.0, 2.0}, 0.5, 3.0});
 
-    // Straight below a Lambertian disc the irradiance is known in closed form.
+    // Straight below a Lambertian disc the irradiance has a closed form.
     const Lamp& lamp = rig.lamps.front();
     const auto all = [](const Eigen::Vector3d&) { return true; };
     EXPECT_NEAR(lampSum(lamp, nullptr, all), kPi * lamp.radiance() * 0.25 / (0.25 + 4.0), 1e-4);
@@ -159,7 +160,7 @@ TEST(PathTracer, WhatStandsBeforeHalfTheLampTakesHalfItsLight) {
     SceneBuilder builder;
     builder.object("floor", {kNyuFloor, Role::Structure, {0.6F, 0.6F, 0.6F}})
         .quad({-50, -50, 0}, {100, 0, 0}, {0, 100, 0});
-    // Black, so that it throws nothing back; below the lamp's shade.
+    // Black, so that it reflects nothing; below the lamp's shade.
     builder.object("board", {kNyuOtherProp, Role::Target, {0, 0, 0}})
         .quad({0, -2, 1}, {2, 0, 0}, {0, 4, 0});
     const Scene scene = builder.build();
@@ -175,7 +176,7 @@ TEST(PathTracer, WhatStandsBeforeHalfTheLampTakesHalfItsLight) {
     EXPECT_NEAR(trace(tracer, eye, {0, 0, 0}, 8192).mean.mean(), expected, 0.015 * expected);
 }
 
-/// A closed box with coloured sides, a shining panel, a lamp, a window and a block inside.
+/// A closed box with coloured sides, a luminous panel, a lamp, a window and a block inside.
 Scene cornell(const Eigen::Vector3f& side = {0.7F, 0.1F, 0.1F}) {
     SceneBuilder builder;
     const auto structure = [](const Eigen::Vector3f& color) {
@@ -206,8 +207,8 @@ LightRig cornellLight() {
     return rig;
 }
 
-/// A path tracer as plain as can be: directions by chance from the whole hemisphere, nothing
-/// sampled, nothing weighed, a fixed number of bounces.
+/// The simplest possible path tracer: uniformly random directions of the hemisphere, no importance
+/// sampling, no weights, a fixed number of bounces.
 class PlainTracer {
   public:
     PlainTracer(const Scene& scene, const RayCaster& rays, const LightRig& rig)
@@ -300,7 +301,7 @@ TEST(PathTracer, AgreesWithAPlainOneInABox) {
             }
         }
     }
-    // The comparison would notice a wall that is no longer red.
+    // The comparison would detect another colour of the red wall.
     const Scene other = cornell({0.7F, 0.7F, 0.1F});
     const RayCaster other_rays(other);
     const PathTracer wrong(other, other_rays, rig);
@@ -355,7 +356,7 @@ TEST(PathTracer, StopsWhenCancelledAndLeavesThePictureAsItWas) {
     EXPECT_EQ(image.samples, 2);
 }
 
-/// A shining wall behind a sheet across the view.
+/// A luminous wall behind a sheet across the view.
 Scene behindSheet(float opacity, const Eigen::Vector3f& color) {
     SceneBuilder builder;
     builder.object("wall").quad({4, -20, -20}, {0, 40, 0}, {0, 0, 40});
@@ -376,7 +377,7 @@ TEST(PathTracer, GlassLetsThroughWhatItDoesNotReflect) {
     };
     const double thrown = 2.0 * 0.04 / 1.04;  // both faces, straight on
     EXPECT_NEAR(seen(behindSheet(0.0F, {1, 1, 1})), 1.0 - thrown, 0.004);
-    // Tinted: a part of it is a surface, black here and unlit from this side.
+    // Tinted glass: a part of it is a surface, here black and unlit from this side.
     EXPECT_NEAR(seen(behindSheet(0.4F, {0, 0, 0})), (1.0 - thrown) * 0.6, 0.008);
     EXPECT_LT(seen(behindSheet(1.0F, {0, 0, 0})), 1e-3);
 }
@@ -403,7 +404,7 @@ TEST(PathTracer, LampsShineThroughGlassAndHoles) {
         return trace(tracer, {-0.3, 0, 0.4}, {0, 0, 0}, 4096).mean.mean();
     };
     const double open = floorUnder(0.0F, nullptr);
-    // A little comes back from the glass: less than what it reflects.
+    // The glass returns a little light: less than it reflects.
     EXPECT_NEAR(floorUnder(0.3F, nullptr) / open, (1.0 - 2.0 * 0.04 / 1.04) * 0.7, 0.03);
     Texture holes;
     holes.width = holes.height = 1;
@@ -413,7 +414,7 @@ TEST(PathTracer, LampsShineThroughGlassAndHoles) {
     EXPECT_LT(floorUnder(1.0F, &holes) / open, 0.01);
 }
 
-// Texels are placed as OpenGL places them, and decoded as sRGB.
+// Texels are placed as in OpenGL and decoded as sRGB.
 TEST(PathTracer, ReadsTextures) {
     SceneBuilder builder;
     builder.object("wall").quad({2, -1, -1}, {0, 2, 0}, {0, 0, 2});  // u to +y, v upwards

@@ -18,7 +18,8 @@ using test::lampRoom;
 
 constexpr double kPi = std::numbers::pi;
 
-/// As pictures look lamps up for a surface: between cells, a cell off.
+/// Looks lamps up for a surface as rendering does: interpolated between cells, one cell away from
+/// the surface.
 Eigen::Vector3d lampsOn(const LightVolume& volume, const Eigen::Vector3d& point,
                         const Eigen::Vector3d& normal) {
     const Eigen::Vector3d at = (point + volume.cell_m * normal - volume.low) / volume.cell_m -
@@ -90,7 +91,8 @@ TEST(OwnLamps, AreWhereTheShadesAre) {
                 2 * kSceneLampIntensity, 1e-9);
 }
 
-// Out of the box nothing that is in it matters; how far a ray goes until then.
+// The distance that a ray travels until it leaves the lamp's box: nothing inside the box casts
+// shadows outside.
 TEST(OwnLamps, NothingInTheShadeCastsShadows) {
     SceneLamp lamp;
     lamp.shade = {{0, 0, 0}, {0.2, 0.1, 0.3}, 0.5 * kPi};  // turned: 0.1 along x
@@ -101,12 +103,13 @@ TEST(OwnLamps, NothingInTheShadeCastsShadows) {
     EXPECT_EQ(lamp.shadowedFor({1, 0.5, 0}, {-1, 0, 0}, 1.0), 1.0);  // passes by
 }
 
-// Inverse squares on wall, table and ceiling, on the grid and by paths alike.
+// Light on wall, table and ceiling falls with the inverse square, on the grid and by path tracing
+// alike.
 TEST(OwnLamps, LightTheWallBesideThem) {
     const Scene scene = lampRoom(0.5F);
     const RayCaster rays(scene);
     const LightVolume volume = bakeLightVolume(scene, rays, ownAlone(scene, rays));
-    // By paths without what is thrown back: light of one bounce.
+    // Path tracing without indirect light: one bounce.
     PathTracerParams params;
     params.max_bounces = 0;
     const LightRig rig = ownAlone(scene, rays);
@@ -116,7 +119,7 @@ TEST(OwnLamps, LightTheWallBesideThem) {
     const PathTracer by_chance(scene, rays, rig, params);
     struct Place {
         Eigen::Vector3d at, normal;
-        double off;  // allowed, of the grid
+        double off;  // tolerance for the grid
     };
     for (const Place& place :
          {Place{{0, 1.5, 1.1}, {1, 0, 0}, 0.12}, Place{{0, 1.8, 1.2}, {1, 0, 0}, 0.12},
@@ -128,7 +131,7 @@ TEST(OwnLamps, LightTheWallBesideThem) {
             kSceneLampIntensity * way.normalized().dot(place.normal) / way.squaredNorm();
         const double found = lampsOn(volume, place.at, place.normal).dot(place.normal);
         EXPECT_NEAR(found, expected, place.off * expected) << place.at.transpose();
-        // 0.5 of it is thrown back, as by a rough surface that looks straight on.
+        // Half of it is reflected, as by a rough surface that is seen straight on.
         const Eigen::Vector3d from =
             place.at + 0.3 * place.normal + 0.2 * place.normal.unitOrthogonal();
         const auto traced = [&](const PathTracer& by, int paths) {
@@ -146,7 +149,7 @@ TEST(OwnLamps, LightTheWallBesideThem) {
     }
 }
 
-// The lamp's box reaches the wall, and further where the wall is thin.
+// The lamp's box reaches to the wall, and beyond it where the wall is thin.
 TEST(OwnLamps, DoNotLightTheNextRoom) {
     const Scene scene = lampRoom(0.8F, true);
     const RayCaster rays(scene);

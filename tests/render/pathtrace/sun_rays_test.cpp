@@ -34,14 +34,15 @@ TEST(SunRays, PassWindowsAndGlassButNothingElse) {
     EXPECT_NEAR(shareAt(sunnyRoom(Hole::Pane), lit), 0.75 * (1.0 - sheetReflectance(slant)), 1e-6);
 }
 
-// A sky dome is in the file, a neighbour's house too: only what belongs to the building shades.
+// The file also has a sky dome and a neighbour's house, but only parts of the building cast
+// shadows.
 TEST(SunRays, WhatLiesOutsideCastsNoShadow) {
     const Eigen::Vector3d lit(1.5, 1.5, 1e-3);
     for (const double away : {0.2, 3.0}) {
         Scene scene = sunnyRoom(Hole::Window);
         const Eigen::AlignedBox3d room = scene.room_bounds;
         const Object& hole = scene.objects.back();
-        // The hole's quad once more, outside before it, as a thing of its own.
+        // A copy of the quad in the hole, outside in front of it, as a separate object.
         Object board = hole;
         board.id = hole.id + 1;
         board.nyu40 = kNyuOtherProp;
@@ -68,7 +69,7 @@ TEST(SunRays, WhatLiesOutsideCastsNoShadow) {
     }
 }
 
-// The floor in the sun sends its share of what falls on it.
+// The sunlit floor reflects its share of the sunlight.
 TEST(SunRays, PathsSeeTheSunlitFloor) {
     const Scene scene = sunnyRoom(Hole::Window);
     const RayCaster rays(scene);
@@ -89,7 +90,7 @@ TEST(SunRays, PathsSeeTheSunlitFloor) {
     EXPECT_EQ(seenAt(2.5).maxCoeff(), 0.0F);
 }
 
-/// What falls on a surface from all around, by path tracing.
+/// Irradiance of a surface from all directions, by path tracing.
 double irradianceByPaths(const PathTracer& tracer, const Eigen::Vector3d& at,
                          const Eigen::Vector3d& normal) {
     constexpr int kPaths = 3000;
@@ -137,7 +138,7 @@ TEST(SunRays, TheRoomGetsWhatTheSunlitFloorThrowsBack) {
     EXPECT_LT(error / sum, 0.15);
 }
 
-// A leak would show here: no light comes into a room that is closed.
+// No light enters a closed room; this test would show a leak.
 TEST(SunRays, AClosedRoomStaysDark) {
     const Scene scene = sunnyRoom(Hole::Shutter);
     const RayCaster rays(scene);

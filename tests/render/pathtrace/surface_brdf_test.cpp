@@ -18,7 +18,8 @@ Eigen::Vector3d wayAt(double cosine, double angle = 0.3) {
     return {sine * std::cos(angle), sine * std::sin(angle), cosine};
 }
 
-/// Of light from everywhere, the share sent along `out`, by the BRDF's own samples.
+/// The share of uniform light from all directions that is reflected along `out`, by the BRDF's own
+/// samples.
 double albedo(double base, double metallic, double roughness, double cosine) {
     const SurfaceBrdf brdf(Eigen::Vector3f::Constant(static_cast<float>(base)), metallic, roughness,
                            wayAt(cosine));
@@ -35,7 +36,7 @@ double albedo(double base, double metallic, double roughness, double cosine) {
     return sum / kCount;
 }
 
-/// Midpoints over the hemisphere: visit(direction, solid angle).
+/// Calls visit(direction, solid angle) for the midpoints of a grid over the hemisphere.
 template <class Visit>
 void overHemisphere(int steps, Visit&& visit) {
     for (int i = 0; i < steps; ++i) {
@@ -46,7 +47,7 @@ void overHemisphere(int steps, Visit&& visit) {
     }
 }
 
-// The white furnace: what absorbs nothing sends back all it gets.
+// White furnace test: a surface that absorbs nothing reflects all light.
 TEST(SurfaceBrdf, AWhiteSurfaceKeepsAllLight) {
     for (const double metallic : {0.0, 0.5, 1.0}) {
         for (const double roughness : {0.0, 0.1, 0.25, 0.5, 0.75, 1.0}) {
@@ -64,7 +65,8 @@ TEST(SurfaceBrdf, AGreySurfaceDoesNot) {
     EXPECT_LT(albedo(0.9, 1.0, 0.8, 0.9), 0.95);
 }
 
-// The same integral without the sampler, and that of the sampler's density.
+// Compares with the same integral without the sampler, and checks the integral of the sampler's
+// density.
 TEST(SurfaceBrdf, SamplesAndSumsAgree) {
     for (const double roughness : {0.3, 0.6, 1.0}) {
         const SurfaceBrdf brdf({0.7F, 0.7F, 0.7F}, 0.3, roughness, wayAt(0.7));
@@ -87,7 +89,8 @@ TEST(SurfaceBrdf, ReflectsNothingBelowTheSurface) {
     EXPECT_EQ(brdf.density(-wayAt(0.5)), 0.0);
 }
 
-// Of 64 samples, each of 64 cells of any elementary shape gets one: that is what Sobol is for.
+// Each of 64 equal cells of any elementary shape gets one of 64 samples, as for every Sobol
+// sequence.
 TEST(SampleSequence, FillsThePlaneEvenly) {
     for (const std::uint32_t pixel : {0U, 1U, 77777U}) {
         for (const auto& [across, down] : {std::pair{64, 1}, {16, 4}, {8, 8}, {2, 32}, {1, 64}}) {
@@ -117,7 +120,7 @@ TEST(SampleSequence, DimensionsPixelsAndSeedsAreNotAlike) {
             return chance.next();
         };
     };
-    EXPECT_NEAR(correlation(of(1, 0, 0), of(1, 0, 0)), 1.0, 0.01);  // the measure measures
+    EXPECT_NEAR(correlation(of(1, 0, 0), of(1, 0, 0)), 1.0, 0.01);  // checks the measure itself
     EXPECT_NEAR(correlation(of(1, 0, 0), of(1, 0, 1)), 0.0, 0.06);
     EXPECT_NEAR(correlation(of(1, 0, 4), of(1, 0, 20)), 0.0, 0.06);
     EXPECT_NEAR(correlation(of(1, 0, 4), of(1, 1, 4)), 0.0, 0.06);

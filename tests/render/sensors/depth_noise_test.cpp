@@ -10,13 +10,13 @@
 namespace dollytrack::render {
 namespace {
 
-/// A wall across the view, of a colour; to be changed by tests.
+/// A wall of one colour across the view; tests change single pixels.
 struct Wall {
     explicit Wall(double depth_m, std::uint8_t color = 188) {  // 188: half of white's light
         CameraParams camera;
         camera.width_px = 320;
         camera.height_px = 240;
-        camera.hfov_deg = 20.0;  // nearly straight on
+        camera.hfov_deg = 20.0;  // almost straight on
         lens = makeIntrinsics(camera);
         const std::size_t pixels = 320 * 240;
         depth.assign(pixels, static_cast<float>(depth_m));
@@ -66,7 +66,7 @@ Spread spreadOf(const std::vector<float>& seen, double exact) {
 }
 
 TEST(DepthNoise, TimeOfFlightHasThePublishedDeviation) {
-    // 0.5 mm, and 1 mm a metre from half a metre on.
+    // 0.5 mm, plus 1 mm per metre beyond half a metre.
     for (const auto& [metres, millimetres] :
          {std::pair(0.6, 0.6), {1.0, 1.0}, {2.0, 2.0}, {3.5, 3.5}, {5.0, 5.0}}) {
         const Spread found = spreadOf(Wall(metres).seen(DepthNoise::KinectAzure), metres);
@@ -82,7 +82,7 @@ TEST(DepthNoise, TimeOfFlightHasThePublishedDeviation) {
 
 TEST(DepthNoise, DarkAndGrazingSurfacesAreNoisierAndThenHoles) {
     const double straight = spreadOf(Wall(2.0).seen(DepthNoise::KinectAzure), 2.0).deviation;
-    // 89 encodes an eighth of white's light or so: a fourth of the other.
+    // This value encodes about an eighth of white's light: a fourth of the other.
     const double dark = spreadOf(Wall(2.0, 99).seen(DepthNoise::KinectAzure), 2.0).deviation;
     EXPECT_NEAR(dark / straight, 2.0, 0.1);
     Wall grazing(2.0);
@@ -114,7 +114,8 @@ TEST(DepthNoise, HolesAreAtEdgesAndOutOfReachAndNowhereElse) {
     }
 }
 
-// A floor that runs away from the camera changes by decimetres from row to row, and has no edge.
+// The depth of a floor that runs away from the camera changes by decimetres from row to row, but is
+// not an edge.
 TEST(DepthNoise, ASteepPlaneIsNoEdge) {
     Wall floor(1.0);
     for (int y = 0; y < 240; ++y) {
@@ -137,7 +138,8 @@ TEST(DepthNoise, StructuredLightComesInStepsOfDisparity) {
         EXPECT_NEAR(depthDeviation(DepthNoise::Redwood, metres),
                     step_m * std::hypot(0.027778, 0.125 / std::sqrt(12.0)), 1e-6);
     }
-    // Of walls at many depths, which fall on all places between steps: both variances add.
+    // Averages over walls at many depths, which cover all positions between two steps: both
+    // variances add up.
     const auto errorAround = [](double metres) {
         double squares = 0.0;
         for (int i = 0; i < 40; ++i) {
@@ -152,10 +154,10 @@ TEST(DepthNoise, StructuredLightComesInStepsOfDisparity) {
     EXPECT_NEAR(errorAround(3.0), 1.0, 0.1);
 }
 
-// The published program looks aside first and then at the even pixel at or before that place.
+// The published program first jitters the position and then takes the even pixel at or before it.
 TEST(DepthNoise, StructuredLightJittersBeforeItTakesEverySecondPixel) {
-    // Depths of blocks of 2 x 2 px that repeat every three across; odd pixels have depths of their
-    // own, which nothing may show. Noise is far smaller than the steps between all of them.
+    // Blocks of 2 x 2 px whose depths repeat every three blocks; odd pixels have other depths,
+    // which must never appear. Noise is far smaller than the steps between all depths.
     const std::array<float, 3> depths = {1.00F, 1.03F, 1.06F};
     Wall wall(1.0);
     for (int y = 0; y < 240; ++y) {
@@ -165,7 +167,7 @@ TEST(DepthNoise, StructuredLightJittersBeforeItTakesEverySecondPixel) {
         }
     }
     const std::vector<float> seen = wall.seen(DepthNoise::Redwood);
-    std::array<std::array<int, 3>, 2> from = {};  // by odd or even x: block before, own, after
+    std::array<std::array<int, 3>, 2> from = {};  // by even or odd x: previous block, own, next
     for (int y = 0; y < 240; ++y) {
         for (int x = 2; x < 318; ++x) {
             const double one = seen[static_cast<std::size_t>(y) * 320 + x];
@@ -178,7 +180,7 @@ TEST(DepthNoise, StructuredLightJittersBeforeItTakesEverySecondPixel) {
                   [static_cast<std::size_t>((block - x / 2 % 3 + 4) % 3)];
         }
     }
-    // Half a pixel is two deviations: 2.275 % of all look further to one side.
+    // Half a pixel is two standard deviations: 2.275 % of all jitter further to one side.
     const double all = 240.0 * 158.0;
     EXPECT_NEAR(from[0][0] / all, 0.02275, 0.004) << "even ones leave their block to the left";
     EXPECT_EQ(from[0][2], 0);

@@ -22,7 +22,7 @@ SensorParams timed(double shutter_s, double readout_s, int looks = 16) {
     return params;
 }
 
-/// Of the looks that a row is the mean of, by their weights.
+/// Weighted means over the samples (looks) that make up a row.
 struct RowMeans {
     double weight = 0.0;
     double time_s = 0.0;
@@ -51,7 +51,7 @@ TEST(Exposure, LooksAreSpreadOverTheShutter) {
     ASSERT_EQ(exposure.looks().size(), 16U);
     const RowMeans first = meansOf(exposure, 0.5);
     EXPECT_NEAR(first.time_s, 0.0, 1e-12);
-    // Of an even spread, shutter / sqrt(12).
+    // A uniform distribution has the deviation shutter / sqrt(12).
     EXPECT_NEAR(first.deviation_s, 0.02 / std::sqrt(12.0), 0.0001);
     EXPECT_EQ(meansOf(exposure, kHeight - 0.5).time_s, first.time_s) << "all rows at once";
     EXPECT_EQ(meansOf(Exposure(timed(0.0, 0.0), kHeight, 3), 0.5).deviation_s, 0.0);
@@ -70,7 +70,7 @@ TEST(Exposure, RowsOfARollingShutterHaveTheirOwnTimeAndTheSamePointsExactly) {
                 const double expected_s = readout * (row / (kHeight - 1.0) - 0.5);
                 ASSERT_NEAR(means.weight, 1.0, 1e-12) << row;
                 ASSERT_NEAR(means.time_s, expected_s, 1e-12) << row << " of " << looks;
-                // Evenly over the exposure, and between looks straight on from one to the next.
+                // Evenly over the exposure, with straight lines between consecutive samples.
                 const double step_s = exposure.lookStepSeconds();
                 ASSERT_NEAR(means.deviation_s,
                             std::sqrt(row_s * row_s / 12.0 + step_s * step_s / 6.0), 1e-9);

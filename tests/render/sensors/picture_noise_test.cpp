@@ -49,14 +49,14 @@ TEST(PixelRandom, CountsArePoissonDistributed) {
         EXPECT_NEAR(found.mean, mean, 5 * error);
         EXPECT_NEAR(found.variance / mean, 1.0, 0.02) << mean;
     }
-    // The share of none at all is exp(-mean), which a normal distribution has not.
+    // The share of zeros is exp(-mean), unlike in a normal distribution.
     const Moments none = momentsOf(kValues, [&](std::size_t i) {
         return PixelRandom(1, 0, i).poisson(0.7, 0) == 0.0 ? 1.0 : 0.0;
     });
     EXPECT_NEAR(none.mean, std::exp(-0.7), 0.005);
 }
 
-// The photon transfer curve: what laboratories measure gain and read noise with.
+// The photon transfer curve, which laboratories use to measure gain and read noise.
 TEST(PictureNoise, VarianceIsLinearInTheLight) {
     const SensorParams params = noisy(2000.0, 12.0);
     for (const float light : {0.0F, 0.01F, 0.1F, 0.5F, 1.0F, 3.0F}) {
@@ -86,7 +86,7 @@ TEST(PictureNoise, DependsOnSeedFrameAndPixelAlone) {
     EXPECT_EQ(noise(1, 2), noise(1, 2));
     EXPECT_NE(noise(1, 2), noise(2, 2));
     EXPECT_NE(noise(1, 2), noise(1, 3));
-    // Neighbours know nothing of each other, nor one frame of the next.
+    // Noise is independent between neighbouring pixels and between frames.
     const std::vector<float> a = noise(1, 2), b = noise(1, 3);
     double beside = 0.0, after = 0.0, square = 0.0;
     for (std::size_t i = 0; i + 3 < a.size(); ++i) {

@@ -34,7 +34,7 @@ const std::vector<SensorParams>& lenses() {
     return all;
 }
 
-// OpenCV has the model, too, and an inverse of its own.
+// OpenCV has the same model and an independent inverse.
 TEST(SensorLens, PixelsLookWhereOpenCvUndistortsThemTo) {
     const Intrinsics lens = makeIntrinsics(wideCamera());
     const cv::Matx33d matrix(lens.fx, 0, lens.cx - 0.5, 0, lens.fy, lens.cy - 0.5, 0, 0, 1);
@@ -65,7 +65,7 @@ TEST(SensorLens, PixelsLookWhereOpenCvUndistortsThemTo) {
     }
 }
 
-/// A picture of a chessboard, as a pinhole shows it, linear light.
+/// A pinhole image of a chessboard, in linear light.
 std::vector<float> board(const Intrinsics& lens) {
     std::vector<float> light(3 * static_cast<std::size_t>(lens.width) * lens.height);
     const int kSamples = 8;
@@ -97,7 +97,7 @@ TEST(SensorLens, CornersInItsPictureAreThePinholesOnceUndistorted) {
         for (int i = 0; i < 240 * 320; ++i) {
             grey.at<float>(i / 320, i % 320) = seen[3 * static_cast<std::size_t>(i)];
         }
-        // The corners of the pinhole's board that are in sight, seen through the lens.
+        // The visible corners of the pinhole's board, seen through the lens.
         const LensDistortion model = distortionOf(params);
         std::vector<cv::Point2f> corners;
         std::vector<cv::Point2d> expected;
@@ -106,10 +106,10 @@ TEST(SensorLens, CornersInItsPictureAreThePinholesOnceUndistorted) {
                 const Eigen::Vector2d straight(i / 8.0, j / 8.0);
                 const Eigen::Vector2d at = model.bend(straight);
                 const Eigen::Vector2d px = lens.project({at.x(), at.y(), 1.0});
-                // At the borders undistorting magnifies the finder's own error.
+                // Near the image borders undistorting magnifies the corner finder's error.
                 if (px.x() < 40 || px.y() < 40 || px.x() > 280 || px.y() > 200) continue;
                 corners.emplace_back(static_cast<float>(px.x() - 0.5 + 0.7),
-                                     static_cast<float>(px.y() - 0.5 - 0.6));  // found anew
+                                     static_cast<float>(px.y() - 0.5 - 0.6));  // found again
                 const Eigen::Vector2d pinhole = lens.project({straight.x(), straight.y(), 1.0});
                 expected.emplace_back(pinhole.x() - 0.5, pinhole.y() - 0.5);
             }
@@ -162,7 +162,8 @@ TEST(SensorLens, CornersDarkenByTheFourthPowerOfTheCosine) {
 }
 
 TEST(SensorLens, WhatTheModelDoesNotReachIsBlackAndCounted) {
-    // r (1 - r^2) has its largest value at r = 0.577: nothing beyond 0.385 is shown anywhere.
+    // r (1 - r^2) has its maximum 0.385 at r = 0.577: directions beyond 0.385 appear nowhere in the
+    // image.
     const SensorLens sensor(wideCamera(), bent(-1.0, 0.0));
     const Intrinsics lens = makeIntrinsics(wideCamera());
     std::size_t expected = 0;
@@ -238,7 +239,7 @@ TEST(SensorLens, PresetsMoveTheCornersByTheSameShareOfWiderPictures) {
     }
 }
 
-// Along a straight line of the room a barrel bends one way only, out to the corner.
+// Barrel distortion bends a straight line of the room in one direction only, out to the corner.
 TEST(SensorLens, TheActionCameraIsABarrelOverTheWholePicture) {
     const auto bendsOneWay = [](const CameraParams& camera, const SensorParams& params) {
         const LensDistortion lens = distortionOf(params);
@@ -265,8 +266,8 @@ TEST(SensorLens, TheActionCameraIsABarrelOverTheWholePicture) {
     }
 }
 
-// r (1 - r^2 + 0.3 r^4) falls from 0.65 on and rises again from 1.26: what a bent place seems to
-// show behind the fold, it shows a second time.
+// r (1 - r^2 + 0.3 r^4) falls from 0.65 on and rises again from 1.26: a direction behind this fold
+// would appear a second time.
 TEST(SensorLens, WhatLiesBehindAFoldIsRefused) {
     const LensDistortion folded = {-1.0, 0.3, 0.0, 0.0, 0.0};
     const auto derivative = [](double r) { return 1.0 - 3.0 * r * r + 1.5 * std::pow(r, 4); };
@@ -302,7 +303,7 @@ TEST(SensorLens, DrawnRowsHoldWhatRowsLookAt) {
     EXPECT_LT(end - begin, 60);
 }
 
-// A readout of next to no time puts looks at rows that no whole number counts.
+// With an extremely short readout, samples belong to rows whose number exceeds every integer.
 TEST(SensorLens, RowsFarOutsideAreNone) {
     const SensorLens sensor(wideCamera(), lenses().front());
     const auto all = sensor.drawnRows(-1e15, 1e15);

@@ -1,4 +1,5 @@
-// Whole exports of a board in front of a wall, whose edge tells what happened to it.
+// Whole exports of a board in front of a wall; the image of its edge shows the effects of the
+// sensor.
 #include "render/draw/tone_curve.h"
 #include "render/frames/frame_file.h"
 #include "render/sensors/sensor_lens.h"
@@ -56,7 +57,7 @@ class SensorPicturesGl : public test::DatasetGlTest {
         return params;
     }
 
-    /// The middle frame's green, as linear light.
+    /// The green channel of the middle frame, as linear light.
     cv::Mat_<float> take(const SensorParams& params, const Trajectory& trajectory,
                          const char* modality = "rgb_sensor") {
         DatasetSettings settings;
@@ -89,11 +90,11 @@ class SensorPicturesGl : public test::DatasetGlTest {
         double at = 0.0;     // px, where half of the light is reached
         double width = 0.0;  // px, of the slope of a straight ramp from dark to light
     };
-    /// In a row, near the middle; from the moments of the change.
+    /// The edge in a row near the middle, computed from the moments of the change.
     static Edge edgeIn(const cv::Mat_<float>& light, int y) {
         const int reach = 30;
         const int middle = light.cols / 2;
-        // Shades of the wall, and steps of the picture's bytes, are no edge.
+        // Shading of the wall and steps of the image's bytes are not an edge.
         const double least = 0.04 * light(y, middle + reach);
         double sum = 0.0, first = 0.0, second = 0.0;
         for (int x = middle - reach; x < middle + reach; ++x) {
@@ -113,7 +114,7 @@ class SensorPicturesGl : public test::DatasetGlTest {
 TEST_F(SensorPicturesGl, AnIdealCameraTakesTheCleanPicture) {
     const cv::Mat_<float> sensor = take(ideal(), sideways(1.0));
     const cv::Mat_<float> clean = take(ideal(), sideways(1.0), "rgb");
-    // Looks are spread over the pixel in another way: edges differ, nothing else.
+    // Samples are distributed differently over the pixel: only edges may differ.
     int differ = 0;
     for (int i = 0; i < kWidth * kHeight; ++i) {
         const float a = sensor(i / kWidth, i % kWidth), b = clean(i / kWidth, i % kWidth);
@@ -124,7 +125,7 @@ TEST_F(SensorPicturesGl, AnIdealCameraTakesTheCleanPicture) {
 }
 
 TEST_F(SensorPicturesGl, AnEdgeIsBlurredByItsSpeedTimesTheShutter) {
-    // At 1.5 m/s the board, 2 m away, goes by at 0.75 / s times the focal length.
+    // At 1.5 m/s the board, 2 m away, moves in the image at 0.75 focal lengths per second.
     const double sharp = edgeIn(take(ideal(), sideways(1.5)), 60).width;
     EXPECT_LT(sharp, 1.5);
     for (const double shutter : {0.05, 0.09}) {
@@ -141,7 +142,8 @@ TEST_F(SensorPicturesGl, AnEdgeIsBlurredByItsSpeedTimesTheShutter) {
 }
 
 TEST_F(SensorPicturesGl, ARollingShutterLeansTheEdge) {
-    // A row has few looks, and an edge steps with them: so many rows move it by a pixel.
+    // A row has few samples, and the edge moves in steps with them: this many rows move it by a
+    // pixel.
     const auto edgeAround = [](const cv::Mat_<float>& light, int y) {
         double sum = 0.0;
         for (int row = y - 7; row <= y + 7; ++row) sum += edgeIn(light, row).at / 15.0;
@@ -153,7 +155,7 @@ TEST_F(SensorPicturesGl, ARollingShutterLeansTheEdge) {
     SensorParams params = ideal();
     EXPECT_NEAR(leanOf(take(params, sideways(1.5))), 0.0, 0.1);
     params.readout_s = 0.08;
-    // From the one side the board's front edge is seen, at 2 m, from the other the back one.
+    // From one side the board's front edge at 2 m is visible, from the other the back edge.
     const double expected =
         -1.5 * 0.5 * (1.0 / 2.0 + 1.0 / 2.1) * fx_ * 0.08 * 100.0 / (kHeight - 1);
     EXPECT_LT(expected, -6.0);
@@ -161,8 +163,8 @@ TEST_F(SensorPicturesGl, ARollingShutterLeansTheEdge) {
     EXPECT_NEAR(leanOf(rolled), expected, 0.12);
     EXPECT_NEAR(edgeIn(rolled, 60).at, kWidth / 2.0, 0.3);
     EXPECT_NEAR(leanOf(take(params, sideways(-1.5))), -expected, 0.12);
-    // Through a bending lens, where the picture is drawn straight, a row keeps its time: what it
-    // shows comes from further aside, and is drawn nearer to the middle.
+    // With lens distortion the image is rendered undistorted, but a row keeps its time: its content
+    // comes from further outside and appears nearer to the middle.
     params.k1 = -0.8;
     params.k2 = 0.5;
     const LensDistortion lens = distortionOf(params);
@@ -183,7 +185,7 @@ TEST_F(SensorPicturesGl, WhatIsOutOfFocusHasTheThinLensCircle) {
         params.focus_m = focus;
         const double circle = 0.06 * fx_ * std::abs(1.0 / 2.0 - 1.0 / focus);
         EXPECT_GT(circle, 2.0);
-        // Across an edge a disc's light is spread with deviation diameter / 4.
+        // Across an edge a disc spreads light with the deviation diameter / 4.
         const double expected = std::hypot(std::sqrt(12.0) * circle / 4.0, sharp);
         EXPECT_NEAR(edgeIn(take(params, still), 60).width, expected, 0.12 * expected) << focus;
     }
@@ -207,7 +209,7 @@ TEST_F(SensorPicturesGl, ThingsThatMoveAreBlurredToo) {
     motions_ = motions;
     EXPECT_NEAR(edgeIn(take(params, sideways(0.0)), 60).width, expected, 0.6);
     EXPECT_LT(still, 1.5);
-    // The clean picture beside it has the thing where it is at the frame's time.
+    // The image without sensor effects shows the object at its position at the frame's time.
     EXPECT_NEAR(edgeIn(take(params, sideways(0.0), "rgb"), 60).at, kWidth / 2.0, 0.3);
 }
 
