@@ -76,7 +76,7 @@ TEST(SceneFiles, DatasetConfigsStandForTheirScenesEachOnce) {
     EXPECT_EQ(found("set/*.scene_dataset_config.json", folder.path()), scenes);
     EXPECT_EQ(found("set/lit.scene_dataset_config.json", folder.path()), scenes);
     EXPECT_EQ(namesOf(scenes), (Names{"attic", "flat"}));
-    // Each scene would be read with the other config.
+    // The other config would read the same scenes differently.
     const std::string other = found("set/plain.scene_dataset_config.json", folder.path())[0];
     EXPECT_TRUE(other.starts_with("error: the scene attic is read with ")) << other;
     EXPECT_NE(other.find("lit.scene_dataset_config.json"), std::string::npos) << other;
@@ -88,14 +88,14 @@ TEST(SceneFiles, DatasetConfigsStandForTheirScenesEachOnce) {
         found("set/lit.scene_dataset_config.json", folder.path())[0].starts_with("error: "));
 }
 
-// Whose names would be the folder of one job.
+// Two equal names would share the folder of one job.
 TEST(SceneFiles, NumbersThatTellNamesApartAreNobodysName) {
     const std::vector<std::string> names = namesOf({"a b.obj", "a_b.obj", "a_b_obj-2.x"});
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), 3U);
     EXPECT_EQ(names[2], "a_b_obj-2");
 }
 
-// Each "**" that is tried in each folder for itself would take years here.
+// Trying each "**" separately in each folder would take years here.
 TEST(SceneFiles, ManyWildcardsTakeNoLonger) {
     const test::TempFolder folder;
     std::string deep = "a";
@@ -114,7 +114,7 @@ TEST(SceneFiles, ManyWildcardsTakeNoLonger) {
     EXPECT_TRUE(fitsFilePattern(std::string(200, 'a'), stars));
 }
 
-// The C library says what a pattern means; it only takes too long over some.
+// The C library defines what patterns mean; it is only too slow for some.
 TEST(SceneFiles, PatternsMeanWhatTheyMeanToShells) {
     const std::vector<std::string> patterns = {
         "*",      "a*",           "*a",    "*a*b", "?",     "a?c",   "[ab]c",   "[!a]*", "[^a]*",
@@ -133,7 +133,7 @@ TEST(SceneFiles, PatternsMeanWhatTheyMeanToShells) {
     }
 }
 
-// Tables are freed by recursion: a key of half a million parts overflowed the stack.
+// Tables are freed recursively: a key of half a million parts used to overflow the stack.
 TEST(JobsFile, DeepKeysAndListsAreRefused) {
     const test::TempFolder folder;
     const auto refusal = [&](const std::string& text) {
@@ -152,7 +152,7 @@ TEST(JobsFile, DeepKeysAndListsAreRefused) {
     }
     EXPECT_NE(refusal("x=" + std::string(100'000, '[')).find("nested more than 32 deep"),
               std::string::npos);
-    // Dots of numbers and within texts are no parts of keys.
+    // Dots in numbers and inside strings do not separate parts of keys.
     std::string numbers = "x = [";
     for (int i = 0; i < 100; ++i) numbers += "0.5, 'a.b.c', ";
     EXPECT_TRUE(checkTomlDepth(numbers + "]\n# a.b" + std::string(100, '.') + "\ny = \"\"\"\n" +
@@ -170,7 +170,7 @@ TEST(SceneFiles, MatchingNeedsNoDisk) {
     EXPECT_FALSE(matches("rooms/a.obj", "rooms/*.glb"));
 }
 
-// A name may not depend on scenes that are called otherwise.
+// A scene's name must not depend on scenes with other file names.
 TEST(SceneFiles, NamesAreDifferentAndStay) {
     using Names = std::vector<std::string>;
     EXPECT_EQ(namesOf({"x/bath.obj", "kitchen 2.glb"}), (Names{"bath", "kitchen_2"}));
@@ -187,7 +187,7 @@ TEST(SceneFiles, NamesAreDifferentAndStay) {
     }
 }
 
-// Data sets keep each scene in a folder of its own, in a file that is always called the same.
+// Data sets often keep each scene in its own folder, always under the same file name.
 TEST(SceneFiles, FoldersNameScenesWhoseFilesAreAllCalledScene) {
     using Names = std::vector<std::string>;
     EXPECT_EQ(namesOf({"/data/sets/kitchen/scene.glb", "/data/sets/bath/scene.glb"}),
@@ -259,7 +259,7 @@ TEST(BatchFolder, PartsThatStartAtOnceAllClaimIt) {
 
 TEST(BatchFolder, OnlyOthersFilesStandInTheWay) {
     const test::TempFolder folder;
-    (void)folder.write("jobs.json.tmp.123", "half of a li");  // of a part that was killed, say
+    (void)folder.write("jobs.json.tmp.123", "half of a li");  // as a killed part leaves it
     EXPECT_TRUE(claimBatchFolder(folder.path(), {{}, {}}));
     EXPECT_TRUE(claimBatchFolder(folder.path(), {{}, {"captured_pct >= 90"}}));
 
@@ -270,7 +270,7 @@ TEST(BatchFolder, OnlyOthersFilesStandInTheWay) {
     (void)copy.write("jobs.json.bak", "x");
     EXPECT_FALSE(claimBatchFolder(copy.path(), {{}, {}}));
     const test::TempFolder odd;
-    std::filesystem::create_directory(odd.path() / "jobs.json");  // not to be read as text
+    std::filesystem::create_directory(odd.path() / "jobs.json");  // cannot be read as text
     EXPECT_FALSE(claimBatchFolder(odd.path(), {{}, {}}));
     const test::TempFolder other;
     (void)other.write("jobs.json", "[1, 2]");

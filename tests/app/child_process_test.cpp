@@ -11,10 +11,10 @@ bool stops_on_the_way = false;
 volatile std::sig_atomic_t woken = 0;
 }  // namespace
 
-/// In the place of libc's, for whatever this program starts.
+/// Replaces libc's execv() for every program that this test starts.
 extern "C" int execv(const char* path, char* const* arguments) noexcept {
     if (stops_on_the_way) {
-        // Whoever makes a process wakes it once; before that a stop would not last.
+        // The starting process sends SIGCONT once; a stop before that would not last.
         while (woken == 0) usleep(1000);
         raise(SIGSTOP);
     }
@@ -46,7 +46,8 @@ TEST(ChildProcess, WhatCannotBeRunIsSaidAtOnce) {
     EXPECT_EQ(process.error().where, "/bin/no such program");
 }
 
-// Whoever started it may still end it, or let it go on; waiting for it here would hold up both.
+// The starter can still end the stopped process or let it continue; waiting for it in start() would
+// block both.
 TEST(ChildProcess, OneThatIsStoppedBeforeItsProgramBeginsIsNotWaitedFor) {
     std::signal(SIGCONT, [](int) { woken = 1; });
     stops_on_the_way = true;

@@ -76,7 +76,7 @@ TEST_P(ExportQueueEndings, AreFailuresWithAReason) {
     EXPECT_EQ(endOf(queue, id), ExportState::Failed);
     const std::string message = jobOf(queue, id).error.message;
     EXPECT_NE(message.find(GetParam().says), std::string::npos) << message;
-    // The next one runs all the same.
+    // The next job runs all the same.
     const int next = queue.addFile(program.request("other"), "room.dolly");
     EXPECT_EQ(endOf(queue, next), ExportState::Failed);
 }
@@ -138,12 +138,12 @@ TEST(ExportQueue, WorksInTheOrderShownAndNotWhileHeld) {
     const int d = queue.addFile(program.request("d"), "room.dolly");
     queue.move(c, -1);
     queue.move(c, -1);
-    queue.move(c, -1);  // it is the first already
+    queue.move(c, -1);  // already the first one
     queue.move(a, 1);
     queue.remove(d);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     EXPECT_FALSE(fs::exists(program.file("order")));
-    EXPECT_EQ(queue.unfinished(), 3);  // those that wait count: leaving would lose them
+    EXPECT_EQ(queue.unfinished(), 3);  // waiting jobs count: closing the editor loses them
     queue.hold(false);
     for (const int id : {a, b, c}) EXPECT_EQ(endOf(queue, id), ExportState::Done);
     EXPECT_EQ(queue.unfinished(), 0);
@@ -190,7 +190,7 @@ TEST(ExportQueue, TellsWhichJobWillWriteIntoAFolder) {
     EXPECT_EQ(nameOf(program.file("room")), "") << "what is there may be replaced";
 }
 
-// A file that has the name already is not the project that was handed over.
+// An existing file with the snapshot's name is not the project that was queued.
 TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
     const FakeProgram program("cp \"$2\" \"$out/copy\"\n" + std::string(kFinish));
     const fs::path folder = program.file("snapshots");
@@ -205,7 +205,7 @@ TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
               io::projectText(*project, folder / "any.dolly"));
 }
 
-// A project without a scene cannot be written: the library throws.
+// A project without a scene cannot be written: the JSON library throws.
 TEST(ExportQueue, FailsAloneWhereItsSnapshotCannotBeWritten) {
     const FakeProgram program(
         "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
@@ -228,7 +228,7 @@ TEST(ExportQueue, FailsAloneWhereItsSnapshotCannotBeWritten) {
 
 bool isAlive(pid_t process) {
     const std::string status = contentOf("/proc/" + std::to_string(process) + "/stat");
-    // "pid (name) state": a dead one that nobody has asked after is a Z.
+    // The format is "pid (name) state"; Z is a dead process that nobody has waited for.
     const std::size_t name_end = status.rfind(')');
     return name_end != std::string::npos && status[name_end + 2] != 'Z';
 }
@@ -253,7 +253,7 @@ TEST(ExportQueue, EndsEvenAProgramThatDoesNotListen) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
-// The editor is killed: it cannot clean up, so the system has to.
+// A killed editor cannot clean up, so the operating system has to end its child process.
 TEST(ExportQueue, LeavesNothingBehindWhenItsProgramIsKilled) {
     const FakeProgram program(kDeaf);
     const pid_t editor = fork();
@@ -283,8 +283,8 @@ std::map<std::string, std::string> filesIn(const fs::path& folder) {
     return files;
 }
 
-// The real program, on a room with two boxes: an export that is cancelled and continued makes the
-// same files as one that runs through.
+// With the real program and a room with two boxes: an export that is cancelled and continued writes
+// the same files as an uninterrupted one.
 TEST(ExportQueueGl, ContinuesToTheSameBytes) {
     const dollytrack::test::TempFolder folder;
     dollytrack::test::ObjWriter room;

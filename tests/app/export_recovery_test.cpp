@@ -13,7 +13,7 @@
 #include <functional>
 #include <map>
 
-// What editors that ended without a word leave to the next one.
+// Exports that a killed editor leaves to the next one.
 namespace dollytrack::editor {
 namespace {
 
@@ -25,7 +25,7 @@ using test::FakeProgram;
 using test::kFinish;
 using ui::ExportState;
 
-// Snapshots of an editor that was killed would stay for ever; those of one that runs are in use.
+// Snapshots of a killed editor would otherwise stay forever; those of a running one are in use.
 TEST(ExportRecovery, RemovesWhatDeadEditorsLeft) {
     const FakeProgram program(kFinish);
     const pid_t child = fork();
@@ -41,7 +41,7 @@ TEST(ExportRecovery, RemovesWhatDeadEditorsLeft) {
     const std::string dead = std::to_string(child) + "-77";
     const fs::path of_dead = put("export-" + dead + "-1.dolly");
     const fs::path half = put("export-" + dead + "-2.dolly.tmp.5");
-    // The same number, but another process: ours began later than that.
+    // The same process number, but another process: ours started later.
     const fs::path reused = put("export-" + std::to_string(getpid()) + "-1-1.dolly");
     const OwnerMark self(folder);
     const fs::path of_living = put("export-" + self.text() + "-99.dolly");
@@ -53,8 +53,8 @@ TEST(ExportRecovery, RemovesWhatDeadEditorsLeft) {
     EXPECT_TRUE(fs::exists(foreign));
 }
 
-/// An editor that queues one export of its own snapshot and one of a project file, and dies when
-/// the first has told of two frames.
+/// Runs an editor that queues one export of its own snapshot and one of a project file, and is
+/// killed when the first has reported two frames.
 void exportAndDie(const FakeProgram& program) {
     const pid_t editor = fork();
     ASSERT_GE(editor, 0);
@@ -136,7 +136,7 @@ TEST(ExportRecovery, OffersWhatAKilledEditorLeft) {
     }
 }
 
-/// Runs in a process of its own, since the notes of a living process belong to it.
+/// Runs `work` in another process, since the notes of a living process belong to that process.
 void asEditor(const std::function<void()>& work) {
     const pid_t editor = fork();
     ASSERT_GE(editor, 0);
@@ -149,7 +149,7 @@ void asEditor(const std::function<void()>& work) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
 }
 
-// What the user cancelled is still in the queue, and nobody asks about it again.
+// A cancelled job is still in the queue, but the next editor does not ask about it.
 TEST(ExportRecovery, DoesNotAskAboutWhatTheUserCancelled) {
     const FakeProgram program(
         "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
@@ -181,7 +181,7 @@ TEST(ExportRecovery, DoesNotAskAboutWhatTheUserCancelled) {
     }
 }
 
-// Two editors begin at once: each job goes to one of them.
+// Two editors start at the same time: each job goes to exactly one of them.
 TEST(ExportRecovery, LeavesAJobToOneOfTwoEditors) {
     const FakeProgram program(
         "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
@@ -208,7 +208,7 @@ TEST(ExportRecovery, LeavesAJobToOneOfTwoEditors) {
     waitpid(second, &status, 0);
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(ours + static_cast<std::size_t>(WEXITSTATUS(status)), 2U);
-    // Whoever took the job took its snapshot as well: both are still there for the next.
+    // The editor that took a job also took its snapshot, so the next editor still finds both.
     EXPECT_EQ(std::ranges::count(fs::directory_iterator(program.file("snapshots")), ".dolly",
                                  [](const auto& entry) { return entry.path().extension(); }),
               1);

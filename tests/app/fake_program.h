@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-// A stand-in for the program that exports, and how to wait for what it does.
+// A stand-in for the export program, and functions that wait for its results.
 namespace dollytrack::editor::test {
 
 inline std::string contentOf(const std::filesystem::path& path) {
@@ -19,7 +19,7 @@ inline std::string contentOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Looks again and again, for at most a minute.
+/// Checks repeatedly, for at most a minute, whether `holds` becomes true.
 inline bool eventually(const std::function<bool()>& holds) {
     for (int i = 0; i < 6000; ++i) {
         if (holds()) return true;
@@ -28,7 +28,8 @@ inline bool eventually(const std::function<bool()>& holds) {
     return false;
 }
 
-/// A program in place of the real one. The arguments are export PROJECT --out DIR --range ...
+/// A shell script in place of the real program. The arguments are export PROJECT --out DIR --range
+/// ...
 class FakeProgram {
   public:
     explicit FakeProgram(const std::string& body) {
@@ -55,7 +56,7 @@ class FakeProgram {
     std::filesystem::path path_;
 };
 
-/// The body of a program that ends well.
+/// The body of a program that ends successfully.
 inline constexpr const char* kFinish =
     "echo '{\"done\":true,\"exit_code\":0,\"frames_done\":8,\"frames\":8}' >&2\n"
     "touch \"$out/dataset.json\" \"$out/contact_sheet.jpg\"";

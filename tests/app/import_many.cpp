@@ -1,5 +1,5 @@
-// Imports one scene file after the other in one process, as the editor does, and prints a line of
-// JSON about each. Usage: import_many [--here] [--cache] [--models DIR] < list of files, one a line
+// Imports several scene files in one process, as the editor does, and prints a line of JSON about
+// each. Usage: import_many [--here] [--cache] [--models DIR] < list of files, one a line
 
 #include "engine/core/log.h"
 #include "engine/io/files/sha256.h"
@@ -17,7 +17,7 @@
 
 namespace {
 
-/// Of this process and of those that it has waited for, s.
+/// Processor time of this process and of the ended child processes, s.
 double processorTime() {
     double seconds = 0.0;
     for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -41,7 +41,7 @@ std::string_view bytesOf(const std::vector<T>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// Tells scenes apart that differ in a vertex, a triangle, an object or a picture.
+/// A digest that changes with any vertex, triangle, object or texture image.
 std::string digestOf(const dollytrack::Scene& scene) {
     dollytrack::io::Sha256 digest;
     digest.add(bytesOf(scene.positions));

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A program that asks, as tests do.
+/// A client of the inspector, as the editor tests are.
 class Client {
   public:
     explicit Client(const fs::path& path) : socket_(socket(AF_UNIX, SOCK_STREAM, 0)) {
@@ -48,7 +48,7 @@ class Client {
     bool connected_ = false;
 };
 
-/// Waits, for at most a minute, until it is asked.
+/// Waits, for at most a minute, until a question arrives.
 void awaitQuestion(const Inspector& inspector) {
     for (int i = 0; i < 6000 && !inspector.asked(); ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -73,7 +73,7 @@ TEST(Inspector, AnswersWithWhatIsShown) {
     EXPECT_FALSE(fs::exists(path));
 }
 
-// --inspect with the name of a scene must not cost the scene.
+// --inspect with the path of a scene by mistake must not delete the scene.
 TEST(Inspector, LeavesAFileInItsPlaceAlone) {
     const test::TempFolder folder;
     const fs::path path = folder.write("s", "a scene");
@@ -104,7 +104,7 @@ TEST(Inspector, EndsThoughNobodyReadsItsAnswer) {
     const Client client(path);
     client.ask();
     awaitQuestion(*inspector);
-    inspector->answer(std::string(20'000'000, 'x'));  // more than any socket holds
+    inspector->answer(std::string(20'000'000, 'x'));  // more than any socket buffers
     const auto begin = std::chrono::steady_clock::now();
     inspector.reset();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));

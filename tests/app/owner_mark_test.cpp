@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What isHeld() says in another process.
+/// The result of isHeld() in another process.
 bool heldForOthers(const fs::path& folder, const std::string& mark) {
     const pid_t other = fork();
     if (other == 0) _exit(OwnerMark::isHeld(folder, mark) ? 1 : 0);
@@ -63,7 +63,8 @@ TEST(OwnerMark, EndsWithAProcessThatIsKilled) {
     close(told[1]);
 }
 
-// A home that several computers share: what a process number means there is not known here.
+// In a home folder that several computers share, this computer cannot look up the process numbers
+// of the others.
 TEST(OwnerMark, OfAnotherComputerIsJudgedByItsLockAlone) {
     const test::TempFolder folder;
     const std::string other = "elsewhere-1-77";
@@ -89,7 +90,7 @@ TEST(OwnerMark, OfAProcessOfThisComputerIsLookedUpWhereThereIsNoLock) {
     const std::string host = text.substr(0, text.find('-'));
     EXPECT_FALSE(OwnerMark::isHeld(folder.path(), host + "-" + std::to_string(getpid()) + "-1"))
         << "another process had the number before";
-    // Marks of earlier versions have no host.
+    // Marks of earlier versions do not contain a host name.
     EXPECT_TRUE(OwnerMark::isHeld(folder.path(), text.substr(text.find('-') + 1)));
     EXPECT_FALSE(OwnerMark::isHeld(folder.path(), "room"));
     EXPECT_FALSE(OwnerMark::isHeld(folder.path(), ""));

@@ -10,7 +10,7 @@
 namespace dollytrack::editor {
 namespace {
 
-/// Lets a test wait for the background.
+/// Lets a test wait for the background thread.
 class Bell {
   public:
     void ring() {

@@ -16,7 +16,7 @@ TEST(Playback, LosesNoTimeBetweenFramesAndStopsAtTheEnd) {
     playback.advance(10.0, false);
     EXPECT_EQ(playback.frame(), 4);
     EXPECT_FALSE(playback.playing());
-    playback.toggle();  // at the end: from the beginning
+    playback.toggle();  // at the end it starts from the beginning
     EXPECT_EQ(playback.frame(), 0);
     playback.advance(7.0, true);
     EXPECT_EQ(playback.frame(), 2);

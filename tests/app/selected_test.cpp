@@ -11,7 +11,7 @@ using ui::Selection;
 using Kind = Selection::Kind;
 using Trace = std::shared_ptr<const ObjectTrace>;
 
-// Six triangles in five objects; then 2 and 4 are one object, number 2; then 3 is two pieces.
+// Six triangles in five objects; then 2 and 4 are merged into object 2; then 3 is split into two.
 const Trace kFile = std::make_shared<const ObjectTrace>(ObjectTrace{1, 2, 3, 3, 4, 5});
 const Trace kMerged = std::make_shared<const ObjectTrace>(ObjectTrace{1, 2, 3, 3, 2, 4});
 const Trace kSplit = std::make_shared<const ObjectTrace>(ObjectTrace{1, 2, 3, 4, 2, 5});
@@ -60,7 +60,7 @@ TEST(Selected, HiddenObjectsStayHiddenUnderTheirNewNumbers) {
     Selected selected = selecting({}, kFile);
     selected.toggleHidden(5);
     selected.toggleHidden(2);
-    selected.follow(kMerged);  // 4 was in sight, and with it the new object is
+    selected.follow(kMerged);  // 4 was visible, so the merged object is
     EXPECT_EQ(selected.hidden(), (std::vector<bool>{false, false, false, false, true}));
     selected.forget();
     selected.follow(kFile);
@@ -115,7 +115,7 @@ TEST(Selected, ANewPinIsSelectedWhenAPlanHasIt) {
     EXPECT_EQ(selected.now(), positionPoint(2));
 }
 
-// It does not jump from what was chosen in the meantime.
+// The selection does not jump to the pin when another object was chosen in the meantime.
 TEST(Selected, AnotherChoiceEndsTheWaitForAPin) {
     const Planned after({"view"});
     Selected selected;
@@ -161,7 +161,7 @@ TEST(Selected, ForgetsEdgesAndKeepsObjectsInANewPlan) {
     EXPECT_TRUE(selected.is(Selection::Kind::Objects));
     EXPECT_TRUE(selected.keepIn(nullptr, {}));
     EXPECT_EQ(selected.objects(), (std::vector<int>{4, 2}));
-    // The first trace of a project: nothing to be followed from.
+    // The first trace of a project: there is no earlier one to compare with.
     selected.follow(std::make_shared<const ObjectTrace>(ObjectTrace{1, 2, 3}));
     EXPECT_EQ(selected.objects(), std::vector<int>{2});
     selected.hideObjects();

@@ -1,5 +1,5 @@
-// Reads a folder in the layout of KITTI's odometry with OpenCV's own reader of it, and prints what
-// it found as JSON.
+// Reads a folder in the layout of KITTI's odometry with OpenCV's reader and prints its contents as
+// JSON.
 #include <nlohmann/json.hpp>
 #include <opencv2/datasets/slam_kitti.hpp>
 
