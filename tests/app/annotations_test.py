@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What people say of a scene in a file beside it: read by every command, written by 'edit', and as
-its schema says.
+"""Annotations in a file beside the scene: every command reads them, 'edit' writes them, and the
+file matches its schema.
 
 Usage: annotations_test.py PROGRAM SCHEMA [unittest arguments]
 """
@@ -98,7 +98,7 @@ class Annotations(FolderCase):
         self.assertEqual(objects["sofa"]["role"], "excluded")
         self.assertEqual(objects["picture"]["class"], "window")
         self.assertEqual(objects["pair"]["triangles"], 24)
-        # Without operations a project's edits are written as they are.
+        # Without operations a project's edits are written unchanged.
         project = path.with_suffix(".dolly")
         self.assertEqual(run("edit", path, "--op", '{"op":"exclude","object":"table"}', "-o",
                              project).returncode, 0)
@@ -143,7 +143,7 @@ class Annotations(FolderCase):
             changes = {c["object"]["name"]: c for c in edits["changes"]}
             self.assertEqual(changes["mug"]["by"], "Bob")
             self.assertNotIn("by", changes["book"])
-            # An entry keeps its keys as long as there is one; what was taken back does not return.
+            # An entry keeps its other keys while it exists; an undone operation does not return.
             self.assertNotEqual(changes.get("sofa", {}).get("role"), "excluded")
 
     def test_relations_come_before_what_is_found(self):
@@ -178,7 +178,7 @@ class Annotations(FolderCase):
         self.assertIn('"flurbl", the class of "c", is unknown', warnings)
         self.assertIn('the front given for "d" points up or down', warnings)
         self.assertNotIn("my_note", warnings)
-        # Without a class the words of what it is made of count, as they did before.
+        # Without a class the names of its parts decide the class, as before.
         self.assertEqual({o["name"]: o["class"] for o in said["objects"]}["a"], "table")
         plain = self.info(self.scene(self.said(objects=[
             {"name": "d", "nodes": ["sofa"], "front": [0, 0, 1], "class": "sofa"}]), "plain"))

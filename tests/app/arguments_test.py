@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What can be given on the command line, and what is said of slips: arguments_test.py PROGRAM."""
+"""Which arguments the command line takes, and its messages for wrong ones: arguments_test.py
+PROGRAM."""
 import json
 import unittest
 
@@ -52,7 +53,8 @@ class Arguments(FolderCase):
         text = self.room.read_text()
         lidless = self.folder / "lidless.obj"
         lidless.write_text(text.replace("o ceiling\n", "o lid\n"))
-        # The ceiling's faces go; its corners stay, for the numbers of the others.
+        # The ceiling's faces are removed, but its vertices stay, so that the indices of the others
+        # hold.
         lines, inside = [], False
         for line in lidless.read_text().splitlines():
             inside = line == "o lid" if line.startswith("o ") else inside
@@ -89,7 +91,7 @@ class Arguments(FolderCase):
         self.assertIn("--estimated FILE", text)
         self.assertNotIn(" ...", text)
         self.assertNotIn(" ...", run("export", "--help").stdout)
-        # What takes several at once still says so.
+        # Options that take several values at once still say so.
         self.assertIn(" ...", run("compare", "--help").stdout)
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Scenes as they come, planned as a whole: awkward_test.py PROGRAM."""
+"""Scenes with the flaws of real files, planned from end to end: awkward_test.py PROGRAM."""
 import json
 import math
 import unittest
@@ -58,7 +58,7 @@ class Obj:
 
 
 def turned(text):
-    """The other side of every face."""
+    """The scene with every face turned over."""
     lines = [line if not line.startswith("f ") else
              "f " + " ".join(reversed(line.split()[1:])) for line in text.splitlines()]
     return "\n".join(lines) + "\n"
@@ -72,7 +72,7 @@ def scaled(text, scale):
 
 
 def dome(obj, radius):
-    """Half a sphere around and above the room."""
+    """A hemisphere around and above the room."""
     def at(ring, step):
         polar = math.pi * ring / 16
         around = 2 * math.pi * step / 24
@@ -86,13 +86,13 @@ def dome(obj, radius):
             obj.face(*corners)
 
 
-# Room views are chosen by samples of the triangles: rounding and the order of corners move them.
+# Room views are chosen by samples of the triangles, so rounding and vertex order change them.
 CLOSE_VIEWS = ("--set", "view_mix=0")
 
 
 class Awkward(FolderCase):
     def plan(self, text, *arguments, planning=()):
-        """What 'info' and 'plan' say, and the project."""
+        """Returns the output of 'info' and 'plan', and the project."""
         name = self.id().split(".")[-1]
         scene = self.folder / f"{name}.obj"
         project = self.folder / f"{name}.dolly"
@@ -197,7 +197,7 @@ class Awkward(FolderCase):
         self.assertEqual(len(project["result"]["paths"]), 1)
         inside = [p for p in self.positions(project) if 2.6 <= p[2] <= 2.85]
         self.assertTrue(all(1 < p[0] < 5.4 and p[1] < 1.2 for p in inside))
-        # Each thing is looked at from its own storey.
+        # Each object is viewed from its own storey.
         frames = self.positions(project)
         for entry in plan["ledger"]:
             self.assertEqual(frames[entry["frame"]][2] > 2.85, entry["object"].endswith("_up"),

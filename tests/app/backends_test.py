@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""OSMesa and EGL draw the same dataset.
+"""OSMesa and EGL render the same dataset.
 
 Usage: backends_test.py PROGRAM [unittest arguments]
 """
@@ -30,7 +30,7 @@ class Backends(FolderCase):
             assert made.returncode == 0, made.stderr
 
     def images(self, modality):
-        """Pairs of one frame's image by both."""
+        """For each frame, the images of both backends."""
         ours = sorted((self.folder / "osmesa" / modality).glob("*.png"))
         self.assertGreater(len(ours), 3)
         for path in ours:
@@ -52,12 +52,12 @@ class Backends(FolderCase):
                 self.assertLessEqual(np.abs(ours - theirs).max(), 1)
 
     def test_other_frames_differ(self):
-        """What the two tests above would notice."""
+        """The two tests above would notice another frame."""
         ours = [image for image, _ in self.images("rgb")]
         self.assertGreater(np.abs(ours[0] - ours[-1]).max(), 1)
 
     def test_each_is_what_it_is_called(self):
-        """Without a driver for EGL the one fails, with what to do, and the other two draw."""
+        """Without a driver for EGL, 'egl' fails with advice, and the other two settings render."""
         for backend, code in (("egl", NO_OPENGL), ("osmesa", 0), ("auto", 0)):
             made = run("export", self.project, "--out", self.folder / ("without_" + backend),
                        "--gl", backend, "--range", ":1", env=NO_DRIVER)
@@ -66,7 +66,7 @@ class Backends(FolderCase):
                 self.assertEqual(told in made.stderr, code == NO_OPENGL, made.stderr)
 
     def test_no_function_is_bound_to_one_library(self):
-        """A call that the linker had settled would go to OSMesa, whatever draws."""
+        """A function bound by the linker would call OSMesa with every backend."""
         listed = subprocess.run(["nm", "-D", "--undefined-only", PROGRAM], capture_output=True,
                                 text=True, check=True).stdout
         self.assertIn("__glewCreateTextures", listed)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Batches of exports: what they make, what no job can do to the others, and how they go on.
+"""Batches of exports: their results, the independence of their jobs, and how they are continued.
 
 Usage: batch_test.py PROGRAM [--long] [unittest arguments]
 """
@@ -28,7 +28,7 @@ SMALL = "set = { width_px = 64, height_px = 48 }"
 
 
 class Links(html.parser.HTMLParser):
-    """All that a page points to."""
+    """All links of a page."""
 
     def __init__(self, text):
         super().__init__()
@@ -52,8 +52,8 @@ def alive(pid):
 
 
 def memory_kb(pid):
-    """What the process has taken, without the files it maps: the system drops and reloads their
-    pages as it likes. None once it has ended."""
+    """Memory of the process without mapped files, whose pages the system drops and reloads freely.
+    None once it has ended."""
     status = pathlib.Path(f"/proc/{pid}/status").read_text()
     return int(status.split("RssAnon:")[1].split()[0]) if "RssAnon:" in status else None
 
@@ -103,7 +103,7 @@ class Batch(FolderCase):
         return {name: job["verdict"] for name, job in self.summary().items()}
 
     def first_child(self, process):
-        """The first job's process, once it runs its own program."""
+        """The first job's process, as soon as it runs its own program."""
         def runs():
             for child in children(process.pid):
                 words = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
@@ -113,7 +113,7 @@ class Batch(FolderCase):
         self.assertTrue(wait_for(lambda: process.poll() is not None or runs()))
         return children(process.pid)[0]
 
-    # --- what it makes
+    # --- results
 
     def test_every_combination_is_an_export_of_its_own(self):
         self.rooms("bath.obj", "kitchen.obj")
@@ -129,13 +129,14 @@ class Batch(FolderCase):
         self.assertEqual(list(verdicts), names)
         for name, verdict in verdicts.items():
             self.assertEqual(verdict, "failed" if name.startswith("broken") else "good")
-        # What a job makes is what the program makes by hand.
+        # A job gives the same files as a call of the program by hand.
         by_hand = self.place / "by_hand"
         run("export", self.place / "rooms/kitchen.obj", "--planner", "uniform", "--seed", 2,
             "--max-frames", 6, "--set", "width_px=64", "--set", "height_px=48", "--out", by_hand)
         self.assertEqual(hashes(self.out / "kitchen.small.uniform.seed2/dataset"),
                          hashes(by_hand))
-        # Its scene is found where it was; without it, what is not proven is said.
+        # The scene is found at its old path; without the scene, verify says what it could not
+        # check.
         dataset = self.out / "kitchen.small.dollytrack.seed2/dataset"
         elsewhere = self.place / "elsewhere"
         shutil.copytree(dataset, elsewhere)
@@ -192,7 +193,7 @@ class Batch(FolderCase):
         self.assertEqual({job["name"]: job["to_do"] for job in listed},
                          {"a_bath.small": "begin", "a.small": "begin", "bath.small": "done"})
         self.assertEqual((self.out / "bath.small/result.json").stat().st_mtime_ns, written)
-        # Two that would be called alike are told apart.
+        # Two scenes that would get the same name get different ones.
         (self.place / "rooms/a/bath.ply").write_text("ply")
         listed = json.loads(run("batch", file, "--dry-run", "--json").stdout)
         self.assertEqual(len({job["name"] for job in listed}), 4)
@@ -207,23 +208,23 @@ class Batch(FolderCase):
                                            "bath.small.uniform": "unmet"})
         suite = xml.etree.ElementTree.parse(self.out / "junit.xml").getroot().find("testsuite")
         self.assertEqual(suite.get("failures"), "1")
-        # Of its log the page shows the end, but not how far it was 30 times.
+        # The page shows the end of the log, but not 30 lines of progress.
         log = self.out / "bath.small.uniform" / "log.txt"
         log.write_text("note: a word of its own\n" + " 41 %  frames, 0:12 left\n" * 30)
         self.assertEqual(run("batch", file, *asked).returncode, 3)
         page = (self.out / "index.html").read_text()
         self.assertIn("note: a word of its own", page)
         self.assertNotIn("41 %  frames", page)
-        # Asked anew of what is there; nothing is made again.
+        # A new constraint is checked on the existing results; nothing is made again.
         again = run("batch", file)
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertFalse(any(job["ran_now"] for job in self.summary().values()))
-        # A value that a trajectory does not have is not met, a name that none has is refused.
+        # A constraint on a value that the trajectory lacks is not met; an unknown name is refused.
         self.assertEqual(run("batch", file, "--require", "path_length_m<=1000").returncode, 3)
         self.assertFails(run("batch", file, "--require", "wel_captured_rate>=1"), 2,
                          "well_captured_rate")
 
-    # --- going on
+    # --- continuing
 
     def test_a_changed_table_of_labels_and_the_scene_of_a_project_count_too(self):
         self.rooms("bath.obj")
@@ -282,11 +283,11 @@ class Batch(FolderCase):
             seen += part
             for link in Links((self.out / f"@shards/{i}-of-3/index.html").read_text()).found:
                 self.assertTrue((self.out / f"@shards/{i}-of-3" / link).exists(), link)
-        # One part is missing: said, and not taken for good.
+        # One part is missing: the report says so and does not count as success.
         self.assertEqual(run("batch", "--merge", self.out).returncode, 3)
         self.assertEqual(list(self.verdicts().values()).count("not run"), 2)
-        # The last part twice at once: each job is done by one of them, and the one that ends last
-        # finds all of them done.
+        # The last part runs twice at the same time: each job is done by one of them, and the one
+        # that ends last finds all jobs done.
         twice = [start("batch", file, "--shard", "2/3") for _ in range(2)]
         codes = []
         for one in twice:
@@ -333,7 +334,7 @@ class Batch(FolderCase):
         self.assertEqual(process.returncode, 0, errors)
         self.assertEqual(self.verdicts(), {"a.small": "good", "b.small": "good"})
 
-    # --- what no job can do to the others
+    # --- jobs do not affect each other
 
     def test_a_crash_stops_nobody_else(self):
         self.rooms("a.obj", "b.obj")
@@ -346,7 +347,7 @@ class Batch(FolderCase):
         self.assertIn("Segmentation fault", self.summary()["a.small"]["message"])
         self.assertEqual(run("batch", file).returncode, 0)
         self.assertEqual(set(self.verdicts().values()), {"good"})
-        # Two rooms alike: what was continued is what was made at once.
+        # Two equal rooms: the continued export equals the uninterrupted one.
         self.assertEqual(
             {name: value for name, value in hashes(self.out / "a.small/dataset/rgb").items()},
             {name: value for name, value in hashes(self.out / "b.small/dataset/rgb").items()})
@@ -354,7 +355,7 @@ class Batch(FolderCase):
     def test_a_job_that_hangs_is_ended(self):
         self.rooms("a.obj", "b.obj")
         file = self.jobs('scenes = "rooms/*.obj"')
-        # As long as a busy machine may take for the job that does not hang.
+        # The time that the job that does not hang may take on a busy machine.
         process = start("batch", file, "--timeout", 30)
         os.kill(self.first_child(process), signal.SIGSTOP)
         _, errors = process.communicate()
@@ -432,7 +433,7 @@ class Batch(FolderCase):
         print(f"memory: {growth_kb:.1f} kB a scene over {count} scenes", file=sys.stderr)
         self.assertLess(growth_kb, 100)
 
-    # --- what is wrong is said with its place
+    # --- errors name their place
 
     def test_what_is_wrong_in_the_file_is_said_with_its_line(self):
         self.rooms("a.obj")
@@ -485,7 +486,7 @@ class Batch(FolderCase):
         self.assertFails(run("batch", "--merge", self.place), 4, "jobs.json")
         file.write_text('scenes = "rooms/*.obj"\n')
         self.assertFails(run("batch", file), 2, "--out")
-        # Somebody else's folder is not written into.
+        # A folder with other files is not written to.
         self.assertFails(run("batch", file, "--out", self.place), 6, "not from a Dollytrack batch")
         self.assertFails(run("batch", file, "--out", "/proc/nothing"), 6, "/proc/nothing")
 

@@ -1,4 +1,5 @@
-"""A headless Chromium that opens pages from the disk and is used with real mouse and keys."""
+"""A headless Chromium that opens pages from the disk and is controlled with real mouse and key
+events."""
 import json
 import os
 import shutil
@@ -23,7 +24,7 @@ FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--use-gl=angle",
 
 
 def need_browser():
-    """Skips, or fails where every reader has to be there."""
+    """Skips the test when no browser is installed, or fails it where every reader is required."""
     programs = {"chromium": "chromium", "chromedriver": "chromium-driver"}
     missing = [package for name, package in programs.items() if not shutil.which(name)]
     if webdriver is None:
@@ -42,7 +43,7 @@ def decoded(data):
 
 
 def difference(one, other):
-    """Mean absolute difference of two pictures, the second scaled to the first one's size."""
+    """Mean absolute difference of two images, the second scaled to the size of the first."""
     height, width = one.shape[:2]
     if height < other.shape[0]:
         other = cv2.resize(other, (width, height), interpolation=cv2.INTER_AREA)
@@ -88,7 +89,7 @@ class Browser:
         return self.driver.execute_script(script, *arguments)
 
     def settle(self):
-        """Waits until what was asked for is drawn."""
+        """Waits until all requested changes are drawn."""
         self.driver.execute_async_script(
             "const done = arguments[0];"
             "requestAnimationFrame(() => requestAnimationFrame(() => done()));")
@@ -97,7 +98,7 @@ class Browser:
         return self.driver.find_element(By.CSS_SELECTOR, selector)
 
     def texts(self, selector):
-        """What elements show; empty for hidden ones."""
+        """The visible texts of elements; empty for hidden ones."""
         return [one.text for one in self.driver.find_elements(By.CSS_SELECTOR, selector)]
 
     def text(self, selector):
@@ -130,11 +131,11 @@ class Browser:
         self.settle()
 
     def picture(self, selector):
-        """What an element looks like, BGR."""
+        """A screenshot of an element, BGR."""
         return decoded(self.find(selector).screenshot_as_png)
 
     def note_logs(self):
-        """Adds what was asked of the network, and errors of scripts, since the last call."""
+        """Records network requests and script errors since the last call."""
         for entry in self.driver.get_log("performance"):
             message = json.loads(entry["message"])["message"]
             if message["method"] == "Network.requestWillBeSent":

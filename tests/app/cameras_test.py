@@ -1,6 +1,6 @@
-"""Exports rigs of cameras and reads them as others do: cameras_test.py PROGRAM SCHEMA.
+"""Exports camera rigs and reads them with other libraries: cameras_test.py PROGRAM SCHEMA.
 
-OpenCV's fisheye module says where pixels look, and where they end is the surface of the tiny room's
+OpenCV's fisheye module gives the rays of pixels, which must end on the surfaces of the tiny room's
 boxes.
 """
 import json
@@ -42,7 +42,7 @@ def rotation(quaternion):
 
 
 def off_surface(box, points):
-    """How far points are from the surface of an upright box."""
+    """Distance of points from the surface of an upright box."""
     c, s = np.cos(box["yaw_rad"]), np.sin(box["yaw_rad"])
     local = (points - np.array(box["center"])) @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
     beyond = np.abs(local) - np.array(box["size"]) / 2
@@ -72,7 +72,7 @@ class CamerasTest(FolderCase):
         return next(one for one in self.card["cameras"] if one["name"] == name)
 
     def surface_by_opencv(self, name, frame, half_a_pixel=0.5):
-        """How far what pixels show lies beside the boxes of the things they show."""
+        """Distance between the points that pixels show and the boxes of their objects."""
         camera = self.camera(name)
         lens = camera["intrinsics"]
         folder = self.dataset / "cameras" / name
@@ -88,7 +88,7 @@ class CamerasTest(FolderCase):
         rays = np.concatenate([flat, np.ones((len(flat), 1))], axis=1)
         rays /= np.linalg.norm(rays, axis=1)[:, None]
         in_camera = rays * depth[rows, columns][:, None]
-        # And back, which has to be the same pixel.
+        # Projecting the ray back must give the same pixel.
         again, _ = cv2.fisheye.projectPoints(in_camera[:, None], np.zeros(3), np.zeros(3), k, d)
         self.assertLess(np.abs(again[:, 0] - pixels).max(), 0.01)
         pose = camera["poses"][frame]
@@ -106,7 +106,7 @@ class CamerasTest(FolderCase):
                 off = self.surface_by_opencv(name, frame)
                 self.assertGreater(len(off), 15000)
                 self.assertLess(off.max(), 0.002, (name, frame))
-                # Half a pixel beside it would not: that is what the convention decides.
+                # Half a pixel off it would not, so this checks the convention for pixel centres.
                 self.assertGreater(self.surface_by_opencv(name, frame, 0.0).max(), 0.004)
 
     def test_the_dataset_is_sound(self):
@@ -152,7 +152,8 @@ class CamerasTest(FolderCase):
         self.assertFails(self.export(out, "--rig", self.folder / "none.json"), 4, "none.json")
         many = [word for i in range(65) for word in ("--camera", f"a{i}")]
         self.assertFails(self.export(out, *many), 2, "up to 64 cameras")
-        # Drawn in sides of a cube larger than any driver's pictures: said before anything goes.
+        # The sides of the cube map would exceed every driver's limit: an error before anything is
+        # deleted.
         self.assertEqual(self.export(out, "--range", "0:1").returncode, 0)
         large = "a:lens=fisheye,width_px=4096,height_px=4096,fov_deg=220,k1=10,k2=10,k3=10,k4=10"
         self.assertFails(self.export(out, "--range", "0:1", "--overwrite", "--camera", large), 2,
@@ -184,7 +185,8 @@ class CamerasTest(FolderCase):
                              "--camera", "near:width_px=16,height_px=16")
         self.assertNotIn("of the rig", result.stderr)
 
-    # Rays of a wide lens, traced: the same things in about the same light, black around.
+    # Path tracing with a wide lens: the same objects in about the same light, and black around the
+    # image circle.
     def test_path_traced_pictures_are_of_the_same_lens(self):
         out = self.folder / "traced"
         result = self.export(out, "--range", "0:1", "--set", "render_mode=reference",

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Datasets with classes of one's own, read by the formats' own rules.
+"""Datasets with user-defined classes, read by the rules of each format.
 
 Usage: class_table_test.py PROGRAM SCHEMA [unittest arguments]
 """
@@ -21,7 +21,7 @@ from program import FolderCase, hashes, run
 SCHEMA = json.loads(pathlib.Path(sys.argv.pop(1)).read_text())
 SIZE = ["--set", "width_px=64", "--set", "height_px=48", "--max-frames", 4]
 FORMATS = "coco,coco_polygons,yolo,kitti_objects,instances,hdf5,tartanair,gltf"
-# What the tiny room's objects are by this table, void where nothing is said.
+# The classes of the tiny room's objects by this table; void for objects not in it.
 TABLE = {
     "$schema": "labels.schema.json",
     "classes": [
@@ -69,7 +69,7 @@ class ClassTable(FolderCase):
         return 255 if object_id == 0 else CLASSES.get(self.by_id[object_id]["name"], 255)
 
     def seen_targets(self, instance):
-        """Ids of the targets in the image that have a class, by rising id."""
+        """Ids of the targets in the image that have a class, in ascending order."""
         return [i for i in np.unique(instance).tolist()
                 if i and self.by_id[i]["role"] == "target" and self.class_of(i) != 255]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Clips of a given length and rate, and what is said where a budget lowers the rate.
+"""Clips of a given length and frame rate, and the note when a budget lowers the rate.
 
 Usage: clip_test.py PROGRAM [unittest arguments]
 """
@@ -22,7 +22,7 @@ class Clip(FolderCase):
         tiny_room.write(cls.room)
 
     def plan(self, *arguments):
-        """The run, and the trajectory that the project keeps."""
+        """Returns the finished run, and the trajectory stored in the project."""
         project = self.folder / "room.dolly"
         done = run("plan", self.room, "-o", project, *SMALL, *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -72,7 +72,8 @@ class Clip(FolderCase):
                 self.assertEqual(len(frames), round(15 * seconds))
                 for i, frame in enumerate(frames):
                     self.assertAlmostEqual(frame["time_s"], i / 15, delta=1e-9)
-                # The limits hold in a short one, and the camera moves on to the end of a long one.
+                # The motion limits hold in a short clip, and the camera keeps moving until the end
+                # of a long one.
                 self.assertLess(max(self.speeds(frames)), 0.5 + 1e-6)
                 still = sum(speed < 1e-6 for speed in self.speeds(frames)[-8:])
                 self.assertLess(still, 8)

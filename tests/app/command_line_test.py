@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The program as users and CI jobs call it, judged by exit codes and by the files it writes.
+"""The program as users and CI jobs call it; checks exit codes and the files that it writes.
 
 Usage: command_line_test.py PROGRAM [unittest arguments]
 """
@@ -19,7 +19,7 @@ import tiny_room
 from program import PROGRAM, FolderCase, hashes, run
 
 def decode_rle(counts, height, width):
-    """COCO's compressed run lengths, from its published description."""
+    """Decodes COCO's compressed run lengths by their published description."""
     runs, i = [], 0
     while i < len(counts):
         value, shift, more = 0, 0, True
@@ -42,13 +42,13 @@ def decode_rle(counts, height, width):
 
 
 def write_partial_scan(path):
-    """A room of 8 x 4 x 2.5 m as the fine mesh of a scan: without its ceiling, and of its last 3 m,
-    behind an inner wall with a doorway, only the end is there."""
+    """A room of 8 x 4 x 2.5 m as the fine mesh of a scan: without its ceiling; of the last 3 m,
+    behind an inner wall with a doorway, only the end wall was scanned."""
     lines = []
     count = 0
 
     def surface(name, corner, edge_u, edge_v):
-        """A rectangle in squares of 0.125 m that faces along edge_u x edge_v."""
+        """A rectangle of 0.125 m squares that faces along edge_u x edge_v."""
         nonlocal count
         steps = [round(8 * numpy.linalg.norm(edge)) for edge in (edge_u, edge_v)]
         lines.append(f"o {name}")
@@ -110,7 +110,7 @@ class CommandLine(FolderCase):
             planned = run("plan", scan, *asked, "--json", "--require", "scanned_share>0.99")
             self.assertEqual(planned.returncode, 3, planned.stderr)
             self.assertEqual(json.loads(planned.stdout)["scanned_share"], share)
-        # A project keeps it with its plan.
+        # A project stores it with its plan.
         project = self.folder / "scan.dolly"
         self.assertEqual(run("plan", scan, *small, "-o", project).returncode, 0)
         self.assertIn(text, run("export", project, "--out", self.folder / "scanned").stdout)
@@ -168,7 +168,7 @@ class CommandLine(FolderCase):
         card = json.loads((out / "dataset.json").read_text())
         self.assertEqual(card["metrics"]["planned"]["planner"], "uniform")
         self.assertEqual(len(list(out.glob("rgb/*.png"))), 12)
-        # Our own plan is another dataset.
+        # A dataset of our own plan is a different dataset.
         self.assertFails(run("export", self.room, *asked[2:], "--out", out, "--resume"), 2)
         self.assertFails(run("plan", self.room, "--planner", "unifrm"), 2, "uniform")
         self.assertFails(run("plan", self.room, *asked, "-o", self.folder / "u.dolly"), 2, "--out")
@@ -232,7 +232,7 @@ class CommandLine(FolderCase):
         result = run("plan", self.room, "-q", "--only", "floor")
         self.assertEqual(result.returncode, 0)
         self.assertEqual(result.stderr.count("warning: edits: "), 1, result.stderr)
-        # Lists that contradict each other are a slip.
+        # Lists that contradict each other are a usage error.
         both = ("--only", "sofa", "--ignore", "sofa")
         self.assertFails(run("plan", self.room, "-q", *both), 2, "--ignore: No target is left")
         result = run("plan", self.room, "-q", *both, "--only", "table", "--max-frames", 4)
@@ -283,7 +283,7 @@ class CommandLine(FolderCase):
         self.assertFails(run("plan", scene("room.c4d", b"QC4DC4D6")), 4, "glTF")
         pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"
         self.assertFails(run("plan", scene("lfs.glb", pointer)), 4, "LFS")
-        # A crate with walls as thick as itself: there is no room for the camera anywhere.
+        # A solid crate: the camera fits nowhere.
         lines = []
         tiny_room.box("crate", (0, 0, 0), (0.1, 0.1, 0.1), lines, 0)
         crate = scene("crate.obj", "\n".join(lines).encode())
@@ -416,7 +416,7 @@ class CommandLine(FolderCase):
             self.assertTrue((inside < [4.02, 2.62, 3.02]).all())
 
     def test_depth_lies_on_a_moving_thing_where_it_is_at_that_time(self):
-        """All of the sofa's pixels lie on the box that its track has turned and moved halfway."""
+        """All pixels of the sofa lie on its box, which its track has turned and moved halfway."""
         keys = [{"time_s": 0}, {"time_s": 4, "offset": [0.8, 0, 0], "turn_deg": 80}]
         still, project, out = (self.folder / name for name in ("keys.dolly", "at_2_s.dolly", "at_2"))
         still.write_bytes(self.project.read_bytes())
@@ -458,7 +458,8 @@ class CommandLine(FolderCase):
             level = numpy.stack([c * apart[:, 0] + s * apart[:, 1],
                                  c * apart[:, 1] - s * apart[:, 0], apart[:, 2]], axis=1)
             beyond = numpy.abs(level) - half
-            # On one of its sides, and beyond none, to the millimetre that depth is told in.
+            # On one of its sides and outside none, within a millimetre, the resolution of the
+            # depth.
             if len(point):
                 self.assertLess(numpy.abs(beyond.max(axis=1)).max(), 0.003, frame)
             seen += len(point)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""compare and sweep as users call them. The same trajectory is written here, by numpy, in every
-format that the program reads: all must be judged alike.
+"""compare and sweep as users call them. NumPy writes the same trajectory in every format that the
+program reads; all must get the same judgement.
 
 Usage: compare_test.py PROGRAM [unittest arguments]
 """
@@ -27,7 +27,7 @@ def rotation(q):
 
 
 def quaternion(m):
-    """x, y, z, w of a rotation matrix: its eigenvector form, which has no special cases."""
+    """x, y, z, w of a rotation matrix by an eigenvector, which needs no special cases."""
     k = numpy.array([
         [m[0, 0] - m[1, 1] - m[2, 2], m[0, 1] + m[1, 0], m[0, 2] + m[2, 0], m[2, 1] - m[1, 2]],
         [m[0, 1] + m[1, 0], m[1, 1] - m[0, 0] - m[2, 2], m[1, 2] + m[2, 1], m[0, 2] - m[2, 0]],
@@ -143,7 +143,7 @@ class Compare(FolderCase):
     def test_a_table_that_claims_too_many_rows_is_refused(self):
         folder = self.folder / "hostile"
         folder.mkdir()
-        rows = (2 ** 64 + 2) // 3  # times 3 this is 2 where numbers end at 2^64
+        rows = (2 ** 64 + 2) // 3  # times 3 this overflows to 2 in 64 bits
         for name in ["positions", "orientations"]:
             with h5py.File(folder / f"camera_keyframe_{name}.hdf5", "w") as file:
                 file.create_dataset("dataset", (rows, 3), "f8", chunks=(1, 3))
@@ -234,7 +234,7 @@ class Compare(FolderCase):
             for name in ["capture_rate", "area_share_box", "repeat_rate", "frames"]:
                 self.assertAlmostEqual(float(row[name]), planned[name], 6, name)
             self.assertIn("stage_viewpoints_ms", row)
-        # The map is made once: fill does not concern it.
+        # The map is made only once, since it does not depend on fill.
         self.assertGreater(float(rows[0]["stage_free_space_ms"]), 1.0)
         self.assertLess(float(rows[1]["stage_free_space_ms"]), 1.0)
         svg = plot.read_text()

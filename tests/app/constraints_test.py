@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What a user asks of a trajectory on the command line, judged by the files the program writes.
+"""Constraints that users set for a trajectory on the command line, checked by the files that the
+program writes.
 
 Usage: constraints_test.py PROGRAM [unittest arguments]
 """
@@ -37,7 +38,7 @@ class Constraints(FolderCase):
         tiny_room.write(cls.room)
 
     def plan(self, *arguments, scene=None):
-        """The metrics and the frames of a plan, and the project that keeps it."""
+        """The metrics and the frames of a plan, and the project that stores it."""
         project = self.folder / f"{self.id()}.dolly"
         result = run("plan", scene or self.room, "--json", "-q", "-o", project, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -70,7 +71,7 @@ class Constraints(FolderCase):
         metrics, _, project = self.plan("--ignore", "m?g", "--ignore", "sofa")
         names = {row["object"] for row in metrics["ledger"]}
         self.assertEqual({row["object"] for row in everything["ledger"]} - names, {"mug", "sofa"})
-        # The project keeps it.
+        # The project stores it.
         again, _, _ = self.plan(scene=project)
         self.assertEqual(again["objects"], metrics["objects"])
         only, _, _ = self.plan("--only", "table", "--only", "picture")
@@ -82,7 +83,7 @@ class Constraints(FolderCase):
             self.assertEqual(result.returncode, 2)
             self.assertIn(option, result.stderr)
             self.assertIn("did you mean 'sofa'", result.stderr)
-        # A class that a scene happens to lack is no slip where it is to be ignored.
+        # A class to be ignored may be missing in a scene.
         self.assertEqual(run("plan", self.room, "--ignore", "bathtub").returncode, 0)
 
     def test_an_end_where_the_camera_cannot_be_is_refused(self):
@@ -104,7 +105,7 @@ class Constraints(FolderCase):
         _, frames, project = self.plan("--start", as_text(start), "--loop")
         self.assertLooksFrom(frames[0], *start)
         self.assertLooksFrom(frames[-1], *start)
-        # By the name that the point now has.
+        # Refers to the point by its new name.
         _, frames, _ = self.plan("--end", "start", "--set", "loop=false", scene=project)
         self.assertLooksFrom(frames[-1], *start)
 
@@ -132,7 +133,7 @@ class Constraints(FolderCase):
         result = run("plan", apart, "--max-frames", 12)
         self.assertIn("no collision-free path connects all views", result.stderr)
         self.assertIn("--set rooms=each", result.stderr)
-        # Across the one room, from wall to wall and from floor to ceiling.
+        # A box across one of the rooms, from wall to wall and from floor to ceiling.
         cut = self.folder / "cut.dolly"
         wall = {"op": "add_no_go", "center": [2, -1.5, 1.3], "size": [0.6, 4, 4]}
         self.assertEqual(run("edit", self.room, "-o", cut, "--op", json.dumps(wall)).returncode, 0)
@@ -168,20 +169,20 @@ class Constraints(FolderCase):
         before = hashes(out)
         self.assertEqual(run(*arguments, "--resume").returncode, 0)
         self.assertEqual(hashes(out), before)
-        # Progress counts the frames of all rooms, and what is missing is made anew.
+        # Progress counts the frames of all rooms, and missing files are made again.
         shutil.rmtree(out / "room_2")
         lines = run(*arguments, "--resume", "--progress", "json").stderr.splitlines()
         last = json.loads(lines[-1])
         self.assertEqual((last["frames_done"], last["frames"]), (len(frames), len(frames)))
         self.assertEqual(hashes(out), before)
-        # The list states what is written of a plan, not the plan's own frames.
+        # The list contains the frames that are written, not all frames of the plan.
         part = self.folder / "part_of_rooms"
         result = run("export", project, "--out", part, "--modalities", "rgb", "--range", "::3")
         self.assertEqual(result.returncode, 0, result.stderr)
         for room in json.loads((part / "rooms.json").read_text())["rooms"]:
             written = list((part / room["name"] / "rgb").glob("*.png"))
             self.assertEqual(room["frames"], len(written))
-        # Joined, all is one dataset again.
+        # With the rooms joined, everything is one dataset again.
         joined = self.folder / "joined"
         result = run("export", scene, "--out", joined, "--modalities", "rgb", "--max-frames", 8)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -201,7 +202,7 @@ class Constraints(FolderCase):
         self.assertGreaterEqual(metrics["must_see_rate"], 0.95)
         listed = run("edit", project)
         self.assertIn("must be seen", listed.stdout)
-        # One frame cannot show it all.
+        # One frame cannot show all of it.
         few = run("plan", project, "--max-frames", 1, "--require", "must_see_rate>=0.95", "-q")
         self.assertEqual(few.returncode, 3, few.stderr)
 

@@ -1,7 +1,7 @@
-"""Ways in which a dataset goes wrong, each with the check that has to find it.
+"""Ways to damage a dataset, each with the check that must find it.
 
-A corruption is a function of a dataset_copy.Copy, whose hashes are mended afterwards: that a hash no
-longer fits is the easy case, and has a corruption of its own.
+A corruption is a function of a dataset_copy.Copy, whose hashes are updated afterwards: a wrong hash
+is the easy case and has its own corruption.
 """
 import json
 

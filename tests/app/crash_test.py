@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Exports that are killed at random instants, and end with the bytes of an unbroken run.
+"""Exports that are killed at random moments must end with the same bytes as an uninterrupted run.
 
 Usage: crash_test.py PROGRAM [--long] [unittest arguments]
 """
@@ -40,7 +40,7 @@ class Crash(FolderCase):
         self.assertEqual(hashes(self.folder / "again"), self.expected)
 
     def kill_after(self, seconds, out):
-        """Whether the export still ran."""
+        """Returns whether the export was still running."""
         process = start("export", self.project, "--out", out, "--resume", *EVERYTHING)
         try:
             process.communicate(timeout=seconds)
@@ -52,7 +52,7 @@ class Crash(FolderCase):
             return True
 
     def assertHonest(self, out):
-        """What a dataset.json lists is there and whole, whenever there is one."""
+        """All files that dataset.json lists exist and are complete, if there is a dataset.json."""
         if not (out / "dataset.json").exists():
             return
         found = hashes(out)
@@ -65,7 +65,7 @@ class Crash(FolderCase):
         kills = unlucky = 0
         while kills < KILLS:
             out = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
-            # Some are killed again while they go on.
+            # Some are killed again while they continue.
             for _ in range(instants.choice([1, 1, 1, 2, 3])):
                 kills += self.kill_after(instants.uniform(0.0, min(self.seconds)), out)
                 self.assertHonest(out)

@@ -1,4 +1,4 @@
-"""A dataset that tests may change, file by file."""
+"""A copy of a dataset that tests may change, file by file."""
 import hashlib
 import json
 import os
@@ -36,14 +36,14 @@ class Copy:
         path.write_text(json.dumps(root))
 
     def edit_rows(self, name, function):
-        """The rows of a CSV file as lists of texts, the names first."""
+        """Edits the rows of a CSV file as lists of strings; the first row has the column names."""
         path = self.folder / name
         rows = [line.split(",") for line in path.read_text().splitlines()]
         function(rows)
         path.write_text("\n".join(",".join(row) for row in rows) + "\n")
 
     def edit_flow(self, name, function):
-        """The motions as an array, rows x columns x 2."""
+        """Edits the flow as an array, rows x columns x 2."""
         path = self.folder / name
         data = path.read_bytes()
         width, height = struct.unpack("<ii", data[4:12])
@@ -60,7 +60,7 @@ class Copy:
         del self.card["files"][name]
 
     def save(self):
-        """Writes dataset.json, with hashes that fit."""
+        """Writes dataset.json with correct hashes."""
         if self.mended:
             for name in self.card["files"]:
                 data = (self.folder / name).read_bytes()

@@ -1,4 +1,5 @@
-"""Scenes of data sets through the whole program: folders of models and annotations are kept."""
+"""Scenes of data sets with the whole program: the folders of models and annotations are
+remembered."""
 import json
 import pathlib
 import unittest

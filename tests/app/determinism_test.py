@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The same scene, parameters and seed give the same bytes, wherever and however they are made.
+"""The same scene, parameters and seed give the same bytes in any folder, locale, time zone and
+number of threads.
 
 Usage: determinism_test.py PROGRAM USER_LOCALE.so [unittest arguments]
 """
@@ -26,7 +27,8 @@ class Determinism(FolderCase):
 
     @classmethod
     def make(cls, name, arguments=(), environment=None, wrapper=(), seed=3):
-        """Plans and exports, with all that can be written; the bytes of project and dataset."""
+        """Plans and exports with all modalities and formats; returns the bytes of project and
+        dataset."""
         def program(*words):
             result = subprocess.run(
                 [*wrapper, os.path.abspath(PROGRAM), *words, *arguments], capture_output=True,
@@ -38,7 +40,7 @@ class Determinism(FolderCase):
                     "--start", "1.5,-1,1.25,3.2,-0.74,1.6"]
         program("plan", cls.room, *settings, "-o", out / "room.dolly")
         program("export", out / "room.dolly", "--out", out / "from_project", *EVERYTHING)
-        # Nor does it matter whether the plan was kept in between.
+        # It does not matter either whether the plan was stored in between.
         program("export", cls.room, *settings, "--out", out / "from_scene", *EVERYTHING)
         made = hashes(out)
         from_scene = {name.split("/", 1)[1]: value for name, value in made.items()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Editing projects from the command line: what an operation changes, and what it leaves alone.
+"""Editing projects from the command line: what an operation changes and what it leaves unchanged.
 
 Usage: edit_command_test.py PROGRAM [unittest arguments]
 """
@@ -21,7 +21,8 @@ class EditCommand(FolderCase):
         run("plan", cls.room, "-o", cls.project, "--max-frames", 20)
 
     def edited(self, name, *operations, **more):
-        """A project made from the room with some operations; its result and its JSON."""
+        """Edits a project of the room with some operations; returns the run and the project's
+        JSON."""
         path = self.folder / name
         script = self.folder / (name + ".json")
         script.write_text(json.dumps(operations))
@@ -35,7 +36,7 @@ class EditCommand(FolderCase):
         summary = json.loads(result.stdout)
         self.assertEqual(summary["operations"], ["Exclude sofa"])
         self.assertEqual(summary["metrics"]["objects"], 4)
-        # Every other subcommand takes the project as it is edited.
+        # All other subcommands use the edited project.
         info = json.loads(run("info", path, "--json").stdout)
         roles = {o["name"]: o["role"] for o in info["objects"]}
         self.assertEqual((roles["sofa"], roles["table"]), ("excluded", "target"))

@@ -1,6 +1,6 @@
 """Runs `dollytrack evaluate` on trajectories and clouds whose errors are known: evaluate_test.py PROGRAM.
 
-The figures are compared with an implementation of their own in NumPy.
+The figures are compared with an independent implementation in NumPy.
 """
 import json
 import struct
@@ -20,7 +20,7 @@ def matrix(x, y, z, w):
 
 
 def quaternion(r):
-    """x y z w, by the largest of the four."""
+    """x, y, z, w of a rotation matrix, computed from the largest of the four."""
     w2 = [1 + r[0, 0] - r[1, 1] - r[2, 2], 1 - r[0, 0] + r[1, 1] - r[2, 2],
           1 - r[0, 0] - r[1, 1] + r[2, 2], 1 + np.trace(r)]
     k = int(np.argmax(w2))
@@ -42,7 +42,7 @@ def about(axis, angle):
 
 
 def aligned(estimate, truth, with_scale):
-    """Horn's way, by quaternions: another one than the program's."""
+    """Horn's method with quaternions, which differs from the program's."""
     a, b = estimate - estimate.mean(0), truth - truth.mean(0)
     m = a.T @ b
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = m
@@ -78,7 +78,7 @@ class EvaluateTest(FolderCase):
         return path
 
     def moved(self, scale=1.0):
-        """The truth in another world."""
+        """The true trajectory in another world frame."""
         turn = about([1, 2, 3], 0.8)
         return scale * self.positions @ turn.T + [4, -2, 1], turn @ self.rotations
 
@@ -152,7 +152,7 @@ class EvaluateTest(FolderCase):
 
     def test_poses_belong_to_the_frames_nearest_in_time(self):
         step = np.diff(self.times).min()
-        # Twice the rate, a little late: half of the poses have no frame.
+        # Twice the frame rate and a small delay: half of the poses have no frame.
         times = np.sort(np.concatenate([self.times, self.times + 0.5 * step])) + 0.004
         again = np.repeat(np.arange(len(self.times)), 2)
         path = self.write("dense.txt", times, self.positions[again], self.rotations[again])
@@ -214,7 +214,8 @@ class EvaluateTest(FolderCase):
                 self.assertIn("the exit code is 0", printed.stdout)
                 if path.name in ("late.txt", "unix.txt"):
                     self.assertIn(span, printed.stdout)
-        # One pose is an error where nothing is aligned, and two fit any other two but in length.
+        # One pose gives only an error without alignment; two poses can be aligned with any other
+        # two except for their distance.
         self.assertLess(self.one(cases[-1][0], "--align", "none")["ate_m"]["max"], 1e-8)
         ends = [0, -1]
         two = self.write("two.txt", self.times[ends], 3 * self.positions[ends],
@@ -234,7 +235,7 @@ class EvaluateTest(FolderCase):
             self.assertAlmostEqual(float(cell) / (1e3 * ate[name]), 1, delta=0.01)
 
     def unprojected(self):
-        """All pixels of all frames in the world, from the depth images."""
+        """World points of all pixels of all frames, from the depth images."""
         import cv2
         x, y = np.meshgrid(np.arange(self.lens["width"]) + 0.5, np.arange(self.lens["height"]) + 0.5)
         rays = np.stack([(x - self.lens["cx"]) / self.lens["fx"],
@@ -248,7 +249,8 @@ class EvaluateTest(FolderCase):
         return np.concatenate(points)
 
     def ply(self, name, points, form):
-        """The points after another element and among other properties, in a format of PLY."""
+        """A PLY file in the given format whose points follow another element and have other
+        properties, too."""
         path = self.folder / name
         mark = {"ascii": None, "binary_little_endian": "<", "binary_big_endian": ">"}[form]
         head = (f"ply\nformat {form} 1.0\ncomment made by a test\nelement camera 1\n"

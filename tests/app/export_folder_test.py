@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What an export leaves in its folder, and what it refuses to do there: export_folder_test.py PROGRAM."""
+"""Files that an export leaves in its folder, and folders that it refuses: export_folder_test.py
+PROGRAM."""
 import json
 import pathlib
 import shutil
@@ -12,7 +13,7 @@ from program import FolderCase, hashes, hold, lines_in, run, start, wait_for
 
 SIZE = ["--set", "width_px=64", "--set", "height_px=48"]
 FRAMES = 10
-# Seconds of rendering: time enough to end an export that has begun.
+# Takes seconds to render: enough time to stop an export that has begun.
 MANY_FRAMES = ["--max-frames", 600, "--set", "max_repeat_rate=1"]
 
 
@@ -34,7 +35,7 @@ class ExportFolder(FolderCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
-    # --- without pictures
+    # --- without images
 
     def test_what_is_no_picture_needs_no_contact_sheet(self):
         for modality in ["flow_forward", "amodal", "depth_exr", "flow_forward,amodal"]:
@@ -57,7 +58,7 @@ class ExportFolder(FolderCase):
                 out = self.new_folder()
                 self.export(out, "--modalities", modality, "--range", "0:4")
                 sheet = cv2.imread(str(out / "contact_sheet.jpg"))
-                # The pictures below the title, which are not all of one shade.
+                # The images below the title must not be of a single colour.
                 self.assertGreater(sheet[60:].std(), 10)
 
     # --- a complete dataset
@@ -71,7 +72,7 @@ class ExportFolder(FolderCase):
             self.assertFails(refused, 2, f"complete dataset of {FRAMES} frames", "--overwrite",
                              "--resume", "another folder")
             self.assertEqual(hashes(out), before)
-        # The same one is found complete, another one is told so.
+        # The same dataset is found complete; another one is reported as such.
         self.export(out, "--modalities", "rgb", "--resume")
         self.assertFails(run("-q", "export", self.project, "--out", out, "--range", "0:2",
                              "--resume"), 2, "another complete dataset", "--overwrite")
@@ -102,7 +103,7 @@ class ExportFolder(FolderCase):
     # --- files that are not the dataset's
 
     def pictures(self, out):
-        """A folder of somebody's numbered pictures beside an output folder, and its hashes."""
+        """A folder of the user's numbered images beside an output folder, and its hashes."""
         pictures = out.parent / "pictures"
         pictures.mkdir(parents=True)
         for i in range(12):
@@ -205,7 +206,7 @@ class ExportFolder(FolderCase):
         self.assertEqual(hashes(out), hashes(fresh))
         self.assertEqual(list(out.glob(".*")), [])
 
-    # --- what is allowed, and was hardly meant
+    # --- allowed, but hardly intended
 
     def test_light_by_frame_that_does_not_vary_or_is_not_recorded_is_warned_of(self):
         by_frame = ["--set", "light_varies=frame", "--modalities", "rgb", "--range", "0:1"]
@@ -268,10 +269,10 @@ class ExportFolder(FolderCase):
         self.assertNotIn("--resume", errors)
         self.assertFalse(out.exists())
 
-    # --- a dataset a room
+    # --- one dataset per room
 
     def two_rooms(self):
-        """A project with a trajectory a room."""
+        """A project with one trajectory per room."""
         project = self.folder / "two_rooms.dolly"
         if not project.exists():
             scene = self.folder / "two_rooms.obj"
@@ -315,7 +316,7 @@ class ExportFolder(FolderCase):
         shutil.rmtree(out / rooms[0]["name"])
         again = run("-q", "export", project, "--out", out, "--modalities", "instance")
         self.assertFails(again, 2, "complete dataset", rooms[1]["name"])
-        self.assertFalse((out / rooms[0]["name"]).exists())  # said before any is rendered
+        self.assertFalse((out / rooms[0]["name"]).exists())  # reported before any is rendered
         again = run("-q", "export", project, "--out", out, "--modalities", "instance", "--resume")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual(hashes(out), before)

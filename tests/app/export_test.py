@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Exports that are chosen, watched, stopped, killed and continued, judged by the files they leave.
+"""Exports with chosen frames and modalities, watched, stopped, killed and continued; checks the
+files they leave.
 
 Usage: export_test.py PROGRAM APARTMENT [unittest arguments]
 """
@@ -19,14 +20,14 @@ import tiny_room
 from program import FolderCase, hashes, hold, lines_in, run, start, wait_for
 
 APARTMENT = sys.argv.pop(1)
-# Their drawing takes long enough to be stopped on a busy machine, too.
+# Rendering takes long enough to be stopped even on a busy machine.
 FRAMES = 96
 MARK = ".dollytrack-export"
 CHOICES = ["rgb", "depth", "instance", "semantic", "coco", "camera_json", "frames", "imu"]
 
 
 def lines_of(text):
-    """The objects that --progress json wrote; every line must be one."""
+    """The JSON objects that --progress json wrote; every line must be one."""
     return [json.loads(line) for line in text.splitlines()]
 
 
@@ -41,7 +42,7 @@ class Export(FolderCase):
                       "--set", "width_px=96", "--set", "height_px=72")
         assert planned.returncode == 0, planned.stderr
         cls.unbroken = cls.folder / "unbroken"
-        for arguments in [[], ["--overwrite"]]:  # The second time with the cache, as all to come.
+        for arguments in [[], ["--overwrite"]]:  # The second run uses the cache.
             begin = time.time()
             exported = run("export", cls.project, "--out", cls.unbroken, *arguments)
             cls.seconds = time.time() - begin
@@ -81,7 +82,7 @@ class Export(FolderCase):
         kills = 0
         for _ in range(3):
             out = self.new_folder()
-            for _ in range(3):  # each goes on where the one before was killed
+            for _ in range(3):  # each continues where the one before was killed
                 process = start("export", self.project, "--out", out, "--resume")
                 try:
                     process.communicate(timeout=moments.uniform(0.05, 0.7) * self.seconds)
@@ -126,7 +127,8 @@ class Export(FolderCase):
 
     def test_nothing_to_continue_begins_anew(self):
         self.assertContinues(self.folder / "not_there_yet")
-        # Complete: only checked. Incomplete in a way that cannot be mended: never a success.
+        # A complete dataset is only checked; one with damage that cannot be repaired is never a
+        # success.
         out = self.new_folder()
         shutil.copytree(self.unbroken, out, dirs_exist_ok=True)
         self.assertContinues(out)
@@ -153,14 +155,15 @@ class Export(FolderCase):
             self.assertIn("--resume", errors)
             self.assertFalse((out / "dataset.json").exists())
             self.assertEqual([path for path in out.rglob("*") if ".tmp." in path.name], [])
-            # What was drawn is kept: a line for the header, and one for each frame's files.
+            # Rendered frames are kept: the journal has a header line and one line for each frame.
             self.assertEqual(lines_in(out / MARK), 1 + len(list(out.glob("semantic/*.png"))))
             self.assertContinues(out)
 
     def test_two_exports_do_not_share_a_folder(self):
         out = self.new_folder()
         process = start("export", self.project, "--out", out)
-        # Its first line: without one it may be the mark of a look at the folder, which goes again.
+        # Waits for the first line: an empty journal may be from the check of the folder, which
+        # removes it again.
         self.assertTrue(wait_for(lambda: process.poll() is not None or lines_in(out / MARK) > 0))
         hold(process)
         try:
@@ -197,11 +200,11 @@ class Export(FolderCase):
             self.assertEqual(process.returncode, 6, errors)
             self.assertIn("full", errors)
             self.assertFalse((out / "dataset.json").exists())
-            # Still full: refused before anything is drawn, and nothing is lost.
+            # The disk is still full: refused before rendering, and nothing is lost.
             self.assertFails(run("export", self.project, "--out", out, "--resume"), 6)
             filler.unlink()
             self.assertContinues(out)
-            # Too full for another dataset: the one that is there stays.
+            # Too full for another dataset: the existing one stays.
             with open(filler, "wb") as file:
                 file.truncate(0)
             bigger = run("export", self.project, "--out", out, "--set", "width_px=4000",
@@ -309,13 +312,13 @@ class Export(FolderCase):
         self.assertEqual(card["files"].keys(), files.keys() - {"dataset.json"})
         self.assertNotIn("instance", card["conventions"])
         self.assertEqual(card["metrics"], whole["metrics"])
-        # A folder of fewer modalities takes the place of one of more.
+        # A dataset with fewer modalities replaces one with more.
         shutil.copytree(self.unbroken, out, dirs_exist_ok=True)
         run("export", self.project, "--out", out, "--modalities", "depth,rgb", "--formats", "coco",
             "--overwrite")
         self.assertEqual(hashes(out), files)
 
-    # --- path traced pictures
+    # --- path traced images
 
     REFERENCE = ["--set", "render_mode=reference", "--set", "reference_samples=4",
                  "--range", "0:3"]
@@ -361,7 +364,7 @@ class Export(FolderCase):
         wait_for(lambda: list(parts.glob("rgb/*.png")))
         process.send_signal(signal.SIGINT)
         process.communicate()
-        # Pictures of another quality are no continuation.
+        # Images of another quality do not continue the dataset.
         other = [word.replace("samples=4", "samples=5") for word in self.REFERENCE]
         if process.returncode != 0:
             self.assertFails(run("export", self.project, "--out", parts, *other, "--resume"), 2,

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Exports whose system calls fail, one after the other: none says it is done when something is
+"""Exports whose system calls fail, one call per run: none reports success when something is
 missing, and all can be continued.
 
 Usage: fault_test.py PROGRAM FAILING_CALLS.so [--long] [unittest arguments]
@@ -50,9 +50,9 @@ class Faults(FolderCase):
         return pathlib.Path(tempfile.mkdtemp(dir=self.folder)) / "out"
 
     def complaint(self, result, out):
-        """What is wrong with how an export ended; empty when nothing is."""
+        """The fault in how an export ended; empty if there is none."""
         files = hashes(out) if out.exists() else {}
-        # The mark of an export that began; one that cannot be removed costs nothing.
+        # The mark of an export that began; a mark that cannot be removed does no harm.
         files.pop(".dollytrack-export", None)
         if result.returncode == 0 and files != self.expected:
             return "it says that all is done: " + str(set(files) ^ set(self.expected))
@@ -72,7 +72,7 @@ class Faults(FolderCase):
         result = self.export(out, **environment)
         complaint = self.complaint(result, out)
         if LONG and not complaint:
-            # Once more with the same fault, as it may strike where one goes on.
+            # Once more with the same fault, which may now hit the continuation.
             result = self.export(out, "--resume", **environment)
             complaint = self.complaint(result, out)
         if not complaint:
@@ -96,7 +96,7 @@ class Faults(FolderCase):
             self.assertGreater(self.counts[kind], 0, kind)
 
     def test_any_call_fails_once(self):
-        """Every call of the long run, otherwise about 12 of each kind, evenly spread."""
+        """Fails every call with --long, otherwise about 12 of each kind, evenly spread."""
         faults = [dict(FAIL_CALL=kind, FAIL_NTH=nth, FAIL_ERRNO=errno.EIO)
                   for kind, count in self.counts.items()
                   for nth in range(1, count + 1, 1 if LONG else max(1, count // 12))]
@@ -110,7 +110,7 @@ class Faults(FolderCase):
                         for nth in range(1, count + 1, 1 if LONG else max(1, count // 8))])
 
     def test_any_call_of_the_whole_program_fails_at_random(self):
-        """Where a library reads a file or the program its scene, too; told by libfiu."""
+        """Also calls of libraries and of the scene's import; libfiu makes them fail."""
         if shutil.which("fiu-run") is None:
             self.skipTest("fiu-run is not installed")
         ended = set()
@@ -136,8 +136,8 @@ class Faults(FolderCase):
 
 
 class Replacing(FolderCase):
-    """A complete dataset that another one replaces, and system calls that fail, or the program
-    killed before them: one of both is whole, or --resume makes the new one whole."""
+    """A dataset replaces a complete one while system calls fail or the program is killed before
+    them: one of the two is complete, or --resume completes the new one."""
     keeps_cache = True
     SMALL = ["--modalities", "instance", "--formats", "coco,tum,colmap"]
     OLD = ["--modalities", "depth,instance", "--formats", "coco,frames"]
@@ -184,7 +184,8 @@ class Replacing(FolderCase):
                 return f"{fault}: the dataset is not whole"
         result = run("export", self.project, "--out", out, *self.SMALL, "--overwrite", "--resume")
         if result.returncode != 0:
-            # An export that failed before it began leaves nothing to continue but the old dataset.
+            # An export that failed before it began leaves nothing to continue, only the old
+            # dataset.
             result = run("export", self.project, "--out", out, *self.SMALL, "--overwrite")
             if {name: left.get(name) for name in self.before} != self.before:
                 return f"{fault}: it cannot be continued: {result.stderr}"
@@ -206,7 +207,7 @@ class Replacing(FolderCase):
 
 
 class Places(FolderCase):
-    """Folders that cannot be written: exit code 6, and a sentence that names them."""
+    """Folders that cannot be written to: exit code 6, and a message that names them."""
     keeps_cache = True
 
     @classmethod
@@ -236,7 +237,7 @@ class Places(FolderCase):
         self.assertFalse((place / "out").exists())
 
     def test_a_disk_without_room_for_more_files(self):
-        # Space for all the bytes, and for 40 names: only writing tells.
+        # Space for all bytes but only for 40 files: the error appears only while writing.
         place = self.mount("size=64m,nr_inodes=40")
         out = place / "out"
         result = run("export", self.project, "--out", out, *EVERYTHING)

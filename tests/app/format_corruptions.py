@@ -1,4 +1,4 @@
-"""More of corruptions.py: files of other programs that no longer say what dataset.json does."""
+"""More of corruptions.py: files for other programs that contradict dataset.json."""
 import json
 import struct
 
@@ -17,7 +17,7 @@ def edit_label(copy, name, function):
 
 @found_by("yolo")
 def box_from_its_corner(copy):
-    """The commonest slip: the corner where the centre belongs."""
+    """The most common mistake: the corner in place of the centre."""
     def shift(rows):
         for row in rows:
             row[1] = f"{float(row[1]) - float(row[3]) / 2:.6f}"
@@ -91,7 +91,7 @@ def bop_whole_mask_without_a_row(copy):
 
 
 def edit_glb(copy, function):
-    """The JSON and the binary part of trajectory.glb."""
+    """Edits the JSON and the binary part of trajectory.glb."""
     path = copy.folder / "trajectory.glb"
     data = path.read_bytes()
     length, = struct.unpack_from("<I", data, 12)
@@ -105,7 +105,7 @@ def edit_glb(copy, function):
 
 
 def keys_of_camera(root, path):
-    """Where the floats of the camera's channel begin in the binary part, and how many there are."""
+    """Start of the floats of the camera's channel in the binary part, and their number."""
     camera = next(i for i, node in enumerate(root["nodes"]) if "camera" in node)
     animation = root["animations"][0]
     channel = next(one for one in animation["channels"]

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Many datasets that become one, read by readers of other people: gather_test.py PROGRAM."""
+"""Gathers several datasets into one and reads the result with third-party readers: gather_test.py
+PROGRAM."""
 import collections
 import hashlib
 import json
@@ -31,7 +32,7 @@ def sums_of(folder):
 
 
 def mask_of(segmentation):
-    """The pixels of COCO's compressed run lengths, decoded as their specification says."""
+    """The pixels of COCO's compressed run lengths, decoded by their specification."""
     counts, value, shift = [], 0, 0
     for char in segmentation["counts"].encode():
         bits = char - 48
@@ -49,7 +50,7 @@ def mask_of(segmentation):
 
 
 class Gather(FolderCase):
-    """Datasets of six scenes; a seventh is of the first scene."""
+    """Datasets of six scenes; a seventh dataset is of the first scene, too."""
 
     @classmethod
     def setUpClass(cls):
@@ -65,7 +66,7 @@ class Gather(FolderCase):
             assert made.returncode == 0, made.stderr
             cls.export(cls.folder / f"{number}.dolly", cls.datasets / f"room_{number}")
         cls.export(cls.folder / "0.dolly", cls.datasets / "again" / "dataset", "--range", "0:3")
-        # Other scenes, as far as datasets tell: their hashes are other ones.
+        # Other hashes make them datasets of other scenes.
         for number in range(2, 6):
             cls.copy_as(cls.datasets / "room_1", cls.datasets / f"room_{number}", number)
 
@@ -76,7 +77,7 @@ class Gather(FolderCase):
 
     @staticmethod
     def copy_as(dataset, copy, number, copy_file=shutil.copy2):
-        """The dataset as one of a scene with other hashes."""
+        """A copy of the dataset with the hashes of another scene."""
         shutil.copytree(dataset, copy, copy_function=copy_file)
         card = json.loads((copy / "dataset.json").read_text())
         (copy / "dataset.json").unlink()
@@ -88,7 +89,7 @@ class Gather(FolderCase):
         return pathlib.Path(tempfile.mkdtemp(dir=self.folder)) / "published"
 
     def gather(self, *arguments, out=None, datasets=None):
-        """The folder of what was gathered."""
+        """Runs gather; returns the output folder."""
         out = out or self.new_folder()
         done = run("-q", "gather", *(datasets or [self.datasets]), "--out", out, *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -104,7 +105,7 @@ class Gather(FolderCase):
         return json.loads((out / "gather.json").read_text())
 
     def frames(self):
-        """(name, dataset, index) of each frame, in the names of what is gathered."""
+        """(name, dataset, index) of each frame; the name is the one in the gathered dataset."""
         for name in ["again", *(f"room_{i}" for i in range(6))]:
             folder = self.datasets / name
             folder = folder / "dataset" if name == "again" else folder
@@ -318,7 +319,8 @@ class Gather(FolderCase):
             self.assertEqual(len(part_of), 6)
             frames = {one["name"]: one["frames"] for one in card["parts"]}
             self.assertEqual(set(frames), set(PARTS))
-            # A scene has 6 or 9 of 39 frames: parts are as large as whole scenes allow.
+            # A scene has 6 or 9 of 39 frames: the sizes of the splits are as close as whole scenes
+            # allow.
             self.assertLessEqual(abs(frames["train"] - 0.6 * sum(frames.values())), 5)
             splits.add(tuple(one["part"] for one in card["sources"]))
             if seed == 0:
@@ -350,7 +352,7 @@ class Gather(FolderCase):
         self.assertEqual(len({name.lower() for name in names}), 3, names)
         self.assertEqual(len(list((out / "train").iterdir())), 18)
 
-    # --- what does not go together
+    # --- datasets that do not match
 
     def test_contradicting_class_tables_are_refused_or_mapped(self):
         (self.folder / "labels.json").write_text(json.dumps(LABELS))
@@ -550,7 +552,7 @@ class Gather(FolderCase):
     # --- interruptions
 
     def many(self):
-        """Enough frames to be interrupted among: hard links of a dataset's."""
+        """Many frames, as hard links to a dataset's files, so that gathering can be interrupted."""
         around = self.folder / "many"
         for number in range(0 if around.exists() else 100):
             self.copy_as(self.datasets / "room_1", around / f"copy_{number}", 100 + number, os.link)
@@ -578,7 +580,7 @@ class Gather(FolderCase):
                 self.assertFails(run(*command, "--resume", "--title", "Others"), 2,
                                  "other contents",
                                  "the title")
-                # A picture that a power cut took is written again, what is whole stays.
+                # An image lost in a power cut is written again; complete files stay.
                 lost, kept = pictures[:2]
                 before = kept.stat()
                 if layout != "webdataset":
@@ -631,7 +633,7 @@ class Gather(FolderCase):
                 self.assertEqual(hashes(out), hashes(whole))
 
     def test_a_replacement_that_was_cut_off_is_ended(self):
-        """As if the program was killed after the decision, before any file had moved."""
+        """As if the program was killed after it decided to replace, before any file was moved."""
         out = self.gather("--format", "yolo", datasets=[self.datasets / "room_0"])
         new = self.gather("--format", "coco", datasets=[self.datasets / "room_1"])
         staged = out / ".dollytrack-new"

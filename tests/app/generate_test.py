@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`generate`: rooms that are read back as their truth says, the same for the same seed.
+"""`generate`: rooms that are read back as their ground truth says, equal for equal seeds.
 
 Usage: generate_test.py PROGRAM [unittest arguments]
 """
@@ -22,7 +22,7 @@ def turned(vector, degrees):
 
 
 def corners(centre, size, yaw_deg):
-    """Of the box's outline from above."""
+    """Corners of the box's outline from above."""
     for x in (-0.5, 0.5):
         for y in (-0.5, 0.5):
             dx, dy = turned((x * size[0], y * size[1]), yaw_deg)
@@ -30,7 +30,7 @@ def corners(centre, size, yaw_deg):
 
 
 def outside(corner, truth):
-    """How far a point lies outside the outline of the truth's box, m."""
+    """Distance of a point outside the outline of the ground truth box, m."""
     dx, dy = corner[0] - truth["center_m"][0], corner[1] - truth["center_m"][1]
     x, y = turned((dx, dy), -truth["yaw_deg"])
     return max(abs(x) - 0.5 * truth["size_m"][0], abs(y) - 0.5 * truth["size_m"][1], 0.0)
@@ -76,7 +76,8 @@ class Generate(FolderCase):
                     self.assertAlmostEqual(a, b, delta=0.002, msg=one["name"])
                 self.assertAlmostEqual(found["center_m"][2], one["center_m"][2], delta=0.002)
                 self.assertAlmostEqual(found["size_m"][2], one["size_m"][2], delta=0.002)
-                # A box that fits tighter may stand askew in the truth's, its corners then peep out.
+                # A tighter box may be turned against the ground truth box; its corners then stick
+                # out a little.
                 area = found["size_m"][0] * found["size_m"][1]
                 self.assertLess(area, one["size_m"][0] * one["size_m"][1] * 1.01 + 2e-4,
                                 one["name"])

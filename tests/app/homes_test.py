@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Sweet Home 3D homes as archives: what is in them is read, what would harm is refused.
+"""Sweet Home 3D homes as archives: their content is read, harmful entries are refused.
 
 Usage: homes_test.py PROGRAM [unittest arguments]
 """
@@ -37,7 +37,7 @@ BOX = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1)
 
 
 def png():
-    """Four by four green pixels."""
+    """A PNG file of 4 x 4 green pixels."""
     def chunk(kind, data):
         body = kind + data
         return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))

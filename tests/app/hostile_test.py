@@ -1,5 +1,5 @@
-"""Files that are damaged or mean harm: whatever they do to their reader, the program goes on and
-says what is wrong. Usage: hostile_test.py DOLLYTRACK IMPORT_MANY [--long]"""
+"""Damaged or malicious files: whatever they do to their reader, the program continues and reports
+the error. Usage: hostile_test.py DOLLYTRACK IMPORT_MANY [--long]"""
 import itertools
 import json
 import os
@@ -24,13 +24,13 @@ if LONG:
     sys.argv.remove("--long")
 MUTANTS = 20_000 if LONG else 500
 BAD_INPUT = 2       # the engine's code for it
-LONGEST_S = 2.0     # for a small file, until it is given up
+LONGEST_S = 2.0     # time limit for a small file
 PARENT_GROWTH_KIB = 256 * 1024
-CHILD_PEAK_KIB = (4 * 1024 + 256) * 1024  # what its limits let it take
+CHILD_PEAK_KIB = (4 * 1024 + 256) * 1024  # allowed by its memory limit
 
 
 class Importer:
-    """One process that imports file after file, as the editor does."""
+    """One process that imports several files in a row, as the editor does."""
 
     def __init__(self, *arguments):
         self.process = subprocess.Popen([IMPORT_MANY, *arguments], stdin=subprocess.PIPE,
@@ -64,7 +64,7 @@ class HostileCase(FolderCase):
         return path
 
     def refused(self, path, *words, seconds=4.0, name=None):
-        """One sentence that names the file and the cause, in time."""
+        """The file is refused in time, with one sentence that names the file and the cause."""
         answer = self.importer.read(path)
         self.assertIn("message", answer, answer)
         self.assertEqual(answer["code"], BAD_INPUT, answer)
@@ -78,7 +78,8 @@ class HostileCase(FolderCase):
 
 
 def measured_slowness():
-    """How much longer than on an idle machine a child takes; times are held against it."""
+    """Factor by which a child process is slower than on an idle machine; time limits are scaled by
+    it."""
     begin = time.time()
     for _ in range(5):
         subprocess.run([PROGRAM, "--version"], stdout=subprocess.DEVNULL, check=True)
@@ -140,7 +141,7 @@ class Mutants(HostileCase):
                 self.assertTrue(path.name in said or damaged.name in said, answer)
                 end = ("crashed" if "(signal" in answer["message"] else
                        "too long" if "took longer" in answer["message"] else "refused")
-            # The clock runs 2 s, and stands still while others have the processors.
+            # The limit is 2 s of processor time, which does not count while other processes run.
             self.assertLess(answer["processor_seconds"], LONGEST_S + 2.0, answer)
             ends[end] += 1
             by_kind.setdefault(pathlib.Path(name).suffix, {}).setdefault(end, 0)
@@ -156,7 +157,7 @@ class Mutants(HostileCase):
 
 
 class HandMade(HostileCase):
-    """What is known to bring readers down, or to lead them astray."""
+    """Handmade files of kinds that are known to crash or mislead readers."""
 
     def gltf(self, name, document):
         return self.write(name, json.dumps(document).encode())
@@ -239,7 +240,7 @@ class HandMade(HostileCase):
             self.assertLess(answer["triangles"], 12)
 
     def test_ids_that_are_no_numbers_of_objects(self):
-        """Whatever a face's number is, the face is there."""
+        """A face is imported whatever its object id is."""
         for form, end in (("binary_little_endian", "<"), ("binary_big_endian", ">")):
             head = small_models.labelled_ply(form).split(b"end_header\n")[0]
             head = head.replace(b"property int object_id", b"property double object_id")
@@ -251,7 +252,7 @@ class HandMade(HostileCase):
                 self.assertEqual(answer.get("triangles"), 12, (form, number, answer))
 
     def test_labels_of_many_objects_on_many_parts(self):
-        """Memory grows with both, not with their product."""
+        """Memory must grow with the sum of both, not with their product."""
         objects, parts = 3_000, 30_000
         lines = ["%g %g %g" % c for c in small_models.CORNERS]
         lines += ["3 %d %d %d %d" % (*small_models.TRIANGLES[i % 12], i) for i in range(objects)]
@@ -362,7 +363,8 @@ class Program(FolderCase):
             self.assertIn("does nothing by itself", result.stderr)
 
     def start_long_reading(self):
-        """The program, which reads a scene for seconds, and its importer's process number."""
+        """Starts the program with a scene that takes seconds to read; returns it and its importer's
+        process number."""
         path = self.folder / "large.obj"
         if not path.exists():
             with path.open("w") as file:
@@ -400,7 +402,7 @@ class Program(FolderCase):
             limit = re.search(r"Max cpu time +(\d+)", limits.read_text())
             return int(limit.group(1)) if limit else 0
 
-        # Some 40 s for a small file, and 8 s more for each MiB.
+        # About 40 s for a small file, plus 8 s per MiB.
         self.assertTrue(wait_for(lambda: seconds() > 100))
         process.kill()
         process.communicate()
@@ -415,7 +417,7 @@ class Program(FolderCase):
         self.assertLess(time.time() - begin, 8.0 * SLOWNESS)
 
     def test_pictures_are_the_same_however_the_scene_is_named(self):
-        """A folder below the scene's may be called like the scene's own."""
+        """A subfolder may have the same name as the scene's folder."""
         folder = self.folder / "maps"
         (folder / "maps").mkdir(parents=True)
         (folder / "room.obj").write_bytes(small_models.obj())
@@ -453,7 +455,7 @@ class Program(FolderCase):
         self.assertEqual(entries(), [])
         self.assertEqual(info(), first)
         self.assertEqual(len(entries()), 1)
-        # It is really taken: an entry that is used becomes the youngest.
+        # The cache is really used: an entry that is read becomes the most recent.
         os.utime(entries()[0], (1, 1))
         self.assertEqual(info(), first)
         self.assertGreater(entries()[0].stat().st_mtime, 1e9)
@@ -463,7 +465,7 @@ class Program(FolderCase):
         self.assertEqual(info(), first)
         entries()[0].write_bytes(b"damaged")
         self.assertEqual(info(), first)
-        # A link in the place of a folder of the cache is not followed, not even to make room.
+        # A link in place of a cache folder is not followed, not even to free space.
         pictures = self.folder / "pictures"
         pictures.mkdir()
         (pictures / "mine.scene").write_bytes(bytes(3 << 20))
@@ -474,7 +476,7 @@ class Program(FolderCase):
             pathlib.Path(os.path.normpath(place)).symlink_to(pictures)
             self.assertEqual(info(DOLLYTRACK_CACHE_MB="1"), first)
             self.assertEqual(os.listdir(pictures), ["mine.scene"])
-        # No folder to write to.
+        # The cache has no folder to write to.
         self.assertEqual(info(XDG_CACHE_HOME="/proc/nowhere"), first)
         self.assertEqual(info(XDG_CACHE_HOME="relative", HOME="/proc/nowhere"), first)
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Layouts that training and SLAM programs expect, read by their readers' own rules.
+"""Dataset layouts of training and SLAM programs, read by the rules of these programs.
 
 Usage: layouts_test.py PROGRAM [unittest arguments]
 """
@@ -18,7 +18,7 @@ from program import FolderCase, run
 
 
 def yolo_images(yaml, part):
-    """The pictures of one part of data.yaml, as Ultralytics' reader finds them."""
+    """The images of one split in data.yaml, as Ultralytics' reader finds them."""
     entries = dict(line.split(": ", 1) for line in yaml.read_text().splitlines()
                    if ": " in line and not line.startswith(" "))
     root = pathlib.Path(entries.get("path", yaml.parent))
@@ -64,7 +64,7 @@ class Layouts(FolderCase):
         export = run("export", cls.project, "--out", made, "--modalities",
                      "rgb,instance,rgb_right", "--formats", "yolo,euroc,imu")
         assert export.returncode == 0, export.stderr
-        # Wherever it is moved to.
+        # It must work after the folder is moved.
         cls.out = cls.folder / "moved" / "away"
         cls.out.parent.mkdir()
         shutil.move(made, cls.out)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The program under limits of the system, with names that mean harm to a terminal, and with input
-that is large: limits_test.py PROGRAM [unittest arguments]"""
+"""The program under system limits, with file names that could harm a terminal, and with large
+input: limits_test.py PROGRAM [unittest arguments]"""
 import json
 import os
 import pathlib
@@ -18,7 +18,7 @@ CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
 
 
 def run_limited(limits, *arguments, **options):
-    """With soft and hard limits of the system, by kind."""
+    """Runs the program with soft and hard system limits, given by kind."""
     def limit():
         for kind, most in limits.items():
             resource.setrlimit(kind, (most, most))
@@ -26,7 +26,7 @@ def run_limited(limits, *arguments, **options):
 
 
 def printed(*arguments):
-    """Both streams as bytes."""
+    """Standard output and error output as bytes."""
     result = subprocess.run([os.fsencode(PROGRAM), *map(os.fsencode, arguments)],
                             capture_output=True)
     return result.returncode, result.stdout, result.stderr

@@ -1,5 +1,5 @@
 """More of corruptions.py: HDF5, labels of KITTI, polygons, folds, the preview and base colours; and
-what is wrong in all images alike."""
+errors that are the same in all images."""
 import json
 
 import cv2
@@ -68,7 +68,7 @@ def hdf5_without_classes(copy):
 
 @found_by("kitti_objects")
 def kitti_box_around_its_middle(copy):
-    """The commonest slip: the middle where the middle of the bottom belongs."""
+    """The most common mistake: the box's middle in place of the middle of its bottom."""
     def raise_it(rows):
         rows[0][12] = f"{float(rows[0][12]) - float(rows[0][8]) / 2:.6f}"
     edit_label(copy, "label_2/000001.txt", raise_it)
@@ -169,7 +169,7 @@ def read_video(path):
 
 
 def edit_video(copy, function, speed=1.0):
-    """Writes the pictures that the function makes of them, so many times as fast."""
+    """Rewrites the video with changed images; `speed` multiplies its frame rate."""
     path = copy.folder / "preview.mp4"
     rate = speed * cv2.VideoCapture(str(path)).get(cv2.CAP_PROP_FPS)
     pictures = function(read_video(path))
@@ -213,7 +213,7 @@ def albedo_linear(copy):
 
 @found_by("surface")
 def thing_erased(copy):
-    """The walls of tiny_room where a thing is before them, in every image that says what is seen."""
+    """Replaces an object of tiny_room by the wall behind it, in every image."""
     frame = copy.card["frames"][1]
     lens = copy.card["conventions"]["intrinsics"]
     ids = {entry["name"]: entry for entry in copy.card["objects"]}

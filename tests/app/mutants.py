@@ -1,4 +1,4 @@
-"""Damages files in the ways that damage comes: flipped bits, cuts, repeats, numbers out of range."""
+"""Damages files in realistic ways: flipped bits, cuts, repeats, numbers out of range."""
 import random
 import re
 import struct
@@ -50,7 +50,7 @@ WAYS = [_flip, _cut, _drop, _repeat, _number, _number, _word, _noise]
 
 
 def mutant(seed_bytes, number):
-    """The same for the same number, on every machine."""
+    """A damaged copy; the same number gives the same copy on every machine."""
     rng = random.Random(number)
     data = bytearray(seed_bytes)
     for _ in range(rng.choice([1, 1, 2, 3])):
