@@ -1,6 +1,7 @@
-"""Tries the judges that learn from frames or draw new views, on tiny datasets whose answers are known.
+"""Tests the judges that learn from frames or render new views, on tiny datasets with known results.
 
-Needs no program: the datasets are written here. What needs torch or Open3D is skipped where they are missing.
+Needs no program: the datasets are written here. Tests that need torch or Open3D are skipped where
+these are missing.
 """
 import importlib.util
 import json
@@ -71,7 +72,7 @@ def write_dataset(folder, frames, poses=None, depths=None):
 
 
 def rectangles(count, seed):
-    """Frames with a rectangle or two, whose class is their colour, on a noisy grey wall."""
+    """Frames with one or two rectangles on a noisy grey wall; their colour tells the class."""
     random = np.random.default_rng(seed)
     frames = []
     for _ in range(count):
@@ -95,7 +96,7 @@ def boxes(*rows):
 
 
 class Scores(unittest.TestCase):
-    """mAP, mIoU, PSNR and SSIM against values worked out by hand."""
+    """mAP, mIoU, PSNR and SSIM compared with values computed by hand."""
 
     def precision(self, found, scores, truth, ignored=None, threshold=0.5):
         ignored = np.zeros(len(truth), bool) if ignored is None else np.array(ignored, bool)
@@ -163,14 +164,14 @@ class Scores(unittest.TestCase):
         self.assertAlmostEqual(novel_views.ssim(first, first, mask), 1)
         self.assertAlmostEqual(novel_views.ssim(first, second, mask),
                                (2 * 100 * 150 + c1) / (100 ** 2 + 150 ** 2 + c1), places=6)
-        # What lies outside of the mask does not matter.
+        # Pixels outside the mask do not matter.
         mask[:, :10] = False
         second[:, 10:] = 100
         self.assertAlmostEqual(novel_views.ssim(first, second, mask), 1)
 
 
 class Frames(unittest.TestCase):
-    """What the detector is asked to predict."""
+    """The frames for which the detector predicts."""
 
     def frame(self):
         rgb, instance = rectangles(1, 3)[0]
@@ -340,7 +341,8 @@ class Judges(unittest.TestCase):
     def test_novel_views_draw_the_wall_that_was_fused(self):
         even = [(np.full((48, 64, 3), (150, 90, 60), np.uint8), np.ones((48, 64), int))]
         seen = write_dataset(self.folder / "seen", even)
-        # The first view lies within what was fused; of the second, at the wall's edge, half was never fused.
+        # The first view shows only fused surface; half of the second, at the wall's edge, was never
+        # fused.
         held = write_dataset(self.folder / "held", even * 2, {0: [0.05, 0, 0.3], 1: [1.1547, 0, 0]},
                              [np.full((48, 64), depth, np.uint16) for depth in (1700, 2000)])
         request = self.request([("one", "room", seen)], [("uniform", "room", held), ("close", "room", held)])

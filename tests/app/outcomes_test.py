@@ -22,7 +22,7 @@ PLANNER = "random-keys"
 AGAIN = PLANNER + "-again"
 STARE = "wall-stare"
 FRAMES = 8
-# A judge of the user's own. What it does beside answering --check follows.
+# A user-defined judge that answers --check; its other actions follow.
 JUDGE = '''"""A judge for tests."""
 import json
 import sys
@@ -43,7 +43,7 @@ if __name__ == "__main__":
 
 
 def write_room(path):
-    """The tiny room with black tiles on two of its walls, for programs that look for corners."""
+    """The tiny room with black tiles on two of its walls, for programs that detect corners."""
     tiny_room.write(path)
     lines = ["mtllib room.mtl", "usemtl white", *path.read_text().splitlines(), "usemtl black"]
     count = sum(line.startswith("v ") for line in lines)
@@ -100,7 +100,7 @@ class Outcomes(OutcomesCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        # One that knows the truth, and one that never begins to track.
+        # A program that returns the true trajectory, and one that never starts to track.
         cls.all = cls.command(cls, "features,novel_views,odometry,sfm,slam,surface", "--controls",
                               "--test-frames", 2,
                               "--slam", "true=cp {rgbd_folder}/groundtruth.txt {out}",
@@ -155,7 +155,7 @@ class Outcomes(OutcomesCase):
     def test_surface_is_measured_against_what_can_be_seen(self):
         self.found("surface")
         samples = numpy.load(self.out / "references" / "room.npy")
-        # The room's own box, z up: neither the outer sides of its walls nor what is inside the sofa.
+        # The room's box, z up, without the outer sides of its walls and the inside of the sofa.
         low, high = samples[:, :3].min(0), samples[:, :3].max(0)
         numpy.testing.assert_allclose(high - low, [4, 3, 2.6], atol=1e-3)
         numpy.testing.assert_allclose(numpy.linalg.norm(samples[:, 3:], axis=1), 1, atol=1e-5)
@@ -194,7 +194,7 @@ class Outcomes(OutcomesCase):
                 self.assertIsNone(values["ate_cm"])
 
     def test_a_model_of_colmap_is_read_as_it_was_written(self):
-        """By our own export of its format, which has the true poses."""
+        """Uses our own export in COLMAP's format, which has the true poses."""
         made = run("export", self.folder / "room.obj", "--out", self.folder / "colmap",
                    "--planner", PLANNER, "--max-frames", 3, "--set", "width_px=64", "--set",
                    "height_px=48", "--formats", "colmap", "--modalities", "rgb,depth")

@@ -1,5 +1,6 @@
-"""Damaged and hostile files that the program reads itself, not its importer: projects, rigs, jobs
-files, trajectories, datasets, journals, caches. Usage: parent_files_test.py DOLLYTRACK [--long]"""
+"""Damaged and malicious files that the program itself reads, not its importer process: projects,
+rigs, jobs files, trajectories, datasets, journals, caches. Usage: parent_files_test.py DOLLYTRACK
+[--long]"""
 import fcntl
 import functools
 import json
@@ -26,9 +27,9 @@ if LONG:
     sys.argv.remove("--long")
 MUTANTS = int(os.environ.get("MUTANTS", 3000)) if LONG else 100
 FIRST = int(os.environ.get("FIRST_MUTANT", 0))  # the long run can be made in parts
-PROCESSOR_S = 10        # a small file is read, or refused, long before
+PROCESSOR_S = 10        # a small file is read or refused much faster
 MEMORY_KIB = 1 << 20
-LAST_RESORT_S = 600     # against hangs, on however busy a machine
+LAST_RESORT_S = 600     # against hangs, on any busy machine
 CODES = {0, 2, 3, 4, 6}
 TUM = "# time tx ty tz qx qy qz qw\n" + "".join(f"{i * 0.05} {i * 0.1} 0 1 0 0 0 1\n" for i in range(9))
 KITTI = "".join(f"1 0 0 {i} 0 1 0 0 0 0 1 2\n" for i in range(9))
@@ -57,13 +58,13 @@ SCRIPT = [small_export.TRACK, {"op": "exclude", "object": "sofa"},
 
 
 class Finished:
-    """How a run of the program ended, with its own processor time and memory."""
+    """The result of a run of the program, with its processor time and memory."""
 
     def __init__(self, arguments, **options):
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
                                    stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                                    preexec_fn=self.limit, **options)
-        # Ends what even SIGTERM could not; a test that gets there has failed.
+        # Kills what SIGTERM did not end; a test that needs this has failed.
         try:
             self.output = process.communicate(timeout=LAST_RESORT_S)[0].decode(errors="replace")
         except subprocess.TimeoutExpired:
@@ -73,14 +74,14 @@ class Finished:
 
     @staticmethod
     def limit():
-        """A run that takes longer, or more, is ended by the system: its code tells."""
+        """The system ends a run that exceeds these limits; its exit code shows that."""
         resource.setrlimit(resource.RLIMIT_CPU, (4 * PROCESSOR_S, 4 * PROCESSOR_S))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 @functools.cache
 def made_once():
-    """A folder with a project, its plan, and a dataset with all that an export can write."""
+    """A folder with a project, its plan, and a dataset with all modalities and formats."""
     folder = tempfile.TemporaryDirectory()
     work = pathlib.Path(folder.name)
     project = small_export.plan(work, 3)
@@ -90,7 +91,7 @@ def made_once():
 
 
 class ParentCase(FolderCase):
-    """Each class has a copy of that folder."""
+    """Each class gets a copy of that folder."""
 
     @classmethod
     def setUpClass(cls):
@@ -120,7 +121,7 @@ class ParentCase(FolderCase):
 
 
 class Mutants(ParentCase):
-    """Each is a file in place of a sound one, and the command that reads it."""
+    """Each mutant replaces an undamaged file, and a command reads it."""
 
     def seeds(self):
         """(name, bytes, command); the command reads the file of this name in the work folder."""
@@ -154,7 +155,7 @@ class Mutants(ParentCase):
         return estimates + others
 
     def files_of_dataset(self):
-        """One of each kind that the dataset has, and its card more often."""
+        """One file of each kind in the dataset, and dataset.json more often."""
         kinds = {}
         for path in sorted(self.dataset.rglob("*")):
             if path.is_file():
@@ -162,7 +163,7 @@ class Mutants(ParentCase):
         return [*kinds.values(), *[self.dataset / "dataset.json"] * 4]
 
     def outside(self):
-        """What no run may touch: all but the mutant and the outputs."""
+        """Files that no run may change: all except the mutant and the outputs."""
         return {name: value for name, value in hashes(self.folder).items()
                 if not name.startswith(("work/m", "work/out", "work/images", "work/room.obj.o"))}
 
@@ -202,7 +203,7 @@ class Mutants(ParentCase):
 
 
 class Journals(ParentCase):
-    """Whatever a journal or a cache holds, the bytes of the export are the same."""
+    """Whatever a journal or a cache contains, the export gives the same bytes."""
 
     keeps_cache = True
 
@@ -238,7 +239,7 @@ class Journals(ParentCase):
 
 
 class HandMade(ParentCase):
-    """What is known to have stopped or filled the program."""
+    """Files that are known to have stopped the program or filled its memory."""
 
     def test_deep_nesting(self):
         deep = "[" * 200_000 + "]" * 200_000
@@ -260,7 +261,8 @@ class HandMade(ParentCase):
         self.refuses("batch", path, "--dry-run", words=["matches no scene"])
 
     def test_pipes_and_devices(self):
-        """In place of any file: it is refused as no ordinary file, and nothing waits for it."""
+        """A pipe or device in place of any file is refused as not a regular file, without
+        waiting."""
         for name, arguments in [
                 ("m.dolly", ["edit", self.work / "m.dolly"]),
                 ("m.dolly", ["info", self.work / "m.dolly"]),
@@ -301,7 +303,7 @@ class HandMade(ParentCase):
     def test_files_of_a_dataset_that_are_far_too_large(self):
         copy = self.work / "out"
         shutil.copytree(self.dataset, copy)
-        os.truncate(copy / "frames.csv", 1 << 40)  # takes no room on the disk
+        os.truncate(copy / "frames.csv", 1 << 40)  # takes no space on the disk
         done = self.runs("verify", copy)
         self.assertEqual(done.code, 4, done.output)
         self.assertIn("1099511627776 bytes", done.output)
@@ -351,7 +353,7 @@ class HandMade(ParentCase):
             found = fcntl.ioctl(process.stdout, termios.FIONREAD, struct.pack("i", 0))
             return struct.unpack("i", found)[0] == size
 
-        # Once the pipe is full, it sleeps for good.
+        # Once the pipe is full, the process sleeps forever.
         self.assertTrue(wait_for(waiting))
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(timeout=LAST_RESORT_S), 128 + signal.SIGTERM)

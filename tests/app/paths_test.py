@@ -1,5 +1,5 @@
-"""Names in scene files that lead out of the scene's folder, each looked at with strace: the
-importer opens nothing but what lies beneath. Usage: paths_test.py IMPORT_MANY"""
+"""Names in scene files that lead out of the scene's folder, observed with strace: the importer
+opens only files in that folder. Usage: paths_test.py IMPORT_MANY"""
 import json
 import os
 import pathlib
@@ -16,15 +16,15 @@ import small_models
 SECRET = b"v 9 9 9\nnewmtl secret\nsecret words\n" * 10
 
 class Traced:
-    """What the importers opened, by the scene each was given, from when they lock themselves up on:
-    what is before that, no scene has a say in."""
+    """Files that the importers opened, by scene, counted from the start of their sandbox: before
+    that, no scene has any influence."""
 
     def __init__(self, text):
         self.given = {}
         self.scene_of = {}
         self.paths = {}
         self.network = []
-        self.waiting = {}  # calls of threads whose start is not told to its end yet
+        self.waiting = {}  # calls of threads whose start strace has not reported completely yet
         begun = {}
         for line in text.splitlines():
             head = re.match(r"^(\d+) +(.*)$", line)
@@ -59,7 +59,7 @@ class Traced:
         if call.startswith(("socket(", "connect(")):
             self.network.append(call)
         done = re.search(r"\) = \d+<(.*)>$", call)
-        # A place to look names up from: nothing can be read through it.
+        # O_PATH only serves to look up names: nothing can be read through it.
         if "O_PATH|O_DIRECTORY" in call:
             return
         if call.startswith(("open(", "openat(", "openat2(")) and done:
@@ -67,7 +67,7 @@ class Traced:
 
 
 def can_trace():
-    """Containers may forbid it."""
+    """Whether strace works; containers may forbid it."""
     if shutil.which("strace") is None:
         return False
     tried = subprocess.run(["strace", "-qq", "-o", "/dev/null", "true"], capture_output=True)
@@ -77,7 +77,7 @@ def can_trace():
 @unittest.skipUnless(can_trace(), "strace is not installed, or may not look at other programs")
 class Paths(FolderCase):
     def trace(self, scenes, *arguments):
-        """What was opened for each, and what came of it."""
+        """Files opened for each scene, and the result of its import."""
         log = self.folder / "trace.txt"
         result = subprocess.run(
             ["strace", "-f", "-y", "-qq", "-s", "4096", "-o", log, "-e",
@@ -89,7 +89,7 @@ class Paths(FolderCase):
         return Traced(log.read_text(errors="replace")), dict(zip(scenes, answers))
 
     def check(self, scenes, reads=()):
-        """Each opens itself, what it should, and nothing outside its folder."""
+        """Each scene opens its own file, the expected files, and nothing outside its folder."""
         traced, answers = self.trace(scenes)
         self.assertEqual(set(traced.paths), set(scenes))
         self.assertEqual(traced.network, [])
@@ -115,7 +115,7 @@ class Paths(FolderCase):
         return folder
 
     def names(self, folder, kind):
-        """The same ways out for every kind of name in a file."""
+        """The same escape attempts for every kind of name in a file."""
         outside = folder.parent / f"secret.{kind}"
         (folder / f"link.{kind}").symlink_to(outside)
         (folder / f"loop.{kind}").symlink_to(f"loop.{kind}")
@@ -146,7 +146,7 @@ class Paths(FolderCase):
         self.assertEqual((answer["triangles"], answer["textures"]), (12, 1))
 
     def test_the_trace_would_see_more(self):
-        # The scene that leads out through a link which its user named: that one is opened.
+        # A link that the user gave as the scene leads out of the folder: that file is opened.
         folder = self.new_folder("seen")
         (folder.parent / "real.obj").write_bytes(small_models.obj())
         (folder / "room.obj").symlink_to("../real.obj")

@@ -1,4 +1,4 @@
-"""What the tests of the whole program share."""
+"""Functions that the tests of the whole program share."""
 import hashlib
 import os
 import pathlib
@@ -11,7 +11,7 @@ import unittest
 import unittest.mock
 
 PROGRAM = sys.argv.pop(1)
-# Each test reads for itself, and the user's own cache stays as it is.
+# Tests do not share a cache, and the user's cache stays unchanged.
 NO_CACHE = "DOLLYTRACK_NO_CACHE"
 os.environ[NO_CACHE] = "1"
 
@@ -26,7 +26,7 @@ def start(*arguments):
 
 
 def wait_for(condition, seconds=120):
-    """Until the condition holds; False when it does not in time."""
+    """Waits until the condition holds; returns False when it does not in time."""
     deadline = time.time() + seconds
     while time.time() < deadline:
         if condition():
@@ -36,13 +36,13 @@ def wait_for(condition, seconds=120):
 
 
 def hold(process):
-    """Stops a process that runs, with all its threads, until SIGCONT."""
+    """Stops a running process, with all its threads, until SIGCONT."""
     process.send_signal(signal.SIGSTOP)
     os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WEXITED | os.WNOWAIT)
 
 
 def lines_in(file):
-    """How many it has by now; none where it is not there, or not any more."""
+    """Number of lines in the file so far; 0 if the file does not exist."""
     try:
         return file.read_bytes().count(b"\n")
     except FileNotFoundError:
@@ -59,10 +59,10 @@ def hashes(folder):
 
 
 class FolderCase(unittest.TestCase):
-    """Tests with a temporary folder that all of a class share."""
+    """Tests with a temporary folder that all tests of a class share."""
 
-    # Whether what is read and lit once is kept for the class's other runs, as it is for users; for
-    # tests that stop exports: without it they would mostly stop in the light.
+    # Whether imported geometry and baked light are cached for the class's other runs, as for users.
+    # For tests that stop exports: without the cache they would mostly stop during baking.
     keeps_cache = False
 
     @classmethod
@@ -81,7 +81,8 @@ class FolderCase(unittest.TestCase):
         cls.temporary.cleanup()
 
     def assertFails(self, result, code, *words):
-        """With one sentence, the last line, that holds the words."""
+        """Checks that the run failed, and that its last line is one sentence that contains the
+        words."""
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertEqual(result.stdout, "")
         message = result.stderr.strip().splitlines()[-1]

@@ -1,11 +1,11 @@
-"""More of corruptions.py: what readers of one dataset family rely on beside the poses."""
+"""More of corruptions.py: data besides the poses that readers of one dataset family need."""
 import numpy as np
 
 from corruptions import found_by
 
 
 def edit_lines(copy, name, function):
-    """The words of a text's lines."""
+    """Edits the words of each line of a text file."""
     path = copy.folder / name
     rows = [line.split(" ") for line in path.read_text().splitlines()]
     function(rows)
@@ -84,7 +84,7 @@ def colmap_pictures_exchanged(copy):
 
 @found_by("colmap")
 def points_before_the_surfaces(copy):
-    """Each halfway to the middle of the room: in sight, but of nothing."""
+    """Moves each point halfway to the middle of the room: visible, but not on a surface."""
     def shrink(rows):
         for row in rows[1:]:
             for axis, middle in ((1, 2.0), (2, -1.5), (3, 1.3)):
@@ -149,7 +149,7 @@ def kitti_times_in_milliseconds(copy):
 
 @found_by("kitti")
 def kitti_motion_upwards(copy):
-    """Rows counted from below; OpenCV's channels are blue, green, red."""
+    """The vertical motion with the wrong sign; OpenCV's channels are blue, green, red."""
     def mirror(image):
         image[..., 1] = np.where(image[..., 0] == 1, 65536 - image[..., 1].astype(int), 0)
         return image
@@ -200,7 +200,7 @@ def tartan_right_camera_in_the_place_of_the_left(copy):
     (copy.folder / "pose_right.txt").write_bytes(left)
 
 
-# --- both depths are looked at, whichever is wrong
+# --- both depth images are checked, whichever is wrong
 
 def farther(copy):
     copy.edit("depth/000001.png",

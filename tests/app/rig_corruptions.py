@@ -3,7 +3,8 @@ import numpy as np
 
 from corruptions import found_by
 
-# A camera of every kind, small: 190 degrees, and bent; a level panorama; parallel rays; aside.
+# A small camera of every kind: a distorted fisheye of 190 degrees, a level panorama, an
+# orthographic camera, and one beside the planned camera.
 RIG = ["--camera", "wide:lens=fisheye,width_px=96,height_px=96,fov_deg=190,k1=0.02,right_m=0.05",
        "--camera", "around:lens=equirectangular,width_px=160,height_px=80,level=true",
        "--camera", "plan:lens=orthographic,width_px=96,height_px=64,px_per_m=40",

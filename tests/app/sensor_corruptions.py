@@ -1,4 +1,4 @@
-"""More of corruptions.py: what a camera's and a depth camera's files can have wrong."""
+"""More of corruptions.py: errors in the files of a camera sensor and of a depth camera."""
 import cv2
 import numpy as np
 
@@ -69,7 +69,7 @@ def sensor_depth_without_holes(copy):
 @found_by("depth_sensor")
 def sensor_hole_in_a_bright_wall(copy):
     image = copy.read("depth_sensor/000001.png")
-    # Where a good deal around was seen, nothing is dark and nothing ends.
+    # A hole whose surroundings have depth and are neither dark nor at an edge.
     seen = cv2.erode((image > 0).astype(np.uint8), np.ones((9, 9), np.uint8))
     light = copy.read("albedo/000001.png").min(axis=2)
     near = image < 2500

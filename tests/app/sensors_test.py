@@ -1,4 +1,4 @@
-"""Exports what a real camera would have taken: sensors_test.py PROGRAM."""
+"""Exports images and data of simulated real sensors: sensors_test.py PROGRAM."""
 import json
 import re
 import unittest
@@ -98,7 +98,7 @@ class SensorsTest(FolderCase):
             frames = json.loads((out / "dataset.json").read_text())["frames"]
             first, last = (round(1e9 * frames[i]["time_s"]) for i in (0, -1))
             self.assertLessEqual(int(rows[0].split(",")[0]), first)
-            # Where the path ends there is none beyond.
+            # The motion ends with the path, so there are no rows beyond it.
             self.assertGreater(int(rows[-1].split(",")[0]), last - 5e6 if of == "1::2" else last)
             verified = run("-q", "verify", out)
             self.assertEqual(verified.returncode, 0, verified.stdout)
@@ -114,7 +114,7 @@ class SensorsTest(FolderCase):
         self.assertAlmostEqual(np.std(a - clean) / np.std(b - clean), 1.0, delta=0.05)
 
     def test_every_setting_changes_the_pictures_it_should(self):
-        # A camera that changes nothing, but for what is asked for.
+        # An ideal camera except for the given settings.
         base = ["sensor_preset=ideal", "depth_noise=none"]
         ideal = self.export(*base)
         rgb, depth = self.files(ideal, "rgb_sensor"), self.files(ideal, "depth_sensor")
@@ -226,7 +226,7 @@ class SensorsTest(FolderCase):
             self.assertEqual(made.returncode, 0, made.stderr)
 
     def test_how_long_a_row_is_exposed_is_said(self):
-        # Of a rolling shutter a row lasts for a look's share of the readout at least.
+        # With a rolling shutter a row takes at least one sample's share of the readout.
         for shutter, readout, expected in ((0.02, 0.0, 0.02), (0.02, 0.032, 0.02),
                                            (0.001, 0.032, 0.032 / 16), (0.0, 0.0, 0.0)):
             out = self.export(f"shutter_s={shutter}", f"readout_s={readout}",

@@ -1,4 +1,4 @@
-"""A Slurm cluster of one machine, started and stopped by a test, beside any other."""
+"""A Slurm cluster on this machine, started and stopped by a test; others may run beside it."""
 import os
 import pathlib
 import secrets
@@ -13,7 +13,7 @@ PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch"]
 
 
 def missing():
-    """Why there can be no cluster here; empty when there can."""
+    """The reason why no cluster can run here; empty if one can."""
     absent = [name for name in PROGRAMS if shutil.which(name) is None]
     if absent:
         return "not installed: " + ", ".join(absent)
@@ -31,8 +31,8 @@ def free_ports(count):
 
 
 class Cluster:
-    """Everything it needs is below one folder: keys, state, logs, and the files with the numbers
-    of its processes."""
+    """One folder contains everything that it needs: keys, state, logs, and the files with its
+    process ids."""
 
     def __init__(self):
         self.temporary = tempfile.TemporaryDirectory()
@@ -58,7 +58,7 @@ class Cluster:
     def start_slurm(self):
         host = socket.gethostname().split(".")[0]
         controller, node = free_ports(2)
-        # A node that promises more than the machine has is taken out of service.
+        # Slurm takes a node out of service whose settings promise more than the machine has.
         memory_mb = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") // 2**20
         conf = self.folder / "slurm.conf"
         conf.write_text(f"""
@@ -118,7 +118,8 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         return False
 
     def states(self, job):
-        """By task of the array (None: no array): the state, and the exit code once it has ended."""
+        """The state of each task of the array (None: not an array), and its exit code once it has
+        ended."""
         found = {}
         for line in self.ask("scontrol", "--oneliner", "show", "job", job).splitlines():
             fields = dict(word.split("=", 1) for word in line.split() if "=" in word)
@@ -129,7 +130,7 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         return found
 
     def wait_until_ended(self, job, seconds=600):
-        """The states, when none of them is to change any more."""
+        """Waits until no state can change any more; returns the states."""
         def ended():
             states = self.states(job)
             return states and not any(state in ("PENDING", "RUNNING", "COMPLETING", "CONFIGURING")
@@ -139,7 +140,7 @@ PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         return self.states(job)
 
     def stop(self):
-        """The last one started first; each by the number in its own file."""
+        """Stops the daemons in reverse order, each by the process id in its own file."""
         for name in reversed(self.daemons):
             file = self.folder / f"{name}.pid"
             if not file.exists():

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A batch in parts on a real Slurm, whose daemons run on this machine while the test does.
+"""A batch in parts on a real Slurm, whose daemons run on this machine during the test.
 
 Usage: slurm_test.py PROGRAM SUBMIT [unittest arguments]
 """
@@ -80,16 +80,16 @@ class Slurm(FolderCase):
 
     def test_a_part_that_was_stopped_goes_on(self):
         out = self.folder / "stopped"
-        # Larger pictures: the part takes seconds, and is stopped in its first.
+        # Larger images: the part takes seconds and is stopped during the first one.
         jobs = self.write_jobs("larger.toml", 640, 480)
         array, merge = self.submit(2, out, jobs)
         self.assertTrue(wait_for(lambda: list(out.glob("room_0.small.seed1/dataset/rgb/*.png"))))
-        # The way in which Slurm ends what has run too long, and what somebody cancels.
+        # Slurm ends jobs in this way when they ran too long or were cancelled.
         self.cluster.ask("scancel", f"{array}_0")
         tasks = self.cluster.wait_until_ended(array)
         self.assertEqual(tasks[1], ("COMPLETED", 0))
         self.assertEqual(tasks[0][0], "CANCELLED")
-        # The parts that are there are put together; what is missing is said.
+        # The existing parts are merged; missing ones are reported.
         self.assertEqual(self.cluster.wait_until_ended(merge), {None: ("FAILED", 3)})
         self.assertEqual(self.summary(out)["verdicts"]["good"], ROOMS)
         again = self.sbatch("--array=0", SUBMIT.parent / "dollytrack.sbatch", jobs, "--out",
@@ -98,7 +98,7 @@ class Slurm(FolderCase):
         merge = self.sbatch(SUBMIT.parent / "merge.sbatch", out)
         self.assertEqual(self.cluster.wait_until_ended(merge), {None: ("COMPLETED", 0)})
         self.assertEqual(self.summary(out)["verdicts"], {"good": 2 * ROOMS})
-        # Rooms alike: what was continued has the pictures of what ran through.
+        # Equal rooms: the continued export has the same images as the uninterrupted one.
         made = self.datasets(out)
         pictures = [{name: value for name, value in made[f"room_{i}.small.seed1"].items()
                      if name.startswith(("rgb/", "depth/"))} for i in range(2)]

@@ -1,4 +1,4 @@
-"""An export that is small enough to be made hundreds of times, with all that an export can write."""
+"""An export with all modalities and formats that is small enough to be made hundreds of times."""
 import json
 
 import tiny_room
@@ -12,7 +12,8 @@ TRACK = {"op": "object_track", "object": "mug", "keys": [
 
 
 def plan(folder, frames):
-    """A project of the tiny room, where the mug moves, with a plan of so many frames."""
+    """A project of the tiny room, where the mug moves, with a plan of the given number of
+    frames."""
     tiny_room.write(folder / "room.obj")
     project = folder / "room.dolly"
     for command in [

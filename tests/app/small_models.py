@@ -1,4 +1,4 @@
-"""The same small room as a file of every kind: whole to begin with, for tests that damage it."""
+"""The same small room in every file format, undamaged, for tests that damage the files."""
 import base64
 import io
 import json
@@ -105,7 +105,7 @@ def glb():
     return container(*gltf_json())
 
 
-# The room as the encoders of Draco 1.5.5 and meshoptimizer 0.18 pack it.
+# The room as compressed by the encoders of Draco 1.5.5 and meshoptimizer 0.18.
 DRACO = bytes.fromhex(
     "445241434f02020101000000080c000b0000035f4b1501011001ff000001000903000002010101000c0301101f011"
     "00120040048ee830000c09903981900006806000034433304103334030000403300000000ff070000000000000000"
@@ -138,7 +138,7 @@ def draco(packed=DRACO):
 
 
 def meshopt(corners=8):
-    """Packed, quantised, and in one instance."""
+    """A glTF file with meshoptimizer compression, quantised positions and one instance."""
     place = struct.pack("<3f", 1, 2, 3)
     data = b""
     views = []
@@ -243,7 +243,7 @@ SEEDS = {"room.obj": obj, "ascii.ply": ply, "little.ply": lambda: ply("binary_li
 
 
 def front3d():
-    """A house whose one piece of furniture is the room, beside a floor of its own."""
+    """A 3D-FRONT house whose only piece of furniture is the room; it has its own floor, too."""
     return json.dumps({
         "uid": "house", "north_vector": [0, 0, -1],
         "furniture": [{"uid": "1/model", "jid": "abc", "category": "Others", "valid": True}],
@@ -289,7 +289,7 @@ def home_xml():
 
 
 def sh3d():
-    """Stored, not packed, so that damage reaches what is in it."""
+    """A Sweet Home 3D archive, stored uncompressed so that damage affects its content."""
     bytes_ = io.BytesIO()
     with zipfile.ZipFile(bytes_, "w", zipfile.ZIP_STORED) as out:
         for name, data in (("Home.xml", home_xml()), ("room.obj", obj()), ("room.mtl", mtl()),
@@ -299,7 +299,7 @@ def sh3d():
 
 
 def hdf5(*numbers):
-    """Hypersim's way: one dataset of this name."""
+    """An HDF5 file with one dataset of this name, as Hypersim writes them."""
     import h5py
     bytes_ = io.BytesIO()
     with h5py.File(bytes_, "w") as file:
@@ -308,7 +308,7 @@ def hdf5(*numbers):
 
 
 def scene_instance():
-    """A room as a stage, and a box and a drawer in it."""
+    """A Habitat scene instance: a room as the stage, with a box and a drawer in it."""
     return json.dumps({
         "stage_instance": {"template_name": "room"}, "semantic_scene_instance": "words",
         "object_instances": [
@@ -360,7 +360,7 @@ def hall():
 
 
 def labelled_ply(form="ascii"):
-    """The room, each of its sides an object by the numbers of its faces."""
+    """The room as a PLY file whose faces have object ids; each side is one object."""
     head = (f"ply\nformat {form} 1.0\nelement vertex {len(CORNERS)}\n"
             "property float x\nproperty float y\nproperty float z\n"
             f"element face {len(TRIANGLES)}\nproperty list uchar int vertex_indices\n"
@@ -397,7 +397,7 @@ def aggregation():
 
 
 def write_beside(folder):
-    """What the scenes below need besides themselves."""
+    """Writes the other files that the scenes below need."""
     for name, data in {
             "room.obj": obj(), "room.mtl": mtl(), "oak.png": png(), "office/layout.obj": obj(),
             "3D-FUTURE-model/abc/raw_model.obj": obj(), "3D-FRONT-texture/oak/texture.png": png(),
@@ -427,7 +427,8 @@ def write_beside(folder):
         path.write_bytes(data)
 
 
-# What is damaged, its bytes, what is opened (nothing: itself), triangles of the sound scene.
+# The damaged file, its bytes, the file to open (empty: the same), the number of triangles of the
+# undamaged scene.
 SCENES = [
     ("house.json", front3d, None, 14), ("scene.txt", scenenet, None, 24),
     ("Home.xml", home_xml, None, None), ("flat.sh3d", sh3d, None, None),

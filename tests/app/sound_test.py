@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Fresh exports of many rooms are sound: `verify` raises no false alarm.
+"""`verify` raises no false alarm on fresh exports of many rooms.
 
 Usage: sound_test.py PROGRAM [--long | --rooms N --frames N] [SCENE ...]
 
-Without --long two generated rooms with few small frames; with it 200 with 300 frames of the usual
-size. Scenes that are named are exported instead of generated ones.
+Without --long two generated rooms with few small frames; with it 200 rooms with 300 frames of the
+usual size. Given scenes are exported instead of generated ones.
 """
 import argparse
 import json
@@ -19,7 +19,7 @@ LIBRARY = pathlib.Path("/usr/share/sweethome3d/furniture")
 
 
 def alarms(scene, folder, arguments):
-    """What verify finds in a fresh export."""
+    """Errors that verify reports for a fresh export."""
     out = folder / "dataset"
     made = run("-q", "export", scene, "--out", out, *arguments)
     if made.returncode != 0:

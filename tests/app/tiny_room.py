@@ -60,7 +60,7 @@ def write(path):
 
 
 def write_as_one_mesh(path):
-    """A furnished room as a glTF file of one mesh, turned so that z is up in place of y."""
+    """A furnished room as a glTF file of one mesh, turned so that z instead of y is up."""
     boxes = [((0, 0, -0.1), (5, 4, 0)), ((0, 0, 2.6), (5, 4, 2.7)), ((-0.1, 0, 0), (0, 4, 2.6)),
              ((5, 0, 0), (5.1, 4, 2.6)), ((0, -0.1, 0), (5, 0, 2.6)), ((0, 4, 0), (5, 4.1, 2.6)),
              ((1.8, 1.5, 0), (3.2, 2.3, 0.74)), ((2.0, 1.7, 0.74), (2.09, 1.79, 0.84)),
@@ -91,7 +91,7 @@ def write_as_one_mesh(path):
 
 
 def move_corners(path, move):
-    """Puts every corner of an OBJ file where `move(x, y, z)` has it."""
+    """Moves every vertex of an OBJ file by `move(x, y, z)`."""
     with open(path) as file:
         lines = file.read().splitlines()
     for i, line in enumerate(lines):

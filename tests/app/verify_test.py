@@ -17,7 +17,7 @@ from program import FolderCase, run
 
 
 def forget_path(dataset, path=None):
-    """As if the scene had been moved away since, or been somewhere else."""
+    """Changes the scene's path in dataset.json, as if the scene had been moved away."""
     file = dataset / "dataset.json"
     card = json.loads(file.read_text())
     card["scene"]["path"] = path or str(dataset / "nowhere" / "room.obj")
@@ -39,7 +39,7 @@ class VerifyTest(FolderCase):
         assert export.returncode == 0, export.stderr
 
     def verify(self, folder, *arguments):
-        """The exit code and what became of each check."""
+        """The exit code and the result of each check."""
         result = run("-q", "verify", folder, "--json", *arguments)
         self.assertIn(result.returncode, (0, 4), result.stderr)
         report = json.loads(result.stdout)
@@ -61,8 +61,8 @@ class VerifyTest(FolderCase):
                          {name: "passed" for name in checks})
         self.assertEqual(code, 0)
 
-    # Depth in whole millimetres leaves open on which side of the other camera's near plane a
-    # surface is, and whether a motion is longer than what a file can hold.
+    # Depth in integer millimetres does not tell on which side of the other camera's near plane a
+    # surface is, or whether a motion is longer than the file format allows.
     def test_motions_at_the_edge_of_what_is_known_are_sound(self):
         project, out = self.folder / "close.dolly", self.folder / "close"
         for command in [
@@ -99,7 +99,7 @@ class VerifyTest(FolderCase):
         self.assertEqual((code, checks["scene"]["status"]), (0, "passed"))
         forget_path(away)
         self.assertEqual(self.verify(away)[1]["scene"]["status"], "skipped")
-        # A path that leads to something else is passed over.
+        # A path that leads to something else is ignored.
         for path in ("/dev/zero", str(self.folder), str(away / "dataset.json"), "room.obj", ""):
             forget_path(away, path)
             code, checks = self.verify(away)
@@ -123,7 +123,7 @@ class VerifyTest(FolderCase):
     def test_without_the_scene_most_is_found_all_the_same(self):
         away = self.folder / "away" / "from" / "it"
         for name, check, function in corruptions.ALL:
-            if check == "albedo":  # what colour a thing has the scene alone knows
+            if check == "albedo":  # only the scene knows the colour of an object
                 continue
             with self.subTest(name):
                 shutil.rmtree(away, ignore_errors=True)
@@ -132,8 +132,8 @@ class VerifyTest(FolderCase):
                 code, checks = self.verify(away)
                 self.assertEqual(checks["surface"]["status"], "skipped")
                 self.assertIn("--scene", checks["surface"]["reason"])
-                # Half a pixel of all poses alike is nothing that a dataset could know of itself,
-                # were it not for the poses in other files.
+                # The same shift of half a pixel in all poses can only be detected by the poses in
+                # other files.
                 self.assertEqual(code, 4)
 
     def test_the_card_says_what_holds_each_thing(self):
@@ -239,7 +239,7 @@ class VerifyTest(FolderCase):
         self.assertGreater(skipped, 5)
         self.assertIn(f"{skipped} skipped ({skipped} concern files that were not exported): sound",
                       near)
-        # 'scene' alone is about the scene where neither ids nor surfaces were written.
+        # Only the check 'scene' needs the scene, since neither ids nor surfaces were written.
         forget_path(out)
         away = run("-q", "verify", out).stdout
         self.assertIn(f"{skipped + 1} skipped ({skipped} concern files that were not exported; "

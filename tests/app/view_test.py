@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The web page of a dataset: the command by its files and exit codes, the page in a real browser.
+"""The web page of a dataset: files and exit codes of the command, and the page in a real browser.
 
 Usage: view_test.py PROGRAM [unittest arguments]
 """
@@ -28,7 +28,7 @@ SIZE = ["--set", "width_px=320", "--set", "height_px=240"]
 
 
 def make_dataset(folder):
-    """A room where the mug moves, and its dataset with poses, labels and pictures."""
+    """A room where the mug moves, and its dataset with poses, labels and images."""
     tiny_room.write(folder / "room.obj")
     project = folder / "room.dolly"
     for command in [
@@ -46,7 +46,7 @@ def card_of(dataset):
 
 
 def changed_copy(dataset, folder, change):
-    """A dataset beside the first one, with another dataset.json."""
+    """A copy of the dataset with another dataset.json."""
     shutil.copytree(dataset, folder)
     card = card_of(folder)
     change(card)
@@ -55,7 +55,7 @@ def changed_copy(dataset, folder, change):
 
 
 def data_of(page, name):
-    """What the page carries under a name."""
+    """The data stored in the page under a name."""
     text = re.search(rf'<script id="data-{name}"[^>]*>(.*?)</script>', page.read_text(), re.S)[1]
     return json.loads(text)
 
@@ -154,7 +154,7 @@ class Command(ViewCase):
         self.assertEqual([i for i, file in enumerate(kinds["depth"]["files"]) if not file], [3])
 
     def test_more_motions_than_memory_holds_are_refused(self):
-        """Each of 20,000 objects moves in one frame, and would have a row in all 20,000."""
+        """Each of 20,000 objects moves in one frame, but would get a row in all 20,000 frames."""
         moved = {"position": [1, 0, 0], "quaternion_xyzw": [0, 0, 0, 1]}
 
         def change(card):
@@ -169,7 +169,8 @@ class Command(ViewCase):
             4, "do not fit")
 
     def test_a_picture_of_one_column_is_a_damaged_one(self):
-        """At the page's width of 320 px it would be 16,000 px high; longer ones take gigabytes."""
+        """At the page's width of 320 px it would be 16,000 px high; longer ones would take
+        gigabytes."""
         copy = changed_copy(self.dataset, self.folder / "column", lambda card: None)
         cv2.imwrite(str(copy / "rgb" / "000002.png"), np.zeros((50, 1, 3), np.uint8))
         page = self.folder / "column.html"
@@ -249,7 +250,8 @@ class Page(ViewCase):
         self.assertEqual(asked, [])
 
     def place(self, kind, number):
-        """Where a frame or an object can be clicked in the 3D view; None where it is covered."""
+        """The position where a frame or an object can be clicked in the 3D view; None if it is
+        covered."""
         at = self.browser.run(f"return datasetView.{kind}At({number})")
         under = at and self.browser.run("return datasetView.under(arguments[0], arguments[1])",
                                         round(at["x"]), round(at["y"]))
@@ -333,7 +335,7 @@ class Page(ViewCase):
         moved = np.hypot(seen[0]["x"] - seen[1]["x"], seen[0]["y"] - seen[1]["y"])
         self.assertGreater(moved, 10)
 
-    # --- pictures, list, keys
+    # --- images, list, keys
 
     def test_each_kind_of_picture_shows_the_frame(self):
         self.browser.open(self.page, "#frame=5")
@@ -414,7 +416,7 @@ class Page(ViewCase):
                     self.assertEqual(self.browser.run(CUT_TEXTS), [])
                     self.assertEqual(self.browser.run(PALE_TEXTS), [])
 
-    # --- with less
+    # --- datasets with fewer files
 
     def test_without_the_scene_boxes_and_trajectory_are_left(self):
         alone = self.folder / "alone" / "dataset"
@@ -490,7 +492,7 @@ class Storeys(FolderCase):
         self.assertGreater(browser.difference(both, shown.picture("canvas")), 4)
 
 
-# Elements whose text reaches beyond them or the window.
+# Elements whose text is larger than the element or the window.
 CUT_TEXTS = """
 const cut = [];
 for (const element of document.querySelectorAll("body *")) {
@@ -508,7 +510,7 @@ for (const element of document.querySelectorAll("body *")) {
 return cut;
 """
 
-# Texts with less contrast than 4.5 to 1 (WCAG 2) before the background behind them.
+# Texts with a contrast below 4.5 to 1 (WCAG 2) against their background.
 PALE_TEXTS = """
 const numbers = text => text.match(/[\\d.]+/g).map(Number);
 const light = colour => colour.slice(0, 3).map(v => v / 255)

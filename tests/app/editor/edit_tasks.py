@@ -17,7 +17,7 @@ class ByHand(Task):
         return self.editor.idle()["edits"].get("no_go", [])
 
     def start_room_with_box(self):
-        """With a new no-go box, which is selected."""
+        """Starts the editor with a new no-go box, which is selected."""
         self.start_room()
         self.wait_picture()
         self.editor.point("viewport")
@@ -33,7 +33,7 @@ class ByHand(Task):
         pinned = self.pinned()
         self.assertEqual(len(pinned), 1)
         self.assertLess(math.dist(pinned[0]["position"], point["position"]), 1e-6)
-        # What is pinned stays although the plan around it changes.
+        # Pinned points stay although the plan around them changes.
         self.set_parameter("fill", "0.4")
         self.assertEqual(self.pinned(), pinned)
         self.assertTrue(any(one["pin"] == 0 for one in self.editor.state()["points"]))
@@ -77,7 +77,7 @@ class ByHand(Task):
         self.editor.key("del")
         state = self.editor.idle()
         self.assertEqual(len(state["edits"]["removed"]), 1)
-        # Room views are chosen anew for the points that remain, so more than one may go.
+        # Room views are chosen again for the remaining points, so more than one may disappear.
         self.assertLess(len(state["points"]), len(before["points"]))
         self.editor.key("ctrl+z")
         self.assertEqual(len(self.editor.idle()["points"]), len(before["points"]))
@@ -142,14 +142,15 @@ class ByHand(Task):
         self.assertAlmostEqual(tilted[0], now[0], 6)
 
     def lower_the_view(self):
-        """From above to the side, so that the arc of the pitch is no line."""
+        """Turns the view from above to the side, so that the arc of the pitch handle does not look
+        like a line."""
         left, top, _, bottom = self.editor.item("viewport")[:4]
         x, y = left + 40, (top + bottom) / 2
         self.editor.drag((x, y), (x + 60, y - 140))
         self.wait_picture()
 
     def heading(self, point):
-        """Yaw and pitch of where it looks, which is its z axis."""
+        """Yaw and pitch of its viewing direction, the z axis."""
         x, y, z, w = point["quaternion_xyzw"]
         forward = (2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y))
         return math.atan2(forward[1], forward[0]), math.asin(max(-1.0, min(1.0, forward[2])))

@@ -1,6 +1,6 @@
-"""Uses the editor as a person does: a real window on a display of its own, real mouse and keys.
+"""Uses the editor as a person does: a real window on a separate display, real mouse and key events.
 
-What the window shows is asked through the socket of --inspect, which can only look.
+The state of the window is read through the socket of --inspect, which cannot change it.
 """
 import contextlib
 import json
@@ -16,14 +16,14 @@ import time
 try:
     from Xlib import X, XK, display, error
     from Xlib.ext import xtest
-except ImportError:  # the tests then skip, or fail where a window is required
+except ImportError:  # the tests are then skipped, or fail where a window is required
     pass
 
 import other_programs
 from screen import die_with_parent
 
 BUTTONS = {"left": 1, "middle": 2, "right": 3}
-# Names of keys as they are written in the menus, where X calls them something else.
+# Names of keys as written in the menus, where X's names differ.
 KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Return",
            "esc": "Escape", "del": "Delete", "space": "space", "home": "Home", "end": "End",
            "left": "Left", "right": "Right", "up": "Up", "down": "Down", "tab": "Tab",
@@ -32,7 +32,7 @@ KEYSYMS = {"ctrl": "Control_L", "shift": "Shift_L", "alt": "Alt_L", "enter": "Re
 
 
 class Gone(Exception):
-    """The editor ended, or does not answer any more."""
+    """The editor ended or no longer answers."""
 
 
 class Editor:
@@ -67,7 +67,7 @@ class Editor:
             raise
         self.mouse = (0, 0)
 
-    # Looking
+    # Reading the state
 
     def _connect(self, path, seconds=60):
         deadline = time.time() + seconds
@@ -93,7 +93,7 @@ class Editor:
         return self.process.poll() is None
 
     def state(self):
-        """All that is shown now, after two frames with what came before."""
+        """Everything that is shown, after two frames have handled the earlier events."""
         try:
             self.lines.write("state\n")
             self.lines.flush()
@@ -119,7 +119,7 @@ class Editor:
             time.sleep(0.03)
 
     def idle(self, seconds=120):
-        """Until nothing is computed and the newest plan is shown."""
+        """Waits until nothing is computed and the newest plan is shown."""
         def at_rest(state):
             busy = state["busy"]
             working = busy["loading"] or busy["planning"] or busy["saving"]
@@ -134,7 +134,7 @@ class Editor:
         return name in self.items()
 
     def item(self, name, seconds=10):
-        """The rectangle of a widget, once it is there."""
+        """The rectangle of a widget; waits until it appears."""
         return self.wait(lambda state: name in state["items"], f"the item {name}",
                          seconds)["items"][name]
 
@@ -167,7 +167,7 @@ class Editor:
         self.display.sync()
 
     def point(self, target):
-        """Moves to a widget or a place, and lets the window see it there."""
+        """Moves the mouse to a widget or a position, and lets the window notice it."""
         x, y = self.middle(target) if isinstance(target, str) else target
         self.move(x, y)
         self.state()
@@ -183,7 +183,7 @@ class Editor:
         return self.state()
 
     def drag(self, start, end, button="left", keys=(), steps=8, look=None):
-        """From one place to another; `look` is called with each state on the way."""
+        """Drags from one position to another; `look` is called with each state on the way."""
         self.point(start)
         x0, y0 = self.mouse
         x1, y1 = self.middle(end) if isinstance(end, str) else end
@@ -199,7 +199,7 @@ class Editor:
         return self.state()
 
     def wheel(self, target, notches):
-        """Up with positive numbers."""
+        """Turns the mouse wheel, up with positive numbers."""
         self.point(target)
         for _ in range(abs(notches)):
             button = 4 if notches > 0 else 5
@@ -208,7 +208,7 @@ class Editor:
             self.state()
 
     def reach(self, name, over, most=60):
-        """Scrolls a panel down until a widget of it is fully to be seen."""
+        """Scrolls a panel down until one of its widgets is fully visible."""
         for _ in range(most):
             items = self.items()
             if name in items and items[name][3] - items[name][1] > 10:
@@ -254,7 +254,7 @@ class Editor:
         return self.state()
 
     def tap(self, chord):
-        """A key that may end the editor: nothing is asked afterwards."""
+        """Presses a key that may end the editor, so the state is not read afterwards."""
         *modifiers, last = chord.split("+")
         for name in (*modifiers, last):
             self.hold(name)
@@ -263,7 +263,7 @@ class Editor:
             self.let_go(name)
 
     def letters(self, text):
-        """Types without looking what becomes of it."""
+        """Types text without reading the state afterwards."""
         for letter in text:
             keysym = ord(letter)
             code = self._code(keysym)
@@ -275,7 +275,7 @@ class Editor:
             if shifted:
                 self.let_go("shift")
             self.display.sync()
-            time.sleep(0.004)  # one letter after the other, as hands do it
+            time.sleep(0.004)  # one letter after the other, as people type
 
     def type(self, text):
         self.letters(text)
@@ -283,7 +283,8 @@ class Editor:
 
     @contextlib.contextmanager
     def stuck(self):
-        """A frame that lasts, as on a busy machine: what is done meanwhile arrives all at once."""
+        """Makes one frame last long, as on a busy machine: events in the meantime arrive all at
+        once."""
         self.process.send_signal(signal.SIGSTOP)
         try:
             yield
@@ -293,7 +294,7 @@ class Editor:
     # What a window manager and other programs do
 
     def _find_window(self):
-        """The editor's window: the visible one; the other belongs to its drawing thread."""
+        """The editor's visible window; its other one belongs to the render thread."""
         deadline = time.time() + 30
         root = self.display.screen().root
         while time.time() < deadline:
@@ -316,7 +317,7 @@ class Editor:
         return self.state()
 
     def close_window(self):
-        """The cross in the window's corner."""
+        """Clicks the close button of the window."""
         other_programs.close_window(self.display, self.window)
 
     def drop(self, *paths):
@@ -325,11 +326,11 @@ class Editor:
         return self.state()
 
     def clipboard(self):
-        """The text another program would paste."""
-        # The owner answers when it handles its events.
+        """The text that another program would paste."""
+        # The owner of the clipboard answers when it handles its events.
         return other_programs.clipboard(self.display, self.state)
 
-    # What people do all the time
+    # Common actions
 
     def menu(self, name, command):
         """Opens a menu and chooses an entry: menu('file', 'file.close')."""
@@ -337,14 +338,14 @@ class Editor:
         return self.click("command." + command)
 
     def run_command(self, words):
-        """By way of the command palette."""
+        """Runs a command with the command palette."""
         self.key("ctrl+p")
         self.item("palette.text")
         self.type(words)
         return self.key("enter")
 
     def choose_file(self, path):
-        """Types a path into the file dialog that is open and accepts it."""
+        """Types a path into the open file dialog and accepts it."""
         self.item("files.path")
         self.click("files.path", times=2)
         self.key("ctrl+a")
@@ -354,7 +355,7 @@ class Editor:
                   or "files.overwrite" in state["items"], "the file dialog to close", 10)
 
     def type_value(self, name, text):
-        """Ctrl+click on a number and type another."""
+        """Ctrl+clicks a number and types another one."""
         self.click(name, keys=["ctrl"])
         self.key("ctrl+a")
         self.type(text)
@@ -363,7 +364,7 @@ class Editor:
     # The end
 
     def wait_end(self, seconds=30):
-        """The exit code, once the editor has ended by itself."""
+        """Waits until the editor has ended by itself; returns its exit code."""
         try:
             return self.process.wait(seconds)
         except subprocess.TimeoutExpired as late:
@@ -377,7 +378,7 @@ class Editor:
         return 0.0
 
     def kill(self):
-        """As a crash, or a power cut for this program."""
+        """Kills the editor, as a crash or a power cut would."""
         if self.alive():
             self.process.send_signal(signal.SIGKILL)
         self.process.wait()

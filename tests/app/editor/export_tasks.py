@@ -1,4 +1,4 @@
-"""Datasets made from the editor, and the preview that shows what they will hold."""
+"""Exports from the editor, and the preview of their images."""
 import hashlib
 import json
 import pathlib
@@ -10,7 +10,7 @@ import numpy
 from task import Programs, Task, plan
 
 DONE, CANCELLED = 3, 4  # of ui/export_job.h
-# Slow enough to be stopped half way, on a busy machine, too.
+# Slow enough to be stopped halfway even on a busy machine.
 FRAMES = 120
 SLOW = ("--set", "width_px=320", "--set", "height_px=240", "--max-frames", str(FRAMES), "--set",
         "max_repeat_rate=1")
@@ -39,7 +39,7 @@ class Exporting(Task):
         self.editor.click(((left + right) / 2, (top + bottom) / 2))
 
     def panel_place(self):
-        """Over the settings, but over nothing that the wheel would change."""
+        """A position over the settings, but not over a field that the wheel would change."""
         left, top, *_ = self.editor.item("tab.timeline")[:4]
         return left + 8, top + 110
 
@@ -54,7 +54,8 @@ class Exporting(Task):
                         str(folder), *arguments], check=True, stdout=subprocess.DEVNULL)
 
     def hashes(self, folder):
-        """All files that are the dataset; the mark of the writer is about the run."""
+        """Hashes of all files of the dataset, without the writer's mark, which depends on the
+        run."""
         return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
                 for path in sorted(folder.rglob("*"))
                 if path.is_file() and not path.name.startswith(".")}
@@ -300,7 +301,7 @@ class Exporting(Task):
         return cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
 
     def exported(self, folder, modality):
-        """The only frame of a dataset."""
+        """The image of the dataset's only frame."""
         found = list((folder / modality).glob("*.png"))
         self.assertEqual(len(found), 1, modality)
         return cv2.imread(str(found[0]), cv2.IMREAD_UNCHANGED)

@@ -12,7 +12,7 @@ from editor_driver import Editor
 from screen import Screen
 
 REPEATS = 5
-UNWATCHED_S = 2.0  # asking for the state draws frames, which would slow down what is measured
+UNWATCHED_S = 2.0  # reading the state draws frames, which would slow down the measured work
 
 
 def sections(state):
@@ -30,7 +30,7 @@ def show(editor, name):
 
 
 def other_value(value, turn):
-    """A value beside the one there is, another each time."""
+    """A value near the current one, a different one each time."""
     if isinstance(value, int):
         return str(value + 1 + turn) if value else str(20 + turn)
     return f"{(value or 0.2) * (0.9 - 0.02 * turn):.4f}"

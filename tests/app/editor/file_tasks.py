@@ -1,4 +1,4 @@
-"""Saving, quitting, closing, and work that survives a crash."""
+"""Saving, quitting, closing, and recovering work after a crash."""
 import json
 import subprocess
 import time
@@ -150,7 +150,7 @@ class Files(Task):
         self.assertEqual(state["project"], str(mine))
         self.assertEqual(self.project.read_bytes(), theirs)
         self.set_parameter("fill", "0.5")
-        self.editor.key("ctrl+s")  # nobody else has touched that one
+        self.editor.key("ctrl+s")  # no other program has changed that one
         self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
         self.assertEqual(json.loads(mine.read_text())["parameters"]["viewpoints"]["fill"], 0.5)
 
@@ -165,7 +165,7 @@ class Files(Task):
         self.assertFalse(state["unsaved"])
         self.assertEqual(self.project.read_bytes(), theirs)
         self.set_parameter("fill", "0.5")
-        self.editor.key("ctrl+s")  # what was reloaded is known
+        self.editor.key("ctrl+s")  # the reloaded version is known
         self.editor.wait(lambda state: not state["unsaved"], "the project to be saved")
 
     def test_overwrite_what_another_program_saved(self):
@@ -213,7 +213,7 @@ class Files(Task):
         self.assertTrue(state["unsaved"])
 
     def throw_away(self):
-        """On purpose: nothing is offered again."""
+        """Discards the work on purpose: it is not offered again."""
         self.ends = True
         self.editor.close_window()
         self.editor.point("message.dont_save")
@@ -277,7 +277,7 @@ class Files(Task):
         self.assertEqual(state["parameters"]["viewpoints"]["fill"], 0.45)
 
     def wait_copy(self, text):
-        """Until the copy of unsaved work holds the text."""
+        """Waits until the copy of unsaved work contains the text."""
         copies = self.folder / "home" / "state" / "dollytrack" / "autosave"
         for _ in range(200):
             if any(text in path.read_text() for path in copies.glob("*.dolly")):

@@ -1,4 +1,4 @@
-"""Objects get other numbers when they are merged and split; what is chosen stays chosen."""
+"""Objects get other ids when they are merged and split; the selection follows them."""
 from task import BOOK, MUG, PICTURE, SOFA, TABLE, OBJECTS, POSITION_POINT, Task
 
 
@@ -74,7 +74,7 @@ class Following(Task):
     def test_a_click_on_a_row_in_sight_does_not_scroll_the_list(self):
         self.start_room(size=(1000, 560))
         self.editor.click("objects.shown")
-        self.editor.click("objects.shown.0")  # all of them: more than there is room for
+        self.editor.click("objects.shown.0")  # all of them, more than fit on the screen
         rows = self.rows()
         last = max(rows, key=lambda name: rows[name][1])
         left, top, _, bottom = rows[last][:4]
@@ -84,7 +84,7 @@ class Following(Task):
         self.assertLess(abs(after[1] - top), bottom - top, "at most the part that was cut off")
 
     def rows(self):
-        """Those that can be clicked now."""
+        """The rows that can be clicked now."""
         return {name: place for name, place in self.editor.items().items()
                 if name.startswith("objects.row.")}
 

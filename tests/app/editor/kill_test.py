@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Kills the editor at random moments of work: little is lost, and the project always opens."""
+"""Kills the editor at random moments: little work is lost, and the project always opens."""
 import pathlib
 import random
 import sys
@@ -16,7 +16,7 @@ MOST_LOST_S = 30.0
 
 
 class Crash:
-    """One editor that is killed while somebody works, and the one that is started after it."""
+    """One editor that is killed while it is used, and the one that is started after it."""
 
     def __init__(self, screen, folder, dice):
         self.screen = screen
@@ -51,7 +51,7 @@ class Crash:
             editor.kill()
 
     def look_afterwards(self):
-        """What is wrong, or nothing."""
+        """Returns the error, or nothing."""
         editor = self.start(self.project)
         try:
             editor.wait(lambda state: state["open"] or state["notice"], "the project to open")

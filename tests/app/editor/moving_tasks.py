@@ -1,4 +1,4 @@
-"""Moving objects by hand and by keys."""
+"""Moving objects with the mouse and with keys."""
 import math
 import time
 
@@ -7,7 +7,7 @@ from task import MUG, SOFA, Task
 
 class Moving(Task):
     def change(self):
-        """What is said of the one object that was changed."""
+        """The edits of the only changed object."""
         changes = self.editor.idle()["edits"].get("changes", [])
         self.assertLessEqual(len(changes), 1)
         return changes[0] if changes else {}
@@ -99,7 +99,7 @@ class Moving(Task):
         self.assertEqual(self.change(), {})
 
     def give_two_keys(self, last="2"):
-        """The sofa from its place at 0 s to 0.4 m along x at the last."""
+        """Moves the sofa from its position at 0 s to 0.4 m along x at the last key."""
         self.start_with(SOFA)
         self.assertNotIn("tracks.slider", self.editor.items())
         self.over_the_viewport()
@@ -151,7 +151,8 @@ class Moving(Task):
         self.assertEqual([key["time_s"] for key in self.change()["track"]], [0])
 
     def grab_while_things_move(self, also):
-        """Pulls at the sofa while its track plays, and does something else before it is let go."""
+        """Drags the sofa while its track plays, and does something else before the button is
+        released."""
         self.editor.type_value("tracks.time", "0")
         self.editor.idle()
         self.editor.click("tracks.play")

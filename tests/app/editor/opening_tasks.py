@@ -1,4 +1,4 @@
-"""Opening scenes and projects, and being told what is wrong with them."""
+"""Opening scenes and projects, and the messages about their errors."""
 import json
 import subprocess
 
@@ -50,7 +50,7 @@ class Opening(Task):
         self.assertEqual(self.editor.idle()["plan"]["captured"], 5)
 
     def test_drop_a_project(self):
-        project = self.folder / "small d\u00f6.dolly"  # a name that has to be decoded
+        project = self.folder / "small d\u00f6.dolly"  # a name with escaped characters
         plan(self.room, project, "--set", "fill=0.45")
         self.start()
         self.editor.drop(project)

@@ -1,4 +1,4 @@
-"""What a window manager and other programs on the screen do with a window, by X's protocols."""
+"""Actions of a window manager and of other programs on a window, by X's protocols."""
 import pathlib
 import time
 
@@ -17,13 +17,13 @@ def tell(screen, window, kind, data):
 
 
 def close_window(screen, window):
-    """The cross in the window's corner."""
+    """Asks the window to close, as its close button does."""
     protocols = screen.intern_atom("WM_DELETE_WINDOW")
     tell(screen, window, "WM_PROTOCOLS", [protocols, X.CurrentTime, 0, 0, 0])
 
 
 def drop(screen, window, paths):
-    """Drops files onto the middle of the window, by the protocol XDND."""
+    """Drops files onto the middle of the window with the XDND protocol."""
     atom = screen.intern_atom
     source = screen.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
     try:
@@ -78,7 +78,7 @@ def serve_selection(screen, kind, content):
 
 
 def clipboard(screen, let_owner_answer):
-    """The text another program would paste."""
+    """The text that another program would paste."""
     atom = screen.intern_atom
     reader = screen.screen().root.create_window(0, 0, 1, 1, 0, X.CopyFromParent)
     place = atom("DOLLYTRACK_TEST")

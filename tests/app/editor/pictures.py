@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Takes the README's pictures of the editor anew, in its real window. Not a test.
+"""Takes the README's pictures of the editor again, in its real window. Not a test.
 
 Usage: pictures.py EDITOR COMMAND_LINE FOLDER
 """
@@ -24,7 +24,7 @@ TUNED = ['{"op":"add_no_go","name":"wet floor","center":[2.2,2.2,0.6],"size":[1.
 
 
 def settled(editor):
-    """Until everything is computed, lit and drawn."""
+    """Waits until everything is computed, lit and drawn."""
     editor.idle(300)
     return editor.wait(lambda now: not now["busy"]["lighting"] and not now["busy"]["drawing"] and
                        now["preview"]["final_light"], "the picture", 300)
@@ -39,7 +39,7 @@ def shot(editor):
 
 
 def at(editor, across, down):
-    """A place in the viewport, by shares of its size."""
+    """A position in the viewport, in fractions of its size."""
     left, top, right, bottom = editor.item("viewport")[:4]
     return left + across * (right - left), top + down * (bottom - top)
 
@@ -51,7 +51,7 @@ def show_frame(editor, frame):
 
 
 def tuned_room(editor):
-    """A project with edits: a no-go box, a band of heights, a position point with its handles."""
+    """A project with edits: a no-go box, a height band, a position point with its handles."""
     show_frame(editor, FRAME)
     editor.wheel(at(editor, 0.4, 0.8), 4)
     settled(editor)
@@ -64,14 +64,14 @@ def tuned_room(editor):
 
 
 def failure_explained(editor):
-    """An object that nothing captures, every place that was tried, and what hides it."""
+    """An object without a capture, all positions that were tried, and the objects that hide it."""
     editor.key("esc")
     editor.click("tab.objects")
     editor.click("objects.filter")
     editor.type("oven")
     editor.click(next(name for name in editor.items() if name.startswith("objects.row.")))
     editor.click("preview.fold")
-    editor.key("F3")  # points and the trajectory would cover what this is about
+    editor.key("F3")  # points and the trajectory would cover the subject
     editor.key("F5")
     x, y = editor.middle("splitter.bottom")
     editor.drag((x, y), (x, y + 150))
@@ -83,7 +83,7 @@ def failure_explained(editor):
 
 
 def titled(image, text, height):
-    """A picture under a strip with its name."""
+    """A picture below a strip with its title."""
     fine = 4
     strip = numpy.full((fine * height, fine * image.shape[1], 3), (39, 35, 32), numpy.uint8)
     cv2.putText(strip, text, (12 * fine, int(0.66 * height * fine)), cv2.FONT_HERSHEY_SIMPLEX,
@@ -93,7 +93,7 @@ def titled(image, text, height):
 
 
 def preview_and_export(editor, command_line, project, folder):
-    """The preview, pulled to the size of its frame, beside the frame that export wrote."""
+    """The preview, enlarged to the size of its frame, beside the exported frame."""
     subprocess.run([command_line, "-q", "export", project, "--out", folder, "--range",
                     f"{FRAME}:{FRAME + 1}", "--modalities", "rgb"],
                    check=True, stdout=subprocess.DEVNULL)
@@ -107,7 +107,7 @@ def preview_and_export(editor, command_line, project, folder):
     x, y = editor.middle("preview.grip")
     left, _, right, _ = editor.item("preview.picture")[:4]
     editor.drag((x, y), (x - (width - (right - left)), y))
-    editor.point("menu.help")  # over the picture, the mouse would say what is there
+    editor.point("menu.help")  # over the image, the mouse would show a tooltip
     window = shot(editor)
     left, top, right, bottom = map(round, editor.item("preview.picture")[:4])
     if (right - left, bottom - top) != (width, height):

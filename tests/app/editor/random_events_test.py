@@ -12,14 +12,14 @@ import tiny_room  # noqa: E402
 import window_arguments
 
 SIZE = (1100, 700)
-# Everything but what ends the editor or goes to other folders of the machine.
+# All keys except those that end the editor or open other folders of the machine.
 KEYS = ["0", "1", "3", "5", "7", "ctrl+1", "ctrl+3", "ctrl+7", "f", "home", "h", "alt+h", "x",
         "shift+x", "n", "p", "l", "del", "c", "space", "left", "right", "shift+left",
         "shift+right", "ctrl+z", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+=", "ctrl+-", "F1",
         "F2", "F3", "F4", "F5", "F6", "F7", "F8", "ctrl+p", "ctrl+o", "ctrl+e", "ctrl+s",
         "ctrl+r", "esc", "esc", "esc", "enter", "tab", "up", "down", "a", "9", "backspace"]
-# What would leave the test's own ground: the exit, settings that take minutes to plan, and the
-# size of pictures, which decides how much memory drawing them takes.
+# Widgets to avoid: the exit, settings that take minutes to plan, and image sizes, which decide how
+# much memory rendering takes.
 AVOIDED = ("command.file.quit", "files.place.", "files.up", "files.new_folder", "files.make",
            "parameters.octree_resolution_m", "parameters.link_iterations", "parameters.width_px",
            "parameters.height_px", "export.width_px", "export.height_px", "export.add",
@@ -34,7 +34,7 @@ class Monkey:
         self.done = []  # the newest events, for the report
 
     def place(self):
-        """Mostly on something that can be clicked, else anywhere."""
+        """A random position, mostly on something that can be clicked."""
         names = [name for name in sorted(self.items) if not name.startswith(AVOIDED)]
         if names and self.dice.random() < 0.75:
             left, top, right, bottom = self.items[self.dice.choice(names)][:4]
@@ -47,7 +47,7 @@ class Monkey:
                    item[1] <= place[1] <= item[3] for name, item in self.items.items())
 
     def event(self):
-        """One random thing a hand can do; returns how many events it was."""
+        """One random action of a user; returns its number of events."""
         kind = self.dice.choices(["click", "drag", "key", "wheel", "type"], [10, 5, 8, 4, 1])[0]
         self.done = self.done[-30:] + [kind]
         if kind == "key":
@@ -105,13 +105,14 @@ def run(events, seed, folder):
         editor.key("esc")
         editor.key("esc")
         editor.state()
-        # What a third of the events needs is needed by the rest too: undo keeps little.
+        # Memory after a third of the events must suffice for the rest: undo steps take little.
         if editor.memory_mb() > 1.3 * warm + 60:
             return f"memory grew from {warm:.0f} to {editor.memory_mb():.0f} MB"
         print(f"{count} events, at most {most:.0f} MB, {editor.memory_mb():.0f} MB at the end")
         return ""
     except (Gone, AssertionError) as problem:
-        # Through a menu that opened between two looks it may find the exit: that is no crash.
+        # It may hit the exit in a menu that opened between two reads of the state: that is not a
+        # crash.
         if isinstance(problem, Gone) and count > 0 and editor.wait_end() == 0:
             print(f"it quit after {count} events")
             return run(events - count, seed + 1, folder) if events > count else ""

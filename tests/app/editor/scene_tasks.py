@@ -41,7 +41,7 @@ class Selecting(Task):
             before = self.picture_at_rest()
             self.editor.click("layers.grid")
             after = self.picture_at_rest()
-            # Beside the room, where there is nothing but the background.
+            # Beside the room, where only the background is.
             changed = sum(a != b for a, b in zip(before[2][::3], after[2][::3]))
             self.assertGreater(changed, 2000)
             self.editor.click("layers.grid")
@@ -143,7 +143,7 @@ class Looking(Task):
 
     def test_zoom_and_pan_over_a_handle(self):
         self.start_room()
-        self.select_row(SOFA)  # the preview lies over others
+        self.select_row(SOFA)  # the preview covers others
         self.editor.item("gizmo.free")
         self.wait_picture()
         place = self.editor.middle("gizmo.free")

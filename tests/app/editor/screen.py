@@ -1,4 +1,4 @@
-"""A display of one's own for a window, or why there is none."""
+"""A separate display for a window, or the reason why there is none."""
 import ctypes
 import os
 import shutil
@@ -9,20 +9,20 @@ import unittest
 
 try:
     from Xlib import display
-except ImportError:  # the tests then skip, or fail where a window is required
+except ImportError:  # the tests are then skipped, or fail where a window is required
     display = None
 
 REQUIRED = os.environ.get("DOLLYTRACK_REQUIRE_WINDOW") == "1"
 
 
 def die_with_parent():
-    """In the child: a test that is killed leaves nothing running."""
+    """Called in the child process, so that a killed test leaves nothing running."""
     pr_set_pdeathsig = 1
     ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
 
 
 def why_no_window():
-    """Empty where a window can be opened."""
+    """The reason why no window can be opened; empty if one can."""
     if display is None:
         return "python3-xlib is not installed"
     if shutil.which("Xvfb") is None:
@@ -41,7 +41,7 @@ def need_window():
 
 
 class Screen:
-    """A display of one's own."""
+    """A separate display."""
 
     def __init__(self, width=1920, height=1080):
         read, write = os.pipe()

@@ -1,4 +1,4 @@
-"""What every task starts from: a screen, a small room, a fresh editor, and what must hold after."""
+"""The start of every task: a screen, a small room and a fresh editor; and the checks after it."""
 import json
 import math
 import pathlib
@@ -13,27 +13,27 @@ import tiny_room  # noqa: E402
 from editor_driver import Editor  # noqa: E402
 from screen import Screen, need_window  # noqa: E402
 
-# The numbers of ui/selection.h, by which the state says what is selected.
+# The enumerators of ui/selection.h, which tell the kind of the selection in the state.
 NONE, OBJECT, OBJECTS, POSITION_POINT, NO_GO_BOX = 0, 1, 2, 4, 9
-# The numbers of tiny_room's objects, in the order of its file.
+# The ids of tiny_room's objects, in the order of its file.
 TABLE, MUG, BOOK, SOFA, PICTURE = 7, 8, 9, 10, 11
 
 
 class Programs:
-    """Where the programs under test are; set from the command line."""
+    """Paths of the programs under test, set from the command line."""
     editor = ""
     command_line = ""
 
 
 def plan(scene, project, *arguments):
-    """Plans with the command line, which the editor has to agree with."""
+    """Plans with the command line; the editor must give the same plan."""
     subprocess.run([Programs.command_line, "-q", "plan", scene, "-o", project, *arguments],
                    check=True, stdout=subprocess.DEVNULL)
     return json.loads(pathlib.Path(project).read_text())
 
 
 class Task(unittest.TestCase):
-    """One thing a user wants. Each has a home of its own, so nothing is left from the one before."""
+    """One task of a user. Each has its own home folder, so nothing is left from the one before."""
 
     screen = None
 
@@ -71,7 +71,7 @@ class Task(unittest.TestCase):
             self.editor.kill()
 
     def start(self, *arguments, size=(1280, 720)):
-        """An editor with what the arguments name, ready for work."""
+        """Starts an editor with the given arguments and waits until it is ready."""
         self.editor = Editor(Programs.editor, self.screen, *arguments,
                              home=self.folder / "home", size=size)
         self.addCleanup(self.editor.kill)
@@ -85,14 +85,14 @@ class Task(unittest.TestCase):
         return state
 
     def start_project(self, *arguments):
-        """A room planned by the command line; returns the project as that wrote it."""
+        """Starts with a room planned by the command line; returns the project that it wrote."""
         self.project = self.folder / "room.dolly"
         saved = plan(self.room, self.project, *arguments)
         self.start(self.project)
         return saved
 
     def find_parameter(self, name):
-        """Brings one parameter into view by searching for it."""
+        """Shows one parameter by searching for it."""
         self.editor.click("tab.parameters")
         self.editor.click("parameters.filter")
         self.editor.key("ctrl+a")
@@ -105,7 +105,7 @@ class Task(unittest.TestCase):
         return self.editor.idle()
 
     def dismiss(self, button):
-        """Answers the message box that is shown."""
+        """Answers the visible message box."""
         self.editor.click("message." + button)
         return self.editor.wait(lambda state: "message." + button not in state["items"],
                                 "the message to go")
@@ -114,7 +114,7 @@ class Task(unittest.TestCase):
         return self.editor.wait(lambda state: state["notice"], "a message")["notice"]
 
     def place_of(self, point):
-        """Where a point of the scene is in the window."""
+        """The position of a scene point in the window."""
         state = self.editor.state()
         camera = state["camera"]
         left, top, right, bottom = state["items"]["viewport"][:4]
@@ -139,7 +139,8 @@ class Task(unittest.TestCase):
                 round(top + 0.5 * (bottom - top) + focal * along(down) / depth))
 
     def without_layers(self):
-        """Only the scene, so that a click meets objects; the preview lies over some of them."""
+        """Shows only the scene, so that a click hits objects; the preview would cover some of
+        them."""
         self.show_preview(False)
         for key, layer in (("F3", "points"), ("F5", "trajectory")):
             if self.editor.state()["layers"][layer]:
@@ -153,7 +154,7 @@ class Task(unittest.TestCase):
         self.assertEqual("preview.grip" in self.editor.items(), wanted)
 
     def wait_picture(self):
-        """Until the viewport's picture shows what is asked for now."""
+        """Waits until the viewport's image is up to date."""
         serial = self.editor.state()["picture_serial"]
         self.editor.wait(lambda state: state["picture_serial"] > serial or
                          not state["busy"]["drawing"], "a picture", 20)
@@ -167,12 +168,12 @@ class Task(unittest.TestCase):
         return state
 
     def select_position_point(self, place):
-        """Clicks a position point in the viewport, with nothing else in the way."""
+        """Clicks a position point in the viewport, with all other layers hidden."""
         state = self.editor.state()
         if state["layers"]["trajectory"]:
             self.editor.key("F5")
         self.show_preview(False)
-        self.editor.key("7")  # from above, where points seldom hide one another
+        self.editor.key("7")  # from above, where points rarely hide one another
         self.wait_picture()
         self.editor.click(self.place_of(place))
         return self.editor.wait(lambda state: state["selection_kind"] == POSITION_POINT,

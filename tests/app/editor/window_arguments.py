@@ -1,4 +1,4 @@
-"""What the tests that need a window and both programs are told on the command line."""
+"""Command line arguments of the tests that need a window and both programs."""
 import argparse
 import sys
 from unittest import SkipTest
@@ -8,7 +8,8 @@ from task import Programs
 
 
 def read(description):
-    """The arguments, with the programs noted; ends the test where there can be no window."""
+    """Reads the arguments and stores the programs' paths; ends the test where no window can be
+    opened."""
     parser = argparse.ArgumentParser(description=description,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("editor")

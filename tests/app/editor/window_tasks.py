@@ -7,7 +7,7 @@ from task import Task
 
 class Window(Task):
     def assertInside(self, size):
-        """Nothing that can be clicked is cut off by the window's edge."""
+        """Checks that no clickable widget is cut off by the window's edge."""
         state = self.editor.state()
         for name, (left, top, right, bottom, *_) in state["items"].items():
             self.assertTrue(left >= -0.5 and top >= -0.5 and right <= size[0] + 0.5 and

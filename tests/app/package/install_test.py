@@ -1,5 +1,5 @@
-"""What `cmake --install` copies works from where it is copied to: programs, manual pages,
-completions, desktop files, and the libraries for a program outside the tree.
+"""Files copied by `cmake --install` work in their new place: programs, manual pages, completions,
+desktop files, and the libraries for a program outside the tree.
 
     install_test.py BUILD [-v]
 """
@@ -34,7 +34,7 @@ def needs(program):
 
 
 class InstalledCase(unittest.TestCase):
-    """All that is installed, in a temporary prefix that the build does not know."""
+    """The complete installation, in a temporary prefix that the build does not know."""
 
     @classmethod
     def setUpClass(cls):
@@ -63,7 +63,7 @@ class Programs(InstalledCase):
         said = run(self.program, "--version").stdout
         self.assertRegex(said, r"^dollytrack \d+\.\d+\.\d+( \(commit [0-9a-f]{10,}(-changed)?\))?\n$")
         if commit and "commit" in said:
-            # A build may be older than the last commit, but is of one that the tree has.
+            # A build may be older than the last commit, but its commit is in the repository.
             named = re.search(r"commit ([0-9a-f]+)", said)[1]
             self.assertEqual(run("git", "-C", SOURCE, "cat-file", "-t", named).stdout, "commit\n")
 
@@ -145,7 +145,8 @@ class ManualPages(InstalledCase):
 
 class Completions(InstalledCase):
     def bash(self, line):
-        """What bash offers for a line whose end the cursor is at, parted as readline parts it."""
+        """Completions that bash offers at the end of a line, which is split as readline splits
+        it."""
         words = re.findall(r"=|[^\s=]+", line)
         if line.endswith(" "):
             words.append("")
@@ -190,7 +191,7 @@ class Completions(InstalledCase):
                                .split("\n\n")[0])
             offered = self.bash(f"dollytrack {name} --")
             self.assertLessEqual({word for word in shown if word != "--op"}, set(offered) | {
-                # Named in texts of others.
+                # Named in the texts of other options.
                 "--list", "--picture", "--out", "--estimated", "--outcomes", "--json"}, name)
         offered = {word.split("=")[0] for word in self.bash("dollytrack sweep --set ")}
         sections = json.loads(run(self.program, "params", "--json").stdout)
@@ -204,7 +205,7 @@ class Completions(InstalledCase):
                        {"PS1": "> ", "TERM": "dumb", "PATH": f"{self.program.parent}:/usr/bin:/bin",
                         "INPUTRC": "/dev/null", "HOME": str(self.folder)})
         os.write(terminal, f". {script}\n".encode())
-        # Each Tab completes; Enter runs the line, whose words come back from echo.
+        # Each Tab completes; Enter runs the line, and echo returns its words.
         os.write(terminal, b"dollytrack() { echo \"<$*>\"; }\n")
         os.write(terminal, b"dollytrack sw\troom.glb --met\tx --set max_fram\t7 --set loop=tr\t\n")
         os.write(terminal, b"exit\n")

@@ -1,5 +1,5 @@
-"""dollytrack.Dataset against OpenCV, the COCO file and PyTorch, on an export of the command line; it
-must never load the engine."""
+"""Compares dollytrack.Dataset with OpenCV, the COCO file and PyTorch, on an export of the command
+line; it must never load the engine."""
 import importlib.util
 import json
 import shutil
@@ -20,7 +20,8 @@ READ = ["rgb", "depth", "instance", "semantic", "normal_camera", "normal_world",
 
 
 def encoded(pixels, filters):
-    """A PNG file of the pixels, line by line with these filters, by the format's own rules."""
+    """A PNG file of the pixels with these filters, one per line, written by the rules of the
+    format."""
     height, width = pixels.shape[:2]
     lines = pixels.astype(">u2").view(np.uint8) if pixels.dtype == np.uint16 else pixels
     lines = lines.reshape(height, -1).astype(int)

@@ -1,5 +1,5 @@
-"""The Python module against the command line, against files that OpenCV reads, and against geometry
-that is known."""
+"""Compares the Python module with the command line, with files that OpenCV reads, and with known
+geometry."""
 import gc
 import importlib.util
 import inspect
@@ -145,7 +145,7 @@ class EngineTest(FolderCase):
         self.assertEqual(plan.parameters["constraints"]["loop"], True)
 
     def test_an_explanation_says_what_helps(self):
-        # As the command line has it with --explain.
+        # The same output as of the command line with --explain.
         settings = {"max_pitch_deg": 0.0, "min_pitch_deg": -5.0, "max_frames": 2}
         plan = self.scene.plan(**settings)
         printed = json.loads(run("plan", self.room, "--explain", "--json", *[

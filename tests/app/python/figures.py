@@ -1,6 +1,6 @@
-"""Prints how fast dollytrack.Dataset reads, against OpenCV reading the same PNG files alone: of each
-frame the best of seven times, both in turn. Usage: figures.py PROGRAM MODULE DATASET. Run by hand:
-times decide no test."""
+"""Prints how fast dollytrack.Dataset reads, compared with OpenCV reading only the same PNG files:
+the best of seven times per frame, both in turn. Usage: figures.py PROGRAM MODULE DATASET. Run by
+hand: times do not decide a test."""
 import sys
 import time
 

@@ -1,6 +1,6 @@
-"""Wrong arguments of every kind, to every function of the Python module: each is taken or refused with
-an exception of its own; the interpreter never crashes. Runs in a process of its own, with a fixed seed;
---long tries more."""
+"""Wrong arguments of every kind for every function of the Python module: each is accepted or
+refused with a documented exception; the interpreter never crashes. Runs in a separate process with
+a fixed seed; --long tries more."""
 import sys
 import unittest
 
@@ -150,7 +150,7 @@ print("sound", refused, taken)
 class FuzzTest(FolderCase):
     def test_wrong_arguments_never_crash_the_interpreter(self):
         tiny_room.write(self.folder / "room.obj")
-        inner = self.folder / "a" / "b" / "c"  # what leads upwards stays within
+        inner = self.folder / "a" / "b" / "c"  # paths with ".." stay inside the folder
         inner.mkdir(parents=True)
         process = start_python(FUZZ, self.folder / "room.obj", inner, 20_000 if LONG else 600,
                                cwd=inner)

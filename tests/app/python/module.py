@@ -1,4 +1,5 @@
-"""What the tests of the Python module share. Arguments: the program, the folder with the module."""
+"""Functions that the tests of the Python module share. Arguments: the program, the folder with the
+module."""
 import pathlib
 import signal
 import subprocess
@@ -19,14 +20,14 @@ SET = [word for name, value in SIZE.items() for word in ("--set", f"{name}={valu
 
 
 def start_python(code, *arguments, **options):
-    """Another interpreter that runs the code, with the module."""
+    """Starts another interpreter that runs the code, with the module on its path."""
     prelude = f"import sys; sys.path.insert(0, {MODULE!r})\n"
     return subprocess.Popen([sys.executable, "-c", prelude + code, *map(str, arguments)],
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
 
 
 def interrupt_when(process, line):
-    """Ctrl-C when it has printed the line; what it printed then, and its exit code."""
+    """Sends Ctrl-C when it has printed the line; returns its further output and its exit code."""
     for printed in process.stdout:
         if printed.strip() == line:
             process.send_signal(signal.SIGINT)

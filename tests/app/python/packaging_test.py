@@ -1,4 +1,4 @@
-"""pip installs the module into a virtual environment, without network, and it works from there."""
+"""pip installs the module into a virtual environment without network, and it works there."""
 import os
 import pathlib
 import subprocess

@@ -1,4 +1,4 @@
-"""The package's types: mypy finds nothing wrong, and _core.pyi says what the extension has."""
+"""The package's types: mypy finds no error, and _core.pyi matches the extension."""
 import ast
 import pathlib
 import re
@@ -22,7 +22,7 @@ class TypingTest(unittest.TestCase):
             user = pathlib.Path(cache) / "user.py"
             user.write_text("import dollytrack as dt\n"
                             "plan: dt.Plan = dt.load('room.glb').plan(fill=0.6)\n"
-                            "name: str = dt.Dataset('x')[0].index\n")  # wrong, and has to be found
+                            "name: str = dt.Dataset('x')[0].index\n")  # wrong, and must be found
             done = subprocess.run(["mypy", "--strict", "--cache-dir", cache, PACKAGE],
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout)
