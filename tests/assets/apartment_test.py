@@ -1,4 +1,4 @@
-"""Checks the committed apartment by reading the file itself, not through its generator.
+"""Checks the committed apartment by reading the file directly, independently of its generator.
 
     /usr/bin/python3 tests/assets/apartment_test.py            the file and its answer sheet
     /usr/bin/python3 tests/assets/apartment_test.py --remake   also that the program makes them
@@ -17,7 +17,7 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "assets" / "scenes"
 REMAKE = "--remake" in sys.argv
-# Soft or pierced supports: what lies on them has no flat contact to measure.
+# Soft or perforated supports: objects on them have no flat contact to measure.
 SOFT = {"sofa", "sofa_2", "armchair_2", "bed", "fruit_bowl", "lemon_bowl", "umbrella_stand"}
 
 
@@ -60,7 +60,7 @@ def corners(parts):
 
 
 def heights_over(triangles, x, y):
-    """Where an upright line through (x, y) meets the triangles."""
+    """Heights at which a vertical line through (x, y) hits the triangles."""
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     area = (b[:, 1] - c[:, 1]) * (a[:, 0] - c[:, 0]) + (c[:, 0] - b[:, 0]) * (a[:, 1] - c[:, 1])
     a, b, c, area = (v[np.abs(area) > 1e-12] for v in (a, b, c, area))
@@ -102,7 +102,8 @@ class Apartment(unittest.TestCase):
                 face = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
                 mean = normals[triangles].sum(axis=1)
                 against = np.sum(face * mean, axis=1) < 0
-                # Upholstery's seams may bend a normal past its triangle; not whole surfaces.
+                # At the seams of upholstery a normal may point away from its triangle, but not on
+                # whole surfaces.
                 self.assertLess(
                     np.linalg.norm(face[against], axis=1).sum(),
                     0.02 * np.linalg.norm(face, axis=1).sum(),

@@ -1,10 +1,10 @@
-"""Makes README's gallery: rooms as they are drawn and as they are path traced, beside each other.
+"""Makes the gallery of the README: rasterized and path traced images of rooms side by side.
 
 Usage: gallery.py PROGRAM OUT.jpg NAME=SCENE...
 
-PROGRAM is dollytrack; picture_agreement lies beside it. Of each scene a contact sheet of two frames
-is made, those of either half of the way that show the most of its things: drawn above, path traced
-below. Prints how alike these are."""
+PROGRAM is dollytrack; picture_agreement lies beside it. For each scene, makes a sheet of two
+frames, one from each half of the path, that show most of its objects: rasterized above, path traced
+below. Prints how similar these are."""
 import csv
 import pathlib
 import subprocess
@@ -28,12 +28,12 @@ def run(*command):
 
 
 def best_frames(dataset):
-    """Numbers of the frames, of either half of them, whose things take most of the picture."""
+    """For each half of the frames, the number of the frame whose objects fill most of the image."""
     shown = {}
     with open(dataset / "instances.csv", newline="") as rows:
         for row in csv.DictReader(rows):
             frame = int(row["frame"])
-            # A thing that fills the picture counts no more than one of a tenth of it.
+            # An object counts with at most a tenth of the image.
             part = min(float(row["visible_px"]) / (WIDTH * HEIGHT), 0.1)
             shown[frame] = shown.get(frame, 0.0) + part
     frames = sorted(shown)
@@ -50,7 +50,7 @@ def caption(width, text):
 
 
 def room(program, name, scene, folder):
-    """The room's pictures, drawn and path traced."""
+    """The rasterized and the path traced images of the room."""
     project = folder / "room.dolly"
     run(program, "-q", "plan", scene, "-o", project, "--max-frames", 60, *SIZE)
     look = folder / "look"

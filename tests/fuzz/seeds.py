@@ -1,4 +1,4 @@
-"""Small sound inputs for the fuzzers to begin with. Usage: seeds.py FOLDER"""
+"""Writes small valid inputs as seeds for the fuzzers. Usage: seeds.py FOLDER"""
 import json
 import pathlib
 import struct

@@ -1,4 +1,4 @@
-"""NumPy, h5py and OpenCV open the files of values: they are those of the images."""
+"""NumPy, h5py and OpenCV open the array files, whose values equal those of the images."""
 import json
 import unittest
 

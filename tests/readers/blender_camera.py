@@ -1,4 +1,4 @@
-"""Run inside Blender: imports a .glb and writes where its animated camera is, as JSON.
+"""Run inside Blender: imports a .glb and writes the poses of its animated camera as JSON.
 
 blender -b --factory-startup --python blender_camera.py -- GLB OUT.json WIDTH HEIGHT TIME...
 """

@@ -1,4 +1,4 @@
-"""Blender imports trajectory.glb: the camera is where the frames are."""
+"""Blender imports trajectory.glb: its camera has the poses of the frames."""
 import json
 import pathlib
 import tempfile

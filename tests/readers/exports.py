@@ -1,4 +1,4 @@
-"""The datasets that all readers are given, and what they need to judge them."""
+"""The datasets for all readers, and functions to check the results."""
 import collections
 import csv
 import functools
@@ -25,14 +25,14 @@ def dollytrack(*arguments):
 @functools.cache
 def project():
     path = pathlib.Path(FOLDER.name) / "apartment.dolly"
-    # A slow walk, as someone who maps a room would take.
+    # A slow walk, as for mapping a room.
     dollytrack("plan", APARTMENT, "-o", path, "--set", "motion_preset=easy",
                "--set", "frame_rate=15")
     return path
 
 
 class Dataset:
-    """An exported folder: its card, its poses, its images' intrinsics."""
+    """An exported folder: its dataset.json, its poses, the intrinsics of its images."""
 
     def __init__(self, name, *arguments):
         self.folder = pathlib.Path(FOLDER.name) / name
@@ -61,13 +61,14 @@ class Dataset:
 
 @functools.cache
 def walk():
-    """Fifty frames, some 12 cm apart: for all that reconstructs."""
+    """Fifty frames about 12 cm apart, for programs that reconstruct."""
     return Dataset("walk", "--range", "0:400:8")
 
 
 @functools.cache
 def film():
-    """Frames as a video has them, some 2 cm apart, about the frame of the walk that shows most objects."""
+    """Frames about 2 cm apart, as in a video, around the frame of the walk that shows most
+    objects."""
     with open(walk().folder / "instances.csv", newline="") as table:
         shown = collections.Counter(row["frame"] for row in csv.DictReader(table)
                                     if float(row["visible_fraction"]) > 0)
@@ -87,7 +88,7 @@ def angle_deg(matrix):
 
 
 def missing(what, package):
-    """Skips, or fails where every reader has to be there."""
+    """Skips the test if the reader is missing, or fails it where every reader is required."""
     message = f"{what} is missing: install {package}"
     if os.environ.get("DOLLYTRACK_REQUIRE_READERS") == "1":
         raise AssertionError(message)
@@ -100,7 +101,7 @@ def need_program(name, package):
 
 
 def call(*command, **options):
-    """Runs a reader; its output, or an assertion that shows it."""
+    """Runs a reader; returns its output, or fails with it."""
     done = subprocess.run([*map(str, command)], capture_output=True, text=True,
                           env={**os.environ, "QT_QPA_PLATFORM": "offscreen"}, **options)
     assert done.returncode == 0, f"{command}\n{done.stdout[-3000:]}{done.stderr[-3000:]}"

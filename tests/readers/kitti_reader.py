@@ -1,4 +1,4 @@
-"""OpenCV's reader of KITTI's odometry finds our pictures, times, lenses and poses."""
+"""OpenCV's reader of KITTI's odometry finds our images, times, intrinsics and poses."""
 import json
 import pathlib
 import tempfile
@@ -44,11 +44,11 @@ class KittiOdometry(unittest.TestCase):
             expected = first @ self.data.pose(i)
             np.testing.assert_allclose(np.reshape(row, (3, 4)), expected[:3], atol=1e-6)
             moved = max(moved, np.linalg.norm(expected[:3, 3]))
-        self.assertGreater(moved, 1.0)  # or an empty walk would do
+        self.assertGreater(moved, 1.0)  # otherwise an empty walk would pass
 
     def test_projections_find_a_pixel_in_both_pictures(self):
-        """The place that a pixel's depth tells lies, by P2 and P3, on the pixel and as far left of it
-        in the right picture as the disparity says."""
+        """The point given by a pixel's depth projects by P2 onto the pixel, and by P3 into the
+        right image, as far to the left as the disparity says."""
         import cv2
         data, checked = self.data, 0
         left, right = (np.reshape(self.sequence["projections"][i], (3, 4)) for i in (2, 3))
@@ -60,7 +60,7 @@ class KittiOdometry(unittest.TestCase):
                     continue
                 place = depth[v, u] * np.array([(u + 0.5 - data.cx) / data.fx,
                                                 (v + 0.5 - data.cy) / data.fy, 1])
-                # Depth comes in whole millimetres.
+                # Depth is in integer millimetres.
                 off = 0.01 + 0.0006 * disparity[v, u] / depth[v, u]
                 for matrix, column in [(left, u), (right, u - disparity[v, u])]:
                     seen = matrix @ np.append(place, 1)

@@ -1,4 +1,4 @@
-"""OpenCV paints the labels of every format: they are the instance image again."""
+"""OpenCV paints the labels of every format; the result must be the instance image."""
 import json
 import unittest
 
@@ -22,7 +22,7 @@ class Labels(unittest.TestCase):
         return cv2.imread(self.data.file("instance", index), cv2.IMREAD_UNCHANGED)
 
     def paint(self, polygons):
-        """Pixels whose centres are inside any: corners are on a grid four times as fine."""
+        """Pixels whose centres are inside any polygon; corners are on a grid four times as fine."""
         fine = np.zeros((4 * self.data.height, 4 * self.data.width), np.uint8)
         for polygon in polygons:
             # The outline itself counts as inside for OpenCV: the centres are two steps away.
@@ -45,7 +45,7 @@ class Labels(unittest.TestCase):
             self.assertEqual(mask.sum(), annotation["area"])
             painted = self.paint(annotation["segmentation"]) == 1
             self.assertTrue(painted[mask].all())
-            # More than the mask is only what the mask encloses.
+            # The polygons may only add pixels that the mask encloses.
             outside = cv2.copyMakeBorder(mask.astype(np.uint8), 1, 1, 1, 1, cv2.BORDER_CONSTANT)
             cv2.floodFill(outside, None, (0, 0), 2, flags=4)
             self.assertFalse(((outside[1:-1, 1:-1] == 2) & painted).any())

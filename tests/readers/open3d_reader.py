@@ -1,4 +1,4 @@
-"""Open3D fuses our depth with our poses: the room comes out where it is."""
+"""Open3D fuses our depth images with our poses; the result must match the room."""
 import json
 import struct
 import unittest
@@ -12,7 +12,7 @@ VOXEL_M = 0.015
 
 
 def triangles(path):
-    """Corners and indices of every mesh in a .glb, z up."""
+    """Vertices and indices of every mesh in a .glb, z up."""
     data = path.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
     root, binary = json.loads(data[20:20 + length]), data[28 + length:]
@@ -41,9 +41,9 @@ class Open3d(unittest.TestCase):
         cls.data = exports.walk()
 
     def fused(self):
-        """The surface from the pictures and poses of the TUM lists."""
+        """The surface fused from the images and poses of the TUM lists."""
         data = self.data
-        # Its pixel centres are whole numbers.
+        # Open3D's pixel centres have integer coordinates.
         lens = o3d.camera.PinholeCameraIntrinsic(data.width, data.height, data.fx, data.fy,
                                                  data.cx - 0.5, data.cy - 0.5)
         fusion = o3d.pipelines.integration

@@ -1,11 +1,11 @@
-"""OpenCV's RGB-D odometry follows our poses from our pictures."""
+"""OpenCV's RGB-D odometry recovers our poses from our images."""
 import unittest
 
 import numpy as np
 
 import exports
 
-MAX_ERROR_M, MAX_ERROR_DEG = 0.005, 0.2  # of the median step, some 17 mm long
+MAX_ERROR_M, MAX_ERROR_DEG = 0.005, 0.2  # of the median step, about 17 mm long
 
 
 class OpenCv(unittest.TestCase):
@@ -39,6 +39,6 @@ class OpenCv(unittest.TestCase):
             turned.append(exports.angle_deg(error) if found else np.inf)
         print(f"\nOpenCV: a step is {1000 * np.median(moved):.1f} mm and "
               f"{np.median(turned):.2f} degrees off")
-        # Where nothing but a plain wall is seen, odometry cannot know how far it went along it.
+        # Where only a plain wall is visible, odometry cannot determine the motion along it.
         self.assertLess(np.median(moved), MAX_ERROR_M)
         self.assertLess(np.median(turned), MAX_ERROR_DEG)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Programs of other people open what Dollytrack exports, and find in it what is true.
+"""Third-party programs open Dollytrack's exports and must find the true values.
 
 Usage: readers_test.py PROGRAM APARTMENT [unittest arguments]
        readers_test.py PROGRAM APARTMENT colmap_reader      one of them

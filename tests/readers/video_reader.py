@@ -1,10 +1,10 @@
-"""ffprobe and OpenCV read preview.mp4: as many frames as the dataset, and the same."""
+"""ffprobe and OpenCV read preview.mp4, which has the same frames as the dataset."""
 import json
 import unittest
 
 import exports
 
-MIN_PSNR = 28.0  # dB; two different frames have some 15
+MIN_PSNR = 28.0  # dB; two different frames have about 15
 
 
 class Video(unittest.TestCase):
