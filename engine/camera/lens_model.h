@@ -18,6 +18,7 @@ struct LensRay {
 
 /// Projection of a rig camera. Image positions are in px from the image's top left corner; the
 /// centre of pixel (0, 0) is at (0.5, 0.5), and the axis is in the image's centre.
+///
 /// - pinhole: x = f X/Z + w/2, with f from the field of view across the width;
 /// - fisheye: r = f (t + k1 t^3 + k2 t^5 + k3 t^7 + k4 t^9), with the angle t from the axis and the
 ///   distance r from the image's centre (Kannala and Brandt 2006, OpenCV's fisheye module);

@@ -1,7 +1,9 @@
 // How similar the images of two datasets are: rasterized and path traced images of the same frames.
-// Usage: picture_agreement DATASET REFERENCE [SIDE_BY_SIDE.png]  For each frame and in the mean:
-// SSIM of the luma (Wang et al. 2004: 11 x 11 Gaussian of 1.5 px), and on the scale 0..255 the mean
-// absolute difference and how much brighter the first image is.
+//
+// Usage: picture_agreement DATASET REFERENCE [SIDE_BY_SIDE.png]
+//
+// For each frame and in the mean: SSIM of the luma (Wang et al. 2004: 11 x 11 Gaussian of 1.5 px),
+// and on the scale 0..255 the mean absolute difference and how much brighter the first image is.
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
