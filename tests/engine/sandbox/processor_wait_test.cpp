@@ -80,6 +80,9 @@ bool isAsleep(pid_t process) {
 // time limit, because on a busy machine samples may be late.
 TEST(ProcessorWait, IsWhatOthersTook) {
     if (!kernelCounts()) GTEST_SKIP() << "the kernel does not count it";
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "ThreadSanitizer's own thread runs in the idle process";
+#endif
     const int processor = anyProcessor();
     const Child one(processor, true);
     const Child two(processor, true);
