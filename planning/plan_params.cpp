@@ -1,5 +1,8 @@
 #include "planning/plan_params.h"
 
+#include "engine/camera/intrinsics.h"
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace dollytrack::planning {
@@ -52,6 +55,10 @@ void applyCameraPreset(PlanParams& params) {
     }
 }
 
+double sharpWithin_m(const PlanParams& params) {
+    return 1e-3 * params.coverage.surface_mm_px * makeIntrinsics(params.camera).fx;
+}
+
 Status validate(const PlanParams& params) {
     if (Status status = validate(params.camera); !status) return status;
     const FreeSpaceParams& band = params.free_space;
@@ -77,6 +84,17 @@ Status validate(const PlanParams& params) {
     if (body.body == BodyShape::Cylinder && body.body_height_m <= body.max_step_m) {
         return fail(ErrorCode::Usage, "The cylinder's top must be above max_step_m.",
                     "body_height_m");
+    }
+    if (asksForSurface(params)) {
+        const double sharp_m = sharpWithin_m(params);
+        if (sharp_m <= params.camera.camera_radius_m) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("A pixel is {:g} mm wide at {:.2f} m, nearer than "
+                                    "camera_radius_m lets the camera come; raise surface_mm_px or "
+                                    "the resolution.",
+                                    params.coverage.surface_mm_px, sharp_m),
+                        "surface_mm_px");
+        }
     }
     if (body.heading == Heading::Along && params.shake.shake != ShakeKind::None) {
         return fail(ErrorCode::Usage,

@@ -354,6 +354,34 @@ void visitConstraintParams(Params& p, Visitor&& visit) {
                      "exported to its own folder"});
 }
 
+/// The purpose of the key frames: good views of the objects, coverage of all surface, or both.
+enum class Objective { Objects, Surface, Both };
+
+/// Purpose of the key frames, and how surface shall be seen.
+struct CoverageParams {
+    Objective objective = Objective::Objects;
+    int surface_directions = 3;
+    double surface_mm_px = 10.0;
+    bool operator==(const CoverageParams&) const = default;
+};
+
+template <class Params, class Visitor>
+void visitCoverageParams(Params& p, Visitor&& visit) {
+    visit("objective", p.objective,
+          ChoiceInfo{{"objects", "surface", "both"},
+                     "What key frames are for: objects: good views of each object; surface: all "
+                     "surface that can be seen, for reconstruction and mapping; both: objects "
+                     "first, then the surface that their views do not cover"});
+    visit("surface_directions", p.surface_directions,
+          FieldInfo{1, 8, "",
+                    "With objective=surface or both: directions, at least 15 degrees apart, from "
+                    "which each piece of surface shall be seen"});
+    visit("surface_mm_px", p.surface_mm_px,
+          FieldInfo{0.1, 1000, "mm",
+                    "With objective=surface or both: largest width of a pixel on the surface, "
+                    "measured across the line of sight"});
+}
+
 /// All parameters of a plan and of the images rendered from it. Field names are unique across the
 /// sections.
 struct PlanParams {
@@ -361,6 +389,7 @@ struct PlanParams {
     CameraParams camera;
     FreeSpaceParams free_space;
     ConstraintParams constraints;
+    CoverageParams coverage;
     TargetParams targets;
     ViewpointParams viewpoints;
     RoadmapParams roadmap;
@@ -391,6 +420,8 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
     visitFreeSpaceParams(p.free_space, visit);
     section("constraints");
     visitConstraintParams(p.constraints, visit);
+    section("coverage");
+    visitCoverageParams(p.coverage, visit);
     section("targets");
     visitTargetParams(p.targets, visit);
     section("viewpoints");
@@ -435,6 +466,14 @@ void visitPlanParams(Params& p, Section&& section, Visitor&& visit) {
 /// Sets the body, camera radius, height band, pitch band and shake kind to the values of
 /// params.body.camera_preset.
 void applyCameraPreset(PlanParams& params);
+
+/// The distance at which a pixel is surface_mm_px wide across the line of sight, m.
+[[nodiscard]] double sharpWithin_m(const PlanParams& params);
+
+/// Whether the objective includes surface.
+[[nodiscard]] inline bool asksForSurface(const PlanParams& params) {
+    return params.coverage.objective != Objective::Objects;
+}
 
 /// Checks constraints between fields. Error: Usage, naming the field.
 Status validate(const PlanParams& params);

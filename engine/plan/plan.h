@@ -68,6 +68,19 @@ struct RegionCoverage {
     }
 };
 
+/// What the frames show of all surface that is visible from where the camera may be, in patches.
+struct SurfaceShare {
+    double patch_m = 0.0;  // edge of a patch
+    int patches = 0;
+    int seen = 0;       // by some frame
+    int covered = 0;    // from the directions and at the resolution asked for
+    int coverable = 0;  // so, from the positions that were tried
+    /// Share of the patches, 0..1; 0 without any.
+    [[nodiscard]] double rateOf(int count) const {
+        return patches > 0 ? static_cast<double>(count) / patches : 0.0;
+    }
+};
+
 /// What joins or opens rooms and is visited for its own sake, of one kind.
 struct AnchorTally {
     std::string kind;  // "doorways", "openings", "corridors", as the parameter has it
@@ -112,6 +125,7 @@ struct Plan {
     TrajectoryMetrics trajectory_metrics;
     RepairReport repair;
     std::vector<RegionCoverage> must_see;
+    std::optional<SurfaceShare> surface;  // if the objective includes surface
     std::vector<AnchorTally> anchors;  // one a kind that is asked for
     std::vector<LedgerRow> ledger;     // one a target, ordered by id
     std::vector<RefusedPin> refused_pins;

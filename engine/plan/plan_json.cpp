@@ -189,6 +189,14 @@ json metricsJson(const Scene& scene, const Plan& plan) {
             {{"kind", one.kind}, {"found", one.found}, {"visited", one.visited}});
     }
     result["must_see_rate"] = least;  // 1 if there is no must-see region
+    if (plan.surface) {
+        const SurfaceShare& surface = *plan.surface;
+        result["surface_seen_rate"] = surface.rateOf(surface.seen);
+        result["surface_covered_rate"] = surface.rateOf(surface.covered);
+        result["surface_coverable_rate"] = surface.rateOf(surface.coverable);
+        result["surface_patches"] = surface.patches;
+        result["surface_patch_m"] = surface.patch_m;
+    }
     if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
     if (plan.scanned_share) result["scanned_share"] = *plan.scanned_share;
     return result;
@@ -303,6 +311,7 @@ json resultJson(const Scene& scene, const Plan& plan) {
         one["captured"] = names(scene, point.captured);
         if (point.pin >= 0) one["pin"] = point.pin;
         if (point.room_view) one["room_view"] = true;
+        if (point.surface_view) one["surface_view"] = true;
         result["position_points"].push_back(std::move(one));
     }
     result["key_frames"] = plan.key_frames;

@@ -25,14 +25,6 @@ constexpr std::size_t kPlacesTried = 16;  // candidates, those that see most mis
                                           // new view
 constexpr std::size_t kAimsTried = 24;
 
-bool inImage(const ViewEstimator& views, const Pose& pose, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d p = pose.toCamera(point);
-    if (p.z() < views.nearDistance()) return false;
-    const Intrinsics& k = views.intrinsics();
-    const Eigen::Vector2d px = k.project(p);
-    return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < k.width && px.y() < k.height;
-}
-
 /// Random legal camera positions near the region.
 std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const OrientedBox& box,
                                         double farthest_m) {
@@ -145,7 +137,7 @@ class Covering {
         const auto& patches = result_.surface.patches;
         std::vector<int> shown;
         for (std::size_t p = 0; p < patches.size(); ++p) {
-            if (wanted_[p] != 0 && inImage(views_, pose, patches[p].point) &&
+            if (wanted_[p] != 0 && views_.inImage(pose, patches[p].point) &&
                 sight.reaches(pose.position, patches[p])) {
                 shown.push_back(static_cast<int>(p));
             }
@@ -197,7 +189,7 @@ class Covering {
             Tried one{0, aim(places_[place], at, around_.pitch)};
             for (const int p : list) {
                 one.shown +=
-                    inImage(views_, one.pose, patches[static_cast<std::size_t>(p)].point) ? 1 : 0;
+                    views_.inImage(one.pose, patches[static_cast<std::size_t>(p)].point) ? 1 : 0;
             }
             if (one.shown > best.shown) best = one;
         }
@@ -262,7 +254,7 @@ Result<std::vector<RegionCoverage>> measureCoverage(const std::vector<MustSee>& 
         parallelFor(patches.size(), [&](std::size_t p) {
             for (const TrajectoryFrame* frame : frames) {
                 if (job.cancelled()) return;
-                if (inImage(views, frame->pose, patches[p].point) &&
+                if (views.inImage(frame->pose, patches[p].point) &&
                     sight.reaches(frame->pose.position, patches[p])) {
                     seen[p] = 1;
                     break;

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t kMostPatches = 6000;
 constexpr double kLeastPixels = 8.0;
-// A ray that ends this close before the patch still counts as reaching it.
-constexpr double kReached_m = 0.01;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
@@ -87,16 +85,25 @@ SurfacePatches patchesIn(const Scene& scene, const OrientedBox& box, double spac
     return found;
 }
 
-PatchSight::PatchSight(const RayCaster& rays, const Intrinsics& intrinsics, double spacing_m)
-    : rays_(rays), farthest_m_(spacing_m * intrinsics.fx / kLeastPixels) {}
+PatchSight::PatchSight(const RayCaster& rays, const SightRules& rules)
+    : rays_(rays), rules_(rules) {}
 
-bool PatchSight::reaches(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
+PatchSight::PatchSight(const RayCaster& rays, const Intrinsics& intrinsics, double spacing_m)
+    : PatchSight(rays, {.farthest_m = spacing_m * intrinsics.fx / kLeastPixels}) {}
+
+bool PatchSight::faces(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
     const Eigen::Vector3d way = patch.point - from;
     const double distance = way.norm();
-    if (distance > farthest_m_ || distance < 1e-6) return false;
-    const Eigen::Vector3d direction = way / distance;
-    if (std::abs(direction.dot(patch.normal)) < kFlattestSightCosine) return false;
-    return rays_.cast(from, direction, distance - kReached_m).object_id == 0;
+    if (distance > rules_.farthest_m || distance < 1e-6) return false;
+    const double cosine = -(way / distance).dot(patch.normal);
+    return (rules_.two_sided ? std::abs(cosine) : cosine) >= rules_.flattest_cosine;
+}
+
+bool PatchSight::reaches(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
+    if (!faces(from, patch)) return false;
+    const Eigen::Vector3d way = patch.point - from;
+    const double distance = way.norm();
+    return rays_.cast(from, way / distance, distance - kReached_m).object_id == 0;
 }
 
 }  // namespace dollytrack::planning

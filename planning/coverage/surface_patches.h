@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace dollytrack {
@@ -33,19 +34,33 @@ SurfacePatches patchesIn(const Scene& scene, const OrientedBox& box, double spac
 /// as seen.
 inline constexpr double kFlattestSightCosine = 0.17364817766693036;
 
-/// Visibility of patches from a point, for any viewing direction: the line of sight is free, meets
-/// the surface within 80 degrees of its normal, and the patch is large enough in the image.
+/// The positions from which a patch counts as seen.
+struct SightRules {
+    double farthest_m = std::numeric_limits<double>::infinity();
+    double flattest_cosine = kFlattestSightCosine;  // of line of sight and normal
+    bool two_sided = true;                          // else only from the side of the normal
+};
+
+/// Visibility of patches from a point, for any viewing direction: the line of sight is free and
+/// keeps to the rules.
 class PatchSight {
   public:
-    /// A patch must be at least 8 pixels wide in an image of these intrinsics.
+    PatchSight(const RayCaster& rays, const SightRules& rules);
+    /// A patch must be at least 8 pixels wide in an image of these intrinsics; it is seen within 80
+    /// degrees of its normal, from both sides.
     PatchSight(const RayCaster& rays, const Intrinsics& intrinsics, double spacing_m);
 
+    /// Whether a view keeps to the rules, if nothing is in between.
+    [[nodiscard]] bool faces(const Eigen::Vector3d& from, const SurfacePatch& patch) const;
     [[nodiscard]] bool reaches(const Eigen::Vector3d& from, const SurfacePatch& patch) const;
-    [[nodiscard]] double farthest_m() const { return farthest_m_; }
+    [[nodiscard]] double farthest_m() const { return rules_.farthest_m; }
+
+    /// A line of sight that ends this close before a patch, m, still reaches it.
+    static constexpr double kReached_m = 0.01;
 
   private:
     const RayCaster& rays_;
-    double farthest_m_;
+    SightRules rules_;
 };
 
 }  // namespace dollytrack::planning

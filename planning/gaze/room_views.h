@@ -6,7 +6,7 @@ namespace dollytrack::planning {
 
 struct PlanParams;
 
-/// Whether room views are wanted (view_mix above 0) and possible: a tour with free heading, without
+/// Whether room views are wanted (view_mix above 0, and objects are an objective) and possible: a tour with free heading, without
 /// max_length_m and without a kept frame rate (see keepsFrameRate).
 [[nodiscard]] bool asksForRoomViews(const PlanParams& params);
 

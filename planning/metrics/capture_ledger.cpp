@@ -48,7 +48,7 @@ double movedBySmoothing(const Plan& plan, int point) {
 class RowMaker {
   public:
     RowMaker(const Scene& scene, const Plan& plan, const ObjectCapture& capture,
-             const std::string& left_out_for)
+             const LeftOutFor& left_out_for)
         : scene_(scene), plan_(plan), capture_(capture), left_out_for_(left_out_for) {}
 
     LedgerRow make() {
@@ -92,8 +92,9 @@ class RowMaker {
         if (furthest < 0) return false;
         switch (how_far) {
             case Reached::Found:
-                // Key frames are chosen to keep every capture; only a budget drops some.
-                lose(Loss::OverBudget, "Its key frame was dropped to keep within max_frames.");
+                // Key frames of objects are chosen to keep every capture; only a budget drops some.
+                lose(Loss::OverBudget,
+                     fmt::format("Its key frame was dropped {}.", left_out_for_.key_frames));
                 break;
             case Reached::KeyFrame:
                 lostBeforePath(furthest);
@@ -116,7 +117,7 @@ class RowMaker {
                         [&](const SmoothPath& path) { return path.component == part; });
         if (visited) {
             lose(Loss::DroppedByPath,
-                 fmt::format("Its key frame was left out of the path {}.", left_out_for_));
+                 fmt::format("Its key frame was left out of the path {}.", left_out_for_.path));
         } else {
             lose(Loss::OtherComponent,
                  fmt::format("Its key frame is in room {}, which no path visits.", part + 1));
@@ -205,14 +206,14 @@ class RowMaker {
     const Scene& scene_;
     const Plan& plan_;
     const ObjectCapture& capture_;
-    const std::string& left_out_for_;
+    const LeftOutFor& left_out_for_;
     LedgerRow row_;
 };
 
 }  // namespace
 
 std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan,
-                                     const std::string& left_out_for) {
+                                     const LeftOutFor& left_out_for) {
     std::vector<LedgerRow> ledger;
     for (const ObjectCapture& capture : plan.captures) {
         ledger.push_back(RowMaker(scene, plan, capture, left_out_for).make());

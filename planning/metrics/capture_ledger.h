@@ -7,12 +7,16 @@
 
 namespace dollytrack::planning {
 
+/// Reasons for views that were found but left out, as phrases.
+struct LeftOutFor {
+    std::string path = "because no collision-free path to it was found";  // not on a path
+    std::string key_frames = "to keep within max_frames";                 // no key frame
+};
+
 /// One row per target of a measured plan: how it is captured or, if not captured well, the stage at
 /// which that was lost and why. Uses the plan only, without new estimates; findRemedies() searches
-/// for what would help. `left_out_for` is the reason given for key frames that are not on a path,
-/// for example "to keep to max_length_m".
-std::vector<LedgerRow> captureLedger(
-    const Scene& scene, const Plan& plan,
-    const std::string& left_out_for = "because no collision-free path to it was found");
+/// for what would help.
+std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan,
+                                     const LeftOutFor& left_out_for = {});
 
 }  // namespace dollytrack::planning

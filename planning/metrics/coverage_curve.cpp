@@ -23,6 +23,10 @@ CoveragePoint pointOf(const Plan& plan, const PathParams& path, int max_frames) 
     point.well_captured = plan.capture_metrics.well_captured;
     point.capture_rate = plan.capture_metrics.capture_rate;
     point.well_captured_rate = plan.capture_metrics.well_captured_rate;
+    if (plan.surface) {
+        point.surface_seen_rate = plan.surface->rateOf(plan.surface->seen);
+        point.surface_covered_rate = plan.surface->rateOf(plan.surface->covered);
+    }
     return point;
 }
 

@@ -4,6 +4,7 @@
 #include "engine/jobs/job.h"
 #include "planning/plan_params.h"
 
+#include <optional>
 #include <vector>
 
 namespace dollytrack {
@@ -25,6 +26,8 @@ struct CoveragePoint {
     int well_captured = 0;
     double capture_rate = 0.0;
     double well_captured_rate = 0.0;
+    std::optional<double> surface_seen_rate;  // if the objective includes surface
+    std::optional<double> surface_covered_rate;
 };
 
 /// Captures against the budget of frames and of path length. Each curve ends at the plan's own

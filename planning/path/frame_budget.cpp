@@ -8,6 +8,14 @@
 
 namespace dollytrack::planning {
 
+int mostVisits(const PlanParams& params) {
+    if (params.body.heading == Heading::Free) return params.timing.max_frames;
+    // The key frame itself, turning to it and back, and two corners on the way to it.
+    constexpr int kFramesPerVisit = 7;
+    return params.timing.max_frames > 0 ? std::max(1, params.timing.max_frames / kFramesPerVisit)
+                                        : 0;
+}
+
 std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionPoint>& points,
                               const PathEnds& ends) {
     for (const int end : {ends.end, ends.start}) {

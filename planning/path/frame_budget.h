@@ -9,6 +9,10 @@
 namespace dollytrack::planning {
 
 struct PathParams;
+struct PlanParams;
+
+/// Largest number of key frames for the budget of frames; 0: no limit.
+[[nodiscard]] int mostVisits(const PlanParams& params);
 
 /// Drops key frames from the end of the list until `ends.visits` allows all. The given start and
 /// end are kept first. In a loop, the return to each room's first key frame counts as a visit.

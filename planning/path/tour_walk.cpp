@@ -48,9 +48,9 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         const PositionPoint& point = part.point(static_cast<int>(i));
         plan.shows.push_back(point.well_captured);
         plan.shows_less.push_back(point.captured);
-        if (point.fixed && point.pin < 0) {
-            // A constraint viewpoint, of a must-see region or an anchor, is worth as much as an
-            // object.
+        if ((point.fixed && point.pin < 0) || point.surface_view) {
+            // A constraint viewpoint, of a must-see region, an anchor or surface, is worth as much
+            // as an object.
             const int asked = -1 - part.keys[i];
             plan.shows.back().push_back(asked);
             plan.shows_less.back().push_back(asked);

@@ -1,7 +1,6 @@
 #include "planning/pipeline/pipeline.h"
 
 #include "engine/scene/move_object.h"
-#include "planning/metrics/capture_ledger.h"
 #include "planning/path/frame_budget.h"
 #include "planning/pipeline/pipeline_stages.h"
 #include "planning/timing/clip.h"
@@ -14,7 +13,7 @@ namespace dollytrack::planning {
 namespace {
 
 /// The reason for key frames that are not on the path, as a phrase.
-std::string leftOutFor(const PlanParams& params) {
+std::string leftOutOfPathFor(const PlanParams& params) {
     if (params.path.path_mode == PathMode::LongestBranch) {
         return "because path_mode=longest_branch follows only one branch of the tree";
     }
@@ -30,6 +29,13 @@ std::string leftOutFor(const PlanParams& params) {
                ? fmt::format("to keep within max_length_m={:g} with max_frames={}",
                              params.path.max_length_m, params.timing.max_frames)
                : fmt::format("to keep within max_length_m={:g}", params.path.max_length_m);
+}
+
+/// The reason for position points that are no key frames, as a phrase.
+std::string notChosenFor(const PlanParams& params) {
+    return params.coverage.objective == Objective::Surface
+               ? "because objective=surface chooses key frames for surface alone"
+               : LeftOutFor{}.key_frames;
 }
 
 }  // namespace
@@ -68,7 +74,8 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.capture_metrics = summarize(*scene, plan.captures);
     plan.trajectory_metrics = metrics->trajectory;
     plan.repair = metrics->repair;
-    plan.must_see = metrics->must_see;
+    plan.must_see = metrics->shown.must_see;
+    plan.surface = metrics->shown.surface;
     refusePinsOverBudget(edits, plan);
     plan.ledger = captureLedger(*scene, plan, left_out_for);
     return plan;
@@ -110,7 +117,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
         return tl::unexpected<Error>(std::move(status.error()));
     }
     stages_->times.clear();
-    stages_->left_out_for = leftOutFor(params);
+    stages_->left_out_for = {leftOutOfPathFor(params), notChosenFor(params)};
     return stages_->map(params, edits, job)
         .and_then([&] { return stages_->plan(params, edits, job, on_trajectory); })
         .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });

@@ -60,15 +60,6 @@ int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::st
     return -1;
 }
 
-/// Largest number of key frames for the budget of frames; 0: no limit.
-int mostVisits(const PlanParams& params) {
-    if (params.body.heading == Heading::Free) return params.timing.max_frames;
-    // The key frame itself, turning to it and back, and two corners on the way to it.
-    constexpr int kFramesPerVisit = 7;
-    return params.timing.max_frames > 0 ? std::max(1, params.timing.max_frames / kFramesPerVisit)
-                                        : 0;
-}
-
 }  // namespace
 
 Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
@@ -115,6 +106,19 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                        job.stage(0.4, 0.42, "views"), [&]() -> Result<ViewEstimator> {
                            return ViewEstimator(*scene, *rays, params.camera);
                        });
+        });
+}
+
+Result<Pipeline::Stages::Coverages> Pipeline::Stages::measureCoverages(
+    const Trajectory& trajectory, const JobContext& job) const {
+    if (!asks) return Coverages{};
+    return measureCoverage(asked->must_see, *views, trajectory, job)
+        .and_then([&](std::vector<RegionCoverage>&& must_see) -> Result<Coverages> {
+            if (!asked->surface) return Coverages{std::move(must_see), {}};
+            return measureSurface(*asked->surface, *views, trajectory, job)
+                .map([&](const SurfaceShare& surface) {
+                    return Coverages{std::move(must_see), surface};
+                });
         });
 }
 
@@ -262,14 +266,17 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
         .and_then([&]() -> Status {
             const std::vector<Region> must_see = mustSeeAmong(edits.regions);
             const bool room_views = asksForRoomViews(params);
-            asks = asksForRooms(params.constraints) || !must_see.empty() || room_views;
+            const bool surface = asksForSurface(params);
+            asks = asksForRooms(params.constraints) || !must_see.empty() || room_views || surface;
             if (!asks) return {};
             const JobContext part = job.stage(0.69, 0.7, "constraints");
             return run(
                 "constraints", asked,
                 std::tuple(placed.version(), rooms.version(), must_see, params.constraints.anchors,
                            params.constraints.rooms, room_views ? params.gaze : GazeParams{},
-                           room_views ? params.timing.max_frames : 0, room_views ? params.seed : 0),
+                           room_views || surface ? params.timing.max_frames : 0,
+                           room_views ? params.seed : 0,
+                           surface ? params.coverage : CoverageParams{}),
                 part, [&] {
                     return addConstraintViewpoints(
                         *placed, must_see, params,
@@ -292,9 +299,9 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
             return run(
                 "key_frames", key_frames,
                 std::tuple(pointsVersion(), edits.regions, ends.chosen_by_tour ? 0 : ends.visits,
-                           ends.start, ends.end, ends.loop),
+                           ends.start, ends.end, ends.loop, params.coverage.objective),
                 job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
-                    std::vector<int> chosen = chooseKeyFrames(all, weights);
+                    std::vector<int> chosen = chooseKeyFrames(all, weights, params.coverage.objective);
                     return ends.chosen_by_tour ? chosen : withinBudget(chosen, all, ends);
                 });
         })
@@ -420,13 +427,10 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 return measureTrajectory(*views, repair->smooth_paths, trajectory, moves(), *rays,
                                          part)
                     .and_then([&](const TrajectoryMetrics& measured) {
-                        static const std::vector<MustSee> kNone;
-                        return measureCoverage(asks ? asked->must_see : kNone, *views, trajectory,
-                                               part)
-                            .map([&](std::vector<RegionCoverage> must_see) {
-                                return Metrics{std::move(*estimate), measured, std::move(must_see),
-                                               std::move(series), report};
-                            });
+                        return measureCoverages(trajectory, part).map([&](Coverages&& shown) {
+                            return Metrics{std::move(*estimate), measured, std::move(shown),
+                                           std::move(series), report};
+                        });
                     });
             });
         });

@@ -4,6 +4,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
 #include "planning/free_space/surface_map.h"
+#include "planning/metrics/capture_ledger.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/path/time_budget.h"
 #include "planning/pipeline/pipeline.h"
@@ -18,6 +19,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -31,10 +33,15 @@ namespace dollytrack::planning {
 struct Pipeline::Stages {
     using V = unsigned;  // version of an earlier stage's output
 
+    /// What the frames show of must-see regions and, if the objective includes it, of all surface.
+    struct Coverages {
+        std::vector<RegionCoverage> must_see;
+        std::optional<SurfaceShare> surface;
+    };
     struct Metrics {
         CaptureEstimate estimate;
         TrajectoryMetrics trajectory;
-        std::vector<RegionCoverage> must_see;
+        Coverages shown;
         FrameSeries series;
         RepairReport repair;
     };
@@ -55,10 +62,12 @@ struct Pipeline::Stages {
           PlacedPoints>
         placed;
     Stage<std::tuple<V, std::vector<int>>, RoomPlan> rooms;
-    Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours, GazeParams, int, int>,
+    Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours, GazeParams, int, int,
+                     CoverageParams>,
           ConstraintViewpoints>
         asked;
-    Stage<std::tuple<V, std::vector<Region>, int, int, int, bool>, std::vector<int>> key_frames;
+    Stage<std::tuple<V, std::vector<Region>, int, int, int, bool, Objective>, std::vector<int>>
+        key_frames;
     Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
     Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
     Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool, int,
@@ -81,7 +90,7 @@ struct Pipeline::Stages {
 
     PlanCache memory;
     std::vector<StageTime> times;
-    std::string left_out_for;  // reason for the last run's parameters; see captureLedger()
+    LeftOutFor left_out_for;  // reasons for the last run's parameters
 
     /// Runs and times one stage. Error: Cancelled if the job was cancelled before it, or the
     /// stage's own.
@@ -107,6 +116,8 @@ struct Pipeline::Stages {
     Status map(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
     Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job,
                 const OnTrajectory& on_trajectory);
+    [[nodiscard]] Result<Coverages> measureCoverages(const Trajectory& trajectory,
+                                                     const JobContext& job) const;
     [[nodiscard]] Plan collectMoves() const;
     [[nodiscard]] Plan collect(const PlanEdits& edits) const;
 };

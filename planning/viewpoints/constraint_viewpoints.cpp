@@ -1,8 +1,10 @@
 #include "planning/viewpoints/constraint_viewpoints.h"
 
 #include "engine/core/field_list.h"
+#include "planning/coverage/surface_views.h"
 #include "planning/free_space/free_space.h"
 #include "planning/gaze/room_views.h"
+#include "planning/path/frame_budget.h"
 #include "planning/plan_params.h"
 #include "planning/rooms/anchors.h"
 #include "planning/rooms/room_plan.h"
@@ -24,6 +26,35 @@ std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
         views.push_back({point.pose, point.fixed});
     }
     return views;
+}
+
+/// Number of surface views for a tour of `key_frames`, within the budget of frames.
+std::size_t mostSurfaceViews(const PlanParams& params, std::size_t key_frames) {
+    constexpr std::size_t kMostWithoutBudget = 400;
+    constexpr double kFramesPerSurfaceView = 1.5;  // of a key frame and the path to it
+    if (params.timing.max_frames <= 0) return kMostWithoutBudget;
+    const double visits =
+        std::min<double>(mostVisits(params), params.timing.max_frames / kFramesPerSurfaceView);
+    return static_cast<std::size_t>(std::max(0.0, visits - static_cast<double>(key_frames)));
+}
+
+/// Chooses surface views beside the key frames, and adds them as position points.
+Result<SurfaceGoal> addSurfaceViews(const PlanParams& params, const Surroundings& around,
+                                    Viewpoints& viewpoints, const JobContext& job) {
+    std::vector<Pose> given;
+    for (const int key :
+         chooseKeyFrames(viewpoints.position_points, {}, params.coverage.objective)) {
+        given.push_back(viewpoints.position_points[static_cast<std::size_t>(key)].pose);
+    }
+    return findSurfaceViews(around, params, given, mostSurfaceViews(params, given.size()), job)
+        .map([&](SurfaceViews&& found) {
+            for (const Pose& view : found.views) {
+                addFixedPoint(view, around, viewpoints);
+                viewpoints.position_points.back().fixed = false;
+                viewpoints.position_points.back().surface_view = true;
+            }
+            return std::move(found.goal);
+        });
 }
 
 /// The kind's name in the parameter list.
@@ -89,7 +120,9 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
             }
         }
     }
-    const std::vector<int> keys = must_see.empty() ? std::vector<int>() : chooseKeyFrames(points);
+    const std::vector<int> keys =
+        must_see.empty() ? std::vector<int>()
+                         : chooseKeyFrames(points, {}, params.coverage.objective);
     auto found = findMustSee(around, must_see, viewsOf(points, keys), job);
     if (!found) return tl::unexpected<Error>(std::move(found.error()));
     asked.must_see = std::move(*found);
@@ -104,6 +137,11 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
     }
     const std::size_t asked_for = points.size();
     if (asksForRoomViews(params)) addRoomViews(params, around, viewpoints);
+    if (asksForSurface(params)) {
+        auto goal = addSurfaceViews(params, around, viewpoints, job);
+        if (!goal) return tl::unexpected<Error>(std::move(goal.error()));
+        asked.surface = std::move(*goal);
+    }
     if (constraints.rooms == RoomTours::Each) {
         for (const PlanRoom& room : rooms->rooms()) {
             asked.tour_rooms.push_back({room.name, room.box});

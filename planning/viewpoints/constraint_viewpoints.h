@@ -5,9 +5,11 @@
 #include "engine/jobs/job.h"
 #include "engine/plan/plan.h"
 #include "planning/coverage/must_see.h"
+#include "planning/coverage/surface_goal.h"
 #include "planning/plan_params.h"
 #include "planning/viewpoints/hand_placed.h"
 
+#include <optional>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -20,10 +22,12 @@ struct AnchorViewpoints {
     std::vector<int> points;
 };
 
-/// Viewpoints extended by the ones that constraints ask for: must-see regions, anchors, room views.
+/// Viewpoints extended by the ones that constraints ask for: must-see regions, anchors, room views,
+/// surface views.
 struct ConstraintViewpoints {
     PlacedPoints placed;
     std::vector<MustSee> must_see;
+    std::optional<SurfaceGoal> surface;  // if the objective includes surface
     std::vector<TourRoom> tour_rooms;
     Anchors anchors = Anchors::None;  // kinds wanted by the constraints
     std::vector<AnchorViewpoints> found_anchors;
@@ -37,8 +41,9 @@ std::vector<AnchorTally> countAnchors(const ConstraintViewpoints& asked,
 bool asksForRooms(const ConstraintParams& constraints);
 
 /// Adds viewpoints of must-see regions and anchors as fixed position points, and completes the
-/// lists of objects that all points capture. Adds room views if wanted. Sets each point's room if
-/// each room gets its own trajectory. `rooms` must be given if asksForRooms(). Error: Cancelled.
+/// lists of objects that all points capture. Adds room views if wanted, and then surface views if
+/// the objective includes surface, as many as the budget of frames leaves. Sets each point's room
+/// if each room gets its own trajectory. `rooms` must be given if asksForRooms(). Error: Cancelled.
 Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
                                                      const std::vector<Region>& must_see,
                                                      const PlanParams& params,

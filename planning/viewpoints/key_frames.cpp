@@ -2,6 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/math/pose_key.h"
+#include "planning/plan_params.h"
 #include "planning/viewpoints/candidate_judge.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -113,9 +114,15 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
 
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
                                  const std::vector<double>& weights) {
+    return chooseKeyFrames(position_points, weights, Objective::Objects);
+}
+
+std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
+                                 const std::vector<double>& weights, Objective objective) {
     std::set<int> well_missing;
     std::set<int> missing;
     for (const PositionPoint& point : position_points) {
+        if (objective == Objective::Surface) break;
         well_missing.insert(point.well_captured.begin(), point.well_captured.end());
         missing.insert(point.captured.begin(), point.captured.end());
     }
@@ -151,6 +158,9 @@ std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_poin
     }
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         if (position_points[i].room_view) choose(i);
+    }
+    for (std::size_t i = 0; i < position_points.size(); ++i) {
+        if (position_points[i].surface_view) choose(i);
     }
     return chosen;
 }

@@ -10,6 +10,7 @@
 namespace dollytrack::planning {
 
 class ViewEstimator;
+enum class Objective;
 
 /// Cache of the objects that poses show, so that moving one point does not resample all others. The
 /// owner clears it when the scene, its targets or the camera change.
@@ -40,9 +41,13 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
 
 /// A small set of position points that captures everything any of them captures, by greedy set
 /// cover; objects captured well count most. Order: all fixed points, then the chosen ones by what
-/// they add, then all room views. Each object counts with its weight (at index id - 1), or 1 if
-/// `weights` is empty. Returns indices.
+/// they add, then all room views, then all surface views. Each object counts with its weight (at
+/// index id - 1), or 1 if `weights` is empty. Returns indices.
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
                                  const std::vector<double>& weights = {});
+
+/// The same for a given objective: with Objective::Surface, captures do not count.
+std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
+                                 const std::vector<double>& weights, Objective objective);
 
 }  // namespace dollytrack::planning

@@ -121,6 +121,14 @@ ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const Ca
     });
 }
 
+bool ViewEstimator::inImage(const Pose& pose, const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d p = pose.toCamera(point);
+    if (p.z() < near_m_) return false;
+    const Eigen::Vector2d px = intrinsics_.project(p);
+    return px.x() >= 0.0 && px.y() >= 0.0 && px.x() < intrinsics_.width &&
+           px.y() < intrinsics_.height;
+}
+
 double ViewEstimator::scannedShare(const Pose& pose) const {
     if (!surfaces_.isScan()) return 1.0;
     constexpr int kAcross = 16;

@@ -68,6 +68,9 @@ class ViewEstimator {
         return extremes_[static_cast<std::size_t>(object_id) - 1];
     }
 
+    /// Whether the point lies in the image and beyond the near plane, hidden or not.
+    [[nodiscard]] bool inImage(const Pose& pose, const Eigen::Vector3d& point) const;
+
     [[nodiscard]] const Intrinsics& intrinsics() const { return intrinsics_; }
     [[nodiscard]] const RayCaster& rays() const { return *rays_; }
     [[nodiscard]] const ScannedSurfaces& surfaces() const { return surfaces_; }

@@ -206,6 +206,49 @@ class Constraints(FolderCase):
         few = run("plan", project, "--max-frames", 1, "--require", "must_see_rate>=0.95", "-q")
         self.assertEqual(few.returncode, 3, few.stderr)
 
+    def test_surface_is_an_objective_with_metrics_of_its_own(self):
+        rates = ("surface_seen_rate", "surface_covered_rate", "surface_coverable_rate")
+        budget = ("--max-frames", 80)
+        objects, _, _ = self.plan(*budget)
+        self.assertEqual([rate for rate in rates if rate in objects], [])
+        surface, _, project = self.plan(*budget, "--set", "objective=surface", "--set",
+                                        "surface_directions=2", "--require",
+                                        "surface_seen_rate>=0.95")
+        for rate in rates:
+            self.assertTrue(0 < surface[rate] <= 1, rate)
+        self.assertLessEqual(surface["surface_covered_rate"], surface["surface_coverable_rate"])
+        self.assertGreater(surface["surface_patches"], 500)
+        # The project keeps objective and metrics, and plans the same again.
+        stored = json.loads(project.read_text())
+        self.assertEqual(stored["parameters"]["coverage"],
+                         {"objective": "surface", "surface_directions": 2, "surface_mm_px": 10.0})
+        self.assertEqual(stored["result"]["metrics"]["surface_seen_rate"],
+                         surface["surface_seen_rate"])
+        again, _, _ = self.plan(scene=project)
+        for rate in rates:
+            self.assertEqual(again[rate], surface[rate])
+        table = run("plan", project, "-q")
+        self.assertIn("surface seen", table.stdout)
+        self.assertIn("surface covered", table.stdout)
+
+    def test_the_coverage_curve_knows_surface_if_it_is_an_objective(self):
+        for objective, known in (("objects", False), ("both", True)):
+            curve = self.folder / f"{objective}.csv"
+            self.plan("--max-frames", 40, "--set", f"objective={objective}", "--coverage", curve)
+            head, *lines = curve.read_text().splitlines()
+            self.assertEqual(head.endswith(",surface_seen_rate,surface_covered_rate"), known)
+            for line in lines:
+                self.assertEqual(line.count(","), head.count(","))
+        seen = [float(line.split(",")[-2]) for line in lines if line.startswith("frames,")]
+        self.assertLess(seen[0], seen[-1])
+
+    def test_a_resolution_nearer_than_the_camera_can_come_is_refused(self):
+        refused = run("plan", self.room, "-q", "--set", "objective=surface", "--set",
+                      "surface_mm_px=0.1")
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn("surface_mm_px", refused.stderr)
+        self.assertIn("camera_radius_m", refused.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -9,8 +9,11 @@ std::string nameOf(const Scene& scene, const Plan& plan, int position_point) {
     if (position_point < 0 || p >= plan.position_points.size()) return "nothing";
     const auto o = static_cast<std::size_t>(plan.position_points[p].observation_point);
     const std::vector<int>& objects = plan.observation_points[o].objects;
-    if (objects.empty())
-        return plan.position_points[p].room_view ? "a room view" : "a constraint view";
+    if (objects.empty()) {
+        const PositionPoint& point = plan.position_points[p];
+        if (point.surface_view) return "a surface view";
+        return point.room_view ? "a room view" : "a constraint view";
+    }
     const std::string& first = scene.object(objects.front()).name;
     return objects.size() == 1 ? first : fmt::format("{} and {} more", first, objects.size() - 1);
 }

@@ -112,7 +112,9 @@ Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajecto
 nlohmann::json metricsOf(const std::string& planner) {
     nlohmann::json metrics;
     if (planner == planning::planners().front().name) {
-        metrics = metricsJson(Scene{}, Plan{});
+        Plan plan;
+        plan.surface.emplace();  // only plans whose objective includes surface have these metrics
+        metrics = metricsJson(Scene{}, plan);
     } else {
         metrics = judgedJson({}, planner);
         for (nlohmann::json& value : metrics) {

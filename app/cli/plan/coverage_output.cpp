@@ -14,6 +14,25 @@ bool isTable(const std::string& path) {
     return std::filesystem::path(path).extension() == ".csv";
 }
 
+/// Whether the plans' objective includes surface.
+bool showsSurface(const std::vector<planning::CoveragePoint>& points) {
+    return !points.empty() && points.front().surface_covered_rate.has_value();
+}
+
+/// Adds the shares of surface, over the x values of the first curve.
+void addSurfaceCurves(render::Chart& chart, const std::vector<planning::CoveragePoint>& points) {
+    chart.y_label = "objects, surface (%)";
+    const std::vector<double>& x = chart.curves.front().x;
+    render::Curve seen{"surface seen", x, {}};
+    render::Curve covered{"surface covered", x, {}};
+    for (const planning::CoveragePoint& point : points) {
+        seen.y.push_back(100.0 * point.surface_seen_rate.value_or(0.0));
+        covered.y.push_back(100.0 * point.surface_covered_rate.value_or(0.0));
+    }
+    chart.curves.push_back(std::move(seen));
+    chart.curves.push_back(std::move(covered));
+}
+
 render::Chart chartOf(const std::vector<planning::CoveragePoint>& points, std::string title,
                       std::string x_label, bool by_frames) {
     render::Chart chart;
@@ -31,23 +50,31 @@ render::Chart chartOf(const std::vector<planning::CoveragePoint>& points, std::s
         well.y.push_back(100.0 * point.well_captured_rate);
     }
     chart.curves = {std::move(captured), std::move(well)};
+    if (showsSurface(points)) addSurfaceCurves(chart, points);
     return chart;
 }
 
 }  // namespace
 
 std::string coverageCsv(const planning::CoverageCurves& curves) {
+    const bool surface = showsSurface(curves.by_frames);
     std::string text =
         "budget,max_frames,max_length_m,frames,path_length_m,captured,well_captured,capture_rate,"
-        "well_captured_rate\n";
+        "well_captured_rate";
+    text += surface ? ",surface_seen_rate,surface_covered_rate\n" : "\n";
     const auto limit = [](double value) {
         return value > 0.0 ? fmt::format("{:.9g}", value) : std::string();
     };
     const auto add = [&](const char* budget, const planning::CoveragePoint& point) {
-        text += fmt::format("{},{},{},{},{:.9g},{},{},{:.9g},{:.9g}\n", budget,
+        text += fmt::format("{},{},{},{},{:.9g},{},{},{:.9g},{:.9g}", budget,
                             limit(point.max_frames), limit(point.max_length_m), point.frames,
                             point.path_length_m, point.captured, point.well_captured,
                             point.capture_rate, point.well_captured_rate);
+        if (surface) {
+            text += fmt::format(",{:.9g},{:.9g}", point.surface_seen_rate.value_or(0.0),
+                                point.surface_covered_rate.value_or(0.0));
+        }
+        text += '\n';
     };
     for (const auto& point : curves.by_frames) add("frames", point);
     for (const auto& point : curves.by_length) add("length", point);

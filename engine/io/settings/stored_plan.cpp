@@ -55,17 +55,18 @@ json planForm() {
         {"ledger", {ledger_row}},
         {"rooms", {room_tour}}};
     for (const char* name : {"objects", "captured", "well_captured", "frames", "key_frames",
-                             "straight_lines_that_hit"}) {
+                             "straight_lines_that_hit", "surface_patches"}) {
         metrics[name] = "count";
     }
     for (const char* name :
          {"capture_rate", "well_captured_rate", "small_capture_rate", "area_share_box",
           "area_share_mask", "repeat_rate", "object_pixels", "corner_collision_rate",
           "frame_collision_rate", "min_clearance_m", "must_see_rate", "capturable_rate",
-          "well_capturable_rate", "scanned_share"}) {
+          "well_capturable_rate", "scanned_share", "surface_seen_rate", "surface_covered_rate",
+          "surface_coverable_rate"}) {
         metrics[name] = "number?";
     }
-    for (const char* name : {"path_length_m", "frame_interval_s"}) metrics[name] = "number";
+    for (const char* name : {"path_length_m", "frame_interval_s", "surface_patch_m"}) metrics[name] = "number";
     for (const char* name : {"not_well_captured", "missed_capturable", "missed_well_capturable"}) {
         metrics[name] = {"text"};
     }
@@ -83,7 +84,8 @@ json planForm() {
                                  {"well_captured", {"text"}},
                                  {"captured", {"text"}},
                                  {"pin", "integer"},
-                                 {"room_view", "flag"}};
+                                 {"room_view", "flag"},
+                                 {"surface_view", "flag"}};
     return {{"metrics", std::move(metrics)},
             {"rooms", {{{"low!", "point"}, {"high!", "point"}}}},
             {"trajectory", {{"frame_interval_s!", "number"}, {"frames!", {frame}}}},

@@ -79,6 +79,15 @@ void drawScores(const RepairReport& repair) {
             .c_str());
 }
 
+void drawSurface(const SurfaceShare& surface) {
+    row("Surface seen", fmt::format("{:.1f} %", 100.0 * surface.rateOf(surface.seen)),
+        "Share of all surface in sight of the camera's positions that some frame shows");
+    row("Surface covered",
+        fmt::format("{:.1f} % of {:.1f} % possible", 100.0 * surface.rateOf(surface.covered),
+                    100.0 * surface.rateOf(surface.coverable)),
+        "Share seen from surface_directions directions, with pixels of at most surface_mm_px");
+}
+
 void drawTrajectory(const Plan& plan, bool measured) {
     const TrajectoryMetrics& metrics = plan.trajectory_metrics;
     if (!beginTable("trajectory")) return;
@@ -106,6 +115,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
             "Share of frames that show almost no new surface");
         row("Object pixels", fmt::format("{:.1f} %", 100.0 * metrics.object_pixels),
             "Share of the images' pixels on targets");
+        if (plan.surface) drawSurface(*plan.surface);
         drawScores(plan.repair);
         const auto spread = [](const Spread& of, const char* unit) {
             return fmt::format("{:.2f} {}, {:.2f} at most", of.median, unit, of.max);
