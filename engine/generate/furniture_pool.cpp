@@ -30,6 +30,7 @@ bool FurniturePool::hasPieces() const {
 }
 
 bool FurniturePool::isUsable(const CatalogPiece& piece, const JobContext& job) {
+    if (job.cancelled()) return false;  // reading a model can take a second
     const homes::FurnitureModel* model = modelOf(piece, job);
     if (!model) return false;
     // Some models refer to textures that their library does not contain.

@@ -8,6 +8,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -123,11 +125,13 @@ Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrit
     if (!overwrite && !was_marked && !*complete) {
         const Result<std::vector<std::string>> names = own.list("");
         if (!names) return tl::unexpected(names.error());
-        if (std::ranges::any_of(*names,
-                                [](const std::string& name) { return name != kJournalFile; })) {
+        const auto other = std::ranges::find_if(
+            *names, [](const std::string& name) { return name != kJournalFile; });
+        if (other != names->end()) {
             return fail(ErrorCode::CannotWrite,
-                        "the folder contains files that are not a Dollytrack dataset; choose an "
-                        "empty folder, or pass --overwrite",
+                        fmt::format("the folder contains '{}' but is not a Dollytrack dataset; "
+                                    "choose an empty folder, or pass --overwrite",
+                                    *other),
                         folder.string());
         }
     }
