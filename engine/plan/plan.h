@@ -126,8 +126,8 @@ struct Plan {
     RepairReport repair;
     std::vector<RegionCoverage> must_see;
     std::optional<SurfaceShare> surface;  // if the objective includes surface
-    std::vector<AnchorTally> anchors;  // one a kind that is asked for
-    std::vector<LedgerRow> ledger;     // one a target, ordered by id
+    std::vector<AnchorTally> anchors;     // one a kind that is asked for
+    std::vector<LedgerRow> ledger;        // one a target, ordered by id
     std::vector<RefusedPin> refused_pins;
 
     std::vector<StageTime> stages;

@@ -55,8 +55,8 @@ std::vector<Eigen::Vector3d> aimsAround(const Intrinsics& lens, const PitchBand&
                                         double phase) {
     const double across = 2.0 * std::atan(lens.cx / lens.fx);
     const double high = 2.0 * std::atan(lens.cy / lens.fy);
-    const int rings =
-        std::clamp(static_cast<int>(std::ceil(kHalfTurn / (kStepHigh * high))), kFewestHigh, kMostHigh);
+    const int rings = std::clamp(static_cast<int>(std::ceil(kHalfTurn / (kStepHigh * high))),
+                                 kFewestHigh, kMostHigh);
     std::vector<Eigen::Vector3d> aims;
     double before = -kHalfTurn;
     for (int r = 0; r < rings; ++r) {
@@ -84,7 +84,8 @@ class SurfaceViewSearch {
           goal_(std::move(goal)),
           places_(std::move(places)),
           sightings_(places_.size()) {
-        parallelFor(places_.size(), [&](std::size_t i) { sightings_[i] = sightingsAt(places_[i]); });
+        parallelFor(places_.size(),
+                    [&](std::size_t i) { sightings_[i] = sightingsAt(places_[i]); });
         const std::size_t patches = goal_.surface.patches.size();
         std::vector<SpreadDirections> possible(patches);
         for (const auto& list : sightings_) {
@@ -95,7 +96,8 @@ class SurfaceViewSearch {
         for (const SpreadDirections& one : possible) goal_.coverable.push_back(one.count());
     }
 
-    SurfaceViews choose(const std::vector<Pose>& given, std::size_t most, const JobContext& job) && {
+    SurfaceViews choose(const std::vector<Pose>& given, std::size_t most,
+                        const JobContext& job) && {
         SurfaceProgress progress(goal_.coverable);
         std::vector<std::vector<PatchSighting>> shown(given.size());
         parallelFor(given.size(), [&](std::size_t i) { shown[i] = sightingsOf(given[i]); });
@@ -145,14 +147,17 @@ class SurfaceViewSearch {
         const double phase = std::fmod(static_cast<double>(place) * kTurn, 1.0);
         const double x = lens_.cx / lens_.fx;
         const double y = lens_.cy / lens_.fy;
+        const double corner_cosine = 1.0 / std::sqrt(1.0 + x * x + y * y);
         std::vector<SurfaceCandidate> candidates;
         for (const Eigen::Vector3d& forward : aimsAround(lens_, around_.pitch, phase)) {
             SurfaceCandidate one{place, forward, {}};
             const Eigen::Matrix3d camera_from_world =
                 lookAlong(forward).conjugate().toRotationMatrix();
             for (std::size_t s = 0; s < sightings_[place].size(); ++s) {
-                const Eigen::Vector3d p = camera_from_world * -sightings_[place][s].direction;
-                if (p.z() > 0.0 && std::abs(p.x()) < x * p.z() && std::abs(p.y()) < y * p.z()) {
+                const Eigen::Vector3d& direction = sightings_[place][s].direction;
+                if (-forward.dot(direction) < corner_cosine) continue;
+                const Eigen::Vector3d p = camera_from_world * -direction;
+                if (std::abs(p.x()) < x * p.z() && std::abs(p.y()) < y * p.z()) {
                     one.shown.push_back(static_cast<std::uint32_t>(s));
                 }
             }
@@ -161,7 +166,8 @@ class SurfaceViewSearch {
         return candidates;
     }
 
-    [[nodiscard]] double gainOf(const SurfaceCandidate& one, const SurfaceProgress& progress) const {
+    [[nodiscard]] double gainOf(const SurfaceCandidate& one,
+                                const SurfaceProgress& progress) const {
         double gain = 0.0;
         for (const std::uint32_t s : one.shown) gain += progress.gain(sightings_[one.place][s]);
         return gain;
@@ -230,8 +236,8 @@ Result<SurfaceViews> findSurfaceViews(const Surroundings& around, const PlanPara
     goal.surface = patchesFor(std::move(*fine));
     goal.sharp_m = sharpWithin_m(params);
     goal.directions = params.coverage.surface_directions;
-    SurfaceViews found = SurfaceViewSearch(around, std::move(goal), std::move(places))
-                             .choose(given, most, job);
+    SurfaceViews found =
+        SurfaceViewSearch(around, std::move(goal), std::move(places)).choose(given, most, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return found;
 }

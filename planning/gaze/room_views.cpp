@@ -246,9 +246,8 @@ std::size_t mostRoomViews(const PlanParams& params, std::size_t key_frames) {
 
 bool asksForRoomViews(const PlanParams& params) {
     return params.gaze.view_mix > 0.0 && params.coverage.objective != Objective::Surface &&
-           params.body.heading == Heading::Free &&
-           params.path.path_mode == PathMode::Tour && params.path.max_length_m <= 0.0 &&
-           !keepsFrameRate(params.timing);
+           params.body.heading == Heading::Free && params.path.path_mode == PathMode::Tour &&
+           params.path.max_length_m <= 0.0 && !keepsFrameRate(params.timing);
 }
 
 void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoints& viewpoints) {

@@ -6,8 +6,8 @@ namespace dollytrack::planning {
 
 struct PlanParams;
 
-/// Whether room views are wanted (view_mix above 0, and objects are an objective) and possible: a tour with free heading, without
-/// max_length_m and without a kept frame rate (see keepsFrameRate).
+/// Whether room views are wanted (view_mix above 0, and objects are an objective) and possible: a
+/// tour with free heading, without max_length_m and without a kept frame rate (see keepsFrameRate).
 [[nodiscard]] bool asksForRoomViews(const PlanParams& params);
 
 /// Adds views that show many objects at once from the middle of the rooms, at eye level, as

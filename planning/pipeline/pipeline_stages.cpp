@@ -301,7 +301,8 @@ Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                 std::tuple(pointsVersion(), edits.regions, ends.chosen_by_tour ? 0 : ends.visits,
                            ends.start, ends.end, ends.loop, params.coverage.objective),
                 job.stage(0.7, 0.71, "key frames"), [&]() -> Result<std::vector<int>> {
-                    std::vector<int> chosen = chooseKeyFrames(all, weights, params.coverage.objective);
+                    std::vector<int> chosen =
+                        chooseKeyFrames(all, weights, params.coverage.objective);
                     return ends.chosen_by_tour ? chosen : withinBudget(chosen, all, ends);
                 });
         })

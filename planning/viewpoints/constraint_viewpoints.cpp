@@ -120,9 +120,9 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
             }
         }
     }
-    const std::vector<int> keys =
-        must_see.empty() ? std::vector<int>()
-                         : chooseKeyFrames(points, {}, params.coverage.objective);
+    const std::vector<int> keys = must_see.empty()
+                                      ? std::vector<int>()
+                                      : chooseKeyFrames(points, {}, params.coverage.objective);
     auto found = findMustSee(around, must_see, viewsOf(points, keys), job);
     if (!found) return tl::unexpected<Error>(std::move(found.error()));
     asked.must_see = std::move(*found);

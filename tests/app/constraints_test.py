@@ -234,7 +234,7 @@ class Constraints(FolderCase):
     def test_the_coverage_curve_knows_surface_if_it_is_an_objective(self):
         for objective, known in (("objects", False), ("both", True)):
             curve = self.folder / f"{objective}.csv"
-            self.plan("--max-frames", 40, "--set", f"objective={objective}", "--coverage", curve)
+            self.plan("--max-frames", 6, "--set", f"objective={objective}", "--coverage", curve)
             head, *lines = curve.read_text().splitlines()
             self.assertEqual(head.endswith(",surface_seen_rate,surface_covered_rate"), known)
             for line in lines:

@@ -112,7 +112,8 @@ TEST(ReachablePatches, CoverABoxRoomOnceFromTheInside) {
     EXPECT_EQ(patches->size(), static_cast<std::size_t>(count));
     const Eigen::Vector3d middle(2, 1.5, 1.25);
     for (const SurfacePatch& patch : *patches) {
-        const Eigen::Vector3d off = (patch.point - middle).cwiseAbs() - Eigen::Vector3d(2, 1.5, 1.25);
+        const Eigen::Vector3d off =
+            (patch.point - middle).cwiseAbs() - Eigen::Vector3d(2, 1.5, 1.25);
         EXPECT_NEAR(off.maxCoeff(), 0.0, 1e-5);
         EXPECT_GT(patch.normal.dot(middle - patch.point), 0.0);
     }
@@ -126,7 +127,9 @@ TEST(SpreadDirections, CountOnlyWhatIsFifteenDegreesApart) {
         return Eigen::Vector3d(std::cos(degrees * kRadian), std::sin(degrees * kRadian), 0.0);
     };
     SpreadDirections seen;
-    for (const double degrees : {0.0, 14.9, 15.1, -14.9, 30.0, 30.3, 90.0}) seen.add(at(degrees), 8);
+    for (const double degrees : {0.0, 14.9, 15.1, -14.9, 30.0, 30.3, 90.0}) {
+        seen.add(at(degrees), 8);
+    }
     EXPECT_EQ(seen.count(), 4);  // 0, 15.1, 30.3 and 90
     SpreadDirections two;
     for (const double degrees : {0.0, 40.0, 80.0}) two.add(at(degrees), 2);
@@ -255,8 +258,8 @@ TEST(SurfaceObjective, IsFollowedAfterAChangeAsFromScratch) {
         EXPECT_TRUE(plan.has_value());
         return *plan;
     };
-    for (const Objective objective : {Objective::Surface, Objective::Objects, Objective::Both,
-                                      Objective::Surface}) {
+    for (const Objective objective :
+         {Objective::Surface, Objective::Objects, Objective::Both, Objective::Surface}) {
         const PlanParams params = forSurface(objective, 60);
         const auto changed = run(pipeline, params);
         Pipeline fresh(scene);

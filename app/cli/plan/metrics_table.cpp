@@ -128,13 +128,13 @@ std::string metricsTable(const nlohmann::json& m) {
                                 region.value("seeable", 0)));
     }
     if (m.contains("surface_covered_rate")) {
-        text += row("surface seen",
-                    fmt::format("{} of {} patches of {:.0f} cm", percent(m, "surface_seen_rate"),
-                                m.value("surface_patches", 0),
-                                100.0 * m.value("surface_patch_m", 0.0)));
-        text += row("surface covered", fmt::format("{}; possible: {}",
-                                                   percent(m, "surface_covered_rate"),
-                                                   percent(m, "surface_coverable_rate")));
+        text += row(
+            "surface seen",
+            fmt::format("{} of {} patches of {:.0f} cm", percent(m, "surface_seen_rate"),
+                        m.value("surface_patches", 0), 100.0 * m.value("surface_patch_m", 0.0)));
+        text += row("surface covered",
+                    fmt::format("{}; possible: {}", percent(m, "surface_covered_rate"),
+                                percent(m, "surface_coverable_rate")));
     }
     for (const auto& anchors : m.value("anchors", nlohmann::json::array())) {
         const int found = anchors.value("found", 0);

@@ -66,7 +66,9 @@ json planForm() {
           "surface_coverable_rate"}) {
         metrics[name] = "number?";
     }
-    for (const char* name : {"path_length_m", "frame_interval_s", "surface_patch_m"}) metrics[name] = "number";
+    for (const char* name : {"path_length_m", "frame_interval_s", "surface_patch_m"}) {
+        metrics[name] = "number";
+    }
     for (const char* name : {"not_well_captured", "missed_capturable", "missed_well_capturable"}) {
         metrics[name] = {"text"};
     }
