@@ -123,7 +123,7 @@ class Editor {
     [[nodiscard]] render::View viewportView(const ui::ViewerCamera& camera) const;
     /// The storeys of the shown scene. A scene must be open.
     [[nodiscard]] const std::vector<render::StoreyView>& storeys() const;
-    /// Factor for widths and sizes of overlays: below 1 if the camera is far away.
+    /// Factor for widths and sizes of overlays: below 1 if the camera is far from the scene.
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
 

@@ -15,7 +15,7 @@
 
 namespace dollytrack::gather {
 
-/// What becomes one dataset, and how.
+/// The datasets to gather, and how: layout, splits, sizes of shards, classes.
 struct GatherOrder {
     std::vector<std::string> datasets;  // as findDatasets() takes them
     std::filesystem::path out;

@@ -43,7 +43,7 @@ class OutputFiles {
   private:
     OutputFiles(const io::GuardedFolder& folder, Settings settings, HashedFile sums)
         : folder_(folder), settings_(settings), sums_(std::move(sums)) {}
-    /// Makes a hard link to the image; false if it is a link itself and must be copied.
+    /// Makes a hard link to the image; false if it is a symbolic link and must be copied.
     [[nodiscard]] Result<bool> linkPicture(const OpenSource& source, std::size_t frame,
                                            const io::GuardedFolder& to) const;
     [[nodiscard]] Status copyPicture(const OpenSource& source, std::size_t frame,

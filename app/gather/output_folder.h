@@ -14,7 +14,8 @@
 
 namespace dollytrack::gather {
 
-/// The list of all files beside gather.json with their hashes, as sha256sum reads it.
+/// The list of all files of the gathered dataset, except gather.json, with their hashes, as
+/// sha256sum reads it.
 inline constexpr const char* kSumsFile = "SHA256SUMS";
 
 /// What gather.json calls itself, under `format`.

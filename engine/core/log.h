@@ -31,7 +31,8 @@ void setLevel(Level level);
 using Sink = std::function<void(const Record&)>;
 Sink setSink(Sink sink);
 
-/// Hands the pending repeat count to the sink. Called at the end of a program.
+/// Writes how often the last message was repeated, if that was not written yet. Called at the end
+/// of a program.
 void flush();
 
 }  // namespace dollytrack::log

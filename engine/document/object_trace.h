@@ -8,8 +8,8 @@
 namespace dollytrack {
 
 /// For each triangle of the imported scene, the number of the object that it belongs to after
-/// objects were merged and split. Definitions renumber objects but leave triangles alone, so the
-/// traces before and after a change show what became of each object.
+/// objects were merged and split. The definitions of merged and split objects renumber objects but
+/// leave triangles alone, so the traces before and after a change show what became of each object.
 using ObjectTrace = std::vector<int>;
 
 ObjectTrace traceObjects(const Scene& imported, const std::vector<ObjectDefinition>& definitions);

@@ -28,8 +28,8 @@ class OperationReader {
     /// One object or a list of objects, by rising id. An entry that is no object's name may be a
     /// class, or a pattern with * and ? (see isNamedBy()): it stands for all objects that match.
     [[nodiscard]] std::vector<ObjectRef> objects(const std::string& name) const;
-    /// The objects in this field, or all objects of the class in the field "class". One of the two
-    /// must be given.
+    /// The objects in this field, or all objects of the class in the field "class". Exactly one of
+    /// the two must be given.
     [[nodiscard]] std::vector<ObjectRef> objectsOrClass(const std::string& name) const;
     /// An NYU40 class, 1..40, given as its name or number.
     [[nodiscard]] int nyu40(const std::string& name) const;

@@ -6,7 +6,7 @@
 
 namespace dollytrack {
 
-/// A pose as numbers that can be ordered, for memories of what was found at exactly that pose.
+/// A pose as numbers that can be ordered: the key of caches of results for exactly that pose.
 [[nodiscard]] inline std::array<double, 7> keyOf(const Pose& pose) {
     const Eigen::Vector3d& p = pose.position;
     const Eigen::Quaterniond& q = pose.rotation;

@@ -8,7 +8,7 @@ namespace dollytrack::planning {
 
 /// Share of the directions from evenly chosen positions in the rooms' free space whose rays hit a
 /// surface of the scene, 0..1. It is 1 in closed rooms, less in open ones and in scans with missing
-/// surfaces. A floor that was added under a point cloud does not count.
+/// surfaces. A ray that hits only a floor added under a point cloud counts as a miss.
 [[nodiscard]] double surfaceCoverage(const Scene& scene, const RayCaster& rays,
                                      const FreeSpace& map);
 

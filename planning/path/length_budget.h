@@ -6,8 +6,8 @@
 
 namespace dollytrack::planning {
 
-/// A tour of one connected part of which stops may be dropped. A stop is an index into the
-/// matrices, `shows`, `shows_less`, `fixed` and `rank`.
+/// A tour of one connected part of the roadmap, from which stops may be dropped. A stop is an index
+/// into all members.
 struct BudgetedTour {
     CostMatrix metres;                    // path lengths between stops, m; must satisfy the
                                           // triangle inequality

@@ -15,7 +15,8 @@ struct Surroundings;
 
 [[nodiscard]] bool asksForRepair(const RepairParams& params);
 
-/// A trajectory with the paths it was made from, and the report of its repair.
+/// A trajectory after stretches of bad frames were planned again, the paths it was made from, and a
+/// report.
 struct Repaired {
     std::vector<CameraPath> paths;
     std::vector<SmoothPath> smooth_paths;

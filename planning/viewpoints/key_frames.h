@@ -46,7 +46,7 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
                                  const std::vector<double>& weights = {});
 
-/// The same for a given objective: with Objective::Surface, captures do not count.
+/// As above, for a given objective: with Objective::Surface, captured objects are ignored.
 std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_points,
                                  const std::vector<double>& weights, Objective objective);
 

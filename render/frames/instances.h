@@ -10,7 +10,7 @@
 
 namespace dollytrack::render {
 
-/// Visibility of one object in a frame. Structure has no instances.
+/// Visibility of one object in a frame. Structure (walls, floors, ceilings) has no entries.
 struct InstanceInFrame {
     int object_id = 0;
     std::uint32_t visible_px = 0;

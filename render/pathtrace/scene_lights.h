@@ -69,7 +69,7 @@ class SceneLights {
     [[nodiscard]] double choice(const SceneLamp& lamp, const Eigen::Vector3d& from) const;
     /// Solid angle of the lamp's ball, sr; see SceneLamp::radiusFrom().
     [[nodiscard]] static double cone(const SceneLamp& lamp, const Eigen::Vector3d& from);
-    /// Distance at which a ray hits that ball, if it does.
+    /// Distance along a ray, with unit direction `way`, to the lamp's ball; nullopt if it misses.
     [[nodiscard]] static std::optional<double> toBall(const SceneLamp& lamp,
                                                       const Eigen::Vector3d& from,
                                                       const Eigen::Vector3d& way);

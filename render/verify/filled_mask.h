@@ -27,7 +27,7 @@ std::vector<int> partSizes(const std::vector<std::uint8_t>& mask, int width, int
 std::string partProblem(const std::vector<std::uint8_t>& outlined,
                         const std::vector<std::uint8_t>& mask, int width, int height);
 
-/// The mask with the holes of its parts filled.
+/// The mask with the holes of its connected components filled.
 std::vector<std::uint8_t> withoutHoles(const std::vector<std::uint8_t>& mask, int width,
                                        int height);
 

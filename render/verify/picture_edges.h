@@ -65,8 +65,9 @@ class ChangeMap {
     bool blank_ = true;
 };
 
-/// Whether other outlines fit an image so much better than its own that chance is excluded. A thin
-/// line beside a low-contrast border may explain a few pixels, but not most.
+/// Whether the outlines of another frame fit an image so much better than those of its own frame
+/// that it cannot be chance. They must explain most pixels better: a few may lie on a thin line
+/// beside a border of low contrast.
 bool explainsBetter(const Fit& other, const Fit& own);
 
 /// Judgement of an image by the outlines of its own frame.

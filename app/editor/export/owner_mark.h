@@ -21,8 +21,9 @@ class OwnerMark {
     /// file is written, because earlier attempts may have failed. One thread at a time.
     void hold();
 
-    /// Whether the process of a mark in this folder still runs. Without working locks, a process of
-    /// this computer is looked up, and one of another computer is assumed to run.
+    /// Whether the process that wrote a mark (its name of a process) in this folder still runs.
+    /// Without working locks, a process of this computer is looked up, and one of another computer
+    /// is assumed to run.
     [[nodiscard]] static bool isHeld(const std::filesystem::path& folder, std::string_view mark);
     /// Removes lock files of processes that no longer run.
     static void tidy(const std::filesystem::path& folder);

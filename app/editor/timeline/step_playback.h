@@ -16,7 +16,8 @@ class StepPlayback {
 
     [[nodiscard]] std::size_t taken() const { return taken_; }
     [[nodiscard]] bool playing() const { return clock_.runs(); }
-    /// Whether the viewport shows the steps instead of the finished roadmap.
+    /// Whether the viewport shows the roadmap as it was built up to here instead of the finished
+    /// one.
     [[nodiscard]] bool shown() const { return shown_; }
 
     void show(bool shown) { shown_ = shown; }

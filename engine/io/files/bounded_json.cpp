@@ -87,7 +87,8 @@ Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
                     "This is not valid JSON; the file is damaged or truncated.",
                     where + placeIn(text, error.byte));
     } catch (const nlohmann::json::exception&) {
-        return fail(ErrorCode::BadInput, "A number in the JSON is too large.", where);
+        return fail(ErrorCode::BadInput, "This JSON file contains a number that is too large.",
+                    where);
     }
 }
 

@@ -14,7 +14,7 @@ namespace dollytrack::io {
 /// links in /proc, pipes and devices. Every access is noted in the InputRecord.
 class ConfinedFolder {
   public:
-    /// An empty path means the working directory. A missing folder is treated as empty.
+    /// An empty path means the working directory. A missing folder contains no files.
     explicit ConfinedFolder(std::filesystem::path folder);
 
     /// Opens a file, given by its path relative to the folder. Errors: BadInput.

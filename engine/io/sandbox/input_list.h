@@ -9,7 +9,8 @@
 
 namespace dollytrack::io {
 
-/// Serializes the inputs of a reading for another process; empty if there are more than are kept.
+/// Serializes the files that an import read, for another process; empty if there are too many to be
+/// cached.
 [[nodiscard]] std::string inputListText(const std::vector<InputUse>& uses);
 
 /// Reads what inputListText() wrote. Empty if it is incomplete, or longer than a scene's can be.

@@ -26,7 +26,8 @@ class SceneCache {
     /// The user's cache, in the folder `scenes` of userCache().
     [[nodiscard]] static std::optional<SceneCache> ofUser();
 
-    /// A file that was not changed for this long before it was hashed need not be hashed again.
+    /// A stored hash is trusted while the file's times and size stay the same, if the file had not
+    /// been changed for this long before it was hashed.
     static constexpr std::chrono::seconds kSettled{120};
 
     SceneCache(GuardedFolder folder, std::uint64_t most_bytes,

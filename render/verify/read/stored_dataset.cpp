@@ -190,7 +190,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
         dataset.unusable_frames = readUnusableFrames(dataset.card);
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::BadInput,
-                    "The field is missing or has the wrong type; export the dataset again.",
+                    "This field of dataset.json is missing or has the wrong type; export again.",
                     path.string() + ": " + field);
     }
     const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };

@@ -16,8 +16,8 @@ nlohmann::json addRegionOperation(const OrientedBox& box);
 /// operation that changes it.
 void regionRows(const Region& region, const std::string& name, EditRequest& edit);
 
-/// "94.2 % of the visible surface seen": the region's seen share of visible surface; nullopt if it
-/// was no must-see region when the plan was made.
+/// "94.2 % of the visible surface seen": the share that the frames show of the region's surface
+/// visible from free space; nullopt if it was no must-see region when the plan was made.
 std::optional<std::string> seenText(const Plan& plan, const Region& region);
 
 }  // namespace dollytrack::ui

@@ -69,7 +69,7 @@ class FolderReader {
     BackgroundWorker worker_;
 };
 
-/// Sorts listings on a background thread, since that takes a while for 100,000 entries.
+/// Sorts the entries of a folder on a background thread, since 100,000 of them take a while.
 class FolderArranger {
   public:
     struct Answer {

@@ -7,10 +7,10 @@
 
 namespace dollytrack::ui {
 
-/// Draws a row of a two-column table: name with the paper's symbol, widget with unit, and a reset
-/// button if the value differs from `standard` (the same field of a default-constructed struct).
-/// The tooltip shows description, range and default. `path` is the widget's name in the item map:
-/// "parameters.fill".
+/// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
+/// and a reset button if the value differs from `standard` (the same field of a default-constructed
+/// struct). The tooltip shows description, range and default. `path` is the widget's name in the
+/// item map: "parameters.fill".
 FieldEdit drawField(const Field& field, const Field& standard, const std::string& path);
 
 /// Draws only the widget, with the width set by SetNextItemWidth().
