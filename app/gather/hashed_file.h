@@ -16,7 +16,7 @@ namespace dollytrack::gather {
 /// CannotWrite.
 class HashedFile {
   public:
-    /// Replaces a file of this name.
+    /// Creates the file; an existing one of this name is removed at once.
     [[nodiscard]] static Result<HashedFile> create(const io::GuardedFolder& folder,
                                                    const std::string& name);
 

@@ -25,7 +25,7 @@ inline constexpr const char* kDepth = "depth";
 inline constexpr const char* kInstance = "instance";
 inline constexpr const char* kSemantic = "semantic";
 
-/// The file of the boxes and masks.
+/// The file of a dataset with its boxes and masks, in COCO's format.
 inline constexpr const char* kAnnotationFile = "annotations.json";
 
 /// A dataset that is gathered, as far as it is kept in memory.

@@ -22,8 +22,8 @@ struct LensDistortion {
     /// barrels fold over beyond some angle).
     [[nodiscard]] std::optional<Eigen::Vector2d> straighten(const Eigen::Vector2d& bent) const;
 
-    /// Whether the radial part puts what is further out always further out, from the middle to
-    /// `straight_radius`.
+    /// Whether the radial distortion is monotonic: the distorted radius grows with the undistorted
+    /// one from 0 to `straight_radius`.
     [[nodiscard]] bool risesTo(double straight_radius) const;
 
   private:

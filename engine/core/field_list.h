@@ -46,7 +46,8 @@ struct Field {
 
 using FieldList = std::vector<Field>;
 
-/// A visitor for the visit...Params functions that collects their fields.
+/// A visitor for the visit...Params functions that lists their fields, with pointers to the visited
+/// parameters.
 class FieldCollector {
   public:
     void beginSection(std::string_view name) { section_ = name; }

@@ -35,8 +35,8 @@ double angleAt(int wall);
 /// Thickness of the walls, cm; about the depth of the deepest windows.
 constexpr double kWallThickness = 24.0;
 
-/// The pieces in a room. No piece is added that touches another, or that disconnects the floor
-/// area in which a camera fits.
+/// The pieces in a room. No piece is added that touches another one (except the piece it stands on;
+/// doors and windows are not compared), or that disconnects the floor area in which a camera fits.
 class RoomLayout {
   public:
     /// Size of the room, cm.

@@ -28,7 +28,7 @@ struct SurfaceReach {
     std::array<double, 6> gap_beyond_m = {};
 };
 
-/// The surfaces of a scene in a grid.
+/// The cells of a grid that contain surfaces, and how far the surfaces reach beyond it.
 struct SurfaceCells {
     std::vector<std::uint8_t> cells;  // CellSurface bits, by cell
     // For each side of the grid (-x, +x, -y, +y, -z, +z), the distance from the side to the nearest

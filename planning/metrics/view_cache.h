@@ -28,7 +28,7 @@ class ViewCache {
         unsigned used = 0;
     };
 
-    /// Starts a new trajectory; drops entries that the last few did not use.
+    /// Starts a new trajectory; drops the poses that the last few trajectories did not use.
     void begin();
     /// Null if the pose is unknown. Valid until begin().
     [[nodiscard]] Entry* find(const Pose& pose);

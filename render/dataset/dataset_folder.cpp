@@ -172,8 +172,8 @@ Status DatasetFolder::checkNotComplete() const {
     if (!isComplete()) return {};
     const std::size_t frames = framesListed(folder_);
     return fail(ErrorCode::Usage,
-                "the folder holds a complete dataset of " + std::to_string(frames) + " frame" +
-                    (frames == 1 ? "" : "s") +
+                "the folder already holds a complete dataset of " + std::to_string(frames) +
+                    " frame" + (frames == 1 ? "" : "s") +
                     "; choose another folder, or pass --overwrite to replace it, or --resume to "
                     "check that it is the requested one",
                 path().string());

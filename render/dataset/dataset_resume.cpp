@@ -106,7 +106,7 @@ Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& o
         }
         const Json& metrics = found.at("metrics");
         const Result<CaptureMetrics> captures = captureMetricsFromJson(metrics.at("counted"));
-        if (!captures) return tl::unexpected<Error>(captures.error());
+        if (!captures) return damaged(folder, "dataset.json", 1);
         Counted counted{*captures, {}};
         if (metrics.contains("pictures")) {  // older datasets lack it
             counted.pictures = pictureTallyFrom(metrics["pictures"]);

@@ -103,7 +103,8 @@ class RenderThread {
     [[nodiscard]] const ViewImage& view() const;
     [[nodiscard]] const PreviewImage& preview() const;
 
-    /// Whether the scene is on the GPU, with computed or with uniform light.
+    /// Whether a scene is on the GPU, with computed or with uniform light; just after setScene() it
+    /// may still be the previous one.
     [[nodiscard]] bool ready() const;
     [[nodiscard]] bool finalLight() const;
     /// Whether anything remains to be drawn, including the full-resolution image of a resting view.

@@ -10,7 +10,7 @@ class ViewPace {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// The view rests after this time without a change.
+    /// After this time without a change the view rests and is drawn in full resolution.
     static constexpr std::chrono::milliseconds kRest{150};
     static constexpr double kFluent_ms = 50.0;  // full images that take no longer are not reduced
 

@@ -28,8 +28,8 @@ struct ViewerCamera {
     /// Multiplies the distance to the pivot by `factor` (clamped to 0.05 .. 2000 m); the world
     /// point `at` stays under the cursor.
     void zoom(double factor, const Eigen::Vector3d& at);
-    /// Moves eye and pivot together: right and forward along the camera's axes, up along world z,
-    /// in m.
+    /// Moves eye and pivot together, in m: right (the camera's axis), up (world z) and forward (the
+    /// camera's axis).
     void fly(const Eigen::Vector3d& right_up_forward);
     /// Rotates about the eye, which stays in place.
     void look(double dx, double dy);

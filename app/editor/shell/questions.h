@@ -18,7 +18,7 @@ namespace dollytrack::editor {
 /// Modal messages that wait for an answer, one at a time, and the actions that follow.
 class Questions {
   public:
-    /// Actions of the window that answers may trigger.
+    /// Functions of the window that are called after the user's answers.
     struct Doors {
         std::function<void()> save;     // the save command
         std::function<void()> save_as;  // asks for a file

@@ -11,7 +11,8 @@ namespace dollytrack::editor {
 /// none. Main thread only.
 class SettingsSaver {
   public:
-    /// To be called every frame; unchanged settings are not written again.
+    /// To be called every frame; writes changed settings soon after the last change. The first call
+    /// only takes the settings as those on disk.
     void follow(const EditorSettings& settings);
 
     /// Drops unwritten changes and waits for a write in progress.

@@ -17,7 +17,7 @@ class SentScene {
 
     /// Resets for another project, or none.
     void forget();
-    /// Sends scene and light if they have changed.
+    /// Sends scene, light and texture filtering if one of them has changed.
     void send(const PlanOutcome& shown, const std::shared_ptr<const render::LightVolume>& light);
     [[nodiscard]] bool isSent() const { return sent_; }
     /// Whether this is the first call for the project, so that the camera must be placed.

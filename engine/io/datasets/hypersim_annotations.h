@@ -19,8 +19,8 @@ struct HypersimBox {
     Eigen::Matrix3d world_from_object;
 };
 
-/// The content of a Hypersim scene's _detail folder. The lists have one entry per object of the OBJ
-/// file, in its order; the OBJ file itself is sold separately.
+/// The content of a Hypersim scene's _detail folder. `objects`, `nyu40` and `instance` have one
+/// entry per object of the OBJ file, in its order; the OBJ file itself is sold separately.
 struct HypersimAnnotations {
     std::filesystem::path folder;           // with metadata_objects.csv
     std::vector<std::string> objects;       // names of the OBJ file's objects, unchanged

@@ -45,8 +45,10 @@ class Lines {
         if (!line) return tl::unexpected(line.error());
         if (*line == expected) return {};
         --at_;
-        return fail(ErrorCode::BadInput, fmt::format("The line should be \"{}\".", expected),
-                    place());
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("This line of the SceneNet description should be \"{}\".", expected),
+            place());
     }
 
     Result<std::vector<double>> numbers(const char* what, std::size_t count) {

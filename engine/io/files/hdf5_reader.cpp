@@ -85,7 +85,10 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
     const Hdf5Handle space(h5.H5Dget_space(dataset.id), h5.H5Sclose);
     const int rank = space >= 0 ? h5.H5Sget_simple_extent_ndims(space) : -1;
     if (rank < 1 || rank > 3) {
-        return fail(ErrorCode::BadInput, "Its dataset is not a table of numbers.", path.string());
+        return fail(
+            ErrorCode::BadInput,
+            "The HDF5 dataset is not a table of numbers; download or export the file again.",
+            path.string());
     }
     std::vector<hsize_t> size;
     Hdf5Numbers numbers;

@@ -91,7 +91,8 @@ class Dataset {
     [[nodiscard]] std::optional<std::filesystem::path> findSemanticFile(
         const std::string& name) const;
 
-    /// The path of a semantic file as written in the config; empty for an unknown handle.
+    /// The path, as written in the dataset config, of the semantic file that scenes call by this
+    /// handle; empty if the config has no path for it.
     [[nodiscard]] std::string semanticPathOf(const std::string& handle) const;
 
     /// The existing semantic files that the config lists by handle or by its paths.

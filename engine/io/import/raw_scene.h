@@ -38,7 +38,8 @@ struct SourceNode {
     int children = 0;
 };
 
-/// A texture that a material uses: a path as written in the file, or bytes inside the file.
+/// A texture that a material uses: a path as written in the file, or an image inside the file
+/// (encoded, or raw RGBA if embedded_width is above 0).
 struct TextureRequest {
     std::string name;                    // byte for byte as in the file
     std::vector<std::uint8_t> embedded;  // an encoded file, or width x height RGBA

@@ -34,7 +34,8 @@ struct SceneFormat {
     bool frame_is_specified = false;
 };
 
-/// All supported formats. Of several with the same extension, the first that matches is used.
+/// All supported formats. Of several with the same extension, the first that recognizes the content
+/// of the file is used.
 const std::vector<SceneFormat>& sceneFormats();
 
 /// The extensions of all formats, each once, for file dialogs and patterns.

@@ -88,7 +88,8 @@ class FrameReader {
     void array(std::vector<T>& values) {
         fill(values);
     }
-    /// `least_bytes`: the smallest number of bytes that an entry is serialized to.
+    /// `least_bytes`: the smallest serialized size of an entry; a count for which too few bytes are
+    /// left is refused.
     template <class T, class Members>
     void list(std::vector<T>& values, std::size_t least_bytes, Members members) {
         std::size_t count = takeCount(least_bytes);

@@ -95,9 +95,9 @@ tl::unexpected<Error> tookTooLong(const ReadingClock& clock, const std::string& 
                     where);
     }
     return fail(ErrorCode::BadInput,
-                "reading it took longer than " +
-                    std::to_string(std::lround(clock.allowed().count())) + " s and was stopped" +
-                    kExportAgain,
+                "reading it took longer than the " +
+                    std::to_string(std::lround(clock.allowed().count())) +
+                    " s allowed for its size, and was stopped" + kExportAgain,
                 where);
 }
 

@@ -53,7 +53,11 @@ Result<std::string> InputFile::readAll(std::uint64_t most) const {
     }
     std::string bytes(size(), '\0');
     if (read(0, bytes.data(), bytes.size()) != bytes.size()) {
-        return fail(ErrorCode::BadInput, "the file cannot be read to its end", where_);
+        return fail(
+            ErrorCode::BadInput,
+            "the file cannot be read to its end; it was changed during reading, or the disk "
+            "has errors",
+            where_);
     }
     return bytes;
 }

@@ -13,7 +13,7 @@ namespace dollytrack::io {
 /// cached.
 [[nodiscard]] std::string inputListText(const std::vector<InputUse>& uses);
 
-/// Reads what inputListText() wrote. Empty if it is incomplete, or longer than a scene's can be.
+/// Reads what inputListText() wrote; nullopt if it is incomplete, invalid or too long.
 [[nodiscard]] std::optional<std::vector<InputUse>> parseInputList(std::string_view text);
 
 }  // namespace dollytrack::io

@@ -37,8 +37,11 @@ double rateOf(const DatasetContents& contents) {
 Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& file) {
     cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
     if (picture.empty()) {
-        return fail(ErrorCode::CannotWrite, "the image cannot be read again for the video",
-                    (folder.path() / file).string());
+        return fail(
+            ErrorCode::CannotWrite,
+            "this image, written before, cannot be read again for the video; check the disk and "
+            "export again",
+            (folder.path() / file).string());
     }
     cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);
     return picture;

@@ -28,8 +28,8 @@ struct ImageKind {
 std::span<const ImageKind> imageKinds();
 const ImageKind* imageKind(std::string_view modality);
 
-/// Whether an image in millimetres may store this value for an exact depth. 0 means no surface or
-/// beyond the image's range.
+/// Whether `millimetres` is the correct rounding of the exact depth `metres`. No surface is 0 in
+/// both; depths beyond 65.535 m must be stored as 0.
 bool isRounded(double metres, std::uint16_t millimetres);
 
 /// Path of an image, for example "depth/000012.png".

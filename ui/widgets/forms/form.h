@@ -42,7 +42,7 @@ struct ButtonOptions {
 };
 /// A button called `name` in the item map; returns whether it was pressed.
 bool button(const char* label, std::string_view name, const ButtonOptions& options = {});
-/// A clickable text, such as "go to frame 12".
+/// Draws a clickable text, such as "go to frame 12"; returns whether it was clicked.
 bool link(const std::string& text, std::string_view name, const std::string& tip = {});
 
 /// Style of dialog windows. Push before Begin...(), pop after it.
