@@ -2,7 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
-#include "planning/metrics/remedy_proposals.h"
+#include "planning/explanations/remedy_proposals.h"
 #include "planning/viewpoints/candidate_source.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/coarse_grid.h"

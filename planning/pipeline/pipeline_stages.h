@@ -2,9 +2,9 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/allowed_region.h"
+#include "planning/explanations/capture_ledger.h"
 #include "planning/free_space/free_space.h"
 #include "planning/free_space/surface_map.h"
-#include "planning/metrics/capture_ledger.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/path/time_budget.h"
 #include "planning/pipeline/pipeline.h"

@@ -1,4 +1,4 @@
-#include "planning/metrics/capture_ledger.h"
+#include "planning/explanations/capture_ledger.h"
 
 #include "engine/camera/intrinsics.h"
 #include "engine/geometry/ray_caster.h"

@@ -1,4 +1,4 @@
-#include "planning/metrics/remedies.h"
+#include "planning/explanations/remedies.h"
 
 #include "engine/document/operation.h"
 #include "engine/document/remedy_operations.h"

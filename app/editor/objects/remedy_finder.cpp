@@ -1,7 +1,7 @@
 #include "app/editor/objects/remedy_finder.h"
 
 #include "engine/document/remedy_operations.h"
-#include "planning/metrics/remedies.h"
+#include "planning/explanations/remedies.h"
 
 #include <algorithm>
 #include <utility>

@@ -9,8 +9,8 @@
 #include "engine/io/settings/project_file.h"
 #include "engine/plan/ledger_json.h"
 #include "engine/scene/scene_report.h"
+#include "planning/explanations/remedies.h"
 #include "planning/metrics/coverage_curve.h"
-#include "planning/metrics/remedies.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "planning/metrics/plan_trials.h"
+#include "planning/explanations/plan_trials.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "planning/metrics/remedy_proposals.h"
+#include "planning/explanations/remedy_proposals.h"
 
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
-#include "planning/metrics/proposal_parts.h"
+#include "planning/explanations/proposal_parts.h"
 
 #include <fmt/format.h>
 

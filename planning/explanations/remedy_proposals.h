@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planning/metrics/hypothetical_positions.h"
-#include "planning/metrics/plan_trials.h"
+#include "planning/explanations/hypothetical_positions.h"
+#include "planning/explanations/plan_trials.h"
 
 #include <optional>
 #include <vector>

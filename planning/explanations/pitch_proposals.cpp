@@ -1,4 +1,4 @@
-#include "planning/metrics/proposal_parts.h"
+#include "planning/explanations/proposal_parts.h"
 
 #include "engine/jobs/parallel.h"
 #include "planning/visibility/coarse_grid.h"

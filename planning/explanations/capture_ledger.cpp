@@ -1,6 +1,6 @@
-#include "planning/metrics/capture_ledger.h"
+#include "planning/explanations/capture_ledger.h"
 
-#include "planning/metrics/candidate_tally.h"
+#include "planning/explanations/candidate_tally.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "planning/metrics/hypothetical_positions.h"
+#include "planning/explanations/hypothetical_positions.h"
 
 #include "engine/jobs/parallel.h"
 #include "planning/collision/allowed_region.h"

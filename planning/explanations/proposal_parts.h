@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planning/metrics/remedy_proposals.h"
+#include "planning/explanations/remedy_proposals.h"
 
 #include <functional>
 #include <string>

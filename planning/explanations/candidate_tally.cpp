@@ -1,4 +1,4 @@
-#include "planning/metrics/candidate_tally.h"
+#include "planning/explanations/candidate_tally.h"
 
 #include <fmt/format.h>
 
