@@ -251,7 +251,7 @@ class ExportFolder(FolderCase):
                                 (["--set", "light_preset=night"], None)]:
             warnings = self.export(self.new_folder(), "--modalities", "depth", "--range", "0:1",
                                    *arguments).stderr
-            self.assertEqual("other views" in warnings, said is not None, warnings)
+            self.assertEqual("views will differ" in warnings, said is not None, warnings)
             self.assertIn(said or "", warnings)
 
     def test_a_folder_that_was_taken_away_is_not_to_be_continued(self):
