@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <numeric>
 
 namespace dollytrack::render {
@@ -110,5 +111,57 @@ std::string cocoText(const DatasetContents& contents, std::span<const int> frame
 std::string cocoPolygonsText(const DatasetContents& contents) {
     return textOf(contents, allOf(contents), Segmentation::Polygons);
 }
+
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"annotations.json"};
+constexpr std::array<const char*, 1> kPolygonFiles = {"annotations_polygons.json"};
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFiles[0], cocoText(contents)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& contents) {
+    const std::string category = contents.scene.classes().isNyu40()
+                                     ? "the NYU40 class (40 for targets of unknown class)"
+                                     : "the id in classes (targets of class void have none)";
+    return {{"file", kFiles[0]},
+            {"format", "COCO instances, compressed run lengths; targets only; category_id is " +
+                           category + "; image_id is the frame + 1"}};
+}
+
+Result<std::vector<DatasetFile>> writePolygons(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kPolygonFiles[0], cocoPolygonsText(contents)}};
+}
+
+nlohmann::ordered_json polygonsConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kPolygonFiles[0]},
+            {"format",
+             "like annotations.json, but with outlines along pixel borders (holes filled) and the "
+             "attributes of instances.csv"}};
+}
+
+}  // namespace
+
+const Format kCocoFormat = {
+    .name = "coco",
+    .text = "COCO instances: boxes and masks of the targets, in annotations.json",
+    .standard = true,
+    .needs = kNeedsMasks,
+    .files = kFiles,
+    .write = write,
+    .convention = convention,
+    .outlines_things = true,
+};
+
+const Format kCocoPolygonsFormat = {
+    .name = "coco_polygons",
+    .text = "COCO instances with outlines and attributes, in annotations_polygons.json",
+    .needs = kNeedsMasks | kNeedsWhole,
+    .files = kPolygonFiles,
+    .write = writePolygons,
+    .convention = polygonsConvention,
+    .outlines_things = true,
+};
 
 }  // namespace dollytrack::render

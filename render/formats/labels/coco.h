@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
+#include "render/formats/formats.h"
 
 #include <span>
 #include <string>
@@ -21,5 +21,10 @@ namespace dollytrack::render {
 /// polygons have no holes: holes are filled, while `area` and `bbox` stay those of the mask. Each
 /// annotation has `attributes`: the object's visible share and its occluder.
 [[nodiscard]] std::string cocoPolygonsText(const DatasetContents& contents);
+
+/// annotations.json, see cocoText().
+extern const Format kCocoFormat;
+/// annotations_polygons.json, see cocoPolygonsText().
+extern const Format kCocoPolygonsFormat;
 
 }  // namespace dollytrack::render

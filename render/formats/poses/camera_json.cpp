@@ -2,6 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
 namespace dollytrack::render {
 namespace {
 
@@ -54,5 +59,52 @@ std::string cameraJsonText(const Scene& scene, const CameraParams& camera, doubl
     }
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
+
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"camera.json"};
+
+/// Largest distance from a camera to a corner of the building; rendering has no far plane.
+double farthestSight(const DatasetContents& contents) {
+    const Eigen::AlignedBox3d& bounds = contents.scene.room_bounds;
+    double far_m = 0.0;
+    for (const DatasetFrame& frame : contents.frames) {
+        for (int corner = 0; corner < 8 && !bounds.isEmpty(); ++corner) {
+            const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
+            far_m = std::max(far_m, (bounds.corner(type) - frame.camera.pose.position).norm());
+        }
+    }
+    return far_m;
+}
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    std::vector<CameraEntry> entries;
+    for (const DatasetFrame& frame : contents.frames) {
+        CameraEntry entry{frame.camera, frame.room, {}};
+        for (const int id : frame.well_shown) {
+            entry.targets.push_back(contents.scene.object(id).name);
+        }
+        entries.push_back(std::move(entry));
+    }
+    return std::vector<DatasetFile>{
+        {kFiles[0], cameraJsonText(contents.scene, contents.camera,
+                                   std::ceil(farthestSight(contents) + 1.0), entries)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"file", kFiles[0]}, {"format", "3D-FRONT: y up, metres, horizontal fov in degrees"}};
+}
+
+}  // namespace
+
+const Format kCameraJsonFormat = {
+    .name = "camera_json",
+    .text =
+        "camera poses and the targets that each shows well, in 3D-FRONT's format, in camera.json",
+    .standard = true,
+    .files = kFiles,
+    .write = write,
+    .convention = convention,
+};
 
 }  // namespace dollytrack::render

@@ -3,6 +3,7 @@
 #include "engine/camera/camera_params.h"
 #include "engine/camera/trajectory.h"
 #include "engine/scene/scene.h"
+#include "render/formats/formats.h"
 
 #include <Eigen/Geometry>
 
@@ -26,5 +27,8 @@ struct CameraEntry {
 /// by near, far, up, width, height, fov_axis, time, room and targets.
 [[nodiscard]] std::string cameraJsonText(const Scene& scene, const CameraParams& camera,
                                          double far_m, const std::vector<CameraEntry>& entries);
+
+/// camera.json of a dataset.
+extern const Format kCameraJsonFormat;
 
 }  // namespace dollytrack::render

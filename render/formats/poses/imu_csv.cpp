@@ -3,7 +3,9 @@
 #include "engine/camera/imu_track.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -35,5 +37,33 @@ std::string imuCsvText(const DatasetContents& contents) {
     }
     return text;
 }
+
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"imu.csv"};
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFiles[0], imuCsvText(contents)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {
+        {"file", kFiles[0]},
+        {"format",
+         "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2; at rest "
+         "9.80665 upwards) in the camera's axes, without noise and bias, along a C2 spline "
+         "through all poses of each continuous motion, including frames that are not exported"}};
+}
+
+}  // namespace
+
+const Format kImuFormat = {
+    .name = "imu",
+    .text = "inertial measurements along the motion, in imu.csv",
+    .standard = true,
+    .files = kFiles,
+    .write = write,
+    .convention = convention,
+};
 
 }  // namespace dollytrack::render

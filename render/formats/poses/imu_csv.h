@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
+#include "render/formats/formats.h"
 
 #include <string>
 
@@ -10,5 +10,8 @@ namespace dollytrack::render {
 /// (m/s2, including gravity) in camera axes, at contents.imu_rate_hz along each continuous path of
 /// the dataset. Jumps between paths have no rows.
 [[nodiscard]] std::string imuCsvText(const DatasetContents& contents);
+
+/// imu.csv of a dataset.
+extern const Format kImuFormat;
 
 }  // namespace dollytrack::render

@@ -3,7 +3,9 @@
 #include "engine/scene/resolved_light.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <array>
 #include <iterator>
 #include <numbers>
 
@@ -80,5 +82,33 @@ std::string framesCsvText(const DatasetContents& contents) {
     }
     return text;
 }
+
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"frames.csv"};
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFiles[0], framesCsvText(contents)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"file", kFiles[0]},
+            {"format",
+             "one row per frame: clearance (m), mean speed (m/s) and turning rate (deg/s) since "
+             "the previous frame, number of targets of 120 px or more (at 640 x 480) and of well "
+             "shown ones, image score of their boxes; with light_varies=frame also the light"}};
+}
+
+}  // namespace
+
+const Format kFramesFormat = {
+    .name = "frames",
+    .text = "measurements of each frame, such as speed, clearance and image score, in frames.csv",
+    .standard = true,
+    .needs = kNeedsMasks,
+    .files = kFiles,
+    .write = write,
+    .convention = convention,
+};
 
 }  // namespace dollytrack::render

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
+#include "render/formats/formats.h"
 
 #include <string>
 
@@ -10,5 +10,8 @@ namespace dollytrack::render {
 /// previous frame; empty at the start of a path. Targets and the image score (imageScores()) come
 /// from the pixels. If light varies by frame, each frame's light parameters are added.
 [[nodiscard]] std::string framesCsvText(const DatasetContents& contents);
+
+/// frames.csv of a dataset.
+extern const Format kFramesFormat;
 
 }  // namespace dollytrack::render

@@ -1,7 +1,9 @@
 #include "render/formats/tables/instances_csv.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <array>
 #include <iterator>
 
 namespace dollytrack::render {
@@ -38,5 +40,38 @@ std::string instancesCsvText(const DatasetContents& contents) {
     }
     return text;
 }
+
+namespace {
+
+constexpr std::array<const char*, 1> kFiles = {"instances.csv"};
+
+Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFiles[0], instancesCsvText(contents)}};
+}
+
+nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+    return {{"file", kFiles[0]},
+            {"format",
+             "one row per frame and visible object (none for structure): visible_px; "
+             "silhouette_px, unoccluded, inside the image; whole_px, also outside the image; "
+             "visible_fraction, of whole_px; truncation, the share outside the image; occluder_id, "
+             "the object that hides most of the silhouette, and the share it hides; boxes of the "
+             "visible pixels and of the silhouette (px); the oriented box in the camera's axes: "
+             "center, size along its own axes (m), quaternion camera_from_box"}};
+}
+
+}  // namespace
+
+const Format kInstancesFormat = {
+    .name = "instances",
+    .text =
+        "visibility of each object in each frame: visible part, truncation, occluder, 2D and 3D "
+        "boxes, in instances.csv",
+    .needs = kNeedsWhole,
+    .files = kFiles,
+    .write = write,
+    .convention = convention,
+    .outlines_things = true,
+};
 
 }  // namespace dollytrack::render

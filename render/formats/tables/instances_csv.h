@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
+#include "render/formats/formats.h"
 
 #include <string>
 
@@ -8,5 +8,8 @@ namespace dollytrack::render {
 
 /// The text of instances.csv: a header line and one row per frame and visible object.
 [[nodiscard]] std::string instancesCsvText(const DatasetContents& contents);
+
+/// instances.csv of a dataset.
+extern const Format kInstancesFormat;
 
 }  // namespace dollytrack::render
