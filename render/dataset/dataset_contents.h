@@ -12,9 +12,9 @@
 #include "render/dataset/frame_folds.h"
 #include "render/dataset/modalities.h"
 #include "render/dataset/picture_quality.h"
-#include "render/formats/labels/mask_rle.h"
 #include "render/frames/frame_file.h"
 #include "render/frames/instances.h"
+#include "render/frames/mask_rle.h"
 #include "render/frames/object_motion.h"
 
 #include <filesystem>

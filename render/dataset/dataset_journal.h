@@ -5,8 +5,8 @@
 #include "engine/plan/capture.h"
 #include "render/dataset/dataset_listing.h"
 #include "render/dataset/picture_quality.h"
-#include "render/formats/labels/mask_rle.h"
 #include "render/frames/instances.h"
+#include "render/frames/mask_rle.h"
 
 #include <chrono>
 #include <cstdint>

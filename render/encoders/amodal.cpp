@@ -1,5 +1,5 @@
 #include "render/encoders/encoders.h"
-#include "render/formats/labels/mask_rle.h"
+#include "render/frames/mask_rle.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,9 +4,9 @@
 #include "engine/io/files/guarded_folder.h"
 #include "render/dataset/modalities.h"
 #include "render/formats/formats.h"
-#include "render/formats/labels/mask_rle.h"
 #include "render/frames/frame_context.h"
 #include "render/frames/frame_record.h"
+#include "render/frames/mask_rle.h"
 
 #include <cstddef>
 #include <functional>

@@ -3,7 +3,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/io/files/sha256.h"
 #include "engine/jobs/parallel.h"
-#include "render/formats/labels/mask_rle.h"
+#include "render/frames/mask_rle.h"
 #include "tests/render/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "render/formats/labels/mask_rle.h"
+#include "render/frames/mask_rle.h"
 
 #include "engine/core/random.h"
 

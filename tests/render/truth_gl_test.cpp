@@ -1,6 +1,6 @@
 #include "render/dataset/modalities.h"
-#include "render/formats/labels/mask_rle.h"
 #include "render/frames/frame_file.h"
+#include "render/frames/mask_rle.h"
 #include "render/truth/visibility_mask.h"
 #include "tests/render/dataset_fixture.h"
 
