@@ -212,7 +212,7 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
     for (const Case& bad : {
              Case{"a.txt", "0 0 0 0 0 0 0 1\n1 0 0 zero 0 0 0 1\n", "tum", "a.txt:2", "zero"},
              Case{"b.txt", "# x\n0 0 0 0 0 0 1\n", "tum", "b.txt:2", "8 are needed"},
-             Case{"c.txt", "0 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", "", "c.txt:2", "after"},
+             Case{"c.txt", "0 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", "", "c.txt:2", "later"},
              Case{"d.txt", "0 0 0 0 0 0 0 2\n", "tum", "d.txt:1", "length 2"},
              Case{"e.txt", "0 0 0 nan 0 0 0 1\n", "tum", "e.txt:1", "finite"},
              Case{"f.txt", "2 0 0 1 0 1 0 2 0 0 1 3\n", "", "f.txt:1", "rotation"},
@@ -232,7 +232,7 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
              Case{"q.json",
                   R"([{"pos":[0,0,0],"target":[1,0,0],"time":5},
                       {"pos":[0,0,1],"target":[1,0,0],"time":1}])",
-                  "", "[1]", "after"},
+                  "", "[1]", "later"},
              Case{"r.json", R"([{"pos":[0,0,0],"target":[1e300,0,0],"time":5}])", "", "[0]",
                   "roll"},
          }) {

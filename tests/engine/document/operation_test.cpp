@@ -56,7 +56,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "exclude"}, {"object", "wall_east"}}, "part of the building"},
         {{{"op", "set_class"}, {"object", "mug"}, {"class", "chiar"}}, "did you mean 'chair'"},
         {{{"op", "set_class"}, {"object", "mug"}, {"class", 41}}, "from 1 to 40"},
-        {{{"op", "set_front"}, {"object", "mug"}, {"front", {0, 0}}}, "length"},
+        {{{"op", "set_front"}, {"object", "mug"}, {"front", {0, 0}}}, "must not be [0, 0]"},
         {{{"op", "set_size"}, {"object", "mug"}, {"size", "huge"}}, "large, small or auto"},
         {{{"op", "move_object"}, {"object", "mug"}}, "Give an offset or turn_deg"},
         {{{"op", "move_object"}, {"object", "mug"}, {"offset", {0, 2e4, 0}}}, "at most 10000 m"},
@@ -65,7 +65,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}}, {{"time_s", 1}}}}},
          "increasing time_s"},
         {{{"op", "object_track"}, {"object", "mug"}, {"keys", {{{"time_s", 1}, {"turn", 9}}}}},
-         "no 'turn'"},
+         "not 'turn'"},
         {{{"op", "at_time"}, {"time_s", 1}}, "No object has a track"},
         {{{"op", "merge"}, {"objects", {"mug"}}, {"name", "x"}}, "two objects"},
         {{{"op", "merge"}, {"objects", {"mug", "mug"}}, {"name", "x"}}, "twice"},
@@ -83,7 +83,7 @@ TEST(Operation, SaysWhatIsWrong) {
         {{{"op", "rename_no_go"}, {"name", "x"}, {"to", "y"}}, "no no-go box"},
         {{{"op", "restore_point"}, {"objects", {"mug"}}}, "was not removed"},
         {{{"op", "set"}, {"name", "fil"}, {"value", 1}}, "no parameter 'fil'"},
-        {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "above the lower limit at 2 m"},
+        {{{"op", "height_band"}, {"min_m", 2}, {"max_m", 1}}, "above the lower limit of 2 m"},
         {json("exclude"), "An operation is an object"},
     };
     for (const auto& [operation, words] : wrong) {
