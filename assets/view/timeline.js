@@ -60,7 +60,28 @@ class Timeline {
   }
 }
 
-function startKeys(timeline) {
+/// The list of keys, over the page.
+class Help {
+  constructor() {
+    this.dialog = document.getElementById("help");
+    document.getElementById("show-help").addEventListener("click", () => this.toggle());
+    document.getElementById("close-help").addEventListener("click", () => this.toggle());
+    // What is beside the list belongs to the dialog itself.
+    this.dialog.addEventListener("click", event => {
+      if (event.target === this.dialog) this.toggle();
+    });
+  }
+
+  get open() {
+    return this.dialog.open;
+  }
+
+  toggle() {
+    if (this.open) this.dialog.close(); else this.dialog.showModal();
+  }
+}
+
+function startKeys(timeline, help) {
   const search = document.getElementById("search");
   const actions = {
     ArrowLeft: event => timeline.step(event.shiftKey ? -10 : -1),
@@ -68,10 +89,20 @@ function startKeys(timeline) {
     Home: () => choose({frame: 0}),
     End: () => choose({frame: frames.length - 1}),
     " ": () => timeline.toggle(),
-    "/": () => search.focus(),
+    "/": () => {
+      showList("object-list");
+      search.focus();
+    },
+    "?": () => help.toggle(),
     Escape: () => choose({object: null}),
   };
   document.addEventListener("keydown", event => {
+    if (help.open) {
+      if (event.key !== "Escape" && event.key !== "?") return;
+      event.preventDefault();
+      help.toggle();
+      return;
+    }
     const typing = event.target === search || event.target instanceof HTMLSelectElement;
     if (event.key === "Escape" && event.target === search) search.blur();
     if ((typing && event.key !== "Escape") || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -83,6 +114,6 @@ function startKeys(timeline) {
     action(event);
   });
 }
-startKeys(new Timeline());
+startKeys(new Timeline(), new Help());
 readAddress();
 window.addEventListener("hashchange", readAddress);
