@@ -96,7 +96,10 @@ function startKeys(timeline, help) {
     "?": () => help.toggle(),
     Escape: () => choose({object: null}),
   };
+  let reached_by_keys = false;
+  document.addEventListener("pointerdown", () => { reached_by_keys = false; }, true);
   document.addEventListener("keydown", event => {
+    if (event.key === "Tab") reached_by_keys = true;
     if (help.open) {
       if (event.key !== "Escape" && event.key !== "?") return;
       event.preventDefault();
@@ -106,8 +109,11 @@ function startKeys(timeline, help) {
     const typing = event.target === search || event.target instanceof HTMLSelectElement;
     if (event.key === "Escape" && event.target === search) search.blur();
     if ((typing && event.key !== "Escape") || event.ctrlKey || event.altKey || event.metaKey) return;
-    // What was reached by keys is pressed by the space bar.
-    if (event.key === " " && event.target.matches("button:focus-visible, [type=checkbox]")) return;
+    // What was reached by keys is pressed by the space bar. (:focus-visible would not do: after a
+    // click it matches as soon as any key is pressed.)
+    if (event.key === " " && reached_by_keys && event.target.matches("button, [type=checkbox]")) {
+      return;
+    }
     const action = actions[event.key];
     if (!action) return;
     event.preventDefault();
