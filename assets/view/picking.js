@@ -28,7 +28,8 @@ function pickAt(view, x, y) {
     for (const frame of frames) {
       if (!view.isFrameShown(frame)) continue;
       const distance = cameraDistance(view, frame, x, y);
-      if (distance === null || distance > pickRadius_px || (nearest && distance >= nearest.distance)) continue;
+      if (distance === null || distance > pickRadius_px) continue;
+      if (nearest && distance >= nearest.distance) continue;
       nearest = {distance, frame: frame.index};
     }
   }

@@ -406,7 +406,8 @@ class Page(ViewCase):
             counts = expected.setdefault(names[one["nyu40"]], [0, 0])
             counts[0] += one["id"] in captured
             counts[1] += 1
-        shown = dict(zip(self.browser.texts("#classes .name"), self.browser.texts("#classes .state")))
+        shown = dict(zip(self.browser.texts("#classes .name"),
+                         self.browser.texts("#classes .state")))
         self.assertEqual(shown, {name: f"{some} of {all_} captured"
                                  for name, (some, all_) in expected.items()})
         self.browser.click("[data-list=object-list]")
