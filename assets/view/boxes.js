@@ -20,6 +20,12 @@ function boxVolume(object) {
   return object.size[0] * object.size[1] * object.size[2];
 }
 
+function boxColor(object) {
+  if (state.colors === "capture") return pageColor("--box-" + captureOf(object));
+  const {hue, shift} = boxClassByName.get(object.class);
+  return new THREE.Color(`hsl(${hue}, 70%, ${parseInt(pageValue("--class-lightness")) + shift}%)`);
+}
+
 /// The name as a label has it; lists show all of it.
 function shortName(name) {
   return name.length > 32 ? name.slice(0, 31) + "…" : name;
@@ -35,19 +41,26 @@ class Boxes {
       new THREE.Mesh(side, new THREE.MeshBasicMaterial(
         {transparent: true, opacity: 0.3, depthWrite: false, side: THREE.DoubleSide})),
       new THREE.LineSegments(new THREE.EdgesGeometry(side),
-        new THREE.LineBasicMaterial({depthTest: false})));
+        // Transparent, because the room's surfaces would be drawn over opaque lines without depth.
+        new THREE.LineBasicMaterial({depthTest: false, transparent: true})));
     this.chosen.matrixAutoUpdate = false;
+    this.hovered = this.chosen.clone();
+    this.hovered.traverse(part => {
+      if (part.material) part.material = part.material.clone();
+    });
+    this.hovered.visible = false;
     this.lines.frustumCulled = false;
     this.shown = [];
   }
 
-  /// Targets of the storeys that are shown, as `isShown(object)` says.
+  /// Targets of the storeys that are shown, as `isShown(object)` says, without hidden classes.
   show(isShown) {
-    this.shown = objects.filter(object => object.role === "target" && isShown(object));
+    this.shown = objects.filter(object => object.role === "target" &&
+      !state.hidden.has(object.class) && isShown(object));
     const points = [], colors = [];
     for (const object of this.shown) {
       const corners = boxCorners(object);
-      const color = pageColor("--box-" + captureOf(object)).toArray();
+      const color = boxColor(object).toArray();
       for (const corner of boxEdges) {
         points.push(corners[corner]);
         colors.push(...color);
@@ -64,6 +77,16 @@ class Boxes {
     this.chosen.matrix.copy(boxMatrix(object));
     this.chosen.matrixWorldNeedsUpdate = true;
     for (const part of this.chosen.children) part.material.color = pageColor("--accent");
+  }
+
+  /// Highlights the object under the pointer; null for none.
+  showHovered(id) {
+    const object = objectById.get(id);
+    this.hovered.visible = object !== undefined;
+    if (!object) return;
+    this.hovered.matrix.copy(boxMatrix(object));
+    this.hovered.matrixWorldNeedsUpdate = true;
+    for (const part of this.hovered.children) part.material.color = pageColor("--accent");
   }
 
   /// The nearest and, of boxes within each other, the smallest box that a ray meets: an id or null.

@@ -1,10 +1,12 @@
 // What is chosen. Every part of the page reads it, changes it by choose(), and is told of changes.
-// It stands in the address, so that a link can point at a frame or an object.
+// It stands in the address, so that a link can point at a frame or an object; hidden classes do not.
 
 const state = {
   frame: 0,
   object: null,    // id
   picture: pictureKinds.length > 0 ? pictureKinds[0].modality : null,
+  colors: "class",           // of the boxes: by "class" or by "capture"
+  hidden: new Set(),         // names of classes whose boxes are hidden; replaced, never changed
   storey: roomData ? roomData.storeys.length - 1 : 0,
   view: null,      // of the 3D view: "x,y,z,x,y,z" of eye and centre; null: as at first
 };
@@ -22,6 +24,8 @@ function allowed(key, value) {
     case "picture": return pictureKinds.some(kind => kind.modality === value);
     case "storey": return roomData !== null && Number.isInteger(value) && value >= 0 &&
       value < roomData.storeys.length;
+    case "colors": return value === "class" || value === "capture";
+    case "hidden": return value instanceof Set;
     case "view": return value === null || /^-?[\d.]+(,-?[\d.]+){5}$/.test(value);
     default: return false;
   }
@@ -49,6 +53,7 @@ function writeAddress() {
     if (state.object !== null) words.set("object", state.object);
     if (pictureKinds.length > 1) words.set("picture", state.picture);
     if (roomData && roomData.storeys.length > 1) words.set("storey", state.storey);
+    if (state.colors !== "class") words.set("colors", state.colors);
     if (state.view !== null) words.set("view", state.view);
     history.replaceState(null, "", "#" + words);
   }, 250);
@@ -60,7 +65,7 @@ function readAddress() {
   for (const key of ["frame", "object", "storey"]) {
     if (words.has(key)) changes[key] = Number(words.get(key));
   }
-  for (const key of ["picture", "view"]) {
+  for (const key of ["picture", "colors", "view"]) {
     if (words.has(key)) changes[key] = words.get(key);
   }
   choose(changes, true);

@@ -3,6 +3,22 @@
 const pickRadius_px = 8;
 const farthestClick_px = 4;  // what moves more is a drag
 
+/// The distance on the screen between a position and a frame's camera, from its eye to the middle of
+/// its image plane; null where it is not in view.
+function cameraDistance(view, frame, x, y) {
+  const eye = new THREE.Vector3(...frame.position);
+  const ahead = new THREE.Vector3(0, 0, view.trajectory.length)
+    .applyQuaternion(new THREE.Quaternion(...frame.rotation)).add(eye);
+  const [from, to] = [view.toScreen(eye), view.toScreen(ahead)];
+  if (!from) return null;
+  if (!to) return Math.hypot(from.x - x, from.y - y);
+  const [across, down] = [to.x - from.x, to.y - from.y];
+  const along = ((x - from.x) * across + (y - from.y) * down) /
+    Math.max(across * across + down * down, 1e-9);
+  const share = Math.min(Math.max(along, 0), 1);
+  return Math.hypot(from.x + share * across - x, from.y + share * down - y);
+}
+
 /// What is at a position in the view: {frame}, {object}, or null. Labels are in front of the rest.
 function pickAt(view, x, y) {
   const labelled = view.labels.hit(x, y);
@@ -11,10 +27,9 @@ function pickAt(view, x, y) {
   if (view.layers.cameras.visible) {
     for (const frame of frames) {
       if (!view.isFrameShown(frame)) continue;
-      const at = view.toScreen(new THREE.Vector3(...frame.position));
-      if (!at) continue;
-      const distance = Math.hypot(at.x - x, at.y - y);
-      if (distance > pickRadius_px || (nearest && distance >= nearest.distance)) continue;
+      const distance = cameraDistance(view, frame, x, y);
+      if (distance === null || distance > pickRadius_px) continue;
+      if (nearest && distance >= nearest.distance) continue;
       nearest = {distance, frame: frame.index};
     }
   }
@@ -29,8 +44,21 @@ function pickAt(view, x, y) {
   return box === null ? null : {object: box};
 }
 
+/// The words beside the pointer.
+function hoverText(picked) {
+  if ("frame" in picked) return `Frame ${picked.frame}: click to show it`;
+  const object = objectById.get(picked.object);
+  return `${object.name}: ${object.class}, ${captureWords[captureOf(object)]}`;
+}
+
 function startPicking(view) {
   const hover = document.getElementById("hover");
+  let asked = 0;
+  const leave = () => {
+    cancelAnimationFrame(asked);
+    hover.hidden = true;
+    view.highlight(null);
+  };
   const placeOf = event => {
     const box = view.canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -38,7 +66,7 @@ function startPicking(view) {
   let pressed = null;
   view.canvas.addEventListener("pointerdown", event => {
     pressed = event.button === 0 ? placeOf(event) : null;
-    hover.hidden = true;
+    leave();
   });
   view.canvas.addEventListener("pointerup", event => {
     if (!pressed) return;
@@ -46,11 +74,11 @@ function startPicking(view) {
     const moved = Math.hypot(x - pressed[0], y - pressed[1]);
     pressed = null;
     if (moved > farthestClick_px) return;
+    document.getElementById("hint").hidden = true;
     const picked = pickAt(view, x, y);
     if (picked) choose(picked); else choose({object: null});
   });
-  view.canvas.addEventListener("pointerleave", () => { hover.hidden = true; });
-  let asked = 0;
+  view.canvas.addEventListener("pointerleave", leave);
   view.canvas.addEventListener("pointermove", event => {
     if (event.buttons !== 0) return;
     cancelAnimationFrame(asked);
@@ -58,9 +86,9 @@ function startPicking(view) {
       const [x, y] = placeOf(event);
       const picked = pickAt(view, x, y);
       hover.hidden = picked === null;
+      view.highlight(picked);
       if (!picked) return;
-      hover.textContent = "frame" in picked ? `Frame ${picked.frame}`
-        : objectById.get(picked.object).name;
+      hover.textContent = hoverText(picked);
       const right = x > view.place.clientWidth - 320;
       hover.style.left = right ? "" : `${x + 14}px`;
       hover.style.right = right ? `${view.place.clientWidth - x + 14}px` : "";
@@ -103,7 +131,7 @@ function startView() {
   try {
     view = new View3d(document.getElementById("canvas-place"), document.getElementById("labels"));
   } catch (error) {
-    for (const id of ["tools", "legend"]) document.getElementById(id).hidden = true;
+    for (const id of ["over", "legend"]) document.getElementById(id).hidden = true;
     document.getElementById("no-webgl").hidden = false;
     return;
   }

@@ -67,11 +67,25 @@ function showFrameFacts() {
   best.replaceChildren();
   const shown = bestOfFrame.get(frame.index) || [];
   if (shown.length === 0) {
-    best.append("Best view of no object");
+    best.append("No object has its best view here.");
     return;
   }
   best.append("Best view of ");
   shown.forEach((object, i) => best.append(i > 0 ? ", " : "", objectLink(object)));
+}
+
+/// Folds the image away, so that the lists below get its room.
+function startFolding() {
+  const button = document.getElementById("fold");
+  const show = open => {
+    document.getElementById("picture-place").hidden = !open;
+    button.setAttribute("aria-expanded", String(open));
+    button.textContent = open ? "Hide image" : "Show image";
+    button.title = open ? "Gives the list more room" : "";
+  };
+  button.addEventListener("click", () => show(button.getAttribute("aria-expanded") !== "true"));
+  document.getElementById("kinds").addEventListener("click", () => show(true));
+  show(true);
 }
 
 function startPictures() {
@@ -100,3 +114,4 @@ function startPictures() {
   showFrameFacts();
 }
 startPictures();
+startFolding();

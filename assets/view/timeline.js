@@ -60,7 +60,28 @@ class Timeline {
   }
 }
 
-function startKeys(timeline) {
+/// The list of keys, over the page.
+class Help {
+  constructor() {
+    this.dialog = document.getElementById("help");
+    document.getElementById("show-help").addEventListener("click", () => this.toggle());
+    document.getElementById("close-help").addEventListener("click", () => this.toggle());
+    // What is beside the list belongs to the dialog itself.
+    this.dialog.addEventListener("click", event => {
+      if (event.target === this.dialog) this.toggle();
+    });
+  }
+
+  get open() {
+    return this.dialog.open;
+  }
+
+  toggle() {
+    if (this.open) this.dialog.close(); else this.dialog.showModal();
+  }
+}
+
+function startKeys(timeline, help) {
   const search = document.getElementById("search");
   const actions = {
     ArrowLeft: event => timeline.step(event.shiftKey ? -10 : -1),
@@ -68,21 +89,37 @@ function startKeys(timeline) {
     Home: () => choose({frame: 0}),
     End: () => choose({frame: frames.length - 1}),
     " ": () => timeline.toggle(),
-    "/": () => search.focus(),
+    "/": () => {
+      showList("object-list");
+      search.focus();
+    },
+    "?": () => help.toggle(),
     Escape: () => choose({object: null}),
   };
+  let reached_by_keys = false;
+  document.addEventListener("pointerdown", () => { reached_by_keys = false; }, true);
   document.addEventListener("keydown", event => {
+    if (event.key === "Tab") reached_by_keys = true;
+    if (help.open) {
+      if (event.key !== "Escape" && event.key !== "?") return;
+      event.preventDefault();
+      help.toggle();
+      return;
+    }
     const typing = event.target === search || event.target instanceof HTMLSelectElement;
     if (event.key === "Escape" && event.target === search) search.blur();
     if ((typing && event.key !== "Escape") || event.ctrlKey || event.altKey || event.metaKey) return;
-    // What was reached by keys is pressed by the space bar.
-    if (event.key === " " && event.target.matches("button:focus-visible, [type=checkbox]")) return;
+    // What was reached by keys is pressed by the space bar. (:focus-visible would not do: after a
+    // click it matches as soon as any key is pressed.)
+    if (event.key === " " && reached_by_keys && event.target.matches("button, [type=checkbox]")) {
+      return;
+    }
     const action = actions[event.key];
     if (!action) return;
     event.preventDefault();
     action(event);
   });
 }
-startKeys(new Timeline());
+startKeys(new Timeline(), new Help());
 readAddress();
 window.addEventListener("hashchange", readAddress);

@@ -89,9 +89,17 @@ class Trajectory {
     this.chosen_face = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(
       {side: THREE.DoubleSide, transparent: true, opacity: 0.5, depthTest: false}));
     this.chosen_lines = new THREE.LineSegments(new THREE.BufferGeometry(),
-      new THREE.LineBasicMaterial({depthTest: false}));
+      new THREE.LineBasicMaterial({depthTest: false, transparent: true}));
     this.chosen.add(this.chosen_face, this.chosen_lines);
-    for (const one of [this.path, this.cameras, this.chosen_face, this.chosen_lines]) {
+    this.hovered = new THREE.Group();
+    this.hovered_face = new THREE.Mesh(new THREE.BufferGeometry(),
+      this.chosen_face.material.clone());
+    this.hovered_lines = new THREE.LineSegments(new THREE.BufferGeometry(),
+      this.chosen_lines.material.clone());
+    this.hovered.add(this.hovered_face, this.hovered_lines);
+    this.hovered.visible = false;
+    for (const one of [this.path, this.cameras, this.chosen_face, this.chosen_lines,
+      this.hovered_face, this.hovered_lines]) {
       one.frustumCulled = false;
     }
     this.showFrame();
@@ -107,10 +115,21 @@ class Trajectory {
   /// The chosen frame's camera is three times as large as the others.
   showFrame() {
     this.chosen.visible = frames.length > 0;
-    if (frames.length === 0) return;
-    const corners = frustumPoints(frames[state.frame], 3 * this.length);
-    this.chosen_lines.geometry.setFromPoints(frustumEdges.map(corner => corners[corner]));
-    this.chosen_face.geometry.setFromPoints([0, 1, 2, 0, 2, 3].map(corner => corners[corner]));
-    this.chosen_face.material.color = new THREE.Color(...timeColor(timeShare(state.frame)));
+    if (frames.length > 0) this.#enlarge(state.frame, this.chosen_face, this.chosen_lines);
+  }
+
+  /// So is the camera under the pointer; null for none.
+  showHovered(index) {
+    this.hovered.visible = index !== null;
+    if (index === null) return;
+    this.#enlarge(index, this.hovered_face, this.hovered_lines);
+    this.hovered_lines.material.color = pageColor("--accent");
+  }
+
+  #enlarge(index, face, lines) {
+    const corners = frustumPoints(frames[index], 3 * this.length);
+    lines.geometry.setFromPoints(frustumEdges.map(corner => corners[corner]));
+    face.geometry.setFromPoints([0, 1, 2, 0, 2, 3].map(corner => corners[corner]));
+    face.material.color = new THREE.Color(...timeColor(timeShare(index)));
   }
 }

@@ -1,9 +1,13 @@
 // The 3D view: what it shows, from where, and when it is drawn anew.
 
+/// A value of the page's style.
+function pageValue(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
 /// A colour of the page's style.
 function pageColor(name) {
-  return new THREE.Color(getComputedStyle(document.documentElement).getPropertyValue(name).trim() ||
-    "#808080");
+  return new THREE.Color(pageValue(name) || "#808080");
 }
 
 /// All that has to be in view at first: of the chosen storey, else of what there is.
@@ -51,7 +55,8 @@ class View3d {
       cameras: this.trajectory.cameras, boxes: this.boxes.lines, labels: {visible: true},
     };
     for (const layer of [this.layers.room, this.trajectory.path, this.trajectory.cameras,
-      this.trajectory.chosen, this.boxes.lines, this.boxes.chosen]) {
+      this.trajectory.chosen, this.trajectory.hovered, this.boxes.lines, this.boxes.chosen,
+      this.boxes.hovered]) {
       if (layer) this.scene.add(layer);
     }
     this.#follow();
@@ -73,6 +78,7 @@ class View3d {
         if (this.room) this.room.moveObjects();
         if (Object.keys(dataset.motions).length > 0) this.#showBoxes();
       }
+      if (changed.has("colors") || changed.has("hidden")) this.#showBoxes();
       this.boxes.showChosen();
       this.draw();
     });
@@ -113,6 +119,18 @@ class View3d {
     this.#showBoxes();
     this.boxes.showChosen();
     this.trajectory.chosen_lines.material.color = pageColor("--accent");
+    this.draw();
+  }
+
+  /// Highlights what is under the pointer: {frame}, {object}, or null.
+  highlight(picked) {
+    const {frame = null, object = null} = picked || {};
+    if (this.highlighted && this.highlighted.frame === frame &&
+      this.highlighted.object === object) return;
+    this.highlighted = {frame, object};
+    this.trajectory.showHovered(frame);
+    this.boxes.showHovered(object);
+    this.canvas.classList.toggle("clickable", picked !== null);
     this.draw();
   }
 

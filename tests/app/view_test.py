@@ -267,6 +267,22 @@ class Page(ViewCase):
         words = self.browser.texts("#objects li.chosen dt")
         return dict(zip(words, self.browser.texts("#objects li.chosen dd")))
 
+    def hover(self, x, y):
+        chain = browser.ActionChains(self.browser.driver)
+        chain.w3c_actions.pointer_action.move_to_location(round(x), round(y))
+        chain.perform()
+        for _ in range(2):  # the pointer's place, then what it highlights
+            self.browser.settle()
+
+    def rows_in_sight(self, selector):
+        """How many rows of a list its height has room for."""
+        return self.browser.run("""const list = document.querySelector(arguments[0]);
+            const row = list.querySelector(".row").getBoundingClientRect().height;
+            return list.clientHeight / (row + 1);""", selector)
+
+    def has_visible(self, selector):
+        return self.browser.find(selector).is_displayed()
+
     # --- the 3D view
 
     def test_the_view_shows_something_that_turns(self):
@@ -335,7 +351,156 @@ class Page(ViewCase):
         moved = np.hypot(seen[0]["x"] - seen[1]["x"], seen[0]["y"] - seen[1]["y"])
         self.assertGreater(moved, 10)
 
+    def test_a_hint_is_shown_until_the_first_click(self):
+        self.assertIn("Click a camera", self.browser.text("#hint"))
+        height = self.browser.run("return document.getElementById('hint').clientHeight")
+        self.assertLess(height, 32)  # one line
+        self.browser.drag(400, 600, 60, 10)
+        self.assertTrue(self.has_visible("#hint"))
+        self.browser.click_at(40, 700)  # beside everything
+        self.assertFalse(self.has_visible("#hint"))
+
+    def test_cameras_and_boxes_under_the_pointer_stand_out(self):
+        cursor = "return getComputedStyle(document.querySelector('canvas')).cursor"
+        self.browser.run("document.getElementById('hover').style.opacity = 0")  # covers the view
+        cameras = self.open_places("frame", range(1, FRAMES))
+        self.assertGreater(len(cameras), 2)
+        self.browser.click("#show-labels")
+        self.hover(40, 700)
+        self.assertEqual(self.browser.run(cursor), "grab")
+        before = self.browser.picture("canvas")
+        self.hover(42, 702)
+        self.assertLess(browser.difference(before, self.browser.picture("canvas")), 1e-3)
+
+        def changed_pixels():
+            apart = np.abs(before.astype(int) - self.browser.picture("canvas")).max(axis=2)
+            return int((apart > 40).sum())
+        for frame, place in list(cameras.items())[:2]:
+            self.hover(*place)
+            self.assertEqual(self.browser.run(cursor), "pointer")
+            self.assertIn(f"Frame {frame}:", self.browser.run(
+                "return document.getElementById('hover').textContent"))
+            self.assertGreater(changed_pixels(), 20)
+            self.assertNotIn(f"Frame {frame} of", self.browser.text("#now"))
+        sofa = self.browser.run(f"return datasetView.objectAt({self.sofa})")
+        self.hover(sofa["x"], sofa["y"])
+        self.assertEqual(self.browser.run(cursor), "pointer")
+        self.assertGreater(changed_pixels(), 100)
+        self.hover(40, 700)
+        self.assertEqual(self.browser.run(cursor), "grab")
+        self.assertEqual(changed_pixels(), 0)
+
+    # --- classes
+
+    def test_the_class_legend_counts_the_objects(self):
+        self.assertFalse(self.has_visible("#classes"))
+        self.browser.click("#to-classes")
+        self.assertFalse(self.has_visible("#objects"))
+        names = {one["id"]: one["name"] for one in self.card["classes"]}
+        captured = {row["object_id"] for row in self.card["metrics"]["counted"]["per_object"]
+                    if row["captured"]}
+        expected = {}
+        for one in self.card["objects"]:
+            if one["role"] != "target":
+                continue
+            counts = expected.setdefault(names[one["nyu40"]], [0, 0])
+            counts[0] += one["id"] in captured
+            counts[1] += 1
+        shown = dict(zip(self.browser.texts("#classes .name"),
+                         self.browser.texts("#classes .state")))
+        self.assertEqual(shown, {name: f"{some} of {all_} captured"
+                                 for name, (some, all_) in expected.items()})
+        self.browser.click("[data-list=object-list]")
+        self.assertTrue(self.has_visible("#objects"))
+
+    def test_a_click_on_a_class_hides_its_boxes(self):
+        self.browser.click("[data-list=class-legend]")
+        for layer in ("room", "path", "cameras"):
+            self.browser.click(f"#show-{layer}")
+        label = "return [...document.querySelectorAll('#labels span:not([hidden])')]" \
+                ".some(one => one.textContent === 'sofa')"
+        at = self.browser.run(f"return datasetView.objectAt({self.sofa})")
+        under = lambda: self.browser.run("return datasetView.under(arguments[0], arguments[1])",
+                                         at["x"], at["y"])
+        row = "#classes [data-class=sofa]"
+        swatch = self.browser.run("return getComputedStyle(document.querySelector("
+                                  f"'{row} .color')).backgroundColor")
+        ground = self.browser.picture("canvas")[400, 5].astype(float)
+        color = np.array([float(part) for part in re.findall(r"[\d.]+", swatch)][:3][::-1])
+        line = 0.75 * color + 0.25 * ground
+
+        def pixels_of_lines():
+            return int((np.abs(self.browser.picture("canvas") - line).max(axis=2) < 10).sum())
+        shown = pixels_of_lines()
+        self.assertGreater(shown, 100)
+        self.assertTrue(self.browser.run(label))
+        self.assertEqual(under(), {"object": self.sofa})
+        self.browser.click(row)
+        self.assertEqual(self.browser.find(row).get_attribute("aria-pressed"), "false")
+        self.assertLess(pixels_of_lines(), 0.1 * shown)
+        self.assertFalse(self.browser.run(label))
+        self.assertNotEqual(under(), {"object": self.sofa})
+        self.browser.click(row)
+        self.assertEqual(pixels_of_lines(), shown)
+        self.assertTrue(self.browser.run(label))
+        self.browser.click("#hide-classes")
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll("
+                                          "'#labels span:not([hidden]):not(.camera)')].length"), 0)
+        self.browser.click("#show-classes")
+        self.assertEqual(pixels_of_lines(), shown)
+
+    def test_boxes_can_be_coloured_by_capture(self):
+        by_class = self.browser.picture("canvas")
+        self.assertFalse(self.has_visible(".by-capture"))
+        self.browser.find("#colors").send_keys("by capture")
+        self.browser.settle()
+        self.assertEqual(self.browser.texts(".by-capture"),
+                         ["well captured", "captured", "not captured"])
+        self.assertFalse(self.has_visible("#to-classes"))
+        by_capture = self.browser.picture("canvas")
+        self.assertGreater(browser.difference(by_class, by_capture), 0.02)
+        self.browser.open(self.page, "#colors=capture")
+        self.assertEqual(self.browser.find("#colors").get_property("value"), "capture")
+        swatch = "return getComputedStyle(document.querySelector(" \
+                 f"'#objects [data-id=\"{self.book}\"] .color')).backgroundColor"
+        self.assertEqual(self.browser.run(swatch), "rgb(198, 42, 32)")
+
     # --- images, list, keys
+
+    def test_the_list_has_room_in_every_window(self):
+        for width, height in ((1280, 600), (1280, 720), (1024, 700), (2560, 1440)):
+            self.browser.look(width, height)
+            self.browser.open(self.page)
+            with self.subTest(width=width, height=height):
+                self.assertGreaterEqual(self.rows_in_sight("#objects"), 8)
+                picture = self.browser.find("#picture").rect
+                self.assertGreater(picture["height"], 100)
+                self.assertLess(picture["y"] + picture["height"],
+                                self.browser.find("#lists").rect["y"])
+                self.browser.click("#to-classes")
+                self.assertGreaterEqual(self.rows_in_sight("#classes"), 8)
+        self.browser.look(1280, 720)
+        self.browser.open(self.page)
+        before = self.rows_in_sight("#objects")
+        self.browser.click("#fold")
+        self.assertFalse(self.has_visible("#picture"))
+        self.assertGreater(self.rows_in_sight("#objects"), before + 6)
+        self.browser.click("[data-modality=depth]")  # asks for an image
+        self.assertTrue(self.has_visible("#picture"))
+        self.assertEqual(self.rows_in_sight("#objects"), before)
+
+    def test_an_object_that_is_not_captured_has_no_best_view(self):
+        row = next(r for r in self.card["metrics"]["counted"]["per_object"]
+                   if r["object_id"] == self.book)
+        self.assertGreaterEqual(row["best_frame"], 0)  # a frame shows it
+        self.browser.open(self.page, f"#frame={row['best_frame']}&object={self.book}")
+        self.assertNotIn(HOSTILE, self.browser.text("#best-of"))
+        facts = self.facts()
+        self.assertEqual(facts["State"], "not captured")
+        self.assertEqual(facts["Why not"], "The sofa hides it from everywhere.")
+        self.assertNotIn("Best frame", facts)
+        self.assertIn(f"frame {row['best_frame']}, too little", facts["Most visible in"])
+        self.assertEqual(self.browser.texts("#objects li.chosen .go"), [])
 
     def test_each_kind_of_picture_shows_the_frame(self):
         self.browser.open(self.page, "#frame=5")
@@ -398,6 +563,48 @@ class Page(ViewCase):
         self.browser.press(" ")
         self.assertEqual(self.browser.text("#play"), "Play")
 
+    def test_escape_deselects_and_space_plays_after_a_click_on_a_row(self):
+        self.browser.click(f"#objects [data-id='{self.sofa}'] .row")
+        self.assertEqual(self.facts()["Class"], "sofa")
+        self.browser.press("\ue014")  # right
+        self.assertIn("Frame 1 of", self.browser.text("#now"))
+        self.browser.press(" ")
+        self.assertEqual(self.browser.text("#play"), "Pause")
+        self.browser.press(" ")
+        self.assertEqual(self.browser.text("#play"), "Play")
+        self.assertEqual(self.facts()["Class"], "sofa")
+        self.browser.press("\ue00c")  # Escape
+        self.assertEqual(self.facts(), {})
+        self.browser.press("\ue004", " ")  # Tab leads to the next row, which the space bar presses
+        self.assertEqual(self.browser.text("#play"), "Play")
+        self.assertNotEqual(self.facts(), {})
+
+    def test_a_question_mark_lists_the_keys(self):
+        self.browser.click(f"#objects [data-id='{self.sofa}'] .row")
+        self.assertFalse(self.has_visible("#help"))
+        self.browser.press("?")
+        self.assertTrue(self.has_visible("#help"))
+        self.assertLessEqual({"←", "→", "Home", "End", "Space", "/", "Esc", "?"},
+                             set(self.browser.texts("#help kbd")))
+        self.browser.press("\ue014")  # right
+        self.assertIn("Frame 0 of", self.browser.text("#now"))
+        self.browser.press("\ue00c")  # Escape closes the list and keeps the selection
+        self.assertFalse(self.has_visible("#help"))
+        self.assertEqual(self.facts()["Class"], "sofa")
+        self.browser.press("??")
+        self.assertFalse(self.has_visible("#help"))
+        self.browser.click("#show-help")
+        self.assertTrue(self.has_visible("#help"))
+        self.browser.click("#close-help")
+        self.assertFalse(self.has_visible("#help"))
+        self.browser.click("#show-help")
+        self.browser.click_at(20, 400)  # beside the list
+        self.assertFalse(self.has_visible("#help"))
+        self.browser.click("#search")
+        self.browser.press("?")
+        self.assertFalse(self.has_visible("#help"))
+        self.assertEqual(self.browser.find("#search").get_property("value"), "?")
+
     def test_a_link_leads_to_frame_object_and_picture(self):
         self.browser.open(self.page, f"#frame=4&object={self.sofa}&picture=depth")
         self.assertIn("Frame 4 ·", self.browser.text("#frame-facts"))
@@ -408,13 +615,20 @@ class Page(ViewCase):
         self.assertIn("Frame 0 ·", self.browser.text("#frame-facts"))
 
     def test_nothing_is_cut_or_pale(self):
-        for width, height in ((1024, 700), (1920, 1080)):
+        def show_classes():
+            self.browser.click("#to-classes")
+            self.browser.click("#classes .row")  # a hidden class
+        states = [("objects", lambda: None), ("classes", show_classes),
+                  ("keys", lambda: self.browser.press("?"))]
+        for width, height in ((1024, 700), (1280, 720), (2560, 1440)):
             for dark in (False, True):
                 self.browser.look(width, height, dark)
                 self.browser.open(self.page, f"#object={self.book}")
-                with self.subTest(width=width, dark=dark):
-                    self.assertEqual(self.browser.run(CUT_TEXTS), [])
-                    self.assertEqual(self.browser.run(PALE_TEXTS), [])
+                for state, show in states:
+                    show()
+                    with self.subTest(width=width, dark=dark, state=state):
+                        self.assertEqual(self.browser.run(CUT_TEXTS), [])
+                        self.assertEqual(self.browser.run(PALE_TEXTS), [])
 
     # --- datasets with fewer files
 
@@ -502,7 +716,7 @@ for (const element of document.querySelectorAll("body *")) {
   const box = element.getBoundingClientRect();
   const style = getComputedStyle(element);
   const inline = style.display === "inline";
-  const list = element.closest("#objects");
+  const list = element.closest("#objects, #classes");
   if (box.right > innerWidth + 1 || box.left < -1 || (!list && box.bottom > innerHeight + 1) ||
       (!inline && element.scrollWidth > element.clientWidth + 1))
     cut.push(`${element.tagName} ${element.id} ${element.textContent.slice(0, 40)}`);
