@@ -28,7 +28,7 @@ TEST(Operation, BoxesAreRenamedToNamesOfTheirOwn) {
     EXPECT_TRUE(rename("stairs", "stairs")) << "its own name is free";
     const auto taken = rename("stairs", "no-go box");
     ASSERT_FALSE(taken);
-    EXPECT_NE(taken.error().message.find("'no-go box' is already used"), std::string::npos);
+    EXPECT_NE(taken.error().message.find("already called 'no-go box'"), std::string::npos);
     EXPECT_FALSE(rename("stairs", ""));
     EXPECT_EQ(named(1), "stairs");
 }
