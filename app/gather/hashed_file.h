@@ -38,8 +38,9 @@ class HashedFile {
     std::uint64_t size_ = 0;
 };
 
-/// Opens a new file for writing. A file of that name is removed before: an interrupted run may have
-/// linked it to an image of a dataset, which must not be written to. Error: CannotWrite.
+/// Opens a new file for writing. An existing file of that name is removed first, because an
+/// interrupted run may have made it a hard link to an image of a dataset, which must not be
+/// changed. Error: CannotWrite.
 [[nodiscard]] Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder,
                                                  const std::string& name);
 

@@ -72,9 +72,9 @@ struct RegionCoverage {
 struct SurfaceShare {
     double patch_m = 0.0;  // edge of a patch
     int patches = 0;
-    int seen = 0;       // by some frame
-    int covered = 0;    // from the directions and at the resolution asked for
-    int coverable = 0;  // so, from the positions that were tried
+    int seen = 0;       // patches that some frame shows
+    int covered = 0;    // patches shown from the directions and at the resolution asked for
+    int coverable = 0;  // patches that the tried positions can cover, or that frames cover
     /// Share of the patches, 0..1; 0 without any.
     [[nodiscard]] double rateOf(int count) const {
         return patches > 0 ? static_cast<double>(count) / patches : 0.0;

@@ -57,7 +57,8 @@ struct PositionPoint {
     /// Shows many objects at once from farther away. A key frame as far as the budget of frames
     /// allows, whatever it captures.
     bool room_view = false;
-    /// Shows surface that no other view covers. A key frame as far as budgets allow.
+    /// The view shows surface that no other view covers. It becomes a key frame as far as the
+    /// budgets of frames and metres allow.
     bool surface_view = false;
     int room = 0;  // points of different rooms are on trajectories of their own
 };

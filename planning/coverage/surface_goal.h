@@ -11,9 +11,9 @@ namespace dollytrack::planning {
 
 class ViewEstimator;
 
-/// The surface that is visible from where the camera may be, and how it shall be seen. A view shows
-/// a patch if it is in the image, nothing is in between, and the line of sight is within 75 degrees
-/// of the normal; sharply, if it is also near enough.
+/// The surface visible from positions where the camera fits, and what the views of it must fulfil.
+/// A view shows a patch if the patch is in the image, nothing is in between, and the line of sight
+/// is within 75 degrees of the normal. It shows the patch sharply if it is also near enough.
 struct SurfaceGoal {
     SurfacePatches surface;  // one-sided: normals face the camera's positions
     double sharp_m = 0.0;    // farthest distance of a sharp view, m
@@ -32,7 +32,7 @@ inline SightRules surfaceRules() {
 
 /// Counts the patches that the frames of the trajectory see, and that they cover: sharply, from as
 /// many directions as asked for, counted in the order of the frames (see SpreadDirections). A patch
-/// that frames cover counts as coverable. Error: Cancelled.
+/// that the frames cover is also counted as coverable. Error: Cancelled.
 Result<SurfaceShare> measureSurface(const SurfaceGoal& goal, const ViewEstimator& views,
                                     const Trajectory& trajectory, const JobContext& job);
 
