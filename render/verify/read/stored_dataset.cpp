@@ -190,7 +190,8 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
         dataset.unusable_frames = readUnusableFrames(dataset.card);
     } catch (const nlohmann::json::exception&) {
         return fail(ErrorCode::BadInput,
-                    "This field of dataset.json is missing or has the wrong type; export again.",
+                    "This field of dataset.json is missing or has the wrong type; export the "
+                    "dataset again.",
                     path.string() + ": " + field);
     }
     const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
