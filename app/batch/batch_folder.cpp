@@ -51,6 +51,7 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     std::error_code error;
     const Result<io::GuardedFolder> own = io::GuardedFolder::make(folder);
     if (!own) return tl::unexpected(own.error());
+    if (Status plain = own->checkFile(kList); !plain) return plain;
     const fs::path path = folder / kList;
     const std::string wanted = textOf(list);
     const Result<std::string> list_text = io::readText(path);

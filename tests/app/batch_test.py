@@ -94,6 +94,15 @@ class Batch(FolderCase):
                 self.assertIn("link", message)
                 self.assertEqual(hashes(mine), {"text": hashes(mine)["text"]})
                 self.assertEqual((mine / "text").read_text(), "mine")
+        for name in ["jobs.json", "summary.json", "junit.xml", "index.html"]:
+            with self.subTest(name):
+                shutil.rmtree(self.out)
+                self.out.mkdir()
+                if name != "jobs.json":
+                    (self.out / "jobs.json").write_text('{"format": "dollytrack-batch"}')
+                (self.out / name).symlink_to(mine / "text")
+                self.assertFails(run("-q", "batch", file), 6, str(self.out / name), "link")
+                self.assertEqual((mine / "text").read_text(), "mine")
 
     def summary(self, folder=None):
         jobs = json.loads(((folder or self.out) / "summary.json").read_text())["jobs"]
