@@ -175,7 +175,8 @@ nlohmann::json toJson(const FieldList& fields) {
 
 Status setFromJson(const FieldList& fields, const nlohmann::json& sections) {
     if (!sections.is_object()) {
-        return fail(ErrorCode::BadInput, "The parameters must be an object of sections.");
+        return fail(ErrorCode::BadInput,
+                    "The parameters must be a JSON object with an object for each section.");
     }
     struct Named {
         std::string section;

@@ -49,8 +49,7 @@ void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origi
         return;
     }
     log::warn("export",
-              "path-traced sensor images have no motion blur from moving objects; use "
-              "render_mode=fast for it");
+              "path-traced images have no motion blur of moving objects; render_mode=fast has it");
 }
 
 }  // namespace

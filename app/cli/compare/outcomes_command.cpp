@@ -73,7 +73,8 @@ Result<nlohmann::ordered_json> judgeOptions(const OutcomeArguments& arguments) {
         const std::size_t equals = text.find('=');
         if (dot == 0 || dot == std::string::npos || equals == std::string::npos ||
             dot + 1 >= equals) {
-            return fail(ErrorCode::Usage, "Give an option of a judge as JUDGE.NAME=VALUE.",
+            return fail(ErrorCode::Usage,
+                        "Give an option of an evaluation program (a judge) as JUDGE.NAME=VALUE.",
                         "--judge-option " + text);
         }
         const std::string name = text.substr(dot + 1, equals - dot - 1);

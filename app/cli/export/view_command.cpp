@@ -90,7 +90,8 @@ Result<ExitCode> runView(const ViewArguments& arguments, const Session& session)
     const auto scene = openDatasetScene(*dataset, asked, job.stage(0.0, 0.4, "loading"));
     if (!scene) return tl::unexpected<Error>(scene.error());
     if (!scene->scene) {
-        log::warn("view", fmt::format("The page shows no surfaces: {}.", scene->missing));
+        log::warn("view", fmt::format("The page shows the frames without the scene's geometry: {}.",
+                                      scene->missing));
     }
     const view::PageOrder order{*dataset, scene->scene.get(), scene->rays.get(), scene->missing,
                                 arguments.three};

@@ -112,8 +112,10 @@ Result<ExportNote> readNote(const fs::path& file) {
         const auto* end = std::ranges::find(kEnds, read.value("end", std::string(kEnds[0])));
         if (end != kEnds.end()) note.end = static_cast<ExportEnd>(end - kEnds.begin());
     } catch (const json::exception&) {
-        return fail(ErrorCode::BadInput, "The record of an unfinished export cannot be read.",
-                    file.string());
+        return fail(
+            ErrorCode::BadInput,
+            "The progress file of an unfinished export cannot be read; start the export again.",
+            file.string());
     }
     return note;
 }

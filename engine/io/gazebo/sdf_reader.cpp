@@ -208,7 +208,7 @@ class SdfReader {
         if (model) return openModel(model, *file, *at->second, scope, frame);
         if (sdf.child("light") || sdf.child("actor")) return {};  // such as model://sun
         return fail(ErrorCode::BadInput,
-                    "the file is included as a model, but has no <model>; name another file",
+                    "the included file has no <model> element; include a file that has one",
                     file->string());
     }
 

@@ -174,7 +174,9 @@ Status readText(const PcdHeader& header, std::string_view text, const std::strin
     }
     if (found < header.points) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("It ends after {} of {} points.", found, header.points), name);
+                    fmt::format("The file ends after {} of {} points; download or export it again.",
+                                found, header.points),
+                    name);
     }
     return {};
 }

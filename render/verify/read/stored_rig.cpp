@@ -131,7 +131,10 @@ Result<std::vector<StoredCamera>> readStoredRig(const StoredDataset& dataset) {
                         fmt::format("cameras[{}] has {}", cameras.size() - 1, problem));
         }
     } catch (const nlohmann::json::exception& error) {
-        return fail(ErrorCode::BadInput, fmt::format("\"cameras\" is damaged ({})", error.what()));
+        return fail(ErrorCode::BadInput,
+                    fmt::format("A field of \"cameras\" is missing or has the wrong type ({}); "
+                                "export the dataset again.",
+                                error.what()));
     }
     return cameras;
 }
