@@ -75,10 +75,14 @@ class Editor {
     void addCommands();
     void addFileCommands();
     void addEditCommands();
-    void addViewCommands();
     void addTimelineCommands();
     void addObjectCommands();  // editor_objects.cpp
     void drawMenus();
+
+    // editor_view_commands.cpp
+    void addViewCommands();
+    void addLayerCommands();
+    void addWindowCommands();
 
     // editor_panels.cpp
     void drawLeft();

@@ -1,0 +1,218 @@
+#include "app/editor/editor.h"
+
+#include "planning/free_space/free_space.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace dollytrack::editor {
+
+void Editor::addViewCommands() {
+    const auto needs_scene = [this]() -> std::string {
+        return workspace_.shown().scene ? "" : "No scene is open.";
+    };
+    const auto aspect = [this] {
+        return static_cast<double>(pane_.width) / std::max(pane_.height, 1);
+    };
+    commands_.add({"view.frame_selected",
+                   "View",
+                   "Show the selection",
+                   {GLFW_KEY_F},
+                   [this] { bringIntoView(selectedBox()); },
+                   [this]() -> std::string {
+                       return selectedBox().isEmpty() ? "Select something first." : "";
+                   }});
+    commands_.add({"view.frame_all",
+                   "View",
+                   "Show everything",
+                   {GLFW_KEY_HOME},
+                   [this, aspect] {
+                       lookThroughFrame(false);
+                       panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
+                                                     aspect());
+                       panels_.viewport.camera.distance *= 0.78;
+                   },
+                   needs_scene});
+    using Axis = ui::ViewerCamera::Axis;
+    struct AxisKey {
+        const char* id;
+        const char* title;
+        int digit;
+        bool opposite;
+        Axis axis;
+    };
+    static constexpr AxisKey kAxes[] = {{"front", "From the front", 1, false, Axis::Front},
+                                        {"back", "From the back", 1, true, Axis::Back},
+                                        {"right", "From the right", 3, false, Axis::Right},
+                                        {"left", "From the left", 3, true, Axis::Left},
+                                        {"top", "From above", 7, false, Axis::Top},
+                                        {"bottom", "From below", 7, true, Axis::Bottom}};
+    for (const AxisKey& view : kAxes) {
+        const auto look = [this, axis = view.axis] {
+            lookThroughFrame(false);
+            panels_.viewport.camera.lookFrom(axis);
+        };
+        commands_.add({"view." + std::string(view.id),
+                       "View",
+                       view.title,
+                       {GLFW_KEY_0 + view.digit, view.opposite},
+                       look,
+                       needs_scene});
+        keypad_.push_back({GLFW_KEY_KP_0 + view.digit, view.opposite, look});
+    }
+    const auto orthographic = [this] {
+        lookThroughFrame(false);
+        panels_.viewport.camera.orthographic = !panels_.viewport.camera.orthographic;
+    };
+    commands_.add({"view.orthographic",
+                   "View",
+                   "Parallel projection",
+                   {GLFW_KEY_5},
+                   orthographic,
+                   needs_scene,
+                   [this] { return panels_.viewport.camera.orthographic; }});
+    keypad_.push_back({GLFW_KEY_KP_5, false, orthographic});
+    const auto through = [this] { lookThroughFrame(!through_camera_); };
+    commands_.add(
+        {"view.through_camera",
+         "View",
+         "Look through the camera",
+         {GLFW_KEY_0},
+         through,
+         [this]() -> std::string { return frameCount() > 0 ? "" : "There is no trajectory."; },
+         [this] { return through_camera_; }});
+    keypad_.push_back({GLFW_KEY_KP_0, false, through});
+    commands_.add({"view.hide",
+                   "View",
+                   "Hide the selection",
+                   {GLFW_KEY_H},
+                   [this] { selected_.hideObjects(); },
+                   [this]() -> std::string {
+                       return selected_.objects().empty() ? "Select an object first." : "";
+                   }});
+    commands_.add({"view.show_all",
+                   "View",
+                   "Show all hidden objects",
+                   {GLFW_KEY_H, false, false, true},
+                   [this] { selected_.showAll(); },
+                   needs_scene});
+    commands_.add({"view.preview",
+                   "View",
+                   "Preview of the camera",
+                   {GLFW_KEY_C},
+                   [this] { panels_.preview.open = !panels_.preview.open; },
+                   {},
+                   [this] { return panels_.preview.open; }});
+}
+
+void Editor::addLayerCommands() {
+    const auto layer = [this](const char* id, const char* title, ui::Shortcut keys, bool& on) {
+        commands_.add({"layer." + std::string(id),
+                       "Layers",
+                       title,
+                       keys,
+                       [&on] { on = !on; },
+                       {},
+                       [&on] { return on; }});
+    };
+    ui::LayerSettings& layers = layer_settings_;
+    layer("free_space", "Free space", {GLFW_KEY_F2}, layers.free_space);
+    const auto needs_map = [this]() -> std::string {
+        return workspace_.shown().free_space ? "" : "The map is not built yet.";
+    };
+    const auto slice = [this](double way) {
+        // Moving the slice shows it.
+        layer_settings_.free_space = layer_settings_.sliced = true;
+        ui::Slice& now = layer_settings_.slice;
+        const Eigen::AlignedBox3d& room = workspace_.shown().scene->room_bounds;
+        now.position_m =
+            std::clamp(now.position_m + way * workspace_.shown().free_space->resolution_m(),
+                       room.min()[now.axis], room.max()[now.axis]);
+    };
+    commands_.add({"layer.slice_up",
+                   "Layers",
+                   "Raise the slice of free space",
+                   {GLFW_KEY_PAGE_UP},
+                   [slice] { slice(1.0); },
+                   needs_map});
+    commands_.add({"layer.slice_down",
+                   "Layers",
+                   "Lower the slice of free space",
+                   {GLFW_KEY_PAGE_DOWN},
+                   [slice] { slice(-1.0); },
+                   needs_map});
+    commands_.add({"layer.slice_height",
+                   "Layers",
+                   "Slice height of free space\u2026",
+                   {},
+                   [this] {
+                       layer_settings_.free_space = layer_settings_.sliced = true;
+                       settings_.layout.show_left = true;
+                       focus_tab_ = "Layers";
+                   },
+                   needs_map});
+    layer("points", "Observation and position points", {GLFW_KEY_F3}, layers.points);
+    layer("roadmap", "Roadmap", {GLFW_KEY_F4}, layers.roadmap);
+    layer("trajectory", "Trajectory", {GLFW_KEY_F5}, layers.trajectory);
+    layer("candidates", "Candidates of the selection", {GLFW_KEY_F6}, layers.candidates);
+    layer("no_go", "No-go boxes, regions", {GLFW_KEY_F7}, layers.no_go_boxes);
+    layer("ceilings", "Cut ceilings away", {GLFW_KEY_F8}, layers.ceiling_cut);
+}
+
+void Editor::addWindowCommands() {
+    commands_.add({"window.left",
+                   "Window",
+                   "Left panels",
+                   {},
+                   [this] { settings_.layout.show_left = !settings_.layout.show_left; },
+                   {},
+                   [this] { return settings_.layout.show_left; }});
+    commands_.add({"window.right",
+                   "Window",
+                   "Right panels",
+                   {},
+                   [this] { settings_.layout.show_right = !settings_.layout.show_right; },
+                   {},
+                   [this] { return settings_.layout.show_right; }});
+    commands_.add({"window.bottom",
+                   "Window",
+                   "Bottom panels",
+                   {},
+                   [this] { settings_.layout.show_bottom = !settings_.layout.show_bottom; },
+                   {},
+                   [this] { return settings_.layout.show_bottom; }});
+    commands_.add({"window.light",
+                   "Window",
+                   "Light theme",
+                   {},
+                   [this] {
+                       const bool dark = settings_.theme == ui::ThemeKind::Dark;
+                       settings_.theme = dark ? ui::ThemeKind::Light : ui::ThemeKind::Dark;
+                       setTheme();
+                   },
+                   {},
+                   [this] { return settings_.theme == ui::ThemeKind::Light; }});
+    const auto zoom = [this](double factor) {
+        settings_.zoom = std::clamp(settings_.zoom * factor, 0.5, 3.0);
+        setTheme();
+        window_.requestFonts(window_.contentScale() * settings_.zoom);
+    };
+    commands_.add(
+        {"window.larger", "Window", "Larger text", {GLFW_KEY_EQUAL, true}, [zoom] { zoom(1.1); }});
+    commands_.add({"window.smaller", "Window", "Smaller text", {GLFW_KEY_MINUS, true}, [zoom] {
+                       zoom(1.0 / 1.1);
+                   }});
+    commands_.add({"window.fullscreen", "Window", "Full screen", {GLFW_KEY_F11}, [this] {
+                       window_.toggleFullscreen();
+                   }});
+    commands_.add({"help.keys", "Help", "Keys and mouse", {GLFW_KEY_F1}, [this] {
+                       panels_.help.open = true;
+                   }});
+    commands_.add(
+        {"help.palette", "Help", "Find a command, parameter or object", {GLFW_KEY_P, true}, [this] {
+             panels_.palette.open = true;
+         }});
+}
+
+}  // namespace dollytrack::editor
