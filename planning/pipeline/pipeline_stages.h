@@ -10,6 +10,7 @@
 #include "planning/pipeline/pipeline.h"
 #include "planning/pipeline/plan_cache.h"
 #include "planning/pipeline/stage.h"
+#include "planning/pipeline/stage_inputs.h"
 #include "planning/repair/repair.h"
 #include "planning/rooms/room_plan.h"
 #include "planning/viewpoints/constraint_viewpoints.h"
@@ -22,17 +23,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace dollytrack::planning {
 
-/// The stages of a pipeline, with the inputs and output of each. Internal to pipeline.cpp and
-/// pipeline_stages.cpp.
-struct Pipeline::Stages {
-    using V = unsigned;  // version of an earlier stage's output
+/// Classes of the structure objects; other classes do not affect where the camera may be.
+std::vector<int> structureClasses(const Scene& scene);
 
+/// The stages of a pipeline, with the inputs and output of each. Internal to this folder.
+struct Pipeline::Stages {
     /// What the frames show of must-see regions and, if the objective includes it, of all surface.
     struct Coverages {
         std::vector<RegionCoverage> must_see;
@@ -47,44 +47,33 @@ struct Pipeline::Stages {
     };
 
     std::shared_ptr<const Scene> scene;
-    V scene_version = 0;
-    V geometry_version = 0;
-    Stage<std::tuple<V>, RayCaster> rays;
-    Stage<std::tuple<V, double>, SurfaceMap> surfaces;
-    Stage<std::tuple<unsigned, double>, FreeSpace> free_space;
-    Stage<std::tuple<V, std::vector<int>, std::vector<NoGoBox>, double, double, BodyParams>,
-          AllowedRegion>
-        region;
-    Stage<std::tuple<V, CameraParams>, ViewEstimator> views;
-    Stage<std::tuple<V, TargetParams, ViewpointParams>, std::vector<ObservationPoint>> targets;
-    Stage<std::tuple<V, V, V, ViewpointParams, PitchBand, int>, Viewpoints> found;
-    Stage<std::tuple<V, V, PitchBand, std::vector<PinnedPoint>, std::vector<RemovedPoint>>,
-          PlacedPoints>
-        placed;
-    Stage<std::tuple<V, std::vector<int>>, RoomPlan> rooms;
-    Stage<std::tuple<V, V, std::vector<Region>, Anchors, RoomTours, GazeParams, int, int,
-                     CoverageParams>,
-          ConstraintViewpoints>
-        asked;
-    Stage<std::tuple<V, std::vector<Region>, int, int, int, bool, Objective>, std::vector<int>>
-        key_frames;
-    Stage<std::tuple<V, RoadmapParams, int>, Roadmap> roadmap;
-    Stage<std::tuple<V, LinkParams, int>, Roadmap> linking;
-    Stage<std::tuple<V, PathParams, RoadmapParams, std::vector<Region>, int, int, bool, int,
-                     SmoothingParams, TimingParams, BodyParams>,
-          Paths>
-        paths;
-    Stage<std::tuple<V, SmoothingParams, BodyParams>, std::vector<SmoothPath>> smoothing;
-    Stage<std::tuple<V, V, GazeParams, TimingParams>, std::vector<SmoothPath>> gaze;
-    Stage<std::tuple<V, TimingParams, ShakeParams, BodyParams>, Trajectory> timing;
-    Stage<std::tuple<V, V, RepairParams, int>, Repaired> repair;
-    Stage<std::tuple<V, RepairParams>, Metrics> metrics;
+    StageVersion scene_version = 0;
+    StageVersion geometry_version = 0;
+    Stage<RayInputs, RayCaster> rays;
+    Stage<SurfaceInputs, SurfaceMap> surfaces;
+    Stage<FreeSpaceInputs, FreeSpace> free_space;
+    Stage<RegionInputs, AllowedRegion> region;
+    Stage<ViewInputs, ViewEstimator> views;
+    Stage<TargetInputs, std::vector<ObservationPoint>> targets;
+    Stage<ViewpointInputs, Viewpoints> found;
+    Stage<PlacedInputs, PlacedPoints> placed;
+    Stage<RoomInputs, RoomPlan> rooms;
+    Stage<ConstraintInputs, ConstraintViewpoints> asked;
+    Stage<KeyFrameInputs, std::vector<int>> key_frames;
+    Stage<RoadmapInputs, Roadmap> roadmap;
+    Stage<LinkingInputs, Roadmap> linking;
+    Stage<PathInputs, Paths> paths;
+    Stage<SmoothingInputs, std::vector<SmoothPath>> smoothing;
+    Stage<GazeInputs, std::vector<SmoothPath>> gaze;
+    Stage<TimingInputs, Trajectory> timing;
+    Stage<RepairInputs, Repaired> repair;
+    Stage<MetricInputs, Metrics> metrics;
 
     // Whether the last run needed constraint viewpoints, so that `asked` is valid.
     bool asks = false;
     [[nodiscard]] const PlacedPoints& points() const { return asks ? asked->placed : *placed; }
     /// Version of points(); differs whenever the points do.
-    [[nodiscard]] V pointsVersion() const {
+    [[nodiscard]] StageVersion pointsVersion() const {
         return asks ? 2 * asked.version() + 1 : 2 * placed.version();
     }
 
@@ -113,11 +102,12 @@ struct Pipeline::Stages {
         return {free_space.version(), region.version(), free_space.share(), region.share()};
     }
 
+    /// The stages from rays to views.
     Status map(const PlanParams& params, const PlanEdits& edits, const JobContext& job);
+    /// The stages from targets to metrics, after map().
     Status plan(const PlanParams& params, const PlanEdits& edits, const JobContext& job,
                 const OnTrajectory& on_trajectory);
-    [[nodiscard]] Result<Coverages> measureCoverages(const Trajectory& trajectory,
-                                                     const JobContext& job) const;
+    class PlanRun;  // plan_run.cpp: one run of plan()
     [[nodiscard]] Plan collectMoves() const;
     [[nodiscard]] Plan collect(const PlanEdits& edits) const;
 };

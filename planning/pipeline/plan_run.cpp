@@ -1,0 +1,388 @@
+#include "planning/collision/swept_sphere.h"
+#include "planning/coverage/region_weights.h"
+#include "planning/gaze/room_views.h"
+#include "planning/linking/link_groups.h"
+#include "planning/path/frame_budget.h"
+#include "planning/path/path_search.h"
+#include "planning/pipeline/pipeline_stages.h"
+#include "planning/pipeline/trajectory_builder.h"
+#include "planning/repair/low_runs.h"
+#include "planning/roadmap/roadmap_search.h"
+#include "planning/targets/observation_points.h"
+#include "planning/timing/clip.h"
+#include "planning/viewpoints/key_frames.h"
+
+#include <limits>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+/// The position point of the pin with this name; -1 if there is none or it was refused.
+int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::string& name) {
+    if (name.empty()) return -1;
+    const std::vector<PositionPoint>& points = placed.viewpoints.position_points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int pin = points[i].pin;
+        if (pin >= 0 && edits.pinned[static_cast<std::size_t>(pin)].name == name) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+/// One run of the stages from targets to metrics. Each function runs one stage and needs
+/// those before it.
+class Pipeline::Stages::PlanRun {
+  public:
+    PlanRun(Stages& stages, const PlanParams& params, const PlanEdits& edits, const JobContext& job,
+            const OnTrajectory& on_trajectory)
+        : stages_(stages),
+          params_(params),
+          edits_(edits),
+          job_(job),
+          on_trajectory_(on_trajectory),
+          sphere_(*stages_.rays, *stages_.free_space, params.camera.camera_radius_m,
+                  &*stages_.region),
+          around_{*stages_.views, *stages_.free_space, sphere_, pitchBand(params.constraints),
+                  headingLimit(params.body)} {}
+
+    Status run() {
+        return setTargets()
+            .and_then([&] { return searchForViewpoints(); })
+            .and_then([&] { return placePointsByHand(); })
+            .and_then([&] { return divideIntoRooms(); })
+            .and_then([&] { return addConstraints(); })
+            .and_then([&] { return selectKeyFrames(); })
+            .and_then([&] { return growRoadmap(); })
+            .and_then([&] { return linkRoadmap(); })
+            .and_then([&] { return findPaths(); })
+            .and_then([&] { return smoothPaths(); })
+            .and_then([&] { return addContextViews(); })
+            .and_then([&] { return timePaths(); })
+            .and_then([&] { return repairFrames(); })
+            .and_then([&] { return measure(); });
+    }
+
+  private:
+    Status setTargets();
+    Status searchForViewpoints();
+    Status placePointsByHand();
+    Status divideIntoRooms();
+    Status addConstraints();
+    Status selectKeyFrames();
+    Status growRoadmap();
+    Status linkRoadmap();
+    Status findPaths();
+    Status smoothPaths();
+    Status addContextViews();
+    Status timePaths();
+    Status repairFrames();
+    Status measure();
+
+    [[nodiscard]] PathEnds pathEnds() const;
+    Result<Paths> pathsWithin(double max_length_m, const JobContext& job);
+    Result<Paths> pathsOfClip(const JobContext& job);
+    Result<Metrics> measureFound(const JobContext& job);
+    [[nodiscard]] Result<Coverages> measureCoverages(const JobContext& job) const;
+
+    [[nodiscard]] const Viewpoints& viewpoints() const { return stages_.points().viewpoints; }
+    [[nodiscard]] const std::vector<PositionPoint>& positionPoints() const {
+        return viewpoints().position_points;
+    }
+    /// Where the camera may move; with one trajectory per room, within its room.
+    [[nodiscard]] const Surroundings& moves() const { return in_room_ ? *in_room_ : around_; }
+
+    Stages& stages_;
+    const PlanParams& params_;
+    const PlanEdits& edits_;
+    const JobContext& job_;
+    const OnTrajectory& on_trajectory_;
+    SweptSphere sphere_;
+    Surroundings around_;
+    std::optional<SweptSphere> sphere_in_room_;
+    std::optional<Surroundings> in_room_;
+    PathEnds ends_;                             // from selectKeyFrames()
+    std::optional<TrajectoryBuilder> builder_;  // from selectKeyFrames()
+};
+
+Status Pipeline::Stages::PlanRun::setTargets() {
+    return stages_.run(
+        "targets", stages_.targets,
+        TargetInputs{stages_.views.version(), params_.targets, params_.viewpoints},
+        job_.stage(0.42, 0.44, "targets"), [&]() -> Result<std::vector<ObservationPoint>> {
+            return setObservationPoints(*stages_.views, params_.targets, params_.viewpoints);
+        });
+}
+
+Status Pipeline::Stages::PlanRun::searchForViewpoints() {
+    const JobContext job = job_.stage(0.44, 0.68, "viewpoints");
+    stages_.memory.refreshSearches(stages_.mapped(),
+                                   {params_.camera, params_.viewpoints, around_.pitch, params_.seed,
+                                    edits_.no_go, params_.free_space, params_.body});
+    return stages_.run(
+        "viewpoints", stages_.found,
+        ViewpointInputs{stages_.targets.version(), stages_.region.version(),
+                        stages_.views.version(), params_.viewpoints, around_.pitch, params_.seed},
+        job, [&] {
+            return searchViewpoints(around_, *stages_.targets, params_.viewpoints, params_.seed,
+                                    job, &stages_.memory.searches);
+        });
+}
+
+Status Pipeline::Stages::PlanRun::placePointsByHand() {
+    stages_.memory.refreshShown(stages_.views.version(), params_.camera, *stages_.views);
+    return stages_.run("by_hand", stages_.placed,
+                       PlacedInputs{stages_.found.version(), stages_.views.version(), around_.pitch,
+                                    edits_.pinned, edits_.removed},
+                       job_.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
+                           return placeByHand(*stages_.found, edits_, around_,
+                                              &stages_.memory.shown);
+                       });
+}
+
+Status Pipeline::Stages::PlanRun::divideIntoRooms() {
+    if (!asksForRooms(params_.constraints)) return {};
+    const double radius_m = params_.camera.camera_radius_m;
+    return stages_
+        .run("rooms", stages_.rooms,
+             RoomInputs{stages_.free_space.version(), structureClasses(*stages_.scene)},
+             job_.stage(0.69, 0.69, "rooms"),
+             [&]() -> Result<RoomPlan> {
+                 return RoomPlan(*stages_.scene, *stages_.rays, *stages_.free_space, radius_m);
+             })
+        .map([&] {
+            if (params_.constraints.rooms != RoomTours::Each) return;
+            sphere_in_room_.emplace(*stages_.rays, *stages_.free_space, radius_m, &*stages_.region,
+                                    &*stages_.rooms);
+            in_room_.emplace(Surroundings{*stages_.views, *stages_.free_space, *sphere_in_room_,
+                                          around_.pitch, around_.heading});
+        });
+}
+
+Status Pipeline::Stages::PlanRun::addConstraints() {
+    const bool rooms = asksForRooms(params_.constraints);
+    const bool room_views = asksForRoomViews(params_);
+    const bool surface = asksForSurface(params_);
+    ConstraintInputs inputs{stages_.placed.version(), stages_.rooms.version(),
+                            mustSeeAmong(edits_.regions), params_.constraints.anchors,
+                            params_.constraints.rooms};
+    stages_.asks = rooms || !inputs.must_see.empty() || room_views || surface;
+    if (!stages_.asks) return {};
+    if (room_views) inputs.gaze = params_.gaze;
+    if (room_views) inputs.seed = params_.seed;
+    if (room_views || surface) inputs.max_frames = params_.timing.max_frames;
+    if (surface) inputs.coverage = params_.coverage;
+    const JobContext job = job_.stage(0.69, 0.7, "constraints");
+    return stages_.run("constraints", stages_.asked, inputs, job, [&] {
+        return addConstraintViewpoints(*stages_.placed, inputs.must_see, params_,
+                                       rooms ? &*stages_.rooms : nullptr, around_,
+                                       &stages_.memory.shown, job);
+    });
+}
+
+PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
+    const std::vector<double> weights = objectWeights(*stages_.scene, edits_.regions);
+    PathEnds ends{pointOfPin(*stages_.placed, edits_, edits_.start),
+                  pointOfPin(*stages_.placed, edits_, edits_.end),
+                  params_.constraints.loop,
+                  pointWeights(positionPoints(), weights),
+                  weights,
+                  keepsFrameRate(params_.timing) ? 0 : mostVisits(params_)};
+    // The same point for both ends is a loop, whatever the parameter says.
+    ends.loop = ends.loop || (ends.start >= 0 && ends.start == ends.end);
+    ends.chosen_by_tour = isChosenByTour(params_.path, positionPoints(), ends);
+    return ends;
+}
+
+Status Pipeline::Stages::PlanRun::selectKeyFrames() {
+    builder_.emplace(around_, moves(), viewpoints(), params_, job_);
+    ends_ = pathEnds();
+    const KeyFrameInputs inputs{stages_.pointsVersion(),
+                                edits_.regions,
+                                ends_.chosen_by_tour ? 0 : ends_.visits,
+                                ends_.start,
+                                ends_.end,
+                                ends_.loop,
+                                params_.coverage.objective};
+    return stages_
+        .run("key_frames", stages_.key_frames, inputs, job_.stage(0.7, 0.71, "key frames"),
+             [&]() -> Result<std::vector<int>> {
+                 std::vector<int> chosen = chooseKeyFrames(positionPoints(), ends_.object_weights,
+                                                           params_.coverage.objective);
+                 return ends_.chosen_by_tour ? chosen
+                                             : withinBudget(chosen, positionPoints(), ends_);
+             })
+        .map([&] {
+            ends_.rank.assign(positionPoints().size(), 0);
+            for (std::size_t i = 0; i < stages_.key_frames->size(); ++i) {
+                ends_.rank[static_cast<std::size_t>((*stages_.key_frames)[i])] =
+                    static_cast<int>(i);
+            }
+            ends_.corner_distance_m = params_.smoothing.corner_distance_m;
+            ends_.flown_m = [this](const CameraPath& path) {
+                const auto smooth = builder_->smooth(path);
+                return smooth ? smooth->length_m : std::numeric_limits<double>::infinity();
+            };
+        });
+}
+
+Status Pipeline::Stages::PlanRun::growRoadmap() {
+    const JobContext job = job_.stage(0.71, 0.75, "roadmap");
+    return stages_.run(
+        "roadmap", stages_.roadmap,
+        RoadmapInputs{stages_.key_frames.version(), params_.roadmap, params_.seed}, job, [&] {
+            return searchRoadmap(
+                positionPoints(), *stages_.key_frames,
+                targetSizes(*stages_.scene, viewpoints().observation_points, positionPoints()),
+                moves().sphere, params_.roadmap, params_.seed, job);
+        });
+}
+
+Status Pipeline::Stages::PlanRun::linkRoadmap() {
+    const JobContext job = job_.stage(0.75, 0.8, "linking");
+    return stages_.run("linking", stages_.linking,
+                       LinkingInputs{stages_.roadmap.version(), params_.linking, params_.seed}, job,
+                       [&]() -> Result<Roadmap> {
+                           Roadmap linked = *stages_.roadmap;
+                           return linkGroups(linked, positionPoints(), *stages_.key_frames,
+                                             *stages_.free_space, moves().sphere, params_.linking,
+                                             params_.seed, job)
+                               .map([&] { return std::move(linked); });
+                       });
+}
+
+Result<Paths> Pipeline::Stages::PlanRun::pathsWithin(double max_length_m, const JobContext& job) {
+    Paths found{*stages_.linking, {}};
+    PathParams within = params_.path;
+    within.max_length_m = max_length_m;
+    return takePaths(found.roadmap, positionPoints(), moves().sphere, within, params_.roadmap,
+                     ends_, job)
+        .map([&](std::vector<CameraPath> paths) {
+            found.paths = std::move(paths);
+            return std::move(found);
+        });
+}
+
+Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
+    const TimedPaths timed{[&](double max_length_m) { return pathsWithin(max_length_m, job); },
+                           [&](const Paths& found) { return builder_->countFrames(found.paths); }};
+    return pathsWithinFrames(timed, params_.path.max_length_m,
+                             static_cast<std::size_t>(clipFrames(params_.timing)))
+        .and_then([&](std::optional<Paths>&& found) -> Result<Paths> {
+            if (!found) return tooShortClip(params_.timing);
+            return std::move(*found);
+        });
+}
+
+Status Pipeline::Stages::PlanRun::findPaths() {
+    const JobContext job = job_.stage(0.8, 0.84, "path");
+    const bool clip = clipFrames(params_.timing) > 0;
+    PathInputs inputs{stages_.linking.version(),
+                      params_.path,
+                      params_.roadmap,
+                      edits_.regions,
+                      ends_.start,
+                      ends_.end,
+                      ends_.loop,
+                      ends_.visits};
+    if (clip || params_.path.max_length_m > 0.0) inputs.smoothing = params_.smoothing;
+    if (clip) inputs.timing = params_.timing;
+    inputs.body = params_.body;
+    return stages_.run("path", stages_.paths, inputs, job, [&] {
+        return clip ? pathsOfClip(job) : pathsWithin(params_.path.max_length_m, job);
+    });
+}
+
+Status Pipeline::Stages::PlanRun::smoothPaths() {
+    return stages_.run("smoothing", stages_.smoothing,
+                       SmoothingInputs{stages_.paths.version(), params_.smoothing, params_.body},
+                       job_.stage(0.84, 0.89, "smoothing"),
+                       [&] { return builder_->smooth(stages_.paths->paths); });
+}
+
+Status Pipeline::Stages::PlanRun::addContextViews() {
+    GazeInputs inputs{stages_.smoothing.version(), stages_.views.version(), params_.gaze};
+    if (params_.gaze.view_mix > 0.0) inputs.timing = params_.timing;
+    return stages_.run("gaze", stages_.gaze, inputs, job_.stage(0.89, 0.9, "gaze"),
+                       [&]() -> Result<std::vector<SmoothPath>> {
+                           return builder_->withContext(*stages_.smoothing);
+                       });
+}
+
+Status Pipeline::Stages::PlanRun::timePaths() {
+    return stages_.run(
+        "timing", stages_.timing,
+        TimingInputs{stages_.gaze.version(), params_.timing, params_.shake, params_.body},
+        job_.stage(0.9, 0.91, "timing"),
+        [&] { return builder_->time(*stages_.gaze, params_.timing); });
+}
+
+Status Pipeline::Stages::PlanRun::repairFrames() {
+    const bool wanted = asksForRepair(params_.repair);
+    const JobContext job = job_.stage(0.91, wanted ? 0.97 : 0.92, "repair");
+    return stages_.run(
+        "repair", stages_.repair,
+        RepairInputs{stages_.timing.version(), stages_.views.version(), params_.repair,
+                     params_.seed},
+        job, [&]() -> Result<Repaired> {
+            const Repaired as_timed{stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
+            if (!wanted) return as_timed;
+            return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing), moves(),
+                                    params_.repair, params_.seed, job, &stages_.memory.seen);
+        });
+}
+
+Status Pipeline::Stages::PlanRun::measure() {
+    const MetricInputs inputs{stages_.repair.version(), params_.repair};
+    if (on_trajectory_ && !stages_.metrics.holds(inputs)) {
+        on_trajectory_(std::make_shared<const Plan>(stages_.collectMoves()));
+    }
+    const JobContext job = job_.stage(0.92, 1.0, "metrics");
+    return stages_.run("metrics", stages_.metrics, inputs, job, [&] { return measureFound(job); });
+}
+
+Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const JobContext& job) {
+    const Trajectory& trajectory = stages_.repair->trajectory;
+    auto estimate = estimateCaptures(*stages_.views, trajectory, job, &stages_.memory.seen);
+    if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+    FrameSeries series = measureFrames(
+        trajectory, estimate->frame_views, estimate->captures,
+        imageScores(trajectory, estimate->frame_boxes, params_.repair.score), *stages_.rays);
+    RepairReport report = stages_.repair->report;
+    if (!asksForRepair(params_.repair)) {
+        report.threshold = lowThreshold(series.score, params_.repair.score_threshold);
+        report.before = report.after = tally(series.score, report.threshold);
+    }
+    return measureTrajectory(*stages_.views, stages_.repair->smooth_paths, trajectory,
+                             moves().sphere, *stages_.rays, job)
+        .and_then([&](const TrajectoryMetrics& measured) {
+            return measureCoverages(job).map([&](Coverages&& shown) {
+                return Metrics{std::move(*estimate), measured, std::move(shown), std::move(series),
+                               report};
+            });
+        });
+}
+
+Result<Pipeline::Stages::Coverages> Pipeline::Stages::PlanRun::measureCoverages(
+    const JobContext& job) const {
+    if (!stages_.asks) return Coverages{};
+    const Trajectory& trajectory = stages_.repair->trajectory;
+    return measureCoverage(stages_.asked->must_see, *stages_.views, trajectory, job)
+        .and_then([&](std::vector<RegionCoverage>&& must_see) -> Result<Coverages> {
+            if (!stages_.asked->surface) return Coverages{std::move(must_see), {}};
+            return measureSurface(*stages_.asked->surface, *stages_.views, trajectory, job)
+                .map([&](const SurfaceShare& surface) {
+                    return Coverages{std::move(must_see), surface};
+                });
+        });
+}
+
+Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
+                              const JobContext& job, const OnTrajectory& on_trajectory) {
+    return PlanRun(*this, params, edits, job, on_trajectory).run();
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,131 @@
+#include "planning/pipeline/trajectory_builder.h"
+
+#include "planning/gaze/context_views.h"
+#include "planning/gaze/image_motion.h"
+#include "planning/smoothing/smooth_path.h"
+#include "planning/timing/clip.h"
+#include "planning/timing/drop_repeats.h"
+#include "planning/timing/key_views.h"
+#include "planning/timing/shake.h"
+#include "planning/timing/time_trajectory.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dollytrack::planning {
+
+TrajectoryBuilder::TrajectoryBuilder(const Surroundings& around, const Surroundings& moves,
+                                     const Viewpoints& viewpoints, const PlanParams& params,
+                                     const JobContext& job)
+    : around_(around),
+      moves_(moves),
+      position_points_(viewpoints.position_points),
+      observation_points_(viewpoints.observation_points),
+      params_(params),
+      timing_of_part_(params.timing),
+      job_(job) {
+    timing_of_part_.keep_frame_rate = keepsFrameRate(params.timing);
+    timing_of_part_.duration_s = 0.0;
+}
+
+Pose TrajectoryBuilder::poseAt(const SmoothPath::Key& key) const {
+    return KeyViews(position_points_, observation_points_, around_.pitch).pose(key);
+}
+
+Result<SmoothPath> TrajectoryBuilder::smooth(const CameraPath& path) const {
+    return smoothPath(path, position_points_, observation_points_, moves_, params_.smoothing, job_);
+}
+
+Result<std::vector<SmoothPath>> TrajectoryBuilder::smooth(
+    const std::vector<CameraPath>& paths) const {
+    std::vector<SmoothPath> smoothed;
+    for (const CameraPath& path : paths) {
+        auto made = smooth(path);
+        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        smoothed.push_back(std::move(*made));
+    }
+    return smoothed;
+}
+
+SmoothPath TrajectoryBuilder::withContext(const SmoothPath& path,
+                                          const std::vector<SmoothPath>& all) const {
+    std::size_t keys = 0;
+    for (const SmoothPath& each : all) keys += each.keys.size();
+    TimingParams share = params_.timing;
+    if (share.max_frames > 0 && keys > path.keys.size()) {
+        const double part = static_cast<double>(path.keys.size()) / static_cast<double>(keys);
+        share.max_frames = std::max(1, static_cast<int>(share.max_frames * part));
+    }
+    return withContextViews(
+        path, [this](const SmoothPath::Key& key) { return poseAt(key); }, around_, params_.gaze,
+        share);
+}
+
+std::vector<SmoothPath> TrajectoryBuilder::withContext(const std::vector<SmoothPath>& all) const {
+    std::vector<SmoothPath> made;
+    for (const SmoothPath& path : all) made.push_back(withContext(path, all));
+    return made;
+}
+
+void TrajectoryBuilder::measureImageMotions(std::vector<SmoothPath>& paths) const {
+    for (SmoothPath& path : paths) {
+        measureImageMotion(
+            path, [this](const SmoothPath::Key& key) { return poseAt(key); }, around_.views,
+            around_.pitch);
+    }
+}
+
+Result<Trajectory> TrajectoryBuilder::timeSteadily(const std::vector<SmoothPath>& paths,
+                                                   const TimingParams& timing) const {
+    return timeTrajectory(paths, position_points_, observation_points_, timing, around_.pitch,
+                          around_.heading);
+}
+
+Result<Trajectory> TrajectoryBuilder::withoutRepeats(Trajectory&& steady,
+                                                     const std::vector<SmoothPath>& paths,
+                                                     const TimingParams& timing) const {
+    if (timing.max_frames <= 0 || keepsFrameRate(timing)) return std::move(steady);
+    // Each key needs a frame, including look-aside views and turns on the spot.
+    const auto least = static_cast<int>(
+        leastFrames(paths, position_points_, observation_points_, around_.pitch, around_.heading));
+    const auto within = [&](int max_frames) {
+        TimingParams fewer = timing;
+        fewer.max_frames = std::max(max_frames, least);
+        return timeSteadily(paths, fewer);
+    };
+    FrameLooks looks(around_.views);  // local to the call, since repairs are tried in parallel
+    return dropRepeats(std::move(steady), timing.max_repeat_rate, within, looks, job_);
+}
+
+Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
+                                           const TimingParams& timing) const {
+    // With a heading limit, timing adds keys of its own, which have no image motion.
+    if (limitsImageMotion(timing) && !around_.heading.restricts()) measureImageMotions(paths);
+    return timeSteadily(paths, timing)
+        .and_then(
+            [&](Trajectory&& steady) { return withoutRepeats(std::move(steady), paths, timing); })
+        .and_then([&](Trajectory&& steady) {
+            return shakeTrajectory(paths, std::move(steady), position_points_, around_.views,
+                                   moves_.sphere, params_.shake, around_.pitch, params_.seed, job_);
+        });
+}
+
+Result<std::size_t> TrajectoryBuilder::countFrames(const std::vector<CameraPath>& paths) const {
+    return smooth(paths)
+        .and_then([&](const std::vector<SmoothPath>& smoothed) {
+            return timeSteadily(withContext(smoothed), timing_of_part_);
+        })
+        .map([](const Trajectory& trajectory) { return trajectory.frames.size(); });
+}
+
+TrajectoryMaker TrajectoryBuilder::maker(const std::vector<SmoothPath>& paths) const {
+    return {
+        [this, &paths](const CameraPath& path) {
+            return smooth(path).map(
+                [&](const SmoothPath& made) { return withContext(made, paths); });
+        },
+        [this](const std::vector<SmoothPath>& smoothed) { return time(smoothed, params_.timing); },
+        [this](const SmoothPath& part) { return time({part}, timing_of_part_); }};
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+#include "engine/plan/plan.h"
+#include "planning/plan_params.h"
+#include "planning/repair/repair.h"
+#include "planning/viewpoints/viewpoint_search.h"
+
+#include <vector>
+
+namespace dollytrack::planning {
+
+/// Makes trajectories from camera paths with the parameters of one run: smoothing, context views,
+/// timing. Keeps references to its arguments. Errors of all functions: Cancelled; Failed if a
+/// budget of frames is too small.
+class TrajectoryBuilder {
+  public:
+    /// `around` is where the camera may look from, `moves` where it may move: the same, unless each
+    /// room has a trajectory of its own.
+    TrajectoryBuilder(const Surroundings& around, const Surroundings& moves,
+                      const Viewpoints& viewpoints, const PlanParams& params,
+                      const JobContext& job);
+
+    [[nodiscard]] Result<SmoothPath> smooth(const CameraPath& path) const;
+    [[nodiscard]] Result<std::vector<SmoothPath>> smooth(
+        const std::vector<CameraPath>& paths) const;
+
+    /// Inserts context views. `path` is one of `all`, which share the budget of frames by their
+    /// numbers of keys.
+    [[nodiscard]] SmoothPath withContext(const SmoothPath& path,
+                                         const std::vector<SmoothPath>& all) const;
+    [[nodiscard]] std::vector<SmoothPath> withContext(const std::vector<SmoothPath>& all) const;
+
+    /// The trajectory with limited image motion, without repeats, and with the camera shake.
+    [[nodiscard]] Result<Trajectory> time(std::vector<SmoothPath> paths,
+                                          const TimingParams& timing) const;
+    /// The number of frames of complete paths at the limits of motion.
+    [[nodiscard]] Result<std::size_t> countFrames(const std::vector<CameraPath>& paths) const;
+
+    /// These functions for the repair of a trajectory made from `paths`.
+    [[nodiscard]] TrajectoryMaker maker(const std::vector<SmoothPath>& paths) const;
+
+  private:
+    [[nodiscard]] Result<Trajectory> timeSteadily(const std::vector<SmoothPath>& paths,
+                                                  const TimingParams& timing) const;
+    [[nodiscard]] Result<Trajectory> withoutRepeats(Trajectory&& steady,
+                                                    const std::vector<SmoothPath>& paths,
+                                                    const TimingParams& timing) const;
+    void measureImageMotions(std::vector<SmoothPath>& paths) const;
+    [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const;
+
+    const Surroundings& around_;
+    const Surroundings& moves_;
+    const std::vector<PositionPoint>& position_points_;
+    const std::vector<ObservationPoint>& observation_points_;
+    const PlanParams& params_;
+    TimingParams timing_of_part_;  // a part of a clip has no duration of its own
+    const JobContext& job_;
+};
+
+}  // namespace dollytrack::planning
