@@ -75,6 +75,8 @@ class Editor {
     void addCommands();
     void addFileCommands();
     void addEditCommands();
+    void addTargetCommands();
+    void addPointCommands();
     void addTimelineCommands();
     void addObjectCommands();  // editor_objects.cpp
     void drawMenus();
@@ -111,6 +113,8 @@ class Editor {
     [[nodiscard]] ui::ExportView exportView();
     [[nodiscard]] std::filesystem::path exportFolder() const;
     [[nodiscard]] nlohmann::json exportsJson() const;
+    /// Adds the displayed objects, points and plan.
+    void addShownTo(nlohmann::json& state);
 
     // editor_viewport.cpp
     void drawCentre();

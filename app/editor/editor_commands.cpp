@@ -32,6 +32,8 @@ ui::Shortcut ctrlShift(int code) {
 void Editor::addCommands() {
     addFileCommands();
     addEditCommands();
+    addTargetCommands();
+    addPointCommands();
     addViewCommands();
     addLayerCommands();
     addTimelineCommands();
@@ -130,6 +132,9 @@ void Editor::addEditCommands() {
                    [this]() -> std::string {
                        return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
                    }});
+}
+
+void Editor::addTargetCommands() {
     const auto needs_object = [this]() -> std::string {
         if (!workspace_.shown().scene) return "No scene is open.";
         return selected_.objects().empty() ? "Select an object first." : "";
@@ -166,6 +171,9 @@ void Editor::addEditCommands() {
                            pieces_.of(workspace_.shown().scene, selected_.objects().front());
                        return ui::whyNoSplit(view, panels_.selection.split);
                    }});
+}
+
+void Editor::addPointCommands() {
     commands_.add({"edit.add_point", "Edit", "Add a position point here", key(GLFW_KEY_P),
                    [this] {
                        const Pose pose = viewportView(panels_.viewport.camera).pose;

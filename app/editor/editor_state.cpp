@@ -46,6 +46,39 @@ nlohmann::json Editor::exportsJson() const {
     return jobs;
 }
 
+void Editor::addShownTo(nlohmann::json& state) {
+    const PlanOutcome& shown = workspace_.shown();
+    if (shown.scene) {
+        const render::View view = viewportView(panels_.viewport.camera);
+        for (const Object& object : shown.scene->objects) {
+            state["objects"].push_back({{"id", object.id},
+                                        {"name", object.name},
+                                        {"class", object.nyu40},
+                                        {"large", object.large},
+                                        {"role", static_cast<int>(object.role)},
+                                        {"px", inWindow(view, pane_, object.box.center)}});
+        }
+        if (shown.plan) {
+            for (const PositionPoint& point : shown.plan->position_points) {
+                state["points"].push_back(
+                    {{"px", inWindow(view, pane_, point.pose.position)}, {"pin", point.pin}});
+            }
+        }
+    }
+    if (shown.plan) {
+        state["plan"] = {
+            {"excluded", std::ranges::count(shown.scene->objects, Role::Excluded, &Object::role)},
+            {"steps", shown.plan->roadmap.steps.steps.size()},
+            {"measured", shown.measured},
+            {"frames", shown.plan->trajectory.frames.size()},
+            {"path_length_m", shown.plan->trajectory_metrics.path_length_m},
+            {"key_frames", shown.plan->key_frames.size()},
+            {"captured", shown.plan->capture_metrics.captured},
+            {"well_captured", shown.plan->capture_metrics.well_captured},
+            {"objects", shown.plan->capture_metrics.objects}};
+    }
+}
+
 nlohmann::json Editor::stateJson() {
     const PlanOutcome& shown = workspace_.shown();
     nlohmann::json items = nlohmann::json::object();
@@ -127,35 +160,7 @@ nlohmann::json Editor::stateJson() {
         {"items", std::move(items)},
     };
     questions_.addTo(state);
-    if (shown.scene) {
-        const render::View view = viewportView(panels_.viewport.camera);
-        for (const Object& object : shown.scene->objects) {
-            state["objects"].push_back({{"id", object.id},
-                                        {"name", object.name},
-                                        {"class", object.nyu40},
-                                        {"large", object.large},
-                                        {"role", static_cast<int>(object.role)},
-                                        {"px", inWindow(view, pane_, object.box.center)}});
-        }
-        if (shown.plan) {
-            for (const PositionPoint& point : shown.plan->position_points) {
-                state["points"].push_back(
-                    {{"px", inWindow(view, pane_, point.pose.position)}, {"pin", point.pin}});
-            }
-        }
-    }
-    if (shown.plan) {
-        state["plan"] = {
-            {"excluded", std::ranges::count(shown.scene->objects, Role::Excluded, &Object::role)},
-            {"steps", shown.plan->roadmap.steps.steps.size()},
-            {"measured", shown.measured},
-            {"frames", shown.plan->trajectory.frames.size()},
-            {"path_length_m", shown.plan->trajectory_metrics.path_length_m},
-            {"key_frames", shown.plan->key_frames.size()},
-            {"captured", shown.plan->capture_metrics.captured},
-            {"well_captured", shown.plan->capture_metrics.well_captured},
-            {"objects", shown.plan->capture_metrics.objects}};
-    }
+    addShownTo(state);
     window_.resetLongestFrame();
     return state;
 }

@@ -39,24 +39,8 @@ std::string scoreRows(const nlohmann::json& repair) {
                                    dropped, repair.value("rounds", 0)));
 }
 
-}  // namespace
-
-std::string jsonText(const nlohmann::json& json) {
-    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string scannedText(std::optional<double> share) {
-    if (!share) return {};
-    return fmt::format("{:.0f} % of the rooms was scanned, the rest is unknown", 100.0 * *share);
-}
-
-std::string scannedText(const nlohmann::json& metrics) {
-    const auto share = metrics.find("scanned_share");
-    if (share == metrics.end() || !share->is_number()) return {};
-    return scannedText(std::optional(share->get<double>()));
-}
-
-std::string metricsTable(const nlohmann::json& m) {
+/// Rows for the objects: captured, possible, missed, share of the image.
+std::string captureRows(const nlohmann::json& m) {
     std::string text;
     if (const std::string scanned = scannedText(m); !scanned.empty()) text += row("scan", scanned);
     text += row("objects", fmt::format("{}", m.value("objects", 0)));
@@ -82,6 +66,12 @@ std::string metricsTable(const nlohmann::json& m) {
     text +=
         row("area share", fmt::format("{} of the image (box), {} (mask)",
                                       percent(m, "area_share_box"), percent(m, "area_share_mask")));
+    return text;
+}
+
+/// Rows for collisions and the smallest clearance.
+std::string collisionRows(const nlohmann::json& m) {
+    std::string text;
     text += row("collisions",
                 fmt::format("{} of corners, {} of frames", percent(m, "corner_collision_rate"),
                             percent(m, "frame_collision_rate")));
@@ -101,11 +91,12 @@ std::string metricsTable(const nlohmann::json& m) {
                                 at["position"][2].get<double>());
     }
     text += row("smallest clearance", tightest);
-    text +=
-        row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
-                                  m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
-    text += row("repeats", percent(m, "repeat_rate"));
-    text += scoreRows(m.value("repair", nlohmann::json::object()));
+    return text;
+}
+
+/// Rows for the motion of the camera.
+std::string motionRows(const nlohmann::json& m) {
+    std::string text;
     const auto spread = [&](const std::string& name, const std::string& unit,
                             const std::string& unit_text) {
         const auto value = [&](const char* what) {
@@ -121,6 +112,12 @@ std::string metricsTable(const nlohmann::json& m) {
     text += row("turning", spread("turn", "dps", "deg/s"));
     text += row("  its change", spread("turn_acceleration", "dps2", "deg/s2"));
     text += row("path", fmt::format("{:.1f} m", m.value("path_length_m", 0.0)));
+    return text;
+}
+
+/// Rows for the visible surface and the anchors.
+std::string coverageRows(const nlohmann::json& m) {
+    std::string text;
     for (const auto& region : m.value("must_see", nlohmann::json::array())) {
         text += row("seen of " + region.value("region", ""),
                     fmt::format("{:.1f} % of the visible surface ({} of {} patches)",
@@ -143,13 +140,12 @@ std::string metricsTable(const nlohmann::json& m) {
                 found == 0 ? std::string("none in this scene")
                            : fmt::format("{} of {} visited", anchors.value("visited", 0), found));
     }
-    for (const auto& room : m.value("rooms", nlohmann::json::array())) {
-        text +=
-            row(room.value("name", ""), fmt::format("{} frames, {:.1f} m", room.value("frames", 0),
-                                                    room.value("path_length_m", 0.0)));
-    }
-    text += row("time", fmt::format("{:.0f} ms map, {:.0f} ms plan", m.value("map_ms", 0.0),
-                                    m.value("plan_ms", 0.0)));
+    return text;
+}
+
+/// The objects that are not captured, each with the reason.
+std::string uncapturedRows(const nlohmann::json& m) {
+    std::string text;
     const auto& uncaptured = m.value("uncaptured", nlohmann::json::array());
     if (!uncaptured.empty()) text += "not captured:\n";
     for (std::size_t i = 0; i < std::min(kListed, uncaptured.size()); ++i) {
@@ -159,6 +155,41 @@ std::string metricsTable(const nlohmann::json& m) {
         text += fmt::format("  and {} more (--json lists all)\n", uncaptured.size() - kListed);
     }
     return text;
+}
+
+}  // namespace
+
+std::string jsonText(const nlohmann::json& json) {
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string scannedText(std::optional<double> share) {
+    if (!share) return {};
+    return fmt::format("{:.0f} % of the rooms was scanned, the rest is unknown", 100.0 * *share);
+}
+
+std::string scannedText(const nlohmann::json& metrics) {
+    const auto share = metrics.find("scanned_share");
+    if (share == metrics.end() || !share->is_number()) return {};
+    return scannedText(std::optional(share->get<double>()));
+}
+
+std::string metricsTable(const nlohmann::json& m) {
+    std::string text = captureRows(m) + collisionRows(m);
+    text +=
+        row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
+                                  m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
+    text += row("repeats", percent(m, "repeat_rate"));
+    text += scoreRows(m.value("repair", nlohmann::json::object()));
+    text += motionRows(m) + coverageRows(m);
+    for (const auto& room : m.value("rooms", nlohmann::json::array())) {
+        text +=
+            row(room.value("name", ""), fmt::format("{} frames, {:.1f} m", room.value("frames", 0),
+                                                    room.value("path_length_m", 0.0)));
+    }
+    text += row("time", fmt::format("{:.0f} ms map, {:.0f} ms plan", m.value("map_ms", 0.0),
+                                    m.value("plan_ms", 0.0)));
+    return text + uncapturedRows(m);
 }
 
 }  // namespace dollytrack::cli
