@@ -42,6 +42,13 @@ class Copy:
         function(rows)
         path.write_text("\n".join(",".join(row) for row in rows) + "\n")
 
+    def edit_lines(self, name, function):
+        """Edits the words of each line of a text file."""
+        path = self.folder / name
+        rows = [line.split(" ") for line in path.read_text().splitlines()]
+        function(rows)
+        path.write_text("".join(" ".join(row) + "\n" for row in rows))
+
     def edit_flow(self, name, function):
         """Edits the flow as an array, rows x columns x 2."""
         path = self.folder / name

@@ -1,4 +1,4 @@
-"""More of corruptions.py: the images and poses of a rig's cameras, see RIG."""
+"""Damages the images and poses of a rig's cameras, see RIG."""
 import numpy as np
 
 from corruptions import found_by

@@ -1,4 +1,4 @@
-"""More of corruptions.py: errors in the files of a camera sensor and of a depth camera."""
+"""Damages the files of a camera sensor and of a depth camera."""
 import cv2
 import numpy as np
 

@@ -5,14 +5,20 @@ import shutil
 import tempfile
 import unittest
 
+import annotation_corruptions
+import card_corruptions  # noqa: F401  (adds to corruptions.ALL)
 import corruptions
-import format_corruptions  # noqa: F401  (adds to corruptions.ALL)
-import more_corruptions  # noqa: F401
-import reader_corruptions  # noqa: F401
-import sensor_corruptions  # noqa: F401
+import detection_corruptions  # noqa: F401
+import file_corruptions  # noqa: F401
+import geometry_corruptions
+import motion_corruptions  # noqa: F401
+import picture_corruptions  # noqa: F401
+import reconstruction_corruptions  # noqa: F401
 import rig_corruptions
-from support import tiny_room
+import sensor_corruptions  # noqa: F401
+import slam_corruptions  # noqa: F401
 from dataset_copy import Copy
+from support import tiny_room
 from support.program import FolderCase, run
 
 
@@ -167,7 +173,7 @@ class VerifyTest(FolderCase):
         self.assertLessEqual({"cameras", "flow", "surface", "object_coordinates"}, failed)
 
     def test_a_finding_names_file_frame_and_pixel(self):
-        folder = self.damaged(corruptions.one_pixel_of_another_class)
+        folder = self.damaged(annotation_corruptions.one_pixel_of_another_class)
         finding = self.verify(folder)[1]["classes"]["findings"][0]
         self.assertEqual((finding["file"], finding["frame"], finding["pixel"]),
                          ("semantic/000001.png", 1, [30, 20]))
@@ -177,7 +183,7 @@ class VerifyTest(FolderCase):
         self.assertIn("DAMAGED", printed.stdout)
 
     def test_the_report_is_the_same_for_any_number_of_threads(self):
-        folder = self.damaged(corruptions.depth_along_the_ray)
+        folder = self.damaged(geometry_corruptions.depth_along_the_ray)
         reports = [run("-q", "--threads", count, "verify", folder, "--json").stdout
                    for count in (1, 2, 5)]
         self.assertEqual(reports[0], reports[1])
