@@ -2,7 +2,7 @@
 
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
-#include "tests/planning/map_support.h"
+#include "tests/planning/support/map_support.h"
 
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>

@@ -2,7 +2,7 @@
 #include "engine/core/random.h"
 #include "planning/plan_params.h"
 #include "planning/timing/time_trajectory.h"
-#include "tests/planning/tour_support.h"
+#include "tests/planning/timing/tour_support.h"
 
 #include <gtest/gtest.h>
 

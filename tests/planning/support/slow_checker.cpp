@@ -1,4 +1,4 @@
-#include "tests/planning/slow_checker.h"
+#include "tests/planning/support/slow_checker.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -7,7 +7,7 @@
 #include "planning/smoothing/smooth_path.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
-#include "tests/planning/slow_checker.h"
+#include "tests/planning/support/slow_checker.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

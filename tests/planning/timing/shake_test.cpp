@@ -4,8 +4,8 @@
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
 #include "planning/visibility/view_estimator.h"
-#include "tests/planning/plan_support.h"
-#include "tests/planning/slow_checker.h"
+#include "tests/planning/support/plan_support.h"
+#include "tests/planning/support/slow_checker.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "planning/gaze/panorama.h"
 #include "planning/timing/turn.h"
 #include "planning/visibility/pitch_band.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

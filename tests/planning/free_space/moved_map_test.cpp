@@ -7,8 +7,8 @@
 #include "planning/free_space/distance_field.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/surface_map.h"
-#include "tests/planning/map_support.h"
-#include "tests/planning/moving_support.h"
+#include "tests/planning/support/map_support.h"
+#include "tests/planning/support/moving_support.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "planning/plan_params.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
-#include "tests/planning/map_support.h"
+#include "tests/planning/support/map_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

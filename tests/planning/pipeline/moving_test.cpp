@@ -10,7 +10,7 @@
 #include "planning/targets/observation_points.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
-#include "tests/planning/moving_support.h"
+#include "tests/planning/support/moving_support.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

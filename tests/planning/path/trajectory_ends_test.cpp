@@ -1,6 +1,6 @@
 #include "engine/core/random.h"
 #include "planning/path/tour.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "planning/coverage/surface_progress.h"
 #include "planning/free_space/free_space.h"
 #include "planning/visibility/view_estimator.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

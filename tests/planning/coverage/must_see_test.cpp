@@ -5,7 +5,7 @@
 #include "planning/coverage/surface_patches.h"
 #include "planning/free_space/free_space.h"
 #include "planning/viewpoints/key_frames.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "engine/io/settings/stored_plan.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Where rooms end: cases that occur in real scenes.
 
-#include "tests/planning/map_support.h"
+#include "tests/planning/support/map_support.h"
 
 #include <gtest/gtest.h>
 

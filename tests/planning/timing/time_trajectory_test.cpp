@@ -3,7 +3,7 @@
 #include "planning/plan_params.h"
 #include "planning/timing/motion_limits.h"
 #include "planning/timing/turn.h"
-#include "tests/planning/tour_support.h"
+#include "tests/planning/timing/tour_support.h"
 
 #include <gtest/gtest.h>
 

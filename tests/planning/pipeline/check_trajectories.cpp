@@ -4,7 +4,7 @@
 #include "engine/core/log.h"
 #include "engine/io/import/scene_import.h"
 #include "planning/pipeline/pipeline.h"
-#include "tests/planning/slow_checker.h"
+#include "tests/planning/support/slow_checker.h"
 
 #include <cstdio>
 

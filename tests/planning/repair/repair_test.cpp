@@ -3,8 +3,8 @@
 #include "engine/jobs/parallel.h"
 #include "planning/linking/rrt_star.h"
 #include "planning/pipeline/pipeline.h"
-#include "tests/planning/plan_support.h"
-#include "tests/planning/slow_checker.h"
+#include "tests/planning/support/plan_support.h"
+#include "tests/planning/support/slow_checker.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

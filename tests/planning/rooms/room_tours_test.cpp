@@ -2,7 +2,7 @@
 #include "engine/plan/plan_json.h"
 #include "planning/free_space/free_space.h"
 #include "planning/rooms/room_plan.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/plan/plan_json.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

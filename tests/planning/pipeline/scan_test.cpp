@@ -3,7 +3,7 @@
 #include "planning/pipeline/pipeline.h"
 #include "planning/viewpoints/gap_test.h"
 #include "planning/visibility/view_estimator.h"
-#include "tests/planning/map_support.h"
+#include "tests/planning/support/map_support.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "engine/core/random.h"
 #include "planning/pipeline/pipeline.h"
 #include "planning/timing/turn.h"
-#include "tests/planning/plan_support.h"
+#include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
