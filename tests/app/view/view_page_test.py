@@ -1,92 +1,21 @@
 #!/usr/bin/python3
-"""The web page of a dataset in a real browser; without one, the tests are skipped.
+"""The 3D view in the web page of a dataset, in a real browser; without one, the tests are skipped.
 
 Usage: view_page_test.py PROGRAM [unittest arguments]
 """
-import base64
 import re
 import unittest
 
-import cv2
 import numpy as np
 
 import browser
+from page_case import PageCase
 from support import tiny_room
 from support.program import FolderCase, run
-from view_test import card_of, changed_copy, data_of, FRAMES, HOSTILE, ViewCase
+from view_case import FRAMES, changed_copy, data_of
 
 
-class Page(ViewCase):
-    """The page in a browser. The dataset has a hostile name and an object that is not captured."""
-
-    @classmethod
-    def setUpClass(cls):
-        browser.need_browser()
-        super().setUpClass()
-        cls.book = next(o["id"] for o in cls.card["objects"] if o["name"] == "book")
-        cls.sofa = next(o["id"] for o in cls.card["objects"] if o["name"] == "sofa")
-
-        def change(card):
-            card["objects"][cls.book - 1]["name"] = HOSTILE
-            for row in card["metrics"]["counted"]["per_object"]:
-                if row["object_id"] == cls.book:
-                    row.update(captured=False, well_captured=False)
-            for row in card["metrics"]["planned"]["ledger"]:
-                if row["id"] == cls.book:
-                    row.update(captured=False, reason="The sofa hides it from everywhere.",
-                               remedy={"text": "move the sofa <b>away</b>", "well": True})
-        cls.shown = changed_copy(cls.dataset, cls.folder / "shown", change)
-        cls.card = card_of(cls.shown)
-        cls.page = cls.folder / "page.html"
-        cls.view(cls.shown, "-o", cls.page)
-        cls.browser = browser.Browser()
-        cls.addClassCleanup(cls.browser.close)
-
-    def setUp(self):
-        self.browser.look()
-        self.browser.open(self.page)
-
-    def tearDown(self):
-        self.browser.note_logs()
-        self.assertEqual(self.browser.errors, [])
-        asked = [url for url in self.browser.requests
-                 if not url.startswith(("file://", "data:", "about:"))]
-        self.assertEqual(asked, [])
-
-    def place(self, kind, number):
-        """The position where a frame or an object can be clicked in the 3D view; None if it is
-        covered."""
-        at = self.browser.run(f"return datasetView.{kind}At({number})")
-        under = at and self.browser.run("return datasetView.under(arguments[0], arguments[1])",
-                                        round(at["x"]), round(at["y"]))
-        return (at["x"], at["y"]) if under and under.get(kind) == number else None
-
-    def open_places(self, kind, numbers):
-        return {number: place for number in numbers if (place := self.place(kind, number))}
-
-    def frame_image(self, kind, frame):
-        return cv2.imread(str(self.shown / kind / f"{frame:06d}.png"), cv2.IMREAD_UNCHANGED)
-
-    def facts(self):
-        words = self.browser.texts("#objects li.chosen dt")
-        return dict(zip(words, self.browser.texts("#objects li.chosen dd")))
-
-    def hover(self, x, y):
-        chain = browser.ActionChains(self.browser.driver)
-        chain.w3c_actions.pointer_action.move_to_location(round(x), round(y))
-        chain.perform()
-        for _ in range(2):  # the pointer's place, then what it highlights
-            self.browser.settle()
-
-    def rows_in_sight(self, selector):
-        """How many rows of a list its height has room for."""
-        return self.browser.run("""const list = document.querySelector(arguments[0]);
-            const row = list.querySelector(".row").getBoundingClientRect().height;
-            return list.clientHeight / (row + 1);""", selector)
-
-    def has_visible(self, selector):
-        return self.browser.find(selector).is_displayed()
-
+class Page(PageCase):
     # --- the 3D view
 
     def test_the_view_shows_something_that_turns(self):
@@ -269,171 +198,6 @@ class Page(ViewCase):
                  f"'#objects [data-id=\"{self.book}\"] .color')).backgroundColor"
         self.assertEqual(self.browser.run(swatch), "rgb(198, 42, 32)")
 
-    # --- images, list, keys
-
-    def test_the_list_has_room_in_every_window(self):
-        for width, height in ((1280, 600), (1280, 720), (1024, 700), (2560, 1440)):
-            self.browser.look(width, height)
-            self.browser.open(self.page)
-            with self.subTest(width=width, height=height):
-                self.assertGreaterEqual(self.rows_in_sight("#objects"), 8)
-                picture = self.browser.find("#picture").rect
-                self.assertGreater(picture["height"], 100)
-                self.assertLess(picture["y"] + picture["height"],
-                                self.browser.find("#lists").rect["y"])
-                self.browser.click("#to-classes")
-                self.assertGreaterEqual(self.rows_in_sight("#classes"), 8)
-        self.browser.look(1280, 720)
-        self.browser.open(self.page)
-        before = self.rows_in_sight("#objects")
-        self.browser.click("#fold")
-        self.assertFalse(self.has_visible("#picture"))
-        self.assertGreater(self.rows_in_sight("#objects"), before + 6)
-        self.browser.click("[data-modality=depth]")  # asks for an image
-        self.assertTrue(self.has_visible("#picture"))
-        self.assertEqual(self.rows_in_sight("#objects"), before)
-
-    def test_an_object_that_is_not_captured_has_no_best_view(self):
-        row = next(r for r in self.card["metrics"]["counted"]["per_object"]
-                   if r["object_id"] == self.book)
-        self.assertGreaterEqual(row["best_frame"], 0)  # a frame shows it
-        self.browser.open(self.page, f"#frame={row['best_frame']}&object={self.book}")
-        self.assertNotIn(HOSTILE, self.browser.text("#best-of"))
-        facts = self.facts()
-        self.assertEqual(facts["State"], "not captured")
-        self.assertEqual(facts["Why not"], "The sofa hides it from everywhere.")
-        self.assertNotIn("Best frame", facts)
-        self.assertIn(f"frame {row['best_frame']}, too little", facts["Most visible in"])
-        self.assertEqual(self.browser.texts("#objects li.chosen .go"), [])
-
-    def test_each_kind_of_picture_shows_the_frame(self):
-        self.browser.open(self.page, "#frame=5")
-        self.assertEqual(self.browser.texts("#kinds button"),
-                         ["Colour", "Depth", "Objects", "Classes"])
-        self.browser.click("[data-modality=depth]")
-        depth = self.frame_image("depth", 5).astype(float)
-        expected = np.where(depth > 0, 255 - 215 * depth / depth.max(), 0)
-        shown = self.browser.picture("#picture").mean(axis=2)
-        self.assertLess(browser.difference(shown, expected), 6)
-        self.browser.click("[data-modality=instance]")
-        source = self.browser.find("#picture").get_attribute("src")
-        colours = browser.decoded(base64.b64decode(source.split(",")[1]))
-        ids = self.frame_image("instance", 5)
-        self.assertEqual(colours.shape[:2], ids.shape)
-        swatches = {o["id"]: o["color"][::-1] for o in data_of(self.page, "dataset")["objects"]}
-        for number in set(np.unique(ids)) - {0}:
-            expected = [swatches[number]]
-            self.assertEqual(np.unique(colours[ids == number], axis=0).tolist(), expected)
-
-    def test_search_and_filter_narrow_the_list(self):
-        everything = self.browser.texts("#objects .name")
-        targets = [o["name"] for o in self.card["objects"] if o["role"] == "target"]
-        self.assertEqual(everything, targets)
-        self.browser.press("/")
-        self.browser.press("SOF")
-        self.assertEqual(self.browser.texts("#objects .name"), ["sofa"])
-        self.assertEqual(self.browser.text("#object-count"), "1 listed")
-        self.browser.press("x")
-        self.assertEqual(self.browser.text("#object-count"), "No object fits.")
-        self.browser.press("\ue003\ue003\ue003\ue003")  # Backspace
-        self.assertEqual(self.browser.texts("#objects .name"), targets)
-        self.browser.find("#filter").send_keys("Not captured")
-        captured = {row["object_id"] for row in self.card["metrics"]["counted"]["per_object"]
-                    if row["captured"]}
-        self.assertEqual(self.browser.texts("#objects .name"),
-                         [o["name"] for o in self.card["objects"]
-                          if o["role"] == "target" and o["id"] not in captured])
-        self.browser.click(f"#objects [data-id='{self.book}'] .row")
-        facts = self.facts()
-        self.assertEqual(facts["State"], "not captured")
-        self.assertEqual(facts["Why not"], "The sofa hides it from everywhere.")
-        self.assertEqual(facts["What helps"], "move the sofa <b>away</b>")
-        self.assertIsNone(self.browser.run("return window.hacked || null"))
-
-    def test_keys_step_and_play(self):
-        self.browser.press("\ue014\ue014\ue014")  # right
-        self.assertIn("Frame 3 of", self.browser.text("#now"))
-        self.browser.press("\ue012")  # left
-        self.assertIn("Frame 2 of", self.browser.text("#now"))
-        self.browser.press(" ")
-        self.assertEqual(self.browser.text("#play"), "Pause")
-        for _ in range(200):
-            self.browser.settle()
-            if self.browser.text("#play") == "Play":
-                break
-        self.assertIn(f"Frame {FRAMES - 1} of", self.browser.text("#now"))
-        self.browser.press(" ")
-        self.assertEqual(self.browser.text("#play"), "Pause")
-        self.browser.press(" ")
-        self.assertEqual(self.browser.text("#play"), "Play")
-
-    def test_escape_deselects_and_space_plays_after_a_click_on_a_row(self):
-        self.browser.click(f"#objects [data-id='{self.sofa}'] .row")
-        self.assertEqual(self.facts()["Class"], "sofa")
-        self.browser.press("\ue014")  # right
-        self.assertIn("Frame 1 of", self.browser.text("#now"))
-        self.browser.press(" ")
-        self.assertEqual(self.browser.text("#play"), "Pause")
-        self.browser.press(" ")
-        self.assertEqual(self.browser.text("#play"), "Play")
-        self.assertEqual(self.facts()["Class"], "sofa")
-        self.browser.press("\ue00c")  # Escape
-        self.assertEqual(self.facts(), {})
-        self.browser.press("\ue004", " ")  # Tab leads to the next row, which the space bar presses
-        self.assertEqual(self.browser.text("#play"), "Play")
-        self.assertNotEqual(self.facts(), {})
-
-    def test_a_question_mark_lists_the_keys(self):
-        self.browser.click(f"#objects [data-id='{self.sofa}'] .row")
-        self.assertFalse(self.has_visible("#help"))
-        self.browser.press("?")
-        self.assertTrue(self.has_visible("#help"))
-        self.assertLessEqual({"←", "→", "Home", "End", "Space", "/", "Esc", "?"},
-                             set(self.browser.texts("#help kbd")))
-        self.browser.press("\ue014")  # right
-        self.assertIn("Frame 0 of", self.browser.text("#now"))
-        self.browser.press("\ue00c")  # Escape closes the list and keeps the selection
-        self.assertFalse(self.has_visible("#help"))
-        self.assertEqual(self.facts()["Class"], "sofa")
-        self.browser.press("??")
-        self.assertFalse(self.has_visible("#help"))
-        self.browser.click("#show-help")
-        self.assertTrue(self.has_visible("#help"))
-        self.browser.click("#close-help")
-        self.assertFalse(self.has_visible("#help"))
-        self.browser.click("#show-help")
-        self.browser.click_at(20, 400)  # beside the list
-        self.assertFalse(self.has_visible("#help"))
-        self.browser.click("#search")
-        self.browser.press("?")
-        self.assertFalse(self.has_visible("#help"))
-        self.assertEqual(self.browser.find("#search").get_property("value"), "?")
-
-    def test_a_link_leads_to_frame_object_and_picture(self):
-        self.browser.open(self.page, f"#frame=4&object={self.sofa}&picture=depth")
-        self.assertIn("Frame 4 ·", self.browser.text("#frame-facts"))
-        self.assertEqual(self.facts()["Class"], "sofa")
-        self.assertEqual(self.browser.find("[data-modality=depth]").get_attribute("aria-pressed"),
-                         "true")
-        self.browser.open(self.page, "#frame=99999&object=abc&picture=nothing&view=1")
-        self.assertIn("Frame 0 ·", self.browser.text("#frame-facts"))
-
-    def test_nothing_is_cut_or_pale(self):
-        def show_classes():
-            self.browser.click("#to-classes")
-            self.browser.click("#classes .row")  # a hidden class
-        states = [("objects", lambda: None), ("classes", show_classes),
-                  ("keys", lambda: self.browser.press("?"))]
-        for width, height in ((1024, 700), (1280, 720), (2560, 1440)):
-            for dark in (False, True):
-                self.browser.look(width, height, dark)
-                self.browser.open(self.page, f"#object={self.book}")
-                for state, show in states:
-                    show()
-                    with self.subTest(width=width, dark=dark, state=state):
-                        self.assertEqual(self.browser.run(CUT_TEXTS), [])
-                        self.assertEqual(self.browser.run(PALE_TEXTS), [])
-
     # --- datasets with fewer files
 
     def test_without_the_scene_boxes_and_trajectory_are_left(self):
@@ -508,50 +272,6 @@ class Storeys(FolderCase):
         self.assertEqual(sorted(below), [False, True])
         self.assertEqual(shown.run(names), ["table_0"])
         self.assertGreater(browser.difference(both, shown.picture("canvas")), 4)
-
-
-# Elements whose text is larger than the element or the window.
-CUT_TEXTS = """
-const cut = [];
-for (const element of document.querySelectorAll("body *")) {
-  if (element.closest("script, option, #labels") || element.getClientRects().length === 0) continue;
-  const own = [...element.childNodes].some(node => node.nodeType === 3 && node.data.trim() !== "");
-  if (!own) continue;
-  const box = element.getBoundingClientRect();
-  const style = getComputedStyle(element);
-  const inline = style.display === "inline";
-  const list = element.closest("#objects, #classes");
-  if (box.right > innerWidth + 1 || box.left < -1 || (!list && box.bottom > innerHeight + 1) ||
-      (!inline && element.scrollWidth > element.clientWidth + 1))
-    cut.push(`${element.tagName} ${element.id} ${element.textContent.slice(0, 40)}`);
-}
-return cut;
-"""
-
-# Texts with a contrast below 4.5 to 1 (WCAG 2) against their background.
-PALE_TEXTS = """
-const numbers = text => text.match(/[\\d.]+/g).map(Number);
-const light = colour => colour.slice(0, 3).map(v => v / 255)
-  .map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
-  .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
-const behind = element => {
-  for (let one = element; one; one = one.parentElement) {
-    const colour = numbers(getComputedStyle(one).backgroundColor);
-    if (colour.length === 3 || colour[3] > 0.5) return colour;
-  }
-  return [255, 255, 255];
-};
-const pale = [];
-for (const element of document.querySelectorAll("body *")) {
-  if (element.closest("script, option") || element.getClientRects().length === 0) continue;
-  const own = [...element.childNodes].some(node => node.nodeType === 3 && node.data.trim() !== "");
-  if (!own) continue;
-  const pair = [light(numbers(getComputedStyle(element).color)), light(behind(element))];
-  const contrast = (Math.max(...pair) + 0.05) / (Math.min(...pair) + 0.05);
-  if (contrast < 4.5) pale.push(`${element.tagName} ${element.className} ${contrast}`);
-}
-return pale;
-"""
 
 
 if __name__ == "__main__":
