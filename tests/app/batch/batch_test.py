@@ -17,6 +17,7 @@ import unittest
 import urllib.parse
 import xml.etree.ElementTree
 
+from processes import alive, children, memory_kb
 from support import tiny_room
 from support.program import FolderCase, hashes, run, start, wait_for
 
@@ -37,25 +38,6 @@ class Links(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         self.found += [value for name, value in attributes if name in ("href", "src")]
-
-
-def children(pid):
-    return [int(word) for word in
-            pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
-
-
-def alive(pid):
-    try:
-        return "\nState:\tZ" not in pathlib.Path(f"/proc/{pid}/status").read_text()
-    except FileNotFoundError:
-        return False
-
-
-def memory_kb(pid):
-    """Memory of the process without mapped files, whose pages the system drops and reloads freely.
-    None once it has ended."""
-    status = pathlib.Path(f"/proc/{pid}/status").read_text()
-    return int(status.split("RssAnon:")[1].split()[0]) if "RssAnon:" in status else None
 
 
 class Batch(FolderCase):
