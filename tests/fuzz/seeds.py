@@ -5,7 +5,7 @@ import struct
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "app"))
-import small_models  # noqa: E402
+from support import small_models  # noqa: E402
 
 ROOT = pathlib.Path(sys.argv[1])
 FORMATS = 10

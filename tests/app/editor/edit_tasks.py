@@ -3,7 +3,7 @@ import json
 import math
 
 from task import BOOK, MUG, NO_GO_BOX, OBJECTS, POSITION_POINT, SOFA, Task
-import tiny_room
+from support import tiny_room
 
 
 class ByHand(Task):

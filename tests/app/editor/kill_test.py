@@ -9,7 +9,7 @@ import time
 from editor_driver import Editor
 from screen import Screen
 from task import Programs, plan
-import tiny_room  # noqa: E402
+from support import tiny_room
 import window_arguments
 
 MOST_LOST_S = 30.0

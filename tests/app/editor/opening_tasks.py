@@ -3,7 +3,7 @@ import json
 import subprocess
 
 from task import Programs, Task, plan
-import tiny_room
+from support import tiny_room
 
 
 class Opening(Task):

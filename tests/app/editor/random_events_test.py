@@ -8,7 +8,7 @@ import tempfile
 from editor_driver import Editor, Gone
 from screen import Screen
 from task import Programs
-import tiny_room  # noqa: E402
+from support import tiny_room
 import window_arguments
 
 SIZE = (1100, 700)

@@ -3,15 +3,12 @@ import json
 import math
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-import tiny_room  # noqa: E402
-
-from editor_driver import Editor  # noqa: E402
-from screen import Screen, need_window  # noqa: E402
+from editor_driver import Editor
+from screen import Screen, need_window
+from support import tiny_room
 
 # The enumerators of ui/selection.h, which tell the kind of the selection in the state.
 NONE, OBJECT, OBJECTS, POSITION_POINT, NO_GO_BOX = 0, 1, 2, 4, 9

@@ -5,12 +5,10 @@ import signal
 import subprocess
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[2]
-sys.path.insert(0, str(HERE.parent))
-from program import FolderCase, PROGRAM, hashes, run  # noqa: E402,F401
-import tiny_room  # noqa: E402,F401
+from support import tiny_room  # noqa: F401
+from support.program import FolderCase, PROGRAM, hashes, run  # noqa: F401
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 MODULE = sys.argv.pop(1)
 sys.path.insert(0, MODULE)
 import dollytrack as dt  # noqa: E402,F401
