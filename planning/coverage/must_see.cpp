@@ -26,11 +26,11 @@ constexpr std::size_t kPlacesTried = 16;  // candidates, those that see most mis
 constexpr std::size_t kAimsTried = 24;
 
 /// Random legal camera positions near the region.
-std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const OrientedBox& box,
-                                        double farthest_m) {
+std::vector<Eigen::Vector3d> placesNear(const PlanningEnvironment& environment,
+                                        const OrientedBox& box, double farthest_m) {
     std::vector<Eigen::Vector3d> near;
-    for (std::size_t room = 0; room < around.free_space.rooms().size(); ++room) {
-        for (const Eigen::Vector3f& cell : around.sphere.cells(static_cast<int>(room))) {
+    for (std::size_t room = 0; room < environment.free_space.rooms().size(); ++room) {
+        for (const Eigen::Vector3f& cell : environment.sphere.cells(static_cast<int>(room))) {
             const Eigen::Vector3d place = cell.cast<double>();
             if (box.distance(place) < farthest_m) near.push_back(place);
         }
@@ -39,7 +39,7 @@ std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const Orient
     Random random(1);
     for (std::size_t i = 0; i < 4 * kPlaces && places.size() < kPlaces && !near.empty(); ++i) {
         const Eigen::Vector3d& place = near[random.below(static_cast<std::uint32_t>(near.size()))];
-        if (around.sphere.fits(place)) places.push_back(place);
+        if (environment.sphere.fits(place)) places.push_back(place);
     }
     return places;
 }
@@ -47,12 +47,12 @@ std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const Orient
 /// Chooses the views of one region.
 class Covering {
   public:
-    Covering(const Surroundings& around, const Region& region)
-        : around_(around), views_(around.views) {
+    Covering(const PlanningEnvironment& environment, const Region& region)
+        : environment_(environment), views_(environment.views) {
         result_.name = region.name;
         result_.surface = patchesIn(views_.scene(), region.box, kSpacing_m);
         const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
-        places_ = placesNear(around, region.box, sight.farthest_m());
+        places_ = placesNear(environment, region.box, sight.farthest_m());
         const double half_height =
             std::atan(0.5 * views_.intrinsics().height / views_.intrinsics().fy);
         const auto& patches = result_.surface.patches;
@@ -60,8 +60,8 @@ class Covering {
         parallelFor(places_.size(), [&](std::size_t i) {
             for (std::size_t p = 0; p < patches.size(); ++p) {
                 const double elevation = elevationOf(patches[p].point - places_[i]);
-                if (elevation < around_.pitch.lowest - half_height ||
-                    elevation > around_.pitch.highest + half_height) {
+                if (elevation < environment_.pitch.lowest - half_height ||
+                    elevation > environment_.pitch.highest + half_height) {
                     continue;
                 }
                 if (sight.reaches(places_[i], patches[p])) {
@@ -186,7 +186,7 @@ class Covering {
                 at /= static_cast<double>(list.size());
             }
             if ((at - places_[place]).norm() < 1e-6) continue;
-            Tried one{0, aim(places_[place], at, around_.pitch)};
+            Tried one{0, aim(places_[place], at, environment_.pitch)};
             for (const int p : list) {
                 one.shown +=
                     views_.inImage(one.pose, patches[static_cast<std::size_t>(p)].point) ? 1 : 0;
@@ -196,7 +196,7 @@ class Covering {
         return best;
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const ViewEstimator& views_;
     MustSee result_;
     std::vector<Eigen::Vector3d> places_;
@@ -216,12 +216,12 @@ std::vector<Region> mustSeeAmong(const std::vector<Region>& regions) {
     return wanted;
 }
 
-Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
+Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
                                          std::vector<GivenView> given, const JobContext& job) {
     std::vector<MustSee> all;
     for (const Region& region : regions) {
-        Covering covering(around, region);
+        Covering covering(environment, region);
         covering.takeGiven(given);
         all.push_back(std::move(covering).run(job));
         if (all.back().surface.patches.empty()) {

@@ -37,7 +37,7 @@ struct GivenView {
 /// Chooses views that cover each region, by greedy set cover: fixed given views count first, then
 /// given views that each add at least 2 % of the seeable patches are kept, then new views are
 /// added. Logs a warning for a region without surface. Error: Cancelled.
-Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
+Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
                                          std::vector<GivenView> given, const JobContext& job);
 

@@ -77,10 +77,10 @@ std::vector<Eigen::Vector3d> aimsAround(const Intrinsics& lens, const PitchBand&
 
 class SurfaceViewSearch {
   public:
-    SurfaceViewSearch(const Surroundings& around, SurfaceGoal goal,
+    SurfaceViewSearch(const PlanningEnvironment& environment, SurfaceGoal goal,
                       std::vector<Eigen::Vector3d> places)
-        : around_(around),
-          lens_(around.views.intrinsics()),
+        : environment_(environment),
+          lens_(environment.views.intrinsics()),
           goal_(std::move(goal)),
           places_(std::move(places)),
           sightings_(places_.size()) {
@@ -112,7 +112,7 @@ class SurfaceViewSearch {
   private:
     /// The patches visible from a position, in any viewing direction.
     [[nodiscard]] std::vector<PatchSighting> sightingsAt(const Eigen::Vector3d& place) const {
-        const PatchSight sight(around_.views.rays(), surfaceRules());
+        const PatchSight sight(environment_.views.rays(), surfaceRules());
         const std::vector<SurfacePatch>& patches = goal_.surface.patches;
         std::vector<PatchSighting> found;
         std::vector<RayCaster::BundleRay> rays;
@@ -124,7 +124,7 @@ class SurfaceViewSearch {
             rays.push_back({way, static_cast<float>(1.0 - PatchSight::kReached_m / distance)});
         }
         std::vector<RayHit> hits;
-        around_.views.rays().castBundle(place, rays, 0.0, hits);
+        environment_.views.rays().castBundle(place, rays, 0.0, hits);
         std::vector<PatchSighting> visible;
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (hits[i].object_id == 0) visible.push_back(found[i]);
@@ -135,7 +135,7 @@ class SurfaceViewSearch {
     [[nodiscard]] std::vector<PatchSighting> sightingsOf(const Pose& pose) const {
         std::vector<PatchSighting> shown;
         for (const PatchSighting& one : sightingsAt(pose.position)) {
-            if (around_.views.inImage(pose, goal_.surface.patches[one.patch].point)) {
+            if (environment_.views.inImage(pose, goal_.surface.patches[one.patch].point)) {
                 shown.push_back(one);
             }
         }
@@ -149,7 +149,7 @@ class SurfaceViewSearch {
         const double y = lens_.cy / lens_.fy;
         const double corner_cosine = 1.0 / std::sqrt(1.0 + x * x + y * y);
         std::vector<SurfaceCandidate> candidates;
-        for (const Eigen::Vector3d& forward : aimsAround(lens_, around_.pitch, phase)) {
+        for (const Eigen::Vector3d& forward : aimsAround(lens_, environment_.pitch, phase)) {
             SurfaceCandidate one{place, forward, {}};
             const Eigen::Matrix3d camera_from_world =
                 lookAlong(forward).conjugate().toRotationMatrix();
@@ -175,7 +175,7 @@ class SurfaceViewSearch {
 
     /// In a scan, a view must show enough scanned surface.
     [[nodiscard]] bool showsScanned(const Pose& pose) const {
-        return around_.views.scannedShare(pose) >= CaptureRules{}.min_scanned_share;
+        return environment_.views.scannedShare(pose) >= CaptureRules{}.min_scanned_share;
     }
 
     /// Lazy greedy: gains only fall, so a candidate whose gain is still the largest after an update
@@ -215,7 +215,7 @@ class SurfaceViewSearch {
         }
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const Intrinsics& lens_;
     SurfaceGoal goal_;
     std::vector<Eigen::Vector3d> places_;
@@ -224,12 +224,12 @@ class SurfaceViewSearch {
 
 }  // namespace
 
-Result<SurfaceViews> findSurfaceViews(const Surroundings& around, const PlanParams& params,
-                                      const std::vector<Pose>& given, std::size_t most,
-                                      const JobContext& job) {
+Result<SurfaceViews> findSurfaceViews(const PlanningEnvironment& environment,
+                                      const PlanParams& params, const std::vector<Pose>& given,
+                                      std::size_t most, const JobContext& job) {
     std::vector<Eigen::Vector3d> places =
-        evenPlaces(around.free_space, around.sphere, kSurfacePlaces);
-    auto fine = reachablePatches(around.views.scene(), around.views.rays(), places,
+        evenPlaces(environment.free_space, environment.sphere, kSurfacePlaces);
+    auto fine = reachablePatches(environment.views.scene(), environment.views.rays(), places,
                                  kSurfaceRaysAround, kFinestPatch_m, job);
     if (!fine) return tl::unexpected<Error>(std::move(fine.error()));
     SurfaceGoal goal;
@@ -237,7 +237,7 @@ Result<SurfaceViews> findSurfaceViews(const Surroundings& around, const PlanPara
     goal.sharp_m = sharpWithin_m(params);
     goal.directions = params.coverage.surface_directions;
     SurfaceViews found =
-        SurfaceViewSearch(around, std::move(goal), std::move(places)).choose(given, most, job);
+        SurfaceViewSearch(environment, std::move(goal), std::move(places)).choose(given, most, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return found;
 }

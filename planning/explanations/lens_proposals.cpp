@@ -35,7 +35,7 @@ class Lenses {
         if (known != made_.end()) return &known->second;
         const auto lens = withLens(what_, hfov_deg);
         if (!lens) return nullptr;
-        const ViewEstimator& views = what_.around.views;
+        const ViewEstimator& views = what_.environment.views;
         return &made_.try_emplace(hfov_deg, views.scene(), views.rays(), lens->change.params.camera)
                     .first->second;
     }

@@ -41,8 +41,8 @@ SteepPlace steepPlace(const WhatIf& what, const HypotheticalPosition& place, dou
     const ConstraintParams& from = what.params.constraints;
     const auto seen = [&](int steps) {
         const PitchBand looser = pitchBand(loosened(from, steep.down, steps));
-        return what.around.views.estimate(aim(place.position, what.subject.center, looser),
-                                          what.object_id, kCoarseGrid);
+        return what.environment.views.estimate(aim(place.position, what.subject.center, looser),
+                                               what.object_id, kCoarseGrid);
     };
     const auto promises = [&](const ViewEstimator::Estimate& view) {
         return promise(view, what.well) >= asked;
@@ -93,7 +93,7 @@ std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
 /// The mildest loosening, verified by exact estimates; empty if no position meets the requirement.
 std::vector<Proposal> loosenedFor(const WhatIf& what) {
     const auto shows = [&](const Proposal& made) {
-        return showsEnough(what.around.views, *made.view, what.object_id, what.well);
+        return showsEnough(what.environment.views, *made.view, what.object_id, what.well);
     };
     // Most candidates that nearly meet the requirement fail the exact estimate.
     for (const double asked : {1.0, kAlmost}) {

@@ -33,7 +33,7 @@ std::vector<Proposal> proposePins(const WhatIf& what) {
         [](const HypotheticalPosition& p) { return goodness(p.seen); });
     for (std::size_t i = 0; i < std::min(kLookedAt, places.size()); ++i) {
         const Pose view = poseAt(what, *places[i]);
-        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        if (!showsEnough(what.environment.views, view, what.object_id, what.well)) continue;
         Proposal made = unchanged(what, view);
         made.needs_pin = true;
         return {made};
@@ -42,11 +42,11 @@ std::vector<Proposal> proposePins(const WhatIf& what) {
 }
 
 std::vector<Proposal> proposeRegions(const WhatIf& what) {
-    const AllowedRegion* region = what.around.sphere.region();
+    const AllowedRegion* region = what.environment.sphere.region();
     std::vector<Proposal> proposals;
     // An exact height cannot be widened slightly.
     if (region == nullptr || region->hasLevels()) return proposals;
-    const double reach = what.around.sphere.radius() + SweptSphere::kMargin;
+    const double reach = what.environment.sphere.radius() + SweptSphere::kMargin;
     const FreeSpaceParams& band = what.params.free_space;
     const auto beyond = [&](const HypotheticalPosition& p) {
         if (p.allowed != Verdict::HeightBand) return 0.0;
@@ -83,7 +83,7 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
             }
         }
         if (proposed.contains(made.remedy.text)) continue;
-        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        if (!showsEnough(what.environment.views, view, what.object_id, what.well)) continue;
         proposed.insert(made.remedy.text);
         proposals.push_back(std::move(made));
     }
@@ -112,7 +112,7 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
             !proposals.empty() && proposals.back().change.params.camera.camera_radius_m == radius;
         if (known || ++looked[radius] > kLookedAt) continue;
         const Pose view = poseAt(what, *place);
-        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        if (!showsEnough(what.environment.views, view, what.object_id, what.well)) continue;
         Proposal made = unchanged(what, view);
         CameraParams& smaller = made.change.params.camera;
         changeTo(made, "camera_radius_m", smaller.camera_radius_m, radius);
@@ -123,7 +123,7 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
 }
 
 std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
-    const Scene& scene = what.around.views.scene();
+    const Scene& scene = what.environment.views.scene();
     const auto shareWithout = [](const HypotheticalPosition& p) {
         return p.seen.visible_fraction + p.seen.occluder_share;
     };

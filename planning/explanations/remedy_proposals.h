@@ -21,7 +21,7 @@ struct Proposal {
 
 /// Input of the proposals. Keeps references.
 struct WhatIf {
-    const Surroundings& around;
+    const PlanningEnvironment& environment;
     const PlanParams& params;
     const PlanEdits& edits;
     const Subject& subject;

@@ -93,11 +93,12 @@ bool atEyeLevel(const Eigen::Vector3d& place, const RayCaster& rays) {
 
 /// Random free positions in these components, with clearance around the camera and at eye level;
 /// filled up with other free positions if there are too few.
-std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::set<int>& components,
-                                        int seed) {
+std::vector<Eigen::Vector3d> drawPlaces(const PlanningEnvironment& environment,
+                                        const std::set<int>& components, int seed) {
     std::vector<const Eigen::Vector3f*> cells;
     for (const int component : components) {
-        for (const Eigen::Vector3f& cell : around.sphere.cells(component)) cells.push_back(&cell);
+        for (const Eigen::Vector3f& cell : environment.sphere.cells(component))
+            cells.push_back(&cell);
     }
     if (cells.empty()) return {};
     Random random(static_cast<std::uint64_t>(seed), kPlaces);
@@ -108,11 +109,11 @@ std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::s
     }
     enum class Fit { No, Tight, Roomy };
     std::vector<Fit> fits(drawn.size(), Fit::No);
-    const double clearance = around.sphere.radius() + kLeastClearance_m;
+    const double clearance = environment.sphere.radius() + kLeastClearance_m;
     parallelFor(drawn.size(), [&](std::size_t i) {
-        if (!around.sphere.fits(drawn[i])) return;
-        fits[i] = around.sphere.clearance(drawn[i], clearance) >= clearance &&
-                          atEyeLevel(drawn[i], around.views.rays())
+        if (!environment.sphere.fits(drawn[i])) return;
+        fits[i] = environment.sphere.clearance(drawn[i], clearance) >= clearance &&
+                          atEyeLevel(drawn[i], environment.views.rays())
                       ? Fit::Roomy
                       : Fit::Tight;
     });
@@ -127,8 +128,10 @@ std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::s
 
 class RoomViewSearch {
   public:
-    explicit RoomViewSearch(const Surroundings& around)
-        : around_(around), samples_(around.views), shown_(samples_.targets().size()) {}
+    explicit RoomViewSearch(const PlanningEnvironment& environment)
+        : environment_(environment),
+          samples_(environment.views),
+          shown_(samples_.targets().size()) {}
 
     /// Counts the objects that a key frame captures as shown.
     void count(const PositionPoint& key) {
@@ -185,7 +188,7 @@ class RoomViewSearch {
     /// Index of the side of the object that the camera is on.
     [[nodiscard]] std::size_t sideOf(const Pose& pose, int object_id) const {
         const Eigen::Vector3d way =
-            pose.position - around_.views.scene().object(object_id).box.center;
+            pose.position - environment_.views.scene().object(object_id).box.center;
         const double turns = std::atan2(way.y(), way.x()) / (2.0 * std::numbers::pi);
         return static_cast<std::size_t>((turns + 1.0) * kSides) % kSides;
     }
@@ -200,10 +203,10 @@ class RoomViewSearch {
     }
 
     [[nodiscard]] std::vector<Choice> aimsAt(const Eigen::Vector3d& place) const {
-        const Panorama panorama(around_.views, samples_, place);
+        const Panorama panorama(environment_.views, samples_, place);
         std::vector<std::pair<double, Choice>> all;
         for (const double elevation : kElevations) {
-            const double up = around_.pitch.nearest(elevation);
+            const double up = environment_.pitch.nearest(elevation);
             for (int h = 0; h < kHeadings; ++h) {
                 const double heading = 2.0 * std::numbers::pi * h / kHeadings;
                 const Eigen::Vector3d direction(std::cos(up) * std::cos(heading),
@@ -225,7 +228,7 @@ class RoomViewSearch {
         return kept;
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     TargetSamples samples_;
     Shown shown_;
     std::vector<Choice> choices_;
@@ -250,8 +253,9 @@ bool asksForRoomViews(const PlanParams& params) {
            params.path.max_length_m <= 0.0 && !keepsFrameRate(params.timing);
 }
 
-void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoints& viewpoints) {
-    RoomViewSearch search(around);
+void addRoomViews(const PlanParams& params, const PlanningEnvironment& environment,
+                  Viewpoints& viewpoints) {
+    RoomViewSearch search(environment);
     std::vector<Pose> given;
     std::set<int> components;
     for (const int key : chooseKeyFrames(viewpoints.position_points)) {
@@ -262,9 +266,9 @@ void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoin
     }
     const std::size_t most = mostRoomViews(params, given.size());
     if (most == 0) return;
-    search.propose(drawPlaces(around, components, params.seed));
+    search.propose(drawPlaces(environment, components, params.seed));
     for (const Pose& view : search.choose(given, most)) {
-        addFixedPoint(view, around, viewpoints);
+        addFixedPoint(view, environment, viewpoints);
         viewpoints.position_points.back().fixed = false;
         viewpoints.position_points.back().room_view = true;
     }

@@ -93,7 +93,9 @@ class Pipeline::Stages::PlanRun {
         return viewpoints().position_points;
     }
     /// Where the camera may move; with one trajectory per room, within its room.
-    [[nodiscard]] const Surroundings& moves() const { return in_room_ ? *in_room_ : around_; }
+    [[nodiscard]] const PlanningEnvironment& moves() const {
+        return in_room_ ? *in_room_ : around_;
+    }
 
     Stages& stages_;
     const PlanParams& params_;
@@ -101,9 +103,9 @@ class Pipeline::Stages::PlanRun {
     const JobContext& job_;
     const OnTrajectory& on_trajectory_;
     SweptSphere sphere_;
-    Surroundings around_;
+    PlanningEnvironment around_;
     std::optional<SweptSphere> sphere_in_room_;
-    std::optional<Surroundings> in_room_;
+    std::optional<PlanningEnvironment> in_room_;
     PathEnds ends_;                             // from selectKeyFrames()
     std::optional<TrajectoryBuilder> builder_;  // from selectKeyFrames()
 };
@@ -157,8 +159,8 @@ Status Pipeline::Stages::PlanRun::divideIntoRooms() {
             if (params_.constraints.rooms != RoomTours::Each) return;
             sphere_in_room_.emplace(*stages_.rays, *stages_.free_space, radius_m, &*stages_.region,
                                     &*stages_.rooms);
-            in_room_.emplace(Surroundings{*stages_.views, *stages_.free_space, *sphere_in_room_,
-                                          around_.pitch, around_.heading});
+            in_room_.emplace(PlanningEnvironment{*stages_.views, *stages_.free_space,
+                                                 *sphere_in_room_, around_.pitch, around_.heading});
         });
 }
 

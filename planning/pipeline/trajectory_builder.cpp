@@ -14,10 +14,10 @@
 
 namespace dollytrack::planning {
 
-TrajectoryBuilder::TrajectoryBuilder(const Surroundings& around, const Surroundings& moves,
-                                     const Viewpoints& viewpoints, const PlanParams& params,
-                                     const JobContext& job)
-    : around_(around),
+TrajectoryBuilder::TrajectoryBuilder(const PlanningEnvironment& environment,
+                                     const PlanningEnvironment& moves, const Viewpoints& viewpoints,
+                                     const PlanParams& params, const JobContext& job)
+    : around_(environment),
       moves_(moves),
       position_points_(viewpoints.position_points),
       observation_points_(viewpoints.observation_points),

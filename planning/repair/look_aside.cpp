@@ -66,7 +66,7 @@ std::size_t firstKeyOf(const SmoothPath& path, std::size_t stretch) {
 std::optional<Eigen::Vector3d> findLookAside(
     const RepairContext& context, const Trajectory& trajectory,
     const std::vector<std::vector<Eigen::AlignedBox2d>>& boxes, const LowRun& run) {
-    const Surroundings& around = context.around;
+    const PlanningEnvironment& environment = context.environment;
     const auto& frames = trajectory.frames;
     const TrajectoryFrame& middle = frames[run.first + (run.last - run.first) / 2];
     const Pose& before = frames[run.first > 0 ? run.first - 1 : run.first].pose;
@@ -75,14 +75,14 @@ std::optional<Eigen::Vector3d> findLookAside(
     const Eigen::Vector3d& place = middle.pose.position;
     std::optional<Eigen::Vector3d> best;
     double best_worth = 0.0;
-    for (const Eigen::Vector3d& center : nearestTargets(around.views.scene(), place)) {
-        if ((center - place).norm() < around.views.nearDistance()) continue;
-        const Pose pose = aim(place, center, around.pitch);
+    for (const Eigen::Vector3d& center : nearestTargets(environment.views.scene(), place)) {
+        if ((center - place).norm() < environment.views.nearDistance()) continue;
+        const Pose pose = aim(place, center, environment.pitch);
         const double detour = angleBetween(before.rotation, pose.rotation) +
                               angleBetween(pose.rotation, after.rotation) - turn;
         if (detour > kMostDetour) continue;
-        const double score =
-            scoreWithin(trajectory, boxes, run, imageBoxes(around.views, pose), context.weights);
+        const double score = scoreWithin(trajectory, boxes, run,
+                                         imageBoxes(environment.views, pose), context.weights);
         if (score < context.threshold) continue;
         const double worth = score - kDetourCost * detour;
         if (best && worth <= best_worth) continue;

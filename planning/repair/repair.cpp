@@ -104,7 +104,7 @@ class Repair {
     /// Completes a trial that has its trajectory with captures and scores.
     [[nodiscard]] Result<Trial> lookAt(Trial trial) const {
         Result<CaptureEstimate> estimate =
-            estimateCaptures(context_.around.views, trial.trajectory, job_, memo_);
+            estimateCaptures(context_.environment.views, trial.trajectory, job_, memo_);
         if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
         trial.estimate = std::move(*estimate);
         trial.scores = imageScores(trial.trajectory, trial.estimate.frame_boxes, context_.weights);
@@ -264,9 +264,10 @@ bool asksForRepair(const RepairParams& params) {
 }
 
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
-                                  const Surroundings& around, const RepairParams& params, int seed,
-                                  const JobContext& job, ViewCache* memo) {
-    RepairContext context{maker, around, params.score, 0.0, seed};
+                                  const PlanningEnvironment& environment,
+                                  const RepairParams& params, int seed, const JobContext& job,
+                                  ViewCache* memo) {
+    RepairContext context{maker, environment, params.score, 0.0, seed};
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};
     Result<Trial> first = repair.lookAt({found.smooth_paths, found.trajectory, {}, {}});

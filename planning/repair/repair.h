@@ -11,7 +11,7 @@ namespace dollytrack::planning {
 
 class ViewCache;
 struct RepairParams;
-struct Surroundings;
+struct PlanningEnvironment;
 
 [[nodiscard]] bool asksForRepair(const RepairParams& params);
 
@@ -39,7 +39,8 @@ struct TrajectoryMaker {
 /// are removed, except key frames and those that a capture needs. Key frames keep their poses
 /// unless a detour rounds their corner differently. `memo` may be null. Error: Cancelled.
 Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
-                                  const Surroundings& around, const RepairParams& params, int seed,
-                                  const JobContext& job, ViewCache* memo = nullptr);
+                                  const PlanningEnvironment& environment,
+                                  const RepairParams& params, int seed, const JobContext& job,
+                                  ViewCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

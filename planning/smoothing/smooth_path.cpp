@@ -34,9 +34,13 @@ struct Curve {
 class Smoother {
   public:
     Smoother(const CameraPath& path, const std::vector<PositionPoint>& points,
-             const std::vector<ObservationPoint>& targets, const Surroundings& around,
+             const std::vector<ObservationPoint>& targets, const PlanningEnvironment& environment,
              double set_back)
-        : path_(path), points_(points), targets_(targets), around_(around), set_back_(set_back) {}
+        : path_(path),
+          points_(points),
+          targets_(targets),
+          environment_(environment),
+          set_back_(set_back) {}
 
     [[nodiscard]] Corner roundCorner(std::size_t i) const {
         Corner corner;
@@ -124,7 +128,7 @@ class Smoother {
     /// to a target at the side.
     [[nodiscard]] bool turnsOnTheSpot(std::size_t i, const Eigen::Vector3d& in,
                                       const Eigen::Vector3d& out) const {
-        const HeadingLimit& limit = around_.heading;
+        const HeadingLimit& limit = environment_.heading;
         if (!limit.restricts()) return false;
         if (!limit.allows(in, out)) return true;
         const int key = path_.vertices[i].position_point;
@@ -157,7 +161,7 @@ class Smoother {
     /// Whether the set-back is collision-free and keeps the captures; the cheaper test comes first.
     [[nodiscard]] bool allows(std::size_t i, double set_back) const {
         const Curve curve = curveAt(i, set_back);
-        return around_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
+        return environment_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
                keepsCaptures(i, set_back, Look::Quick);
     }
 
@@ -166,16 +170,16 @@ class Smoother {
         if (key < 0) return true;
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
         const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
-        const Pose pose = aim(curveAt(i, set_back).middle(), target.position, around_.pitch);
+        const Pose pose = aim(curveAt(i, set_back).middle(), target.position, environment_.pitch);
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
             const bool was_well =
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
             const auto isStill = was_well ? isSafelyWellCaptured : isSafelyCaptured;
-            const auto glance = around_.views.estimate(pose, id, kGlance);
+            const auto glance = environment_.views.estimate(pose, id, kGlance);
             const bool whole =
                 glance.rays_on_silhouette >= kEnoughRays && glance.visible_fraction >= kNearlyWhole;
             if (look == Look::Quick || whole) return isStill(glance) || !glance.tells();
-            return isStill(estimateSurely(around_.views, pose, id, kGrid));
+            return isStill(estimateSurely(environment_.views, pose, id, kGrid));
         });
     }
 
@@ -188,7 +192,7 @@ class Smoother {
     const CameraPath& path_;
     const std::vector<PositionPoint>& points_;
     const std::vector<ObservationPoint>& targets_;
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     double set_back_;
 };
 
@@ -212,9 +216,9 @@ void sweepPieces(SmoothPath& smooth, const SweptSphere& sphere) {
 Result<SmoothPath> smoothPath(const CameraPath& path,
                               const std::vector<PositionPoint>& position_points,
                               const std::vector<ObservationPoint>& observation_points,
-                              const Surroundings& around, const SmoothingParams& params,
+                              const PlanningEnvironment& environment, const SmoothingParams& params,
                               const JobContext& job) {
-    const Smoother smoother(path, position_points, observation_points, around,
+    const Smoother smoother(path, position_points, observation_points, environment,
                             params.corner_distance_m);
     const std::size_t inner = path.vertices.size() > 2 ? path.vertices.size() - 2 : 0;
     std::vector<Corner> corners(inner);
@@ -223,23 +227,25 @@ Result<SmoothPath> smoothPath(const CameraPath& path,
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     SmoothPath smooth = smoother.assemble(std::move(corners));
-    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, kFarEnough);
-    sweepPieces(smooth, around.sphere);
+    smooth.min_clearance_m =
+        environment.sphere.clearance(path.vertices.front().position, kFarEnough);
+    sweepPieces(smooth, environment.sphere);
     return smooth;
 }
 
 SmoothPath smoothBlindly(const CameraPath& path, double corner_distance_m,
-                         const Surroundings& around) {
+                         const PlanningEnvironment& environment) {
     const std::vector<PositionPoint> no_points;
     const std::vector<ObservationPoint> no_targets;
-    const Smoother smoother(path, no_points, no_targets, around, corner_distance_m);
+    const Smoother smoother(path, no_points, no_targets, environment, corner_distance_m);
     std::vector<Corner> corners;
     for (std::size_t i = 1; i + 1 < path.vertices.size(); ++i) {
         corners.push_back(smoother.roundBlindly(i));
     }
     SmoothPath smooth = smoother.assemble(std::move(corners));
-    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, kFarEnough);
-    sweepPieces(smooth, around.sphere);
+    smooth.min_clearance_m =
+        environment.sphere.clearance(path.vertices.front().position, kFarEnough);
+    sweepPieces(smooth, environment.sphere);
     return smooth;
 }
 

@@ -72,17 +72,20 @@ double highestQuality() {
     return seenInSteps(1.0) + kCapturedWorth + kWellWorth;
 }
 
-CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoint& point,
-                               double wished_fill)
-    : around_(around), point_(point), subject_(makeSubject(around.views, point.objects)) {
+CandidateJudge::CandidateJudge(const PlanningEnvironment& environment,
+                               const ObservationPoint& point, double wished_fill)
+    : environment_(environment),
+      point_(point),
+      subject_(makeSubject(environment.views, point.objects)) {
     // The wished fill is meant as an area: an object as high as wide takes fill * fill of the
     // square on the shorter side, a slender one less. So slender objects get a larger fill, up to
     // 0.85, and up to 0.92 until the box is large enough to count as well captured.
-    const double slender = std::max(1e-3, slenderness(around.views, subject_, point.direction));
+    const double slender =
+        std::max(1e-3, slenderness(environment.views, subject_, point.direction));
     const double shorter =
         static_cast<double>(
-            std::min(around.views.intrinsics().width, around.views.intrinsics().height)) /
-        std::max(around.views.intrinsics().width, around.views.intrinsics().height);
+            std::min(environment.views.intrinsics().width, environment.views.intrinsics().height)) /
+        std::max(environment.views.intrinsics().width, environment.views.intrinsics().height);
     const double as_square = wished_fill * std::sqrt(std::max(1.0, shorter / slender));
     const double needed = std::sqrt(1.3 * CaptureRules{}.min_box_share / slender);
     wished_fill_ = std::max({wished_fill, std::min(as_square, 0.85), std::min(needed, 0.92)});
@@ -91,7 +94,7 @@ CandidateJudge::CandidateJudge(const Surroundings& around, const ObservationPoin
 Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fill,
                                      int& obstacle) const {
     if (!std::isfinite(fill)) return Verdict::TooClose;
-    const Verdict verdict = around_.sphere.verdict(position, obstacle);
+    const Verdict verdict = environment_.sphere.verdict(position, obstacle);
     if (verdict != Verdict::InObstacle) return verdict;
     const bool own =
         std::find(point_.objects.begin(), point_.objects.end(), obstacle) != point_.objects.end();
@@ -100,15 +103,16 @@ Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fil
 
 /// Whether a legal position is in a gap between surfaces, or sees too little of a scan.
 Verdict CandidateJudge::viewVerdict(const Pose& pose) const {
-    if (isInGap(around_.sphere, around_.views, pose.position)) return Verdict::InGap;
-    return around_.views.scannedShare(pose) < CaptureRules{}.min_scanned_share ? Verdict::Unscanned
-                                                                               : Verdict::Legal;
+    if (isInGap(environment_.sphere, environment_.views, pose.position)) return Verdict::InGap;
+    return environment_.views.scannedShare(pose) < CaptureRules{}.min_scanned_share
+               ? Verdict::Unscanned
+               : Verdict::Legal;
 }
 
 /// Samples with few rays first: most bad candidates hide most of the target and need no more.
 bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
     for (const int id : point_.objects) {
-        const auto glance = around_.views.estimate(pose, id, kGlance);
+        const auto glance = environment_.views.estimate(pose, id, kGlance);
         if (!glance.tells() || glance.visible_fraction >= kHopeless) continue;
         judged.candidate.visible_fraction = glance.visible_fraction;
         judged.candidate.occluder = glance.occluder;
@@ -121,12 +125,12 @@ bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
 Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     Judged judged;
     judged.candidate.position = position;
-    judged.candidate.fill = fillFrom(around_.views, subject_, position);
+    judged.candidate.fill = fillFrom(environment_.views, subject_, position);
     judged.candidate.verdict =
         placeVerdict(position, judged.candidate.fill, judged.candidate.occluder);
     if (judged.candidate.verdict != Verdict::Legal) return judged;
 
-    const Pose pose = aim(position, subject_.center, around_.pitch);
+    const Pose pose = aim(position, subject_.center, environment_.pitch);
     if (look != Look::Fine && isHopeless(pose, judged)) return judged;
     judged.candidate.verdict = viewVerdict(pose);
     if (judged.candidate.verdict != Verdict::Legal) return judged;
@@ -141,8 +145,9 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
     bool all_captured = true;
     for (const int id : point_.objects) {
         const int grid = static_cast<int>(look);
-        const auto estimate = look == Look::Fine ? estimateSurely(around_.views, pose, id, grid)
-                                                 : around_.views.estimate(pose, id, grid);
+        const auto estimate = look == Look::Fine
+                                  ? estimateSurely(environment_.views, pose, id, grid)
+                                  : environment_.views.estimate(pose, id, grid);
         const bool well = isSafelyWellCaptured(estimate);
         const bool captured = isSafelyCaptured(estimate);
         judged.all_well &= well;

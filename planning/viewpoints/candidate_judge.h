@@ -39,7 +39,8 @@ enum class Look : int { Coarse = 8, Closer = 14, Fine = 24 };
 /// view by ray sampling. Keeps references. Immutable.
 class CandidateJudge {
   public:
-    CandidateJudge(const Surroundings& around, const ObservationPoint& point, double wished_fill);
+    CandidateJudge(const PlanningEnvironment& environment, const ObservationPoint& point,
+                   double wished_fill);
 
     [[nodiscard]] Judged judge(const Eigen::Vector3d& position, Look look) const;
 
@@ -52,7 +53,7 @@ class CandidateJudge {
     [[nodiscard]] Verdict viewVerdict(const Pose& pose) const;
     [[nodiscard]] bool isHopeless(const Pose& pose, Judged& judged) const;
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const ObservationPoint& point_;
     Subject subject_;
     double wished_fill_;

@@ -25,12 +25,12 @@ struct Looked {
 
 class Climb {
   public:
-    Climb(const Surroundings& around, const CandidateJudge& judge, int object_id)
-        : around_(around), judge_(judge), object_id_(object_id) {}
+    Climb(const PlanningEnvironment& environment, const CandidateJudge& judge, int object_id)
+        : environment_(environment), judge_(judge), object_id_(object_id) {}
 
     [[nodiscard]] Looked look(const Eigen::Vector3d& position) const {
-        const Pose pose = aim(position, judge_.subject().center, around_.pitch);
-        const auto seen = around_.views.estimateExactly(pose, object_id_);
+        const Pose pose = aim(position, judge_.subject().center, environment_.pitch);
+        const auto seen = environment_.views.estimateExactly(pose, object_id_);
         return {position, nearnessOf(seen), isWellCaptured(makeView(seen, object_id_, 0))};
     }
 
@@ -42,7 +42,7 @@ class Climb {
             const Eigen::Vector3d& parent = parents[i % parents.size()].position;
             const Eigen::Vector3d offset(random.normal(), random.normal(), random.normal());
             const double distance = (parent - judge_.subject().center).norm();
-            places.push_back(around_.sphere.onHeight(parent + spread * distance * offset));
+            places.push_back(environment_.sphere.onHeight(parent + spread * distance * offset));
         }
         std::vector<Judged> glances(places.size());
         std::vector<Looked> looked(places.size());
@@ -56,7 +56,7 @@ class Climb {
     }
 
   private:
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const CandidateJudge& judge_;
     int object_id_;
 };
@@ -70,10 +70,10 @@ void keepBest(std::vector<Looked>& looked) {
 
 }  // namespace
 
-ExactSearchResult searchExactViewpoint(const Surroundings& around, const CandidateJudge& judge,
-                                       int object_id, const std::vector<Eigen::Vector3d>& places,
-                                       Random& random) {
-    const Climb climb(around, judge, object_id);
+ExactSearchResult searchExactViewpoint(const PlanningEnvironment& environment,
+                                       const CandidateJudge& judge, int object_id,
+                                       const std::vector<Eigen::Vector3d>& places, Random& random) {
+    const Climb climb(environment, judge, object_id);
     ExactSearchResult climbed;
     std::vector<Looked> best;
     for (std::size_t i = 0; i < std::min(kClimbParents, places.size()); ++i) {

@@ -21,8 +21,8 @@ struct ExactSearchResult {
 /// Last stage of the search, for an object that is missed only just: an evolutionary search with
 /// ViewEstimator::estimateExactly() and isWellCaptured(), without margins. It starts with the first
 /// 5 of `places` and samples ever closer to the best ones. At most about 1,400 exact estimates.
-ExactSearchResult searchExactViewpoint(const Surroundings& around, const CandidateJudge& judge,
-                                       int object_id, const std::vector<Eigen::Vector3d>& places,
-                                       Random& random);
+ExactSearchResult searchExactViewpoint(const PlanningEnvironment& environment,
+                                       const CandidateJudge& judge, int object_id,
+                                       const std::vector<Eigen::Vector3d>& places, Random& random);
 
 }  // namespace dollytrack::planning

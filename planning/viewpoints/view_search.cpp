@@ -57,14 +57,14 @@ bool isLookedFrom(Verdict verdict) {
 
 class Search {
   public:
-    Search(const Surroundings& around, const ObservationPoint& point, const ViewpointParams& params,
-           Random random)
-        : around_(around),
+    Search(const PlanningEnvironment& environment, const ObservationPoint& point,
+           const ViewpointParams& params, Random random)
+        : environment_(environment),
           point_(point),
           params_(params),
-          judge_(around, point, params.fill),
+          judge_(environment, point, params.fill),
           random_(random) {
-        for (const int id : point.objects) looked_.target.extend(reachedBox(around.views, id));
+        for (const int id : point.objects) looked_.target.extend(reachedBox(environment.views, id));
     }
 
     FoundView run() {
@@ -79,7 +79,7 @@ class Search {
             if (!refineBest()) {
                 looked_.sampled_around = judge_.subject().center;
                 looked_.sampled_within_m =
-                    furthestUseful(around_.views, judge_.subject(), kLeastRandomFill);
+                    furthestUseful(environment_.views, judge_.subject(), kLeastRandomFill);
                 tryRandomPlaces(kLeastRandomFill, kMostRandomFill, kRandomPlaces);
                 tryFromTheCeiling();
                 if (!refineBest()) searchHard();
@@ -99,16 +99,17 @@ class Search {
             if (good >= kEnoughGood) break;
             // With a pitch band most directions are too steep: clamp them to the band.
             const Eigen::Vector3d direction =
-                around_.pitch.restricts() ? Eigen::Vector3d(-intoBand(-wanted, around_.pitch))
-                                          : wanted;
+                environment_.pitch.restricts()
+                    ? Eigen::Vector3d(-intoBand(-wanted, environment_.pitch))
+                    : wanted;
             for (const double share : shares_of_wish) {
                 const double fill =
                     std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
                 const double distance =
-                    distanceForFill(around_.views, judge_.subject(), direction, fill);
+                    distanceForFill(environment_.views, judge_.subject(), direction, fill);
                 // With a height band most positions are outside it: clamp them to the band.
                 const bool legal = take(judge_.judge(
-                    around_.sphere.inBand(judge_.subject().center + direction * distance),
+                    environment_.sphere.inBand(judge_.subject().center + direction * distance),
                     Look::Coarse));
                 if (legal && isAsGoodAsAny()) return;
             }
@@ -131,7 +132,7 @@ class Search {
 
     void tryRandomPlaces(double least_fill, double most_fill, int count) {
         for (Judged& judged :
-             judgeAll(randomPlaces(around_.free_space, around_.sphere, around_.views,
+             judgeAll(randomPlaces(environment_.free_space, environment_.sphere, environment_.views,
                                    judge_.subject(), least_fill, most_fill, count, random_),
                       Look::Coarse)) {
             take(std::move(judged));
@@ -146,15 +147,15 @@ class Search {
         for (const Eigen::Vector3d& p : judge_.subject().points) {
             above = std::max(above, (p - center).norm());
         }
-        const double reach = around_.sphere.radius() + SweptSphere::kMargin;
+        const double reach = environment_.sphere.radius() + SweptSphere::kMargin;
         std::vector<Eigen::Vector3d> places;
         for (const Eigen::Vector3d& up :
              directionsInCone(Eigen::Vector3d::UnitZ(), kCeilingHalfAngle, kCeilingDirections)) {
-            const RayHit ceiling = around_.views.rays().cast(center + up * above, up);
+            const RayHit ceiling = environment_.views.rays().cast(center + up * above, up);
             if (ceiling.object_id == 0) continue;
             for (const double share : {1.0, 0.6}) {
                 const double distance = above + share * (ceiling.distance - reach / up.z());
-                places.push_back(around_.sphere.inBand(center + up * distance));
+                places.push_back(environment_.sphere.inBand(center + up * distance));
             }
         }
         for (Judged& judged : judgeAll(places, Look::Coarse)) take(std::move(judged));
@@ -236,8 +237,8 @@ class Search {
             for (std::size_t i = 0; i < kChildren; ++i) {
                 const Judged& parent = promising_[i % promising_.size()];
                 const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
-                children.push_back(around_.sphere.onHeight(parent.candidate.position +
-                                                           spread * distanceOf(parent) * offset));
+                children.push_back(environment_.sphere.onHeight(
+                    parent.candidate.position + spread * distanceOf(parent) * offset));
             }
             for (Judged& child : judgeAll(children, Look::Closer)) {
                 note(child);
@@ -287,7 +288,7 @@ class Search {
             if (one.nearness >= kPromisingNearness) places.push_back(one.candidate.position);
         }
         const ExactSearchResult climbed =
-            searchExactViewpoint(around_, judge_, point_.objects.front(), places, random_);
+            searchExactViewpoint(environment_, judge_, point_.objects.front(), places, random_);
         for (const Judged& tried : climbed.tried) note(tried);
         if (climbed.place) best_ = judge_.judge(*climbed.place, Look::Fine);
         return climbed.place.has_value();
@@ -306,8 +307,8 @@ class Search {
             return found;
         }
         PositionPoint p;
-        p.pose = aim(best_->candidate.position, judge_.subject().center, around_.pitch);
-        p.component = around_.free_space.componentAt(p.pose.position);
+        p.pose = aim(best_->candidate.position, judge_.subject().center, environment_.pitch);
+        p.component = environment_.free_space.componentAt(p.pose.position);
         p.fill = best_->candidate.fill;
         if (best_->all_well) {
             p.well_captured = p.captured = point_.objects;
@@ -318,7 +319,7 @@ class Search {
         for (const int id : point_.objects) {
             // Exact and without margins: the trajectory passes through this pose, and an object
             // captured only just is better than none.
-            const ObjectView view = makeView(around_.views.estimateExactly(p.pose, id), id, 0);
+            const ObjectView view = makeView(environment_.views.estimateExactly(p.pose, id), id, 0);
             if (isWellCaptured(view)) {
                 p.well_captured.push_back(id);
             } else {
@@ -330,7 +331,7 @@ class Search {
         return found;
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const ObservationPoint& point_;
     const ViewpointParams& params_;
     CandidateJudge judge_;
@@ -345,9 +346,9 @@ class Search {
 
 }  // namespace
 
-FoundView searchView(const Surroundings& around, const ObservationPoint& point,
+FoundView searchView(const PlanningEnvironment& environment, const ObservationPoint& point,
                      const ViewpointParams& params, Random random) {
-    return Search(around, point, params, random).run();
+    return Search(environment, point, params, random).run();
 }
 
 }  // namespace dollytrack::planning

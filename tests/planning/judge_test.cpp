@@ -179,21 +179,21 @@ TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
     builder.room({0, 0, 0}, {4, 4, 2.6});
     builder.object("pillar").box({2.2, 1.8, 1.3}, {0.1, 0.1, 2.6});
     const BaselineScene scene = mapped(builder.build());
-    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere};
+    const PlanningEnvironment environment{*scene.views, *scene.free_space, *scene.sphere};
     CameraPath path;
     for (const Vector3d& place :
          {Vector3d(2.5, 3.5, 1.2), Vector3d(2.5, 1.5, 1.2), Vector3d(0.5, 1.5, 1.2)}) {
         path.vertices.push_back({place, -1});
     }
-    const SmoothPath wide = smoothBlindly(path, 1.0, around);
+    const SmoothPath wide = smoothBlindly(path, 1.0, environment);
     ASSERT_EQ(wide.pieces.size(), 3U);
     EXPECT_NEAR((wide.pieces[1].start - Vector3d(2.5, 2.5, 1.2)).norm(), 0.0, 1e-12);
     EXPECT_EQ(wide.corner_collisions, 1);
-    EXPECT_EQ(smoothBlindly(path, 0.1, around).corner_collisions, 0);
+    EXPECT_EQ(smoothBlindly(path, 0.1, environment).corner_collisions, 0);
     // A set-back longer than half a leg is clipped to half the leg.
-    EXPECT_NEAR(smoothBlindly(path, 5.0, around).corners.front().set_back_m, 1.0, 1e-12);
-    const auto ours =
-        smoothPath(path, {}, {}, around, SmoothingParams{.corner_distance_m = 1.0}, JobContext{});
+    EXPECT_NEAR(smoothBlindly(path, 5.0, environment).corners.front().set_back_m, 1.0, 1e-12);
+    const auto ours = smoothPath(path, {}, {}, environment,
+                                 SmoothingParams{.corner_distance_m = 1.0}, JobContext{});
     ASSERT_TRUE(ours);
     EXPECT_EQ(ours->corner_collisions, 0);
     EXPECT_GT(ours->corners.front().set_back_m, 0.0);
