@@ -46,8 +46,8 @@ class Pipeline::Stages::PlanRun {
           on_trajectory_(on_trajectory),
           sphere_(*stages_.rays, *stages_.free_space, params.camera.camera_radius_m,
                   &*stages_.region),
-          around_{*stages_.views, *stages_.free_space, sphere_, pitchBand(params.constraints),
-                  headingLimit(params.body)} {}
+          environment_{*stages_.views, *stages_.free_space, sphere_, pitchBand(params.constraints),
+                       headingLimit(params.body)} {}
 
     Status run() {
         return setTargets()
@@ -94,7 +94,7 @@ class Pipeline::Stages::PlanRun {
     }
     /// Where the camera may move; with one trajectory per room, within its room.
     [[nodiscard]] const PlanningEnvironment& moves() const {
-        return in_room_ ? *in_room_ : around_;
+        return in_room_ ? *in_room_ : environment_;
     }
 
     Stages& stages_;
@@ -103,7 +103,7 @@ class Pipeline::Stages::PlanRun {
     const JobContext& job_;
     const OnTrajectory& on_trajectory_;
     SweptSphere sphere_;
-    PlanningEnvironment around_;
+    PlanningEnvironment environment_;
     std::optional<SweptSphere> sphere_in_room_;
     std::optional<PlanningEnvironment> in_room_;
     PathEnds ends_;                             // from selectKeyFrames()
@@ -121,26 +121,27 @@ Status Pipeline::Stages::PlanRun::setTargets() {
 
 Status Pipeline::Stages::PlanRun::searchForViewpoints() {
     const JobContext job = job_.stage(0.44, 0.68, "viewpoints");
-    stages_.memory.refreshSearches(stages_.mapped(),
-                                   {params_.camera, params_.viewpoints, around_.pitch, params_.seed,
-                                    edits_.no_go, params_.free_space, params_.body});
-    return stages_.run(
-        "viewpoints", stages_.found,
-        ViewpointInputs{stages_.targets.version(), stages_.region.version(),
-                        stages_.views.version(), params_.viewpoints, around_.pitch, params_.seed},
-        job, [&] {
-            return searchViewpoints(around_, *stages_.targets, params_.viewpoints, params_.seed,
-                                    job, &stages_.memory.searches);
-        });
+    stages_.memory.refreshSearches(
+        stages_.mapped(), {params_.camera, params_.viewpoints, environment_.pitch, params_.seed,
+                           edits_.no_go, params_.free_space, params_.body});
+    return stages_.run("viewpoints", stages_.found,
+                       ViewpointInputs{stages_.targets.version(), stages_.region.version(),
+                                       stages_.views.version(), params_.viewpoints,
+                                       environment_.pitch, params_.seed},
+                       job, [&] {
+                           return searchViewpoints(environment_, *stages_.targets,
+                                                   params_.viewpoints, params_.seed, job,
+                                                   &stages_.memory.searches);
+                       });
 }
 
 Status Pipeline::Stages::PlanRun::placePointsByHand() {
     stages_.memory.refreshShown(stages_.views.version(), params_.camera, *stages_.views);
     return stages_.run("by_hand", stages_.placed,
-                       PlacedInputs{stages_.found.version(), stages_.views.version(), around_.pitch,
-                                    edits_.pinned, edits_.removed},
+                       PlacedInputs{stages_.found.version(), stages_.views.version(),
+                                    environment_.pitch, edits_.pinned, edits_.removed},
                        job_.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
-                           return placeByHand(*stages_.found, edits_, around_,
+                           return placeByHand(*stages_.found, edits_, environment_,
                                               &stages_.memory.shown);
                        });
 }
@@ -160,7 +161,8 @@ Status Pipeline::Stages::PlanRun::divideIntoRooms() {
             sphere_in_room_.emplace(*stages_.rays, *stages_.free_space, radius_m, &*stages_.region,
                                     &*stages_.rooms);
             in_room_.emplace(PlanningEnvironment{*stages_.views, *stages_.free_space,
-                                                 *sphere_in_room_, around_.pitch, around_.heading});
+                                                 *sphere_in_room_, environment_.pitch,
+                                                 environment_.heading});
         });
 }
 
@@ -180,7 +182,7 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
     const JobContext job = job_.stage(0.69, 0.7, "constraints");
     return stages_.run("constraints", stages_.asked, inputs, job, [&] {
         return addConstraintViewpoints(*stages_.placed, inputs.must_see, params_,
-                                       rooms ? &*stages_.rooms : nullptr, around_,
+                                       rooms ? &*stages_.rooms : nullptr, environment_,
                                        &stages_.memory.shown, job);
     });
 }
@@ -200,7 +202,7 @@ PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
 }
 
 Status Pipeline::Stages::PlanRun::selectKeyFrames() {
-    builder_.emplace(around_, moves(), viewpoints(), params_, job_);
+    builder_.emplace(environment_, moves(), viewpoints(), params_, job_);
     ends_ = pathEnds();
     const KeyFrameInputs inputs{stages_.pointsVersion(),
                                 edits_.regions,

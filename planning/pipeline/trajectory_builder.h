@@ -50,7 +50,7 @@ class TrajectoryBuilder {
     void measureImageMotions(std::vector<SmoothPath>& paths) const;
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const;
 
-    const PlanningEnvironment& around_;
+    const PlanningEnvironment& environment_;
     const PlanningEnvironment& moves_;
     const std::vector<PositionPoint>& position_points_;
     const std::vector<ObservationPoint>& observation_points_;

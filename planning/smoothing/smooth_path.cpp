@@ -3,7 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/plan_params.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr int kHalvings = 4;            // bisection steps between a free set-ba
 constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother than a stop
 constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
 constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
-constexpr int kGrid = 16;
-constexpr int kGlance = 10;
+constexpr int kFineCurveGrid = 16;
+constexpr int kCoarseCurveGrid = 10;
 // With this many rays on the object and nearly all unoccluded, a coarse estimate is enough.
 constexpr int kEnoughRays = 30;
 constexpr double kNearlyWhole = 0.96;  // visible fraction
@@ -64,7 +64,7 @@ class Smoother {
         }
         wish = furthest(i, wish);
         // Dense sampling decides the final set-back only.
-        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Look::Sure)) {
+        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Sampling::Dense)) {
             wish = furthest(i, kShrink * wish);
         }
         if (wish < set_back_) corner.shortened = true;
@@ -113,7 +113,7 @@ class Smoother {
     }
 
   private:
-    enum class Look { Quick, Sure };  // Quick: few rays, which may be slightly wrong
+    enum class Sampling { Coarse, Dense };  // Coarse: few rays, which may be slightly wrong
 
     [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
         return path_.vertices[i].position;
@@ -162,10 +162,10 @@ class Smoother {
     [[nodiscard]] bool allows(std::size_t i, double set_back) const {
         const Curve curve = curveAt(i, set_back);
         return environment_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
-               keepsCaptures(i, set_back, Look::Quick);
+               keepsCaptures(i, set_back, Sampling::Coarse);
     }
 
-    [[nodiscard]] bool keepsCaptures(std::size_t i, double set_back, Look look) const {
+    [[nodiscard]] bool keepsCaptures(std::size_t i, double set_back, Sampling sampling) const {
         const int key = path_.vertices[i].position_point;
         if (key < 0) return true;
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
@@ -175,11 +175,11 @@ class Smoother {
             const bool was_well =
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
             const auto isStill = was_well ? isSafelyWellCaptured : isSafelyCaptured;
-            const auto glance = environment_.views.estimate(pose, id, kGlance);
+            const auto coarse = environment_.views.estimate(pose, id, kCoarseCurveGrid);
             const bool whole =
-                glance.rays_on_silhouette >= kEnoughRays && glance.visible_fraction >= kNearlyWhole;
-            if (look == Look::Quick || whole) return isStill(glance) || !glance.tells();
-            return isStill(estimateSurely(environment_.views, pose, id, kGrid));
+                coarse.rays_on_silhouette >= kEnoughRays && coarse.visible_fraction >= kNearlyWhole;
+            if (sampling == Sampling::Coarse || whole) return isStill(coarse) || !coarse.tells();
+            return isStill(estimateSurely(environment_.views, pose, id, kFineCurveGrid));
         });
     }
 

@@ -4,7 +4,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 #include "planning/viewpoints/fixed_points.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/visibility/framing.h"
@@ -195,8 +195,8 @@ class HandPlacing {
         }
         if (target.objects.empty()) {
             for (const Object& object : scene_.objects) {
-                const auto glance = [&] { return estimate(point.pose, object.id, kFirstGrid); };
-                if (object.role != Role::Target || glance().visible_fraction < kLeastVisibleByHand)
+                const auto coarse = [&] { return estimate(point.pose, object.id, kFirstGrid); };
+                if (object.role != Role::Target || coarse().visible_fraction < kLeastVisibleByHand)
                     continue;
                 addCaptured(point, object.id);
             }

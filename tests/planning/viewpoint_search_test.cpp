@@ -168,7 +168,7 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
     point.objects = {id};
     point.position = thing;
     const PlanningEnvironment environment = f.environment();
-    const CandidateJudge judge(environment, point, ViewpointParams{}.fill);
+    const CandidateEvaluator evaluator(environment, point, ViewpointParams{}.fill);
     const auto shownFrom = [&](const Eigen::Vector3d& place) {
         return f.views.estimate(aim(place, thing, environment.pitch), id, 400);
     };
@@ -181,7 +181,7 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
         if (!close && shown > 0.7) continue;  // too near the threshold to predict
         Random random(7, 1);
         const ExactSearchResult climbed =
-            searchExactViewpoint(environment, judge, id, {start}, random);
+            searchExactViewpoint(environment, evaluator, id, {start}, random);
         const auto& place = climbed.place;
         EXPECT_EQ(place.has_value(), close) << off << ", shown " << shown;
         if (!place) continue;

@@ -1,4 +1,4 @@
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 
 #include "planning/collision/swept_sphere.h"
 #include "planning/viewpoints/gap_test.h"
@@ -18,7 +18,7 @@ constexpr int kNearlyExactGrid = 36;
 constexpr double kClear = 0.02;  // of the visible fraction
 // Step by which visible fractions are rounded, so that a last sliver does not outweigh fill.
 constexpr double kFractionStep = 0.03;
-constexpr int kGlance = 4;
+constexpr int kScreeningGrid = 4;
 constexpr double kHopeless = 0.45;   // well below what counts as captured
 constexpr double kMayCapture = 0.6;  // least visible fraction that denser sampling may correct to
                                      // captured
@@ -72,8 +72,8 @@ double highestQuality() {
     return seenInSteps(1.0) + kCapturedWorth + kWellWorth;
 }
 
-CandidateJudge::CandidateJudge(const PlanningEnvironment& environment,
-                               const ObservationPoint& point, double wished_fill)
+CandidateEvaluator::CandidateEvaluator(const PlanningEnvironment& environment,
+                                       const ObservationPoint& point, double wished_fill)
     : environment_(environment),
       point_(point),
       subject_(makeSubject(environment.views, point.objects)) {
@@ -91,8 +91,8 @@ CandidateJudge::CandidateJudge(const PlanningEnvironment& environment,
     wished_fill_ = std::max({wished_fill, std::min(as_square, 0.85), std::min(needed, 0.92)});
 }
 
-Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fill,
-                                     int& obstacle) const {
+Verdict CandidateEvaluator::placeVerdict(const Eigen::Vector3d& position, double fill,
+                                         int& obstacle) const {
     if (!std::isfinite(fill)) return Verdict::TooClose;
     const Verdict verdict = environment_.sphere.verdict(position, obstacle);
     if (verdict != Verdict::InObstacle) return verdict;
@@ -102,7 +102,7 @@ Verdict CandidateJudge::placeVerdict(const Eigen::Vector3d& position, double fil
 }
 
 /// Whether a legal position is in a gap between surfaces, or sees too little of a scan.
-Verdict CandidateJudge::viewVerdict(const Pose& pose) const {
+Verdict CandidateEvaluator::viewVerdict(const Pose& pose) const {
     if (isInGap(environment_.sphere, environment_.views, pose.position)) return Verdict::InGap;
     return environment_.views.scannedShare(pose) < CaptureRules{}.min_scanned_share
                ? Verdict::Unscanned
@@ -110,51 +110,53 @@ Verdict CandidateJudge::viewVerdict(const Pose& pose) const {
 }
 
 /// Samples with few rays first: most bad candidates hide most of the target and need no more.
-bool CandidateJudge::isHopeless(const Pose& pose, Judged& judged) const {
+bool CandidateEvaluator::isHopeless(const Pose& pose, EvaluatedCandidate& evaluated) const {
     for (const int id : point_.objects) {
-        const auto glance = environment_.views.estimate(pose, id, kGlance);
-        if (!glance.tells() || glance.visible_fraction >= kHopeless) continue;
-        judged.candidate.visible_fraction = glance.visible_fraction;
-        judged.candidate.occluder = glance.occluder;
-        judged.candidate.verdict = glance.occluder == 0 ? Verdict::Cropped : Verdict::OccludedBy;
+        const auto coarse = environment_.views.estimate(pose, id, kScreeningGrid);
+        if (!coarse.tells() || coarse.visible_fraction >= kHopeless) continue;
+        evaluated.candidate.visible_fraction = coarse.visible_fraction;
+        evaluated.candidate.occluder = coarse.occluder;
+        evaluated.candidate.verdict = coarse.occluder == 0 ? Verdict::Cropped : Verdict::OccludedBy;
         return true;
     }
     return false;
 }
 
-Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
-    Judged judged;
-    judged.candidate.position = position;
-    judged.candidate.fill = fillFrom(environment_.views, subject_, position);
-    judged.candidate.verdict =
-        placeVerdict(position, judged.candidate.fill, judged.candidate.occluder);
-    if (judged.candidate.verdict != Verdict::Legal) return judged;
+EvaluatedCandidate CandidateEvaluator::evaluate(const Eigen::Vector3d& position,
+                                                SamplingDensity density) const {
+    EvaluatedCandidate evaluated;
+    evaluated.candidate.position = position;
+    evaluated.candidate.fill = fillFrom(environment_.views, subject_, position);
+    evaluated.candidate.verdict =
+        placeVerdict(position, evaluated.candidate.fill, evaluated.candidate.occluder);
+    if (evaluated.candidate.verdict != Verdict::Legal) return evaluated;
 
     const Pose pose = aim(position, subject_.center, environment_.pitch);
-    if (look != Look::Fine && isHopeless(pose, judged)) return judged;
-    judged.candidate.verdict = viewVerdict(pose);
-    if (judged.candidate.verdict != Verdict::Legal) return judged;
+    if (density != SamplingDensity::Fine && isHopeless(pose, evaluated)) return evaluated;
+    evaluated.candidate.verdict = viewVerdict(pose);
+    if (evaluated.candidate.verdict != Verdict::Legal) return evaluated;
     double sum = 0.0;
     double worst = 1.0;
     int occluder = 0;
     bool cropped = false;
     bool too_small = false;
     bool may_capture = false;
-    judged.all_well = true;
-    judged.nearness = 2.0;
+    evaluated.all_well = true;
+    evaluated.nearness = 2.0;
     bool all_captured = true;
     for (const int id : point_.objects) {
-        const int grid = static_cast<int>(look);
-        const auto estimate = look == Look::Fine
+        const int grid = static_cast<int>(density);
+        const auto estimate = density == SamplingDensity::Fine
                                   ? estimateSurely(environment_.views, pose, id, grid)
                                   : environment_.views.estimate(pose, id, grid);
         const bool well = isSafelyWellCaptured(estimate);
         const bool captured = isSafelyCaptured(estimate);
-        judged.all_well &= well;
-        if (well && look == Look::Fine) judged.shown.push_back({id, estimate.box_share});
+        evaluated.all_well &= well;
+        if (well && density == SamplingDensity::Fine)
+            evaluated.shown.push_back({id, estimate.box_share});
         all_captured &= captured;
-        judged.nearness =
-            std::min(judged.nearness, nearnessOf(estimate, kFractionMargin, kAreaMargin));
+        evaluated.nearness =
+            std::min(evaluated.nearness, nearnessOf(estimate, kFractionMargin, kAreaMargin));
         if (estimate.visible_fraction < worst) {
             worst = estimate.visible_fraction;
             occluder = estimate.occluder;
@@ -165,21 +167,21 @@ Judged CandidateJudge::judge(const Eigen::Vector3d& position, Look look) const {
         sum += seenInSteps(estimate.visible_fraction) + (captured ? kCapturedWorth : 0.0) +
                (well ? kWellWorth : 0.0);
     }
-    judged.candidate.visible_fraction = worst;
+    evaluated.candidate.visible_fraction = worst;
     // A view that crops its target still shows most of it, so cropping only lowers the quality.
-    const double over = std::max(0.0, judged.candidate.fill - 0.95);
-    const double off = std::abs(std::log(std::max(judged.candidate.fill, 0.01) / wished_fill_));
+    const double over = std::max(0.0, evaluated.candidate.fill - 0.95);
+    const double off = std::abs(std::log(std::max(evaluated.candidate.fill, 0.01) / wished_fill_));
     const double lost = 0.3 * off + over;
-    judged.quality = sum / static_cast<double>(point_.objects.size()) - lost;
-    judged.at_most = may_capture ? highestQuality() - lost : 0.0;
+    evaluated.quality = sum / static_cast<double>(point_.objects.size()) - lost;
+    evaluated.at_most = may_capture ? highestQuality() - lost : 0.0;
     if (!all_captured) {
-        judged.candidate.occluder = occluder;
-        judged.candidate.verdict = cropped     ? Verdict::Cropped
-                                   : occluder  ? Verdict::OccludedBy
-                                   : too_small ? Verdict::TooSmall
-                                               : Verdict::OccludedBy;
+        evaluated.candidate.occluder = occluder;
+        evaluated.candidate.verdict = cropped     ? Verdict::Cropped
+                                      : occluder  ? Verdict::OccludedBy
+                                      : too_small ? Verdict::TooSmall
+                                                  : Verdict::OccludedBy;
     }
-    return judged;
+    return evaluated;
 }
 
 }  // namespace dollytrack::planning

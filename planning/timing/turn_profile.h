@@ -7,10 +7,10 @@ namespace dollytrack::planning {
 
 /// Timing of a turn from rest to rest with a trapezoidal rate: constant acceleration, constant
 /// rate, constant deceleration.
-class TurnPace {
+class TurnProfile {
   public:
-    TurnPace() = default;
-    TurnPace(const Turn& turn, const MotionLimits& limits);
+    TurnProfile() = default;
+    TurnProfile(const Turn& turn, const MotionLimits& limits);
 
     /// The shortest time that the limits allow, s.
     [[nodiscard]] double time() const { return time_s_; }

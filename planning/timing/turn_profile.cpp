@@ -1,11 +1,11 @@
-#include "planning/timing/turn_pace.h"
+#include "planning/timing/turn_profile.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace dollytrack::planning {
 
-TurnPace::TurnPace(const Turn& turn, const MotionLimits& limits) : angle_(turn.angle()) {
+TurnProfile::TurnProfile(const Turn& turn, const MotionLimits& limits) : angle_(turn.angle()) {
     if (angle_ <= 0.0) return;
     // Largest share of the acceleration limit that the moving axis may take; the rest speeds up and
     // slows down.
@@ -19,7 +19,7 @@ TurnPace::TurnPace(const Turn& turn, const MotionLimits& limits) : angle_(turn.a
     time_s_ = ramp_s_ + angle_ / (acceleration_ * ramp_s_);
 }
 
-double TurnPace::turnedAt(double share) const {
+double TurnProfile::turnedAt(double share) const {
     if (angle_ <= 0.0 || share <= 0.0) return 0.0;
     if (share >= 1.0) return angle_;
     const double t = share * time_s_;

@@ -11,19 +11,19 @@ namespace dollytrack::planning {
 /// Speed profile along one smoothed path: the limits of speed, and the speed at which the camera
 /// passes each key at a whole number of frame intervals. The path is divided into short steps of
 /// constant acceleration, so that speed is continuous and its square is linear in arc length.
-class SpeedTrack {
+class SpeedProfile {
   public:
-    SpeedTrack(const SmoothPath& path, const MotionLimits& limits);
+    SpeedProfile(const SmoothPath& path, const MotionLimits& limits);
 
-    [[nodiscard]] std::size_t stretchCount() const { return key_nodes_.size() - 1; }
+    [[nodiscard]] std::size_t segmentCount() const { return key_nodes_.size() - 1; }
 
-    /// The number of frame intervals for each stretch between keys, the fewest found: at least
+    /// The number of frame intervals for each segment between keys, the fewest found: at least
     /// `least_times_s` and what the limits of motion require. Fixes the speed at each key.
     std::vector<std::size_t> settle(double interval_s, const std::vector<double>& least_times_s);
 
-    /// Arc lengths, m, at equal time steps within a stretch that takes `time_s`, ends excluded.
-    /// Call after settle(), with the time it gave the stretch.
-    [[nodiscard]] std::vector<double> arcs(std::size_t stretch, double time_s,
+    /// Arc lengths, m, at equal time steps within a segment that takes `time_s`, ends excluded.
+    /// Call after settle(), with the time it gave the segment.
+    [[nodiscard]] std::vector<double> arcs(std::size_t segment, double time_s,
                                            std::size_t intervals) const;
 
   private:
@@ -39,9 +39,9 @@ class SpeedTrack {
     void addSteps(const SmoothPath::Piece& piece, double from, double to,
                   const MotionLimits& limits);
     void findFastest();
-    void findSlowest(std::size_t stretch);
-    [[nodiscard]] double timeAtCap(std::size_t stretch, double cap2) const;
-    [[nodiscard]] double capFor(std::size_t stretch, double time_s) const;
+    void findSlowest(std::size_t segment);
+    [[nodiscard]] double timeAtCap(std::size_t segment, double cap2) const;
+    [[nodiscard]] double capFor(std::size_t segment, double time_s) const;
     [[nodiscard]] double speed2(std::size_t node, double cap2) const;
 
     std::vector<Node> nodes_;

@@ -10,7 +10,7 @@
 namespace dollytrack::planning {
 
 /// A candidate with the quality of its view.
-struct Judged {
+struct EvaluatedCandidate {
     Candidate candidate;
     double quality = -1.0;  // higher is better; below 0: not legal
     double at_most = 0.0;   // upper bound of `quality` with any denser sampling; 0: no object can
@@ -33,16 +33,17 @@ struct Judged {
 [[nodiscard]] double highestQuality();
 
 /// Sampling density of a candidate's view: rays along each side of an object's extent.
-enum class Look : int { Coarse = 8, Closer = 14, Fine = 24 };
+enum class SamplingDensity : int { Coarse = 8, Medium = 14, Fine = 24 };
 
-/// Judges candidate positions for one observation point: first whether they are legal, then the
+/// Evaluates candidate positions for one observation point: first whether they are legal, then the
 /// view by ray sampling. Keeps references. Immutable.
-class CandidateJudge {
+class CandidateEvaluator {
   public:
-    CandidateJudge(const PlanningEnvironment& environment, const ObservationPoint& point,
-                   double wished_fill);
+    CandidateEvaluator(const PlanningEnvironment& environment, const ObservationPoint& point,
+                       double wished_fill);
 
-    [[nodiscard]] Judged judge(const Eigen::Vector3d& position, Look look) const;
+    [[nodiscard]] EvaluatedCandidate evaluate(const Eigen::Vector3d& position,
+                                              SamplingDensity density) const;
 
     [[nodiscard]] const Subject& subject() const { return subject_; }
     [[nodiscard]] double wishedFill() const { return wished_fill_; }
@@ -51,7 +52,7 @@ class CandidateJudge {
     [[nodiscard]] Verdict placeVerdict(const Eigen::Vector3d& position, double fill,
                                        int& obstacle) const;
     [[nodiscard]] Verdict viewVerdict(const Pose& pose) const;
-    [[nodiscard]] bool isHopeless(const Pose& pose, Judged& judged) const;
+    [[nodiscard]] bool isHopeless(const Pose& pose, EvaluatedCandidate& evaluated) const;
 
     const PlanningEnvironment& environment_;
     const ObservationPoint& point_;
@@ -59,8 +60,8 @@ class CandidateJudge {
     double wished_fill_;
 };
 
-/// See Judged::nearness. `fraction_margin` is added to the required visible fraction; the required
-/// box share is multiplied by `area_margin`.
+/// See EvaluatedCandidate::nearness. `fraction_margin` is added to the required visible fraction;
+/// the required box share is multiplied by `area_margin`.
 double nearnessOf(const ViewEstimator::Estimate& estimate, double fraction_margin = 0.0,
                   double area_margin = 1.0);
 

@@ -1,4 +1,4 @@
-#include "planning/timing/speed_track.h"
+#include "planning/timing/speed_profile.h"
 
 #include <Eigen/Geometry>
 
@@ -53,7 +53,7 @@ double jointLimit2(const SmoothPath::Piece& before, const SmoothPath::Piece& aft
 
 }  // namespace
 
-SpeedTrack::SpeedTrack(const SmoothPath& path, const MotionLimits& limits) {
+SpeedProfile::SpeedProfile(const SmoothPath& path, const MotionLimits& limits) {
     cut(path, limits);
     key_limit2_.assign(key_nodes_.size(), kInfinity);
     for (std::size_t k = 0; k + 1 < key_nodes_.size(); ++k) {
@@ -64,7 +64,7 @@ SpeedTrack::SpeedTrack(const SmoothPath& path, const MotionLimits& limits) {
     nodes_[key_nodes_.back()].limit2 = 0.0;
 }
 
-void SpeedTrack::cut(const SmoothPath& path, const MotionLimits& limits) {
+void SpeedProfile::cut(const SmoothPath& path, const MotionLimits& limits) {
     nodes_.push_back({path.keys.front().arc_m, kInfinity, 0.0, 0.0, 0.0});
     key_nodes_.push_back(0);
     std::size_t piece = path.pieceAt(nodes_.front().arc_m);
@@ -86,8 +86,8 @@ void SpeedTrack::cut(const SmoothPath& path, const MotionLimits& limits) {
     }
 }
 
-void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to,
-                          const MotionLimits& limits) {
+void SpeedProfile::addSteps(const SmoothPath::Piece& piece, double from, double to,
+                            const MotionLimits& limits) {
     const double length = to - from;
     const double most2 = limits.speed_mps * limits.speed_mps;
     const auto step = [&](double until, double limit2, double acceleration) {
@@ -142,7 +142,7 @@ void SpeedTrack::addSteps(const SmoothPath::Piece& piece, double from, double to
     if (to - middle > kSame) straight(middle, to);
 }
 
-void SpeedTrack::findFastest() {
+void SpeedProfile::findFastest() {
     for (Node& node : nodes_) node.fastest2 = node.limit2;
     for (std::size_t k = 0; k < key_nodes_.size(); ++k) {
         Node& node = nodes_[key_nodes_[k]];
@@ -158,9 +158,9 @@ void SpeedTrack::findFastest() {
     }
 }
 
-void SpeedTrack::findSlowest(std::size_t stretch) {
-    const std::size_t begin = key_nodes_[stretch];
-    const std::size_t end = key_nodes_[stretch + 1];
+void SpeedProfile::findSlowest(std::size_t segment) {
+    const std::size_t begin = key_nodes_[segment];
+    const std::size_t end = key_nodes_[segment + 1];
     double speed2 = nodes_[begin].fastest2;
     for (std::size_t i = begin; i <= end; ++i) {
         nodes_[i].slowest2 = std::max(0.0, speed2);
@@ -173,17 +173,17 @@ void SpeedTrack::findSlowest(std::size_t stretch) {
     }
 }
 
-double SpeedTrack::speed2(std::size_t node, double cap2) const {
+double SpeedProfile::speed2(std::size_t node, double cap2) const {
     return std::max(std::min(nodes_[node].fastest2, cap2), nodes_[node].slowest2);
 }
 
-double SpeedTrack::timeAtCap(std::size_t stretch, double cap2) const {
+double SpeedProfile::timeAtCap(std::size_t segment, double cap2) const {
     double time = 0.0;
-    const std::size_t begin = key_nodes_[stretch];
-    // The slowest speeds at the keys belong to the neighbouring stretches.
+    const std::size_t begin = key_nodes_[segment];
+    // The slowest speeds at the keys belong to the neighbouring segments.
     double speed = std::sqrt(nodes_[begin].fastest2);
-    for (std::size_t i = begin; i < key_nodes_[stretch + 1]; ++i) {
-        const bool last = i + 1 == key_nodes_[stretch + 1];
+    for (std::size_t i = begin; i < key_nodes_[segment + 1]; ++i) {
+        const bool last = i + 1 == key_nodes_[segment + 1];
         const double next = std::sqrt(last ? nodes_[i + 1].fastest2 : speed2(i + 1, cap2));
         if (speed + next <= 0.0) return kInfinity;
         time += 2.0 * (nodes_[i + 1].arc_m - nodes_[i].arc_m) / (speed + next);
@@ -192,16 +192,16 @@ double SpeedTrack::timeAtCap(std::size_t stretch, double cap2) const {
     return time;
 }
 
-std::vector<std::size_t> SpeedTrack::settle(double interval_s,
-                                            const std::vector<double>& least_times_s) {
+std::vector<std::size_t> SpeedProfile::settle(double interval_s,
+                                              const std::vector<double>& least_times_s) {
     std::fill(key_limit2_.begin(), key_limit2_.end(), kInfinity);
-    std::vector<std::size_t> intervals(stretchCount(), 1);
+    std::vector<std::size_t> intervals(segmentCount(), 1);
     constexpr int kRounds = 60;
     for (int round = 0; round <= kRounds; ++round) {
         if (round == kRounds) std::fill(key_limit2_.begin(), key_limit2_.end(), 0.0);
         findFastest();
         bool settled = true;
-        for (std::size_t s = 0; s < stretchCount(); ++s) {
+        for (std::size_t s = 0; s < segmentCount(); ++s) {
             findSlowest(s);
             const double least = std::max(timeAtCap(s, kInfinity), least_times_s[s]);
             intervals[s] =
@@ -222,15 +222,15 @@ std::vector<std::size_t> SpeedTrack::settle(double interval_s,
     return intervals;
 }
 
-double SpeedTrack::capFor(std::size_t stretch, double time_s) const {
+double SpeedProfile::capFor(std::size_t segment, double time_s) const {
     double most2 = 0.0;
-    for (std::size_t i = key_nodes_[stretch]; i <= key_nodes_[stretch + 1]; ++i) {
+    for (std::size_t i = key_nodes_[segment]; i <= key_nodes_[segment + 1]; ++i) {
         most2 = std::max(most2, nodes_[i].fastest2);
     }
-    const double length = nodes_[key_nodes_[stretch + 1]].arc_m - nodes_[key_nodes_[stretch]].arc_m;
+    const double length = nodes_[key_nodes_[segment + 1]].arc_m - nodes_[key_nodes_[segment]].arc_m;
     const double wanted = length / time_s;
     // The mean speed grows almost linearly with the cap: solve by regula falsi (Illinois).
-    const auto excess = [&](double cap) { return length / timeAtCap(stretch, cap * cap) - wanted; };
+    const auto excess = [&](double cap) { return length / timeAtCap(segment, cap * cap) - wanted; };
     double low = 0.0;
     double high = std::sqrt(most2);
     double at_low = excess(low);
@@ -258,14 +258,14 @@ double SpeedTrack::capFor(std::size_t stretch, double time_s) const {
     return cap * cap;
 }
 
-std::vector<double> SpeedTrack::arcs(std::size_t stretch, double time_s,
-                                     std::size_t intervals) const {
-    const std::size_t begin = key_nodes_[stretch];
-    const std::size_t end = key_nodes_[stretch + 1];
+std::vector<double> SpeedProfile::arcs(std::size_t segment, double time_s,
+                                       std::size_t intervals) const {
+    const std::size_t begin = key_nodes_[segment];
+    const std::size_t end = key_nodes_[segment + 1];
     if (begin == end || intervals < 2) {
         return std::vector<double>(intervals - 1, nodes_[begin].arc_m);
     }
-    const double cap2 = capFor(stretch, time_s);
+    const double cap2 = capFor(segment, time_s);
     std::vector<double> arcs;
     arcs.reserve(intervals - 1);
     double node_time = 0.0;
