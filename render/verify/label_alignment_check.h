@@ -11,17 +11,17 @@
 
 namespace dollytrack::verify {
 
-/// Judges one camera's images by the labels of their frames. An image is wrong if mirrored or
+/// Compares one camera's images with the labels of their frames. An image is wrong if mirrored or
 /// shifted labels, or those of another frame, fit it better; or if its own labels fit nothing in it
 /// and its objects have other colours in the rest of the dataset.
-class PictureJudge {
+class LabelAlignmentCheck {
   public:
-    /// `of_things_alone` leaves out borders to pixels without object (id 0).
-    PictureJudge(std::size_t frames, bool of_things_alone);
+    /// `objects_only` leaves out borders to pixels without object (id 0).
+    LabelAlignmentCheck(std::size_t frames, bool objects_only);
 
     /// Adds a frame's images. Called once per frame, from many threads; unreadable frames are left
     /// out.
-    void look(std::size_t frame, const Image8& picture, const Image16& ids);
+    void addFrame(std::size_t frame, const Image8& picture, const Image16& ids);
 
     /// Functions that read images again; an empty image means failure.
     struct Files {
@@ -29,35 +29,36 @@ class PictureJudge {
         std::function<Image8(int frame)> picture;
         std::function<Image16(int frame)> ids;
     };
-    /// Judges all images. Called after all frames were added.
-    void judge(const Files& files, Findings& findings);
+    /// Adds a finding for each wrong image. Called after all frames were added.
+    void report(const Files& files, Findings& findings);
 
   private:
     /// Measurements of a frame's images.
-    struct Seen {
+    struct FrameMeasurement {
         SmallFrame small;
-        bool judged = false;  // it has enough outlines
+        bool has_outlines = false;  // enough of them to compare
         bool blank = false;
         double structure = 0.0;
-        OwnFit fit = {};
+        OutlineAlignment fit = {};
     };
     /// Other frames by how well their labels fit an image's colours, best first.
-    struct Ranked {
+    struct RankedFrames {
         std::vector<std::size_t> others;
         double better = 0.0;  // share that fits better than its own labels; 0 if unknown
     };
 
-    [[nodiscard]] static bool isUnexplained(const Seen& seen);
-    [[nodiscard]] Ranked rankedFor(std::size_t frame) const;
+    [[nodiscard]] static bool isUnexplained(const FrameMeasurement& seen);
+    [[nodiscard]] RankedFrames rankedFor(std::size_t frame) const;
     [[nodiscard]] std::string ask(std::size_t frame, bool many_unexplained,
                                   const Files& files) const;
     [[nodiscard]] std::string explainedByOther(std::size_t frame,
                                                const std::vector<std::size_t>& others,
                                                const Files& files) const;
 
-    std::vector<std::unique_ptr<Seen>> seen_;  // by frame; null: its images cannot be read
+    std::vector<std::unique_ptr<FrameMeasurement>>
+        seen_;  // by frame; null: its images cannot be read
     ObjectColours colours_;
-    bool of_things_alone_;
+    bool objects_only_;
 };
 
 }  // namespace dollytrack::verify

@@ -1,4 +1,4 @@
-#include "render/verify/picture_judge.h"
+#include "render/verify/label_alignment_check.h"
 
 #include "engine/jobs/parallel.h"
 
@@ -26,31 +26,31 @@ constexpr std::size_t kMostTried = 500;  // images, those with the worst fit
 
 }  // namespace
 
-PictureJudge::PictureJudge(std::size_t frames, bool of_things_alone)
-    : seen_(frames), of_things_alone_(of_things_alone) {}
+LabelAlignmentCheck::LabelAlignmentCheck(std::size_t frames, bool objects_only)
+    : seen_(frames), objects_only_(objects_only) {}
 
-void PictureJudge::look(std::size_t frame, const Image8& picture, const Image16& ids) {
-    auto seen = std::make_unique<Seen>(Seen{SmallFrame(picture, ids)});
-    const Outlines outlines = outlinesOf(ids, of_things_alone_);
-    seen->judged = outlines.count() >= kFewestPlaces;
-    if (seen->judged) {
-        const ChangeMap change(picture);
+void LabelAlignmentCheck::addFrame(std::size_t frame, const Image8& picture, const Image16& ids) {
+    auto seen = std::make_unique<FrameMeasurement>(FrameMeasurement{SmallFrame(picture, ids)});
+    const Outlines outlines = outlinesOf(ids, objects_only_);
+    seen->has_outlines = outlines.count() >= kFewestPlaces;
+    if (seen->has_outlines) {
+        const GradientMap change(picture);
         seen->blank = change.blank();
         seen->structure = change.structure();
-        seen->fit = judgeByOwn(change, outlines);
+        seen->fit = alignmentOf(change, outlines);
     }
     seen_[frame] = std::move(seen);
 }
 
-void PictureJudge::judge(const Files& files, Findings& findings) {
+void LabelAlignmentCheck::report(const Files& files, Findings& findings) {
     std::vector<std::string> wrong(seen_.size());
     std::vector<std::size_t> doubtful;
-    std::size_t judged = 0, unexplained = 0;
+    std::size_t compared = 0, unexplained = 0;
     for (std::size_t i = 0; i < seen_.size(); ++i) {
         if (!seen_[i]) continue;
         colours_.add(seen_[i]->small);
-        if (!seen_[i]->judged) continue;
-        ++judged;
+        if (!seen_[i]->has_outlines) continue;
+        ++compared;
         unexplained += isUnexplained(*seen_[i]) ? 1 : 0;
         if (seen_[i]->blank) {
             wrong[i] = kBlank;
@@ -61,8 +61,8 @@ void PictureJudge::judge(const Files& files, Findings& findings) {
         }
     }
     // At least two, so that one low-contrast frame of three is no majority.
-    const bool many = unexplained >= 2 &&
-                      static_cast<double>(unexplained) >= kManyAlike * static_cast<double>(judged);
+    const bool many = unexplained >= 2 && static_cast<double>(unexplained) >=
+                                              kManyAlike * static_cast<double>(compared);
     std::ranges::stable_sort(doubtful, {}, [&](std::size_t i) { return seen_[i]->fit.own.rank; });
     doubtful.resize(std::min(doubtful.size(), kMostTried));
     parallelFor(doubtful.size(),
@@ -78,12 +78,12 @@ void PictureJudge::judge(const Files& files, Findings& findings) {
     }
 }
 
-bool PictureJudge::isUnexplained(const Seen& seen) {
+bool LabelAlignmentCheck::isUnexplained(const FrameMeasurement& seen) {
     return !seen.blank && seen.fit.best < kExplainsNothing && seen.structure >= kLeastStructure &&
            seen.structure <= kMostStructure;
 }
 
-PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {
+LabelAlignmentCheck::RankedFrames LabelAlignmentCheck::rankedFor(std::size_t frame) const {
     const SmallFrame& picture = seen_[frame]->small;
     const double own = colours_.distance(picture, picture);
     std::vector<std::pair<double, std::size_t>> order;
@@ -93,7 +93,7 @@ PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {
         if (distance >= 0.0) order.emplace_back(distance, i);
     }
     std::sort(order.begin(), order.end());
-    Ranked ranked;
+    RankedFrames ranked;
     std::size_t better = 0;
     for (const auto& [distance, i] : order) {
         ranked.others.push_back(i);
@@ -106,9 +106,10 @@ PictureJudge::Ranked PictureJudge::rankedFor(std::size_t frame) const {
 }
 
 /// Problem of an image that its own labels explain badly; empty if none.
-std::string PictureJudge::ask(std::size_t frame, bool many_unexplained, const Files& files) const {
-    const Seen& seen = *seen_[frame];
-    const Ranked ranked = rankedFor(frame);
+std::string LabelAlignmentCheck::ask(std::size_t frame, bool many_unexplained,
+                                     const Files& files) const {
+    const FrameMeasurement& seen = *seen_[frame];
+    const RankedFrames ranked = rankedFor(frame);
     std::vector<std::size_t> tried;
     for (int aside = -kNeighbours; aside <= kNeighbours; ++aside) {
         const int other = static_cast<int>(frame) + aside;
@@ -125,19 +126,19 @@ std::string PictureJudge::ask(std::size_t frame, bool many_unexplained, const Fi
                                                                 : std::string();
 }
 
-std::string PictureJudge::explainedByOther(std::size_t frame,
-                                           const std::vector<std::size_t>& others,
-                                           const Files& files) const {
+std::string LabelAlignmentCheck::explainedByOther(std::size_t frame,
+                                                  const std::vector<std::size_t>& others,
+                                                  const Files& files) const {
     const Image8 picture = files.picture(static_cast<int>(frame));
     if (picture.values.empty()) return {};
-    const ChangeMap change(picture);
+    const GradientMap change(picture);
     const Fit& own = seen_[frame]->fit.own;
     Fit best = own;
     std::optional<std::size_t> best_frame;
     for (const std::size_t other : others) {
         const Image16 ids = files.ids(static_cast<int>(other));
         if (ids.width != picture.width || ids.height != picture.height) continue;
-        const Fit fit = change.fit(outlinesOf(ids, of_things_alone_));
+        const Fit fit = change.fit(outlinesOf(ids, objects_only_));
         if (fit.rank <= best.rank || !explainsBetter(fit, own)) continue;
         best = fit;
         best_frame = other;
