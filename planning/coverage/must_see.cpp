@@ -51,8 +51,9 @@ class Covering {
         : environment_(environment), views_(environment.views) {
         result_.name = region.name;
         result_.surface = patchesIn(views_.scene(), region.box, kSpacing_m);
-        const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
-        places_ = placesNear(environment, region.box, sight.farthest_m());
+        const PatchVisibility visibility(views_.rays(), views_.intrinsics(),
+                                         result_.surface.spacing_m);
+        places_ = placesNear(environment, region.box, visibility.farthest_m());
         const double half_height =
             std::atan(0.5 * views_.intrinsics().height / views_.intrinsics().fy);
         const auto& patches = result_.surface.patches;
@@ -64,7 +65,7 @@ class Covering {
                     elevation > environment_.pitch.highest + half_height) {
                     continue;
                 }
-                if (sight.reaches(places_[i], patches[p])) {
+                if (visibility.reaches(places_[i], patches[p])) {
                     seen_from_[i].push_back(static_cast<int>(p));
                 }
             }
@@ -133,12 +134,13 @@ class Covering {
 
     /// Indices of the patches not yet covered that a view shows.
     [[nodiscard]] std::vector<int> shownBy(const Pose& pose) const {
-        const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
+        const PatchVisibility visibility(views_.rays(), views_.intrinsics(),
+                                         result_.surface.spacing_m);
         const auto& patches = result_.surface.patches;
         std::vector<int> shown;
         for (std::size_t p = 0; p < patches.size(); ++p) {
             if (wanted_[p] != 0 && views_.inImage(pose, patches[p].point) &&
-                sight.reaches(pose.position, patches[p])) {
+                visibility.reaches(pose.position, patches[p])) {
                 shown.push_back(static_cast<int>(p));
             }
         }
@@ -249,13 +251,14 @@ Result<std::vector<RegionCoverage>> measureCoverage(const std::vector<MustSee>& 
     std::vector<RegionCoverage> all;
     for (const MustSee& region : must_see) {
         const auto& patches = region.surface.patches;
-        const PatchSight sight(views.rays(), views.intrinsics(), region.surface.spacing_m);
+        const PatchVisibility visibility(views.rays(), views.intrinsics(),
+                                         region.surface.spacing_m);
         std::vector<char> seen(patches.size(), 0);
         parallelFor(patches.size(), [&](std::size_t p) {
             for (const TrajectoryFrame* frame : frames) {
                 if (job.cancelled()) return;
                 if (views.inImage(frame->pose, patches[p].point) &&
-                    sight.reaches(frame->pose.position, patches[p])) {
+                    visibility.reaches(frame->pose.position, patches[p])) {
                     seen[p] = 1;
                     break;
                 }

@@ -14,8 +14,9 @@
 namespace dollytrack::planning {
 
 /// Coverage of one must-see region: its surface patches, which of them can be seen, and chosen
-/// views. A frame sees a patch if it is in the image and PatchSight reaches it. A patch is seeable
-/// if one of 500 random legal camera positions near the region sees it with an allowed pitch.
+/// views. A frame sees a patch if it is in the image and PatchVisibility reaches it. A patch is
+/// seeable if one of 500 random legal camera positions near the region sees it with an allowed
+/// pitch.
 struct MustSee {
     std::string name;
     SurfacePatches surface;

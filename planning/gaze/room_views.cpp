@@ -45,7 +45,7 @@ constexpr double kFramesPerView = 3.0;  // frames that a key frame and the path 
 constexpr double kMostPerKeyFrame = 2.0;
 constexpr double kLeastGain = 0.1;  // relative to the first view
 
-struct Sighted {
+struct ShownTarget {
     std::size_t target = 0;
     std::size_t side = 0;
     double share = 0.0;
@@ -53,7 +53,7 @@ struct Sighted {
 
 struct Choice {
     Pose pose;
-    std::vector<Sighted> shown;
+    std::vector<ShownTarget> shown;
 };
 
 /// Counts how often the chosen views show each object, by side.
@@ -61,15 +61,15 @@ class Shown {
   public:
     explicit Shown(std::size_t targets) : by_side_(targets), all_(targets, 0.0) {}
 
-    void add(const std::vector<Sighted>& view) {
-        for (const Sighted& one : view) {
+    void add(const std::vector<ShownTarget>& view) {
+        for (const ShownTarget& one : view) {
             by_side_[one.target][one.side] += one.share;
             all_[one.target] += one.share;
         }
     }
-    [[nodiscard]] double gain(const std::vector<Sighted>& view) const {
+    [[nodiscard]] double gain(const std::vector<ShownTarget>& view) const {
         double sum = 0.0;
-        for (const Sighted& one : view) {
+        for (const ShownTarget& one : view) {
             const double before = by_side_[one.target][one.side];
             sum += one.share / (1.0 + before + kOtherSides * (all_[one.target] - before));
         }
@@ -135,7 +135,7 @@ class RoomViewSearch {
 
     /// Counts the objects that a key frame captures as shown.
     void count(const PositionPoint& key) {
-        std::vector<Sighted> shown;
+        std::vector<ShownTarget> shown;
         for (std::size_t t = 0; t < samples_.targets().size(); ++t) {
             const int id = samples_.targets()[t].object_id;
             if (std::ranges::binary_search(key.captured, id)) {
@@ -193,8 +193,9 @@ class RoomViewSearch {
         return static_cast<std::size_t>((turns + 1.0) * kSides) % kSides;
     }
 
-    [[nodiscard]] std::vector<Sighted> look(const Panorama& panorama, const Pose& pose) const {
-        std::vector<Sighted> shown;
+    [[nodiscard]] std::vector<ShownTarget> shownIn(const Panorama& panorama,
+                                                   const Pose& pose) const {
+        std::vector<ShownTarget> shown;
         panorama.visitShown(pose.forward(), [&](std::size_t target, double share) {
             const int id = samples_.targets()[target].object_id;
             shown.push_back({target, sideOf(pose, id), share});
@@ -212,7 +213,7 @@ class RoomViewSearch {
                 const Eigen::Vector3d direction(std::cos(up) * std::cos(heading),
                                                 std::cos(up) * std::sin(heading), std::sin(up));
                 Choice choice{{place, lookAlong(direction)}, {}};
-                choice.shown = look(panorama, choice.pose);
+                choice.shown = shownIn(panorama, choice.pose);
                 all.emplace_back(-shown_.gain(choice.shown), std::move(choice));
             }
         }

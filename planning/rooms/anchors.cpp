@@ -108,7 +108,7 @@ std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
         }
     }
     if (wants(Anchors::Openings)) {
-        for (const Opening& hole : environment.free_space.leaks().openings) {
+        for (const Opening& hole : environment.free_space.openingReport().openings) {
             if (isWindow(hole)) finder.opening(hole, add(Anchors::Openings));
         }
     }

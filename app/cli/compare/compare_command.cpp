@@ -38,7 +38,7 @@ struct CompareArguments {
 
 nlohmann::ordered_json rowsJson(const ComparedScene& scene) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     for (const ComparedRow& row : scene.rows) {
         nlohmann::ordered_json one = {{"planner", row.planner}};
         for (std::size_t i = 0; i < metrics.size(); ++i) {
@@ -133,7 +133,7 @@ Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments
 render::Figure comparisonFigure(const ComparedScene& scene) {
     render::Figure figure;
     figure.title = scene.scene;
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     for (std::size_t m = 0; m < metrics.size(); ++m) {
         const planning::MetricInfo& metric = metrics[m];
         if (metric.better == planning::Better::Neither) continue;

@@ -2,8 +2,8 @@
 
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "planning/baselines/judge.h"
 #include "planning/baselines/planner.h"
+#include "planning/baselines/planner_metrics.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct GivenTrajectory {
 /// Metrics of one planner in one scene: medians over the seeds.
 struct ComparedRow {
     std::string planner;
-    planning::JudgedRow values;  // in the order of judgedMetrics()
+    planning::MetricsRow values;  // in the order of plannerMetricInfos()
 };
 
 struct ComparedScene {

@@ -113,7 +113,7 @@ Result<ExitCode> mergeBatch(const BatchArguments& arguments) {
         results.push_back(batch::resultOf(job, folder));
     }
     const Report report{folder.filename().string(), folder, folder, list->require,
-                        batch::judge(list->jobs, std::move(results), list->require)};
+                        batch::evaluateResults(list->jobs, std::move(results), list->require)};
     if (Status status = batch::writeReport(report); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -184,7 +184,7 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
     const JobContext job = session.job().stage(0.0, 1.0, "jobs");
     std::vector<batch::JobResult> results = batch::runJobs(jobs, *settings, job);
     Report report{order->file.stem().string(), settings->folder, settings->folder, all.require,
-                  batch::judge(jobs, std::move(results), all.require)};
+                  batch::evaluateResults(jobs, std::move(results), all.require)};
     if (shard.count > 1) {
         report.title += fmt::format(", part {} of {}", shard.index, shard.count);
         report.folder /= fmt::format("{}/{}-of-{}", kShards, shard.index, shard.count);

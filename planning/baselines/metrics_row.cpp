@@ -1,5 +1,5 @@
-#include "planning/baselines/judge.h"
 #include "planning/baselines/median.h"
+#include "planning/baselines/planner_metrics.h"
 
 #include <numeric>
 
@@ -7,11 +7,11 @@ namespace dollytrack::planning {
 namespace {
 
 template <class Combine>
-JudgedRow byColumn(const std::vector<JudgedRow>& rows, Combine&& combine) {
-    JudgedRow result(judgedMetrics().size());
+MetricsRow byColumn(const std::vector<MetricsRow>& rows, Combine&& combine) {
+    MetricsRow result(plannerMetricInfos().size());
     for (std::size_t column = 0; column < result.size(); ++column) {
         std::vector<double> values;
-        for (const JudgedRow& row : rows) {
+        for (const MetricsRow& row : rows) {
             if (row[column]) values.push_back(*row[column]);
         }
         if (!values.empty()) result[column] = combine(values);
@@ -21,19 +21,20 @@ JudgedRow byColumn(const std::vector<JudgedRow>& rows, Combine&& combine) {
 
 }  // namespace
 
-const std::vector<MetricInfo>& judgedMetrics() {
+const std::vector<MetricInfo>& plannerMetricInfos() {
     static const std::vector<MetricInfo> metrics = [] {
         std::vector<MetricInfo> list;
-        const Judgement none;
-        visitJudgement(none, [&](const MetricInfo& info, const auto&) { list.push_back(info); });
+        const PlannerMetrics none;
+        visitPlannerMetrics(none,
+                            [&](const MetricInfo& info, const auto&) { list.push_back(info); });
         return list;
     }();
     return metrics;
 }
 
-JudgedRow toRow(const Judgement& judgement) {
-    JudgedRow row;
-    visitJudgement(judgement, [&](const MetricInfo&, const auto& value) {
+MetricsRow toRow(const PlannerMetrics& measured) {
+    MetricsRow row;
+    visitPlannerMetrics(measured, [&](const MetricInfo&, const auto& value) {
         if constexpr (requires { value.has_value(); }) {
             row.push_back(value);
         } else {
@@ -43,11 +44,11 @@ JudgedRow toRow(const Judgement& judgement) {
     return row;
 }
 
-JudgedRow medianOf(const std::vector<JudgedRow>& rows) {
+MetricsRow medianOf(const std::vector<MetricsRow>& rows) {
     return byColumn(rows, [](const std::vector<double>& values) { return median(values); });
 }
 
-JudgedRow meanOf(const std::vector<JudgedRow>& rows) {
+MetricsRow meanOf(const std::vector<MetricsRow>& rows) {
     return byColumn(rows, [](const std::vector<double>& values) {
         return std::accumulate(values.begin(), values.end(), 0.0) /
                static_cast<double>(values.size());

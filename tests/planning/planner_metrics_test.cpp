@@ -1,4 +1,4 @@
-#include "planning/baselines/judge.h"
+#include "planning/baselines/planner_metrics.h"
 
 #include "engine/geometry/ray_caster.h"
 #include "planning/baselines/dollytrack_planner.h"
@@ -47,18 +47,18 @@ PlannedMotion through(const std::vector<Vector3d>& places) {
     return motion;
 }
 
-Judgement judged(const BaselineScene& scene, const PlannedMotion& motion) {
-    const auto result = judge(scene, motion, {});
+PlannerMetrics measured(const BaselineScene& scene, const PlannedMotion& motion) {
+    const auto result = measurePlannedMotion(scene, motion, {});
     EXPECT_TRUE(result.has_value());
-    return result.value_or(Judgement{});
+    return result.value_or(PlannerMetrics{});
 }
 
 }  // namespace
 
 // A cord 2 mm thick lies on the path between two frames; neither frame touches it.
-TEST(Judge, MeetsAThinCordBetweenFrames) {
+TEST(PlannerMetrics, MeetsAThinCordBetweenFrames) {
     const BaselineScene scene = mapped(roomWithCord().build());
-    const Judgement result = judged(
+    const PlannerMetrics result = measured(
         scene, through({{0.5, 1.5, 2.0}, {1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}, {3.4, 1.5, 2.0}}));
     EXPECT_EQ(result.frame_collision_rate, 0.0);
     ASSERT_TRUE(result.move_collision_rate);
@@ -66,12 +66,12 @@ TEST(Judge, MeetsAThinCordBetweenFrames) {
     EXPECT_LT(result.min_clearance_m, 0.02);
 }
 
-// The path that a planner gives is judged, not the straight line.
-TEST(Judge, FollowsTheWayBetweenFrames) {
+// The path that a planner gives is measured, not the straight line.
+TEST(PlannerMetrics, FollowsTheWayBetweenFrames) {
     const BaselineScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
     motion.between = {{{1.5, 0.5, 2.0}, {2.5, 0.5, 2.0}}};
-    const Judgement result = judged(scene, motion);
+    const PlannerMetrics result = measured(scene, motion);
     EXPECT_EQ(*result.move_collision_rate, 0.0);
     EXPECT_NEAR(*result.path_length_m, 3.0, 1e-12);
     EXPECT_NEAR(*result.speed_max_mps, 3.0, 1e-12);
@@ -81,19 +81,19 @@ TEST(Judge, FollowsTheWayBetweenFrames) {
 
 // From the smallest coordinate that a file may hold to the largest, through the room: 10^8 steps of
 // 2 cm.
-TEST(Judge, AWayFromVeryFarMeetsTheRoomAndEnds) {
+TEST(PlannerMetrics, AWayFromVeryFarMeetsTheRoomAndEnds) {
     const BaselineScene scene = mapped(roomWithCord().build());
-    const Judgement result =
-        judged(scene, through({{-1e6, 1.5, 2.0}, {1e6, 1.5, 2.0}, {1e6, 9e5, 2.0}}));
+    const PlannerMetrics result =
+        measured(scene, through({{-1e6, 1.5, 2.0}, {1e6, 1.5, 2.0}, {1e6, 9e5, 2.0}}));
     ASSERT_TRUE(result.move_collision_rate);
     EXPECT_EQ(*result.move_collision_rate, 0.5);
     EXPECT_EQ(result.frame_collision_rate, 0.0);
     EXPECT_LT(result.min_clearance_m, 0.02);
 }
 
-TEST(Judge, AFrameInAWallCollidesAndIsOutside) {
+TEST(PlannerMetrics, AFrameInAWallCollidesAndIsOutside) {
     const BaselineScene scene = mapped(roomWithCord().build());
-    const Judgement result = judged(
+    const PlannerMetrics result = measured(
         scene, through({{0.5, 1.5, 1.3}, {0.05, 1.5, 1.3}, {-1.0, 1.5, 1.3}, {0.5, 1.0, 1.3}}));
     EXPECT_EQ(result.frame_collision_rate, 0.25);  // 5 cm from the wall
     EXPECT_GE(result.outside_rate, 0.25);          // a metre behind it
@@ -101,11 +101,11 @@ TEST(Judge, AFrameInAWallCollidesAndIsOutside) {
 }
 
 // x = t^3 / 10: the third derivative is 0.6 everywhere, and finite differences of it are exact.
-TEST(Judge, JerkIsTheThirdDerivative) {
+TEST(PlannerMetrics, JerkIsTheThirdDerivative) {
     const BaselineScene scene = mapped(roomWithCord().build());
     std::vector<Vector3d> places;
     for (int t = 0; t < 4; ++t) places.emplace_back(0.3 + 0.1 * t * t * t, 0.5, 1.0);
-    const Judgement result = judged(scene, through(places));
+    const PlannerMetrics result = measured(scene, through(places));
     EXPECT_NEAR(*result.jerk_median_mps3, 0.6, 1e-9);
     EXPECT_NEAR(*result.jerk_max_mps3, 0.6, 1e-9);
     EXPECT_NEAR(*result.speed_median_mps, 0.7, 1e-9);
@@ -113,7 +113,7 @@ TEST(Judge, JerkIsTheThirdDerivative) {
     EXPECT_NEAR(*result.turn_max_dps, 0.0, 1e-9);
 }
 
-TEST(Judge, TurnsAreInDegreesASecond) {
+TEST(PlannerMetrics, TurnsAreInDegreesASecond) {
     const BaselineScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}});
     auto& frames = motion.trajectory.frames;
@@ -121,31 +121,31 @@ TEST(Judge, TurnsAreInDegreesASecond) {
     frames[1].time_s = 0.5;
     frames[2].pose = lookAt({1, 1, 1}, {1, 2, 1});
     frames[2].time_s = 1.5;
-    const Judgement result = judged(scene, motion);
+    const PlannerMetrics result = measured(scene, motion);
     EXPECT_NEAR(*result.turn_max_dps, 90.0, 1e-9);
     EXPECT_NEAR(*result.turn_median_dps, 67.5, 1e-9);
 }
 
 // Frames without a motion between them have no speed, no length and no collisions in between.
-TEST(Judge, ViewsWithoutMotionHaveNoMotionMetrics) {
+TEST(PlannerMetrics, ViewsWithoutMotionHaveNoMotionMetrics) {
     const BaselineScene scene = mapped(roomWithCord().build());
     PlannedMotion motion = through({{1.5, 1.5, 2.0}, {2.5, 1.5, 2.0}});
     motion.trajectory.frames[1].path = 1;
-    const Judgement result = judged(scene, motion);
+    const PlannerMetrics result = measured(scene, motion);
     EXPECT_FALSE(result.path_length_m || result.speed_max_mps || result.move_collision_rate ||
                  result.turn_max_dps || result.jerk_max_mps3);
 }
 
-TEST(Judge, AnEmptyFlightCapturesNothing) {
+TEST(PlannerMetrics, AnEmptyFlightCapturesNothing) {
     const BaselineScene scene = mapped(test::furnishedRoom());
-    const Judgement result = judged(scene, {});
+    const PlannerMetrics result = measured(scene, {});
     EXPECT_EQ(result.frames, 0);
     EXPECT_EQ(result.captures.capture_rate, 0.0);
     EXPECT_GT(result.captures.objects, 0);
 }
 
 // The poses alone give the same numbers that `plan` gives for its own trajectory.
-TEST(Judge, AgreesWithThePipeline) {
+TEST(PlannerMetrics, AgreesWithThePipeline) {
     PlanParams params;
     params.timing.max_frames = 120;
     const auto scene = std::make_shared<const Scene>(test::furnishedRoom());
@@ -153,7 +153,7 @@ TEST(Judge, AgreesWithThePipeline) {
     const auto plan = pipeline.run(params, JobContext{});
     ASSERT_TRUE(plan);
     const BaselineScene map = mapped(*scene);
-    const Judgement result = judged(map, plannedMotionOf(**plan));
+    const PlannerMetrics result = measured(map, plannedMotionOf(**plan));
     const CaptureMetrics& captures = (*plan)->capture_metrics;
     const TrajectoryMetrics& motion = (*plan)->trajectory_metrics;
     EXPECT_EQ(result.captures.captured, captures.captured);
@@ -164,8 +164,8 @@ TEST(Judge, AgreesWithThePipeline) {
     EXPECT_EQ(*result.corner_collision_rate, motion.corner_collision_rate);
     EXPECT_EQ(*result.move_collision_rate, 0.0);
     EXPECT_EQ(result.outside_rate, 0.0);
-    // The judge takes chords of at most a centimetre instead of the curves, and only from the first
-    // to the last key frame.
+    // The measurement takes chords of at most a centimetre instead of the curves, and only from the
+    // first to the last key frame.
     EXPECT_NEAR(*result.path_length_m, motion.path_length_m, 1e-3 * motion.path_length_m);
     EXPECT_LE(*result.speed_max_mps, motionLimits(params.timing).speed_mps + 1e-6);
     EXPECT_LE(*result.turn_max_dps,
@@ -199,9 +199,9 @@ TEST(BlindSmoothing, CutsTheCornerAndIsCounted) {
     EXPECT_GT(ours->corners.front().set_back_m, 0.0);
 }
 
-TEST(JudgedRow, MediansAndMeansSkipWhatDoesNotApply) {
-    const std::size_t columns = judgedMetrics().size();
-    std::vector<JudgedRow> rows(3, JudgedRow(columns));
+TEST(MetricsRow, MediansAndMeansSkipWhatDoesNotApply) {
+    const std::size_t columns = plannerMetricInfos().size();
+    std::vector<MetricsRow> rows(3, MetricsRow(columns));
     rows[0][0] = 1.0;
     rows[1][0] = 5.0;
     rows[2][0] = 3.0;

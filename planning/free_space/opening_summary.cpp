@@ -1,4 +1,4 @@
-#include "planning/free_space/leak_summary.h"
+#include "planning/free_space/opening_summary.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ std::string describeAlike(const std::string& what, const AlikeOpenings& alike) {
 
 }  // namespace
 
-std::vector<std::string> describeAll(const LeakReport& report) {
+std::vector<std::string> describeAll(const OpeningReport& report) {
     std::vector<std::string> order;
     std::map<std::string, AlikeOpenings> by_text;
     for (const Opening& opening : report.openings) {

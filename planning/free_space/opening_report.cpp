@@ -1,4 +1,4 @@
-#include "planning/free_space/leak_report.h"
+#include "planning/free_space/opening_report.h"
 
 #include "planning/free_space/components.h"
 #include "planning/free_space/octree.h"
@@ -50,7 +50,7 @@ class Finder {
         }
         for (const OpenFaces& hole : faces) {
             if (hole.room == kNoRoom) continue;
-            const Opening opening = judge(hole, bit != kOpenInside);
+            const Opening opening = openingFrom(hole, bit != kOpenInside);
             if (opening.area_m2 >= kSmallestOpening_m2) openings.push_back(opening);
         }
     }
@@ -95,7 +95,7 @@ class Finder {
         }
     }
 
-    [[nodiscard]] Opening judge(const OpenFaces& hole, bool at_box) const {
+    [[nodiscard]] Opening openingFrom(const OpenFaces& hole, bool at_box) const {
         const double cell_area = grid_.resolution_m * grid_.resolution_m;
         Eigen::Index axis = 0;
         const double area = hole.outwards.cwiseAbs().maxCoeff(&axis) * cell_area;
@@ -161,9 +161,9 @@ std::string describe(const Opening& opening) {
     return text.data();
 }
 
-LeakReport findLeaks(const VoxelGrid& grid, const std::vector<std::uint8_t>& states,
-                     const FoundRooms& rooms) {
-    LeakReport report;
+OpeningReport findOpenings(const VoxelGrid& grid, const std::vector<std::uint8_t>& states,
+                           const FoundRooms& rooms) {
+    OpeningReport report;
     const Finder finder(grid, states, rooms);
     for (unsigned face = 0; face < kFaces.size(); ++face) {
         finder.collect(static_cast<std::uint8_t>(1U << face), report.openings);

@@ -13,7 +13,7 @@ namespace dollytrack::planning {
 /// Measurements of a planner's result. All are computed by the same code, from poses and scene
 /// alone. Rates are 0..1. Values that do not apply are empty, for example speeds of frames without
 /// motion between them.
-struct Judgement {
+struct PlannerMetrics {
     CaptureMetrics captures;
     std::vector<ObjectCapture> objects;  // one per target
     int frames = 0;
@@ -34,12 +34,12 @@ struct Judgement {
 };
 
 /// Measures a planner's result. Error: Cancelled.
-Result<Judgement> judge(const BaselineScene& scene, const PlannedMotion& motion,
-                        const JobContext& job);
+Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
+                                            const JobContext& job);
 
 enum class Better { Higher, Lower, Neither };
 
-/// Description of one value of a Judgement, for tables, files and plots.
+/// Description of one value of a PlannerMetrics, for tables, files and plots.
 struct MetricInfo {
     std::string_view name;   // key in files
     std::string_view title;  // column header
@@ -49,7 +49,7 @@ struct MetricInfo {
 
 /// Visits all values. Calls visit(info, value); the value is a number or an optional number.
 template <class J, class Visitor>
-void visitJudgement(J& j, Visitor&& visit) {
+void visitPlannerMetrics(J& j, Visitor&& visit) {
     using enum Better;
     visit(MetricInfo{"objects", "objects", "", Neither}, j.captures.objects);
     visit(MetricInfo{"capture_rate", "captured", "%", Higher}, j.captures.capture_rate);
@@ -75,14 +75,14 @@ void visitJudgement(J& j, Visitor&& visit) {
     visit(MetricInfo{"plan_ms", "plan", "ms", Lower}, j.plan_ms);
 }
 
-/// A Judgement as a row of numbers, in the order of judgedMetrics().
-using JudgedRow = std::vector<std::optional<double>>;
+/// A PlannerMetrics as a row of numbers, in the order of plannerMetricInfos().
+using MetricsRow = std::vector<std::optional<double>>;
 
-const std::vector<MetricInfo>& judgedMetrics();
-JudgedRow toRow(const Judgement& judgement);
+const std::vector<MetricInfo>& plannerMetricInfos();
+MetricsRow toRow(const PlannerMetrics& measured);
 
 /// Column-wise median and mean, over the rows with a value in the column; empty if there is none.
-JudgedRow medianOf(const std::vector<JudgedRow>& rows);
-JudgedRow meanOf(const std::vector<JudgedRow>& rows);
+MetricsRow medianOf(const std::vector<MetricsRow>& rows);
+MetricsRow meanOf(const std::vector<MetricsRow>& rows);
 
 }  // namespace dollytrack::planning

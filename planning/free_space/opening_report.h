@@ -30,7 +30,7 @@ struct Opening {
 };
 
 /// The openings of a scene, sorted by room, then by area, the largest first.
-struct LeakReport {
+struct OpeningReport {
     std::vector<Opening> openings;
 
     [[nodiscard]] bool isClosed() const { return openings.empty(); }
@@ -41,7 +41,7 @@ std::string describe(const Opening& opening);
 
 /// Finds the openings of at least 0.1 m2 from the cell states. Each belongs to the room found
 /// within 12 cells inwards; openings without a room are dropped.
-LeakReport findLeaks(const VoxelGrid& grid, const std::vector<std::uint8_t>& states,
-                     const FoundRooms& rooms);
+OpeningReport findOpenings(const VoxelGrid& grid, const std::vector<std::uint8_t>& states,
+                           const FoundRooms& rooms);
 
 }  // namespace dollytrack::planning

@@ -1,4 +1,4 @@
-#include "planning/baselines/judge.h"
+#include "planning/baselines/planner_metrics.h"
 
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
@@ -62,7 +62,7 @@ void setMedianAndMax(std::vector<double> values, std::optional<double>& middle,
 }
 
 void measureMotion(const PlannedMotion& motion, const std::vector<double>& lengths,
-                   Judgement& result) {
+                   PlannerMetrics& result) {
     const auto& frames = motion.trajectory.frames;
     std::vector<double> speeds;
     std::vector<double> turns;
@@ -90,7 +90,8 @@ void measureMotion(const PlannedMotion& motion, const std::vector<double>& lengt
 }
 
 void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
-                       const JobContext& job, std::vector<double>& lengths, Judgement& result) {
+                       const JobContext& job, std::vector<double>& lengths,
+                       PlannerMetrics& result) {
     const auto& frames = motion.trajectory.frames;
     const double radius = scene.sphere->radius();
     std::vector<double> at_frame(frames.size());
@@ -128,9 +129,9 @@ void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
 
 }  // namespace
 
-Result<Judgement> judge(const BaselineScene& scene, const PlannedMotion& motion,
-                        const JobContext& job) {
-    Judgement result;
+Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
+                                            const JobContext& job) {
+    PlannerMetrics result;
     result.frames = static_cast<int>(motion.trajectory.frames.size());
     result.corner_collision_rate = motion.corner_collision_rate;
     result.plan_ms = motion.plan_ms;
