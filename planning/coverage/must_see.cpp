@@ -78,7 +78,7 @@ class Covering {
     }
 
     /// Counts the fixed views, then keeps given views that add enough, the best first.
-    void takeGiven(const std::vector<GivenView>& given) {
+    void takeGiven(const std::vector<ExistingView>& given) {
         std::vector<std::vector<int>> shown(given.size());
         parallelFor(given.size(), [&](std::size_t i) { shown[i] = shownBy(given[i].pose); });
         const auto take = [&](std::size_t i) {
@@ -220,7 +220,7 @@ std::vector<Region> mustSeeAmong(const std::vector<Region>& regions) {
 
 Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
-                                         std::vector<GivenView> given, const JobContext& job) {
+                                         std::vector<ExistingView> given, const JobContext& job) {
     std::vector<MustSee> all;
     for (const Region& region : regions) {
         Covering covering(environment, region);

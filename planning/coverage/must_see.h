@@ -30,7 +30,7 @@ struct MustSee {
 std::vector<Region> mustSeeAmong(const std::vector<Region>& regions);
 
 /// A view that the trajectory already contains.
-struct GivenView {
+struct ExistingView {
     Pose pose;
     bool fixed = false;  // whether it stays even if no region needs it
 };
@@ -40,7 +40,7 @@ struct GivenView {
 /// added. Logs a warning for a region without surface. Error: Cancelled.
 Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
-                                         std::vector<GivenView> given, const JobContext& job);
+                                         std::vector<ExistingView> given, const JobContext& job);
 
 /// Counts the patches of each region that frames of the trajectory see. A patch that a frame sees
 /// counts as seeable. Error: Cancelled.

@@ -216,24 +216,25 @@ class Finder {
         const Subject subject = makeSubject(environment_.views, {row.object_id});
         const auto places =
             hypotheticalPositions(environment_, subject, row.object_id, params_.seed, job_);
-        const WhatIf what{environment_, params_,       edits_,      subject,
-                          places,       row.object_id, row.captured};
-        if (takeFirst(proposePins(what), row) || row.remedy) {
+        const ProposalContext context{environment_, params_,       edits_,      subject,
+                                      places,       row.object_id, row.captured};
+        if (takeFirst(proposePins(context), row) || row.remedy) {
             row.loss = Loss::SearchMissed;
             row.occluder = 0;
             row.reason = "There is a legal view of it that the search did not find.";
             return;
         }
         lookDenser(places, row);
-        std::vector<Proposal> pitches = proposePitches(what);
+        std::vector<Proposal> pitches = proposePitches(context);
         const bool held_by_pitch = !pitches.empty();
         if (takeFirst(std::move(pitches), row)) return blamePitchBand(row);
-        if (takeFirst(proposeRegions(what), row) || takeFirst(proposeSmallerCameras(what), row) ||
-            takeFirst(proposeLenses(what), row)) {
+        if (takeFirst(proposeRegions(context), row) ||
+            takeFirst(proposeSmallerCameras(context), row) ||
+            takeFirst(proposeLenses(context), row)) {
             return;
         }
-        if (row.loss == Loss::DoesNotFit && takeFirst(proposeWiderUnseen(what), row)) return;
-        if (!takeFirst(proposeMoves(what, trials_), row) && held_by_pitch) blamePitchBand(row);
+        if (row.loss == Loss::DoesNotFit && takeFirst(proposeWiderUnseen(context), row)) return;
+        if (!takeFirst(proposeMoves(context, trials_), row) && held_by_pitch) blamePitchBand(row);
     }
 
     /// Corrects the reason with the result of dense sampling.

@@ -89,7 +89,7 @@ const std::vector<std::uint8_t>& FreeSpace::Impl::inside(EnclosureRule rule) {
 /// Finds the inside cells where the sphere fits, for one rule.
 void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
                                const JobContext& job) {
-    const FittingPlace place{
+    const SphereFitInput place{
         rays, grid, surfaces->surfaces().cells, surfaces->gaps(), inside(rule), camera_radius_m};
     const auto index = static_cast<std::size_t>(rule);
     const bool known = moved != nullptr && !moved->before.fits[index].empty();

@@ -331,8 +331,9 @@ Status Pipeline::Stages::PlanRun::repairFrames() {
         "repair", stages_.repair,
         RepairInputs{stages_.timing.version(), stages_.views.version(), params_.repair,
                      params_.seed},
-        job, [&]() -> Result<Repaired> {
-            const Repaired as_timed{stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
+        job, [&]() -> Result<RepairedTrajectory> {
+            const RepairedTrajectory as_timed{
+                stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
             if (!wanted) return as_timed;
             return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing), moves(),
                                     params_.repair, params_.seed, job, &stages_.memory.seen);

@@ -263,10 +263,11 @@ bool asksForRepair(const RepairParams& params) {
     return params.repair_rounds > 0 || params.drop_low_frames;
 }
 
-Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
-                                  const PlanningEnvironment& environment,
-                                  const RepairParams& params, int seed, const JobContext& job,
-                                  ViewCache* memo) {
+Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
+                                            const TrajectoryMaker& maker,
+                                            const PlanningEnvironment& environment,
+                                            const RepairParams& params, int seed,
+                                            const JobContext& job, ViewCache* memo) {
     RepairContext context{maker, environment, params.score, 0.0, seed};
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};
@@ -275,7 +276,7 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
     Trial best = std::move(*first);
     context.threshold = lowThreshold(best.scores, params.score_threshold);
 
-    Repaired result;
+    RepairedTrajectory result;
     RepairReport& report = result.report;
     report.threshold = context.threshold;
     report.before = tally(best.scores, context.threshold);

@@ -17,7 +17,7 @@ struct PlanningEnvironment;
 
 /// A trajectory after segments of bad frames were planned again, the paths it was made from, and a
 /// report.
-struct Repaired {
+struct RepairedTrajectory {
     std::vector<CameraPath> paths;
     std::vector<SmoothPath> smooth_paths;
     Trajectory trajectory;
@@ -38,9 +38,10 @@ struct TrajectoryMaker {
 /// score does not fall, and no object loses its capture. With `drop_low_frames`, frames still low
 /// are removed, except key frames and those that a capture needs. Key frames keep their poses
 /// unless a detour rounds their corner differently. `memo` may be null. Error: Cancelled.
-Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
-                                  const PlanningEnvironment& environment,
-                                  const RepairParams& params, int seed, const JobContext& job,
-                                  ViewCache* memo = nullptr);
+Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
+                                            const TrajectoryMaker& maker,
+                                            const PlanningEnvironment& environment,
+                                            const RepairParams& params, int seed,
+                                            const JobContext& job, ViewCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

@@ -198,13 +198,13 @@ class Smoother {
 
 /// Tests the final pieces for collisions and clearance, not the corners they were made from.
 void sweepPieces(SmoothPath& smooth, const SweptSphere& sphere) {
-    std::vector<Sweep> sweeps(smooth.pieces.size());
+    std::vector<SweepResult> sweeps(smooth.pieces.size());
     parallelFor(sweeps.size(), [&](std::size_t i) {
         const SmoothPath::Piece& piece = smooth.pieces[i];
         sweeps[i] = sphere.bezier(piece.start, piece.control, piece.end);
     });
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
-        const Sweep& sweep = sweeps[i];
+        const SweepResult& sweep = sweeps[i];
         smooth.collisions += sweep.free ? 0 : 1;
         smooth.corner_collisions += !sweep.free && smooth.pieces[i].curved ? 1 : 0;
         smooth.min_clearance_m = std::min(smooth.min_clearance_m, sweep.min_clearance_m);

@@ -18,9 +18,9 @@
 namespace dollytrack::planning {
 namespace {
 
-std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
-                               const std::vector<int>& keys) {
-    std::vector<GivenView> views;
+std::vector<ExistingView> viewsOf(const std::vector<PositionPoint>& points,
+                                  const std::vector<int>& keys) {
+    std::vector<ExistingView> views;
     for (const int key : keys) {
         const PositionPoint& point = points[static_cast<std::size_t>(key)];
         views.push_back({point.pose, point.fixed});

@@ -1,4 +1,4 @@
-#include "planning/visibility/slab_hull.h"
+#include "planning/visibility/bounding_dop.h"
 
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
@@ -25,19 +25,19 @@ Eigen::Vector3d anyDirection(Random& random) {
 }
 
 /// Queries the direction as the last of several; the others must not matter.
-float exitOf(const SlabHull::From& from, const Eigen::Vector3d& direction) {
-    SlabHull::From::Directions directions;
+float exitOf(const BoundingDop::FromOrigin& from, const Eigen::Vector3d& direction) {
+    BoundingDop::FromOrigin::Directions directions;
     for (unsigned axis = 0; axis < 3; ++axis) {
         directions[axis].setConstant(axis == 2 ? -1.0F : 0.0F);
-        directions[axis][SlabHull::From::kAtOnce - 1] =
+        directions[axis][BoundingDop::FromOrigin::kAtOnce - 1] =
             static_cast<float>(direction[static_cast<int>(axis)]);
     }
-    return from.exits(directions)[SlabHull::From::kAtOnce - 1];
+    return from.exits(directions)[BoundingDop::FromOrigin::kAtOnce - 1];
 }
 
 }  // namespace
 
-TEST(SlabHull, NeverSparesARayThatMeetsTheObject) {
+TEST(BoundingDop, NeverSparesARayThatMeetsTheObject) {
     Random random(3);
     int met = 0;
     int spared = 0;
@@ -45,12 +45,12 @@ TEST(SlabHull, NeverSparesARayThatMeetsTheObject) {
         Scene scene = splinters(random);
         scene.objects[0].box.yaw = random.uniform(-3.0, 3.0);
         const RayCaster rays(scene);
-        const SlabHull hull(scene, scene.objects[0]);
+        const BoundingDop hull(scene, scene.objects[0]);
         for (int i = 0; i < 4000; ++i) {
             const Eigen::Vector3d origin = 4.0 * anyDirection(random);
             const Eigen::Vector3d at = Eigen::Vector3d(0, 3, 0) + 1.5 * anyDirection(random);
             const Eigen::Vector3d direction = at - origin;
-            const float exit = exitOf(SlabHull::From(hull, origin), direction);
+            const float exit = exitOf(BoundingDop::FromOrigin(hull, origin), direction);
             const RayHit hit = rays.cast(origin, direction);
             spared += exit <= 0.0F;
             if (hit.object_id == 0) continue;
@@ -62,12 +62,12 @@ TEST(SlabHull, NeverSparesARayThatMeetsTheObject) {
     EXPECT_GT(spared, 1000);  // otherwise it would save no rays
 }
 
-TEST(SlabHull, IsExactForABoxInItsOwnAxes) {
+TEST(BoundingDop, IsExactForABoxInItsOwnAxes) {
     test::SceneBuilder builder;
     builder.object("box").box({2.0, 0, 0}, {1.0, 1.0, 1.0});
     const Scene scene = builder.build();
-    const SlabHull hull(scene, scene.objects[0]);
-    const SlabHull::From origin(hull, {0, 0, 0});
+    const BoundingDop hull(scene, scene.objects[0]);
+    const BoundingDop::FromOrigin origin(hull, {0, 0, 0});
     EXPECT_NEAR(exitOf(origin, {1, 0, 0}), 2.5, 1e-3);
     EXPECT_NEAR(exitOf(origin, {2, 0, 0}), 1.25, 1e-3);
     EXPECT_LT(exitOf(origin, {-1, 0, 0}), 0.0F);

@@ -1,4 +1,4 @@
-#include "planning/visibility/slab_hull.h"
+#include "planning/visibility/bounding_dop.h"
 
 #include <Eigen/Geometry>
 
@@ -10,19 +10,19 @@ namespace dollytrack::planning {
 namespace {
 
 // One of each pair of opposite directions to the neighbours of a cube.
-constexpr std::array<std::array<int, 3>, SlabHull::kSlabs> kNormals = {{{1, 0, 0},
-                                                                        {0, 1, 0},
-                                                                        {0, 0, 1},
-                                                                        {1, 1, 0},
-                                                                        {1, -1, 0},
-                                                                        {1, 0, 1},
-                                                                        {1, 0, -1},
-                                                                        {0, 1, 1},
-                                                                        {0, 1, -1},
-                                                                        {1, 1, 1},
-                                                                        {1, 1, -1},
-                                                                        {1, -1, 1},
-                                                                        {-1, 1, 1}}};
+constexpr std::array<std::array<int, 3>, BoundingDop::kSlabs> kNormals = {{{1, 0, 0},
+                                                                           {0, 1, 0},
+                                                                           {0, 0, 1},
+                                                                           {1, 1, 0},
+                                                                           {1, -1, 0},
+                                                                           {1, 0, 1},
+                                                                           {1, 0, -1},
+                                                                           {0, 1, 1},
+                                                                           {0, 1, -1},
+                                                                           {1, 1, 1},
+                                                                           {1, 1, -1},
+                                                                           {1, -1, 1},
+                                                                           {-1, 1, 1}}};
 // Relative enlargement, so that float rounding never lets a ray miss a surface it grazes.
 constexpr float kSlack = 1e-4F;
 // Avoids a division by zero for rays parallel to a slab.
@@ -30,7 +30,7 @@ constexpr float kParallel = 1e-20F;
 
 }  // namespace
 
-SlabHull::SlabHull(const Scene& scene, const Object& object) {
+BoundingDop::BoundingDop(const Scene& scene, const Object& object) {
     const Eigen::Matrix3f turn =
         Eigen::AngleAxisf(static_cast<float>(object.box.yaw), Eigen::Vector3f::UnitZ())
             .toRotationMatrix();
@@ -57,7 +57,8 @@ SlabHull::SlabHull(const Scene& scene, const Object& object) {
     high_ += slack;
 }
 
-SlabHull::From::From(const SlabHull& hull, const Eigen::Vector3d& origin) : hull_(&hull) {
+BoundingDop::FromOrigin::FromOrigin(const BoundingDop& hull, const Eigen::Vector3d& origin)
+    : hull_(&hull) {
     const Eigen::Vector3f p = origin.cast<float>();
     const Slabs along =
         p.x() * hull.normals_[0] + p.y() * hull.normals_[1] + p.z() * hull.normals_[2];
@@ -65,7 +66,7 @@ SlabHull::From::From(const SlabHull& hull, const Eigen::Vector3d& origin) : hull
     to_high_ = hull.high_ - along;
 }
 
-Eigen::Array<float, SlabHull::From::kAtOnce, 1> SlabHull::From::exits(
+Eigen::Array<float, BoundingDop::FromOrigin::kAtOnce, 1> BoundingDop::FromOrigin::exits(
     const Directions& directions) const {
     using Lanes = Eigen::Array<float, kAtOnce, 1>;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();

@@ -8,20 +8,20 @@
 
 namespace dollytrack::planning {
 
-/// Bounding 26-DOP of an object: 13 slabs whose normals point to the 26 neighbours of a cube, in
-/// axes rotated with the object's box. Culls rays that miss the object.
-class SlabHull {
+/// Bounding 26-DOP (discrete oriented polytope) of an object: 13 slabs whose normals point to the
+/// 26 neighbours of a cube, in axes rotated with the object's box. Culls rays that miss the object.
+class BoundingDop {
   public:
     static constexpr int kSlabs = 13;
     using Slabs = Eigen::Array<float, kSlabs + 3, 1>;  // padded to whole SIMD registers
 
-    SlabHull() = default;
-    SlabHull(const Scene& scene, const Object& object);
+    BoundingDop() = default;
+    BoundingDop(const Scene& scene, const Object& object);
 
-    /// The hull relative to one ray origin, for many directions.
-    class From {
+    /// The polytope relative to one ray origin, for many directions.
+    class FromOrigin {
       public:
-        From(const SlabHull& hull, const Eigen::Vector3d& origin);
+        FromOrigin(const BoundingDop& hull, const Eigen::Vector3d& origin);
 
         /// Number of directions per call, as SIMD lanes: x, y and z of each.
         static constexpr int kAtOnce = 4;
@@ -32,7 +32,7 @@ class SlabHull {
         [[nodiscard]] Eigen::Array<float, kAtOnce, 1> exits(const Directions& directions) const;
 
       private:
-        const SlabHull* hull_;
+        const BoundingDop* hull_;
         Slabs to_low_, to_high_;  // along each normal, from the origin
     };
 
