@@ -10,29 +10,30 @@
 namespace dollytrack::generate {
 
 /// The triangles of a piece of furniture, to place objects on its top or shelves.
-class CarrierSurface {
+class SupportSurface {
   public:
-    CarrierSurface(const homes::FurnitureModel& model, const PlacedPiece& placed);
+    SupportSurface(const homes::FurnitureModel& model, const PlacedPiece& placed);
 
     /// A resting height of an object.
-    struct Rest {
-        double height = 0.0;            // elevation of the object's bottom
-        std::optional<UprightBox> way;  // free box to the front; null if it is free above
+    struct Placement {
+        double height = 0.0;               // elevation of the object's bottom
+        std::optional<UprightBox> access;  // free box to the front; null if it is free above
     };
     /// The height at which the object can stand at its position, randomly chosen if there are
     /// several; null if there is none. The surface must support the object's centre and four
     /// points towards its corners, no triangle may intersect the object, and the object must be
     /// accessible straight from above or straight from the front.
-    [[nodiscard]] std::optional<Rest> restFor(const PlacedPiece& thing, Random& random) const;
+    [[nodiscard]] std::optional<Placement> placementFor(const PlacedPiece& item,
+                                                        Random& random) const;
 
   private:
     using Nearby = std::vector<const TriangleInRoom*>;
     [[nodiscard]] Nearby trianglesIn(const UprightBox& box) const;
     [[nodiscard]] bool isFree(const UprightBox& box) const;
     /// The box that the object sweeps when it is inserted from the front.
-    [[nodiscard]] UprightBox wayIn(const UprightBox& box) const;
+    [[nodiscard]] UprightBox accessBox(const UprightBox& box) const;
 
-    UprightBox carrier_;
+    UprightBox supporter_;
     std::vector<TriangleInRoom> triangles_;
 };
 

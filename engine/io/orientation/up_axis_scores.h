@@ -26,7 +26,7 @@ struct UpEvidence {
 
 /// All six directions by decreasing score. In furnished rooms the right direction leads by 3 or
 /// more, in sparse rooms by 1; with hardly any evidence a wrong one leads by at most 0.4.
-std::vector<UpEvidence> judgeUp(const FrameEvidence& evidence);
+std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence);
 
 /// Whether the best direction leads `axis` by at least `lead`. False for fewer than four objects,
 /// since these may lie on their side.

@@ -1,4 +1,4 @@
-#include "engine/generate/floor_ways.h"
+#include "engine/generate/traversability_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ std::vector<std::size_t> joinedParts(const std::vector<bool>& open, int columns,
 
 }  // namespace
 
-FloorWays::FloorWays(double length, double width)
+TraversabilityGrid::TraversabilityGrid(double length, double width)
     : columns_(std::max(1, static_cast<int>(length / kCell))),
       rows_(std::max(1, static_cast<int>(width / kCell))),
       open_(static_cast<std::size_t>(columns_ * rows_), true) {
@@ -61,13 +61,13 @@ FloorWays::FloorWays(double length, double width)
     }
 }
 
-std::size_t FloorWays::cellAt(const Vector2d& point) const {
+std::size_t TraversabilityGrid::cellAt(const Vector2d& point) const {
     const int column = std::clamp(static_cast<int>(point.x() / kCell), 0, columns_ - 1);
     const int row = std::clamp(static_cast<int>(point.y() / kCell), 0, rows_ - 1);
     return static_cast<std::size_t>(row * columns_ + column);
 }
 
-void FloorWays::close(const UprightBox& box, std::vector<bool>& open) const {
+void TraversabilityGrid::close(const UprightBox& box, std::vector<bool>& open) const {
     UprightBox camera;
     camera.half = {kReach, kReach};
     camera.high = box.high;
@@ -89,7 +89,7 @@ void FloorWays::close(const UprightBox& box, std::vector<bool>& open) const {
     }
 }
 
-bool FloorWays::stayJoinedWith(const UprightBox& box) const {
+bool TraversabilityGrid::staysConnectedWith(const UprightBox& box) const {
     std::vector<bool> open = open_;
     close(box, open);
     std::vector<int> part_of;

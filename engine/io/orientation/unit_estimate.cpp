@@ -1,4 +1,4 @@
-#include "engine/io/orientation/unit_judgement.h"
+#include "engine/io/orientation/unit_estimate.h"
 
 #include "engine/scene/furniture_sizes.h"
 #include "engine/scene/labels.h"
@@ -96,10 +96,10 @@ UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evi
     UnitEvidence result;
     for (const FurnitureSize& usual : kFurnitureSizes) {
         std::vector<double> sizes;
-        for (const MeasuredThing& thing : evidence.things) {
-            if (thing.nyu40 != usual.nyu40) continue;
-            if (thing.building && usual.nyu40 != kNyuDoor) continue;
-            sizes.push_back(thing.box.sizes().maxCoeff() / evidence_m);
+        for (const MeasuredObject& object : evidence.objects) {
+            if (object.nyu40 != usual.nyu40) continue;
+            if (object.building && usual.nyu40 != kNyuDoor) continue;
+            sizes.push_back(object.box.sizes().maxCoeff() / evidence_m);
         }
         if (sizes.empty()) continue;
         const double size = median(std::move(sizes));

@@ -1,4 +1,4 @@
-#include "engine/io/orientation/up_judgement.h"
+#include "engine/io/orientation/up_axis_scores.h"
 
 #include "engine/scene/labels.h"
 
@@ -14,7 +14,7 @@ constexpr double kEnoughTops = 0.05;  // of all surface area: enough level furni
 constexpr double kEdge = 0.1;         // of the height: range of floor and ceiling at the ends
 constexpr double kSupportWeight = 2.0;
 constexpr float kRestsShare = 0.5F;  // of an object's lowest points on others
-constexpr int kFewestThings = 4;     // smallest number of objects for reliable evidence
+constexpr int kFewestObjects = 4;    // smallest number of objects for reliable evidence
 constexpr int kFloorMat = 20;        // NYU40
 constexpr int kBed = 4;
 constexpr int kChair = 5;
@@ -26,20 +26,20 @@ constexpr int kBathtub = 36;
 
 /// An object's extent along the tested up direction.
 struct Upright {
-    const MeasuredThing* thing = nullptr;
+    const MeasuredObject* object = nullptr;
     int nyu40 = 0;          // 0 if the class was found only by shape
     bool building = false;  // by name
     double low = 0.0;
     double high = 0.0;
 };
 
-std::vector<Upright> standUp(const std::vector<MeasuredThing>& things, UpAxis axis) {
+std::vector<Upright> standUp(const std::vector<MeasuredObject>& objects, UpAxis axis) {
     std::vector<Upright> all;
-    for (const MeasuredThing& thing : things) {
-        const double a = axis.sign() * thing.box.min()[axis.index()];
-        const double b = axis.sign() * thing.box.max()[axis.index()];
-        all.push_back({&thing, thing.by_shape ? 0 : thing.nyu40, thing.building && !thing.by_shape,
-                       std::min(a, b), std::max(a, b)});
+    for (const MeasuredObject& object : objects) {
+        const double a = axis.sign() * object.box.min()[axis.index()];
+        const double b = axis.sign() * object.box.max()[axis.index()];
+        all.push_back({&object, object.by_shape ? 0 : object.nyu40,
+                       object.building && !object.by_shape, std::min(a, b), std::max(a, b)});
     }
     return all;
 }
@@ -63,7 +63,7 @@ double judgeNames(const std::vector<Upright>& all, double bottom, double height,
     Ballot ballot;
     for (const Upright& one : all) {
         const int nyu = one.nyu40;
-        const Eigen::Vector3d size = one.thing->box.sizes();
+        const Eigen::Vector3d size = one.object->box.sizes();
         const bool thinnest = size[axis] <= size.minCoeff() + 1e-9 * size.maxCoeff();
         const double middle = (0.5 * (one.low + one.high) - bottom) / height;
         if (nyu == kNyuFloor || nyu == kFloorMat) {
@@ -105,7 +105,7 @@ double judgeStanding(const std::vector<Upright>& all, double height) {
 }
 
 /// Whether most of the smaller one's footprint lies within the larger one's.
-bool liesWithin(const MeasuredThing& small, const MeasuredThing& large, int axis) {
+bool liesWithin(const MeasuredObject& small, const MeasuredObject& large, int axis) {
     double share = 1.0;
     for (const int i : {(axis + 1) % 3, (axis + 2) % 3}) {
         const double size = small.box.sizes()[i];
@@ -134,7 +134,7 @@ double judgeResting(const std::vector<Upright>& all, int axis, double tolerance)
         auto it = std::ranges::lower_bound(sorted, at - tolerance, std::less(),
                                            [&](const Upright* other) { return other->*edge; });
         for (; it != sorted.end() && (*it)->*edge <= at + tolerance; ++it) {
-            if (*it != &one && liesWithin(*one.thing, *(*it)->thing, axis)) return true;
+            if (*it != &one && liesWithin(*one.object, *(*it)->object, axis)) return true;
         }
         return false;
     };
@@ -156,12 +156,12 @@ double judgeSupport(const std::vector<Upright>& all, UpAxis axis) {
     int count = 0;
     for (const Upright& one : all) {
         if (one.building) continue;
-        const SideSupport& support = one.thing->support;
+        const SideSupport& support = one.object->support;
         rests += support[sideIndex(axis.index(), axis.negative)] >= kRestsShare;
         rests -= 0.5 * (support[sideIndex(axis.index(), !axis.negative)] >= kRestsShare);
         ++count;
     }
-    return count < kFewestThings ? 0.0 : rests / count;
+    return count < kFewestObjects ? 0.0 : rests / count;
 }
 
 /// Share of round objects (cups, pots, lamps) whose axis of symmetry is this one, damped when there
@@ -173,10 +173,10 @@ double judgeRound(const std::vector<Upright>& all, int axis) {
     double round = 0.0;
     double along = 0.0;
     for (const Upright& one : all) {
-        const MeasuredThing& thing = *one.thing;
-        const double level = thing.facing[0] + thing.facing[1] + thing.facing[2];
-        if (one.building || thing.area - level < kCurved * thing.area) continue;
-        const Eigen::Vector3d size = thing.box.sizes();
+        const MeasuredObject& object = *one.object;
+        const double level = object.facing[0] + object.facing[1] + object.facing[2];
+        if (one.building || object.area - level < kCurved * object.area) continue;
+        const Eigen::Vector3d size = object.box.sizes();
         for (int i = 0; i < 3; ++i) {
             const double a = size[(i + 1) % 3];
             const double b = size[(i + 2) % 3];
@@ -200,7 +200,7 @@ double judgeShapes(const std::vector<Upright>& all, UpAxis axis) {
         if (!(height > 0.0)) continue;
         if (heavy_above || heavy_below) {
             const double middle =
-                (axis.sign() * one.thing->centroid[axis.index()] - one.low) / height - 0.5;
+                (axis.sign() * one.object->centroid[axis.index()] - one.low) / height - 0.5;
             ballot.add(std::clamp((heavy_above ? 8.0 : -8.0) * middle, -1.0, 1.0));
         }
     }
@@ -214,13 +214,13 @@ UpEvidence judge(const FrameEvidence& evidence, UpAxis axis) {
     const Eigen::Vector3d size = evidence.core.sizes();
     const double height = std::max(size[i], 1e-12);
     const double bottom = axis.negative ? -evidence.core.max()[i] : evidence.core.min()[i];
-    const std::vector<Upright> all = standUp(evidence.things, axis);
+    const std::vector<Upright> all = standUp(evidence.objects, axis);
 
     double flat = 0.0;
     double total = 0.0;
-    for (const MeasuredThing& thing : evidence.things) {
-        total += thing.area;
-        flat += thing.facing[static_cast<std::size_t>(i)];
+    for (const MeasuredObject& object : evidence.objects) {
+        total += object.area;
+        flat += object.facing[static_cast<std::size_t>(i)];
     }
     if (total > 0.0) result.level = flat / total;
     result.lowest = size[i] <= size.minCoeff() * 1.001 ? 1.0 : 0.0;
@@ -256,7 +256,7 @@ UpEvidence judge(const FrameEvidence& evidence, UpAxis axis) {
 
 }  // namespace
 
-std::vector<UpEvidence> judgeUp(const FrameEvidence& evidence) {
+std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence) {
     std::vector<UpEvidence> all;
     for (const char letter : {'x', 'y', 'z'}) {
         for (const bool negative : {false, true}) {
@@ -273,7 +273,7 @@ std::vector<UpEvidence> judgeUp(const FrameEvidence& evidence) {
 
 bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked, UpAxis axis,
                  double lead) {
-    if (evidence.things.size() < std::size_t{kFewestThings}) return false;
+    if (evidence.objects.size() < std::size_t{kFewestObjects}) return false;
     const double score = std::ranges::find(ranked, axis, &UpEvidence::axis)->score;
     return ranked.front().score - score >= lead;
 }

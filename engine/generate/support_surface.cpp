@@ -1,4 +1,4 @@
-#include "engine/generate/carrier_surface.h"
+#include "engine/generate/support_surface.h"
 
 #include "engine/generate/placed_model.h"
 
@@ -44,10 +44,10 @@ std::vector<double> heightsAt(const std::vector<const TriangleInRoom*>& triangle
 
 }  // namespace
 
-CarrierSurface::CarrierSurface(const homes::FurnitureModel& model, const PlacedPiece& placed)
-    : carrier_(placed.box()), triangles_(trianglesOf(model, placed)) {}
+SupportSurface::SupportSurface(const homes::FurnitureModel& model, const PlacedPiece& placed)
+    : supporter_(placed.box()), triangles_(trianglesOf(model, placed)) {}
 
-CarrierSurface::Nearby CarrierSurface::trianglesIn(const UprightBox& box) const {
+SupportSurface::Nearby SupportSurface::trianglesIn(const UprightBox& box) const {
     const double reach_x = reachAlong(box, Vector2d::UnitX());
     const double reach_y = reachAlong(box, Vector2d::UnitY());
     const auto apart = [](const TriangleInRoom& t, int axis, double low, double high) {
@@ -64,38 +64,38 @@ CarrierSurface::Nearby CarrierSurface::trianglesIn(const UprightBox& box) const 
     return nearby;
 }
 
-bool CarrierSurface::isFree(const UprightBox& box) const {
+bool SupportSurface::isFree(const UprightBox& box) const {
     const Nearby nearby = trianglesIn(box);
     return std::none_of(nearby.begin(), nearby.end(),
                         [&](const auto* t) { return reachesInto(*t, box); });
 }
 
-UprightBox CarrierSurface::wayIn(const UprightBox& box) const {
-    const Vector2d across = acrossAt(carrier_.angle);
-    const Vector2d forward = forwardAt(carrier_.angle);
-    const double back = forward.dot(box.centre - carrier_.centre) - reachAlong(box, forward);
-    const double front = carrier_.half.y() + 1.0;
-    UprightBox way = box;
-    way.angle = carrier_.angle;
-    way.half = {reachAlong(box, across), 0.5 * (front - back)};
-    way.centre = carrier_.centre + across.dot(box.centre - carrier_.centre) * across +
-                 0.5 * (front + back) * forward;
-    return way;
+UprightBox SupportSurface::accessBox(const UprightBox& box) const {
+    const Vector2d across = acrossAt(supporter_.angle);
+    const Vector2d forward = forwardAt(supporter_.angle);
+    const double back = forward.dot(box.centre - supporter_.centre) - reachAlong(box, forward);
+    const double front = supporter_.half.y() + 1.0;
+    UprightBox access = box;
+    access.angle = supporter_.angle;
+    access.half = {reachAlong(box, across), 0.5 * (front - back)};
+    access.centre = supporter_.centre + across.dot(box.centre - supporter_.centre) * across +
+                    0.5 * (front + back) * forward;
+    return access;
 }
 
-std::optional<CarrierSurface::Rest> CarrierSurface::restFor(const PlacedPiece& thing,
-                                                            Random& random) const {
-    UprightBox column = thing.box();
-    column.low = carrier_.low;
-    column.high = carrier_.high;
+std::optional<SupportSurface::Placement> SupportSurface::placementFor(const PlacedPiece& item,
+                                                                      Random& random) const {
+    UprightBox column = item.box();
+    column.low = supporter_.low;
+    column.high = supporter_.high;
     const Nearby below = trianglesIn(column);
-    const std::vector<double> middle = heightsAt(below, thing.at);
+    const std::vector<double> middle = heightsAt(below, item.at);
     if (middle.empty()) return std::nullopt;
     std::vector<std::vector<double>> corners;
     for (const double x : {-kSupported, kSupported}) {
         for (const double y : {-kSupported, kSupported}) {
-            const Vector2d corner = thing.at + x * column.half.x() * acrossAt(thing.angle) +
-                                    y * column.half.y() * forwardAt(thing.angle);
+            const Vector2d corner = item.at + x * column.half.x() * acrossAt(item.angle) +
+                                    y * column.half.y() * forwardAt(item.angle);
             corners.push_back(heightsAt(below, corner));
         }
     }
@@ -113,16 +113,16 @@ std::optional<CarrierSurface::Rest> CarrierSurface::restFor(const PlacedPiece& t
             return any;
         });
         if (!held) continue;
-        UprightBox box = thing.box();
+        UprightBox box = item.box();
         box.low = base + 0.5 * kLift;
-        box.high = base + kLift + thing.piece->height;
+        box.high = base + kLift + item.piece->height;
         UprightBox from_above = box;
-        from_above.high = std::max(carrier_.high, box.high) + 1.0;
+        from_above.high = std::max(supporter_.high, box.high) + 1.0;
         UprightBox in_shelf = box;
         in_shelf.high += kShelfHeadroom;
-        if (isFree(from_above)) return Rest{base + kLift, std::nullopt};
-        const UprightBox way = wayIn(in_shelf);
-        if (isFree(way)) return Rest{base + kLift, way};
+        if (isFree(from_above)) return Placement{base + kLift, std::nullopt};
+        const UprightBox access = accessBox(in_shelf);
+        if (isFree(access)) return Placement{base + kLift, access};
     }
     return std::nullopt;
 }

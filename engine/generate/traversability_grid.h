@@ -8,16 +8,16 @@ namespace dollytrack::generate {
 
 /// A grid of the floor: the cells in which a camera with some clearance fits, and whether these
 /// cells are connected.
-class FloorWays {
+class TraversabilityGrid {
   public:
     /// Size of the room, cm.
-    FloorWays(double length, double width);
+    TraversabilityGrid(double length, double width);
 
     /// Adds a point that must stay reachable, such as the floor before the door.
     void reach(const Eigen::Vector2d& point) { entrances_.push_back(point); }
     /// Whether the free cells would still be connected with one more box: all but small niches in
     /// one component, which covers a twelfth of the floor and contains all points of reach().
-    [[nodiscard]] bool stayJoinedWith(const UprightBox& box) const;
+    [[nodiscard]] bool staysConnectedWith(const UprightBox& box) const;
     /// Marks the cells as blocked in which a camera would touch the box.
     void block(const UprightBox& box) { close(box, open_); }
 
