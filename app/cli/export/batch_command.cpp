@@ -23,8 +23,8 @@ using batch::BatchList;
 using batch::BatchOrder;
 using batch::Job;
 using batch::Report;
+using batch::ResumeState;
 using batch::Shard;
-using batch::Standing;
 
 struct BatchArguments {
     std::string file;
@@ -77,12 +77,12 @@ ExitCode exitCodeOf(const Report& report) {
 ExitCode listJobs(const std::vector<Job>& jobs, const batch::RunSettings& settings, bool as_json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Job& job : jobs) {
-        const auto standing = batch::standingOf(job, settings);
-        const bool done = standing && standing->step == Standing::Step::Nothing;
-        const bool goes_on = standing && standing->step == Standing::Step::GoOn;
+        const auto resume = batch::resumeStateOf(job, settings);
+        const bool done = resume && resume->action == ResumeState::Action::None;
+        const bool goes_on = resume && resume->action == ResumeState::Action::Resume;
         std::string what = done ? "done" : goes_on ? "go on" : "begin";
-        if (!standing) what = describe(standing.error());
-        if (standing && !standing->why.empty()) what += ": " + standing->why;
+        if (!resume) what = describe(resume.error());
+        if (resume && !resume->why.empty()) what += ": " + resume->why;
         if (!as_json) {
             fmt::print("{:>5}  {:<40} {}\n", job.number, job.name, what);
             continue;

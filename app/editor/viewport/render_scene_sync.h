@@ -11,9 +11,9 @@
 namespace dollytrack::editor {
 
 /// Keeps the render thread's scene up to date and sends only changes.
-class SentScene {
+class RenderSceneSync {
   public:
-    explicit SentScene(ui::RenderThread& drawing) : drawing_(drawing) {}
+    explicit RenderSceneSync(ui::RenderThread& drawing) : drawing_(drawing) {}
 
     /// Resets for another project, or none.
     void forget();

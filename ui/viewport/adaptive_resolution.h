@@ -6,7 +6,7 @@ namespace dollytrack::ui {
 
 /// Chooses the resolution of the viewport so that it follows the mouse: reduced while the view
 /// moves and a full image takes longer than kFluent_ms, full once the view rests.
-class ViewPace {
+class AdaptiveResolution {
   public:
     using Time = std::chrono::steady_clock::time_point;
 

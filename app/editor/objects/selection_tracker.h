@@ -15,7 +15,7 @@
 namespace dollytrack::editor {
 
 /// The selection, preserved across plans, and the hidden objects.
-class Selected {
+class SelectionTracker {
   public:
     [[nodiscard]] const ui::Selection& now() const { return now_; }
     [[nodiscard]] bool is(ui::Selection::Kind kind) const { return now_.kind == kind; }

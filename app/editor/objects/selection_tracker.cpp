@@ -1,4 +1,4 @@
-#include "app/editor/objects/selected.h"
+#include "app/editor/objects/selection_tracker.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,21 +21,21 @@ int positionPointFor(const Plan& plan, int observation_point) {
 
 }  // namespace
 
-const PositionPoint* Selected::positionPoint(const Plan* plan) const {
+const PositionPoint* SelectionTracker::positionPoint(const Plan* plan) const {
     if (!is(SelectionKind::PositionPoint) || plan == nullptr) return nullptr;
     return index() < plan->position_points.size() ? &plan->position_points[index()] : nullptr;
 }
 
-const NoGoBox* Selected::noGoBox(const std::vector<NoGoBox>& boxes) const {
+const NoGoBox* SelectionTracker::noGoBox(const std::vector<NoGoBox>& boxes) const {
     return is(SelectionKind::NoGoBox) && index() < boxes.size() ? &boxes[index()] : nullptr;
 }
 
-const Region* Selected::region(const std::vector<Region>& regions) const {
+const Region* SelectionTracker::region(const std::vector<Region>& regions) const {
     return is(SelectionKind::Region) && index() < regions.size() ? &regions[index()] : nullptr;
 }
 
-void Selected::set(ui::Selection selection, const Plan* plan,
-                   const std::vector<PinnedPoint>& pinned) {
+void SelectionTracker::set(ui::Selection selection, const Plan* plan,
+                           const std::vector<PinnedPoint>& pinned) {
     now_ = std::move(selection);
     objects_of_point_ = objectsOfPoint(plan);
     awaited_pin_.clear();
@@ -46,12 +46,12 @@ void Selected::set(ui::Selection selection, const Plan* plan,
     if (pin < pinned.size()) pin_of_point_ = pinned[pin].name;
 }
 
-void Selected::clear() {
+void SelectionTracker::clear() {
     set({}, nullptr, {});
 }
 
-bool Selected::selectPin(const std::string& name, const Plan& plan,
-                         const std::vector<PinnedPoint>& pinned) {
+bool SelectionTracker::selectPin(const std::string& name, const Plan& plan,
+                                 const std::vector<PinnedPoint>& pinned) {
     if (name.empty()) return false;
     for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
         const int pin = plan.position_points[i].pin;
@@ -64,7 +64,7 @@ bool Selected::selectPin(const std::string& name, const Plan& plan,
     return false;
 }
 
-ui::Selection Selected::withObject(int object, bool add) const {
+ui::Selection SelectionTracker::withObject(int object, bool add) const {
     ui::Selection selection;
     if (add) selection.objects = now_.objects;
     const auto at = std::ranges::find(selection.objects, object);
@@ -78,7 +78,7 @@ ui::Selection Selected::withObject(int object, bool add) const {
     return selection;
 }
 
-bool Selected::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
+bool SelectionTracker::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
     std::string awaited = std::exchange(awaited_pin_, {});
     if (plan != nullptr && selectPin(awaited, *plan, pinned)) return true;
     const bool kept = keepPlace(plan, pinned);
@@ -89,7 +89,7 @@ bool Selected::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) 
     return kept;
 }
 
-bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
+bool SelectionTracker::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
     // Objects, cells and boxes do not depend on the plan.
     if (is(SelectionKind::None) || is(SelectionKind::Voxel) || is(SelectionKind::NoGoBox) ||
         is(SelectionKind::Region) || !now_.objects.empty()) {
@@ -118,7 +118,7 @@ bool Selected::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinne
     return false;
 }
 
-void Selected::follow(const std::shared_ptr<const ObjectTrace>& objects) {
+void SelectionTracker::follow(const std::shared_ptr<const ObjectTrace>& objects) {
     if (!objects || objects == objects_now_) return;
     const std::shared_ptr<const ObjectTrace> before = std::exchange(objects_now_, objects);
     // The first scene of a project has no predecessor: nothing is hidden.
@@ -131,18 +131,18 @@ void Selected::follow(const std::shared_ptr<const ObjectTrace>& objects) {
     now_.kind = now_.objects.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
 }
 
-void Selected::forget() {
+void SelectionTracker::forget() {
     clear();
     hidden_.clear();
     objects_now_.reset();
 }
 
-void Selected::toggleHidden(int object) {
+void SelectionTracker::toggleHidden(int object) {
     const auto at = static_cast<std::size_t>(object);
     if (at < hidden_.size()) hidden_[at] = !hidden_[at];
 }
 
-void Selected::hideObjects() {
+void SelectionTracker::hideObjects() {
     for (const int id : now_.objects) {
         if (static_cast<std::size_t>(id) < hidden_.size()) {
             hidden_[static_cast<std::size_t>(id)] = true;
@@ -150,12 +150,12 @@ void Selected::hideObjects() {
     }
 }
 
-void Selected::showAll() {
+void SelectionTracker::showAll() {
     std::fill(hidden_.begin(), hidden_.end(), false);
 }
 
-Eigen::AlignedBox3d Selected::box(const Scene& scene, const Plan* plan,
-                                  const PlanEdits& edits) const {
+Eigen::AlignedBox3d SelectionTracker::box(const Scene& scene, const Plan* plan,
+                                          const PlanEdits& edits) const {
     Eigen::AlignedBox3d box;
     const auto include = [&](const OrientedBox& one) {
         for (const Eigen::Vector3d& corner : one.corners()) box.extend(corner);
@@ -179,7 +179,7 @@ Eigen::AlignedBox3d Selected::box(const Scene& scene, const Plan* plan,
     return box;
 }
 
-std::vector<int> Selected::objectsOfPoint(const Plan* plan) const {
+std::vector<int> SelectionTracker::objectsOfPoint(const Plan* plan) const {
     if (plan == nullptr || now_.index < 0) return {};
     std::size_t at = index();
     if (const PositionPoint* point = positionPoint(plan)) {

@@ -1,4 +1,4 @@
-#include "app/editor/objects/selected.h"
+#include "app/editor/objects/selection_tracker.h"
 
 #include <gtest/gtest.h>
 
@@ -23,15 +23,15 @@ Selection objects(std::vector<int> ids) {
     return selection;
 }
 
-Selected selecting(std::vector<int> ids, const Trace& trace) {
-    Selected selected;
+SelectionTracker selecting(std::vector<int> ids, const Trace& trace) {
+    SelectionTracker selected;
     selected.follow(trace);
     selected.set(objects(std::move(ids)), nullptr, {});
     return selected;
 }
 
-TEST(Selected, FollowsAnObjectThatGetsAnotherNumber) {
-    Selected selected = selecting({5}, kFile);
+TEST(SelectionTracker, FollowsAnObjectThatGetsAnotherNumber) {
+    SelectionTracker selected = selecting({5}, kFile);
     selected.follow(kMerged);
     EXPECT_EQ(selected.now(), objects({4}));
     selected.follow(kSplit);
@@ -40,24 +40,24 @@ TEST(Selected, FollowsAnObjectThatGetsAnotherNumber) {
     EXPECT_EQ(selected.now(), objects({5}));
 }
 
-TEST(Selected, TheNewObjectAloneIsSelectedAfterMergingAndItsPartsAfterUndo) {
-    Selected selected = selecting({2, 4}, kFile);
+TEST(SelectionTracker, TheNewObjectAloneIsSelectedAfterMergingAndItsPartsAfterUndo) {
+    SelectionTracker selected = selecting({2, 4}, kFile);
     selected.follow(kMerged);
     EXPECT_EQ(selected.now(), objects({2}));
     selected.follow(kFile);
     EXPECT_EQ(selected.now(), objects({2, 4}));
 }
 
-TEST(Selected, ThePiecesAreSelectedAfterSplitting) {
-    Selected selected = selecting({3}, kMerged);
+TEST(SelectionTracker, ThePiecesAreSelectedAfterSplitting) {
+    SelectionTracker selected = selecting({3}, kMerged);
     selected.follow(kSplit);
     EXPECT_EQ(selected.now(), objects({3, 4}));
     selected.follow(kMerged);
     EXPECT_EQ(selected.now(), objects({3}));
 }
 
-TEST(Selected, HiddenObjectsStayHiddenUnderTheirNewNumbers) {
-    Selected selected = selecting({}, kFile);
+TEST(SelectionTracker, HiddenObjectsStayHiddenUnderTheirNewNumbers) {
+    SelectionTracker selected = selecting({}, kFile);
     selected.toggleHidden(5);
     selected.toggleHidden(2);
     selected.follow(kMerged);  // 4 was visible, so the merged object is
@@ -91,9 +91,9 @@ Selection positionPoint(int index) {
     return Selection::ofItem(Kind::PositionPoint, index);
 }
 
-TEST(Selected, APointPlacedFromAViewStaysSelectedInTheNextPlan) {
+TEST(SelectionTracker, APointPlacedFromAViewStaysSelectedInTheNextPlan) {
     const Planned before({"view", "view 2"});
-    Selected selected;
+    SelectionTracker selected;
     selected.set(positionPoint(2), &before.plan, before.pinned);
     const Planned after({"view 2"});
     EXPECT_TRUE(selected.keepIn(&after.plan, after.pinned));
@@ -103,9 +103,9 @@ TEST(Selected, APointPlacedFromAViewStaysSelectedInTheNextPlan) {
     EXPECT_TRUE(selected.is(Kind::None));
 }
 
-TEST(Selected, ANewPinIsSelectedWhenAPlanHasIt) {
+TEST(SelectionTracker, ANewPinIsSelectedWhenAPlanHasIt) {
     const Planned before({"view"});
-    Selected selected;
+    SelectionTracker selected;
     selected.set(Selection::ofCandidate(0, 7), &before.plan, before.pinned);
     selected.awaitPin("view 2");
     selected.keepIn(&before.plan, before.pinned);  // planned before the pin
@@ -116,9 +116,9 @@ TEST(Selected, ANewPinIsSelectedWhenAPlanHasIt) {
 }
 
 // The selection does not jump to the pin when another object was chosen in the meantime.
-TEST(Selected, AnotherChoiceEndsTheWaitForAPin) {
+TEST(SelectionTracker, AnotherChoiceEndsTheWaitForAPin) {
     const Planned after({"view"});
-    Selected selected;
+    SelectionTracker selected;
     selected.awaitPin("view");
     selected.set(objects({3}), nullptr, {});
     selected.keepIn(&after.plan, after.pinned);
@@ -138,10 +138,10 @@ Plan planOf(const std::vector<std::vector<int>>& objects_of_points) {
     return plan;
 }
 
-TEST(Selected, FindsAPointAgainByWhatItLooksAt) {
+TEST(SelectionTracker, FindsAPointAgainByWhatItLooksAt) {
     const Plan before = planOf({{1}, {2, 3}, {4}});
     const Plan after = planOf({{5}, {4}, {1}, {2, 3}});
-    Selected selected;
+    SelectionTracker selected;
     selected.set(Selection::ofItem(Selection::Kind::PositionPoint, 1), &before, {});
     EXPECT_TRUE(selected.keepIn(&after, {}));
     EXPECT_EQ(selected.now().index, 3);
@@ -151,9 +151,9 @@ TEST(Selected, FindsAPointAgainByWhatItLooksAt) {
     EXPECT_TRUE(selected.is(Selection::Kind::None));
 }
 
-TEST(Selected, ForgetsEdgesAndKeepsObjectsInANewPlan) {
+TEST(SelectionTracker, ForgetsEdgesAndKeepsObjectsInANewPlan) {
     const Plan plan = planOf({{1}});
-    Selected selected;
+    SelectionTracker selected;
     selected.set(Selection::ofItem(Selection::Kind::Edge, 0), &plan, {});
     EXPECT_FALSE(selected.keepIn(&plan, {}));
     selected.set(selected.withObject(4, false), &plan, {});
