@@ -211,7 +211,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!reading.up_axis) reading.up_axis = said->up_axis;
 
     job.report(0.0);
-    Result<io::SceneReading> read =
+    Result<io::SceneFileContent> read =
         io::readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
     if (!read) return tl::unexpected(read.error());
     RawScene& raw = read->scene.raw;

@@ -15,15 +15,15 @@ namespace dollytrack::io {
 
 /// A checksum that detects accidental damage: two byte strings of one length that differ in a
 /// single word never have the same sum. It gives no protection against deliberate changes.
-[[nodiscard]] std::uint64_t frameSum(std::span<const std::uint8_t> bytes);
+[[nodiscard]] std::uint64_t checksumOf(std::span<const std::uint8_t> bytes);
 
 /// Serializes values one after the other. Without an output it only counts the bytes. A function
-/// that passes a struct's members to it also works with FrameReader.
-class FrameWriter {
+/// that passes a struct's members to it also works with BinaryReader.
+class BinaryWriter {
   public:
     static constexpr bool kReads = false;
 
-    explicit FrameWriter(std::uint8_t* out = nullptr) : out_(out) {}
+    explicit BinaryWriter(std::uint8_t* out = nullptr) : out_(out) {}
 
     template <class T>
     requires std::is_arithmetic_v<T> || std::is_enum_v<T>
@@ -58,17 +58,17 @@ class FrameWriter {
     std::size_t size_ = 0;
 };
 
-/// Reads what FrameWriter wrote. Before memory is taken for a list or text, its count is checked
+/// Reads what BinaryWriter wrote. Before memory is taken for a list or text, its count is checked
 /// against the bytes that are left. After the first error all values read are empty and good() is
 /// false.
-class FrameReader {
+class BinaryReader {
   public:
     static constexpr bool kReads = true;
 
     /// `most_bytes` limits the memory that the entries of all lists may take: an entry can be ten
     /// times as large as its serialized bytes.
-    explicit FrameReader(std::span<const std::uint8_t> from,
-                         std::size_t most_bytes = std::size_t{1} << 30U)
+    explicit BinaryReader(std::span<const std::uint8_t> from,
+                          std::size_t most_bytes = std::size_t{1} << 30U)
         : from_(from), most_bytes_(most_bytes) {}
 
     template <class T>
@@ -148,13 +148,13 @@ class FrameReader {
     bool good_ = true;
 };
 
-/// Serializes one list; `members` as for FrameWriter::list().
+/// Serializes one list; `members` as for BinaryWriter::list().
 template <class T, class Members>
 [[nodiscard]] std::string listText(const std::vector<T>& values, Members members) {
-    FrameWriter counter;
+    BinaryWriter counter;
     counter.list(values, 0, members);
     std::string text(counter.size(), '\0');
-    FrameWriter writer(reinterpret_cast<std::uint8_t*>(text.data()));
+    BinaryWriter writer(reinterpret_cast<std::uint8_t*>(text.data()));
     writer.list(values, 0, members);
     return text;
 }
@@ -164,7 +164,7 @@ template <class T, class Members>
 [[nodiscard]] std::optional<std::vector<T>> parseListText(std::string_view text,
                                                           std::size_t least_bytes,
                                                           Members members) {
-    FrameReader reader({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    BinaryReader reader({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     std::vector<T> values;
     reader.list(values, least_bytes, members);
     if (!reader.finished()) return std::nullopt;

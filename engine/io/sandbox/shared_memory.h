@@ -13,11 +13,11 @@ namespace dollytrack::io {
 
 /// Anonymous shared memory that another process fills. Its size is fixed, so it cannot be truncated
 /// while it is read, and it is sealed against writing before it is read.
-class FrameMemory {
+class SharedMemory {
   public:
     /// Creates memory of `size` bytes, or of as many as the limit on file sizes allows. Pages take
     /// memory only once they are written.
-    [[nodiscard]] static Result<FrameMemory> make(std::size_t size);
+    [[nodiscard]] static Result<SharedMemory> make(std::size_t size);
 
     /// Seals the memory and returns its first `used` bytes, which nobody can change any more.
     /// Error: BadInput if another process still has it mapped for writing.
@@ -31,7 +31,7 @@ class FrameMemory {
         void operator()(const std::uint8_t* view) const;
     };
 
-    FrameMemory(FileDescriptor memory, std::size_t size)
+    SharedMemory(FileDescriptor memory, std::size_t size)
         : memory_(std::move(memory)), size_(size) {}
 
     FileDescriptor memory_;

@@ -1,4 +1,4 @@
-#include "engine/io/sandbox/frame_memory.h"
+#include "engine/io/sandbox/shared_memory.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -32,7 +32,7 @@ Error noMemory(int error) {
 
 }  // namespace
 
-Result<FrameMemory> FrameMemory::make(std::size_t size) {
+Result<SharedMemory> SharedMemory::make(std::size_t size) {
     // The file size limit also applies to memory files; most scenes need little.
     rlimit files{};
     if (::getrlimit(RLIMIT_FSIZE, &files) == 0) size = std::min<std::size_t>(size, files.rlim_cur);
@@ -42,14 +42,14 @@ Result<FrameMemory> FrameMemory::make(std::size_t size) {
         ::fcntl(high.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0) {
         return tl::unexpected(noMemory(errno));
     }
-    return FrameMemory(std::move(high), size);
+    return SharedMemory(std::move(high), size);
 }
 
-void FrameMemory::Unmap::operator()(const std::uint8_t* view) const {
+void SharedMemory::Unmap::operator()(const std::uint8_t* view) const {
     ::munmap(const_cast<std::uint8_t*>(view), size);
 }
 
-Result<std::span<const std::uint8_t>> FrameMemory::close(std::size_t used) {
+Result<std::span<const std::uint8_t>> SharedMemory::close(std::size_t used) {
     if (used == 0 || used > size_) {
         return fail(ErrorCode::BadInput, "its length is none");
     }

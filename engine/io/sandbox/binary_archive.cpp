@@ -1,4 +1,4 @@
-#include "engine/io/sandbox/frame_archive.h"
+#include "engine/io/sandbox/binary_archive.h"
 
 #include <array>
 #include <bit>
@@ -15,7 +15,7 @@ std::uint64_t step(std::uint64_t sum, std::uint64_t word) {
 
 }  // namespace
 
-std::uint64_t frameSum(std::span<const std::uint8_t> bytes) {
+std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
     // Four independent sums, so that multiplications can overlap.
     std::array<std::uint64_t, 4> sums = {1, 2, 3, 4};
     std::size_t at = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 
 #include <cstdint>
 #include <vector>
@@ -9,8 +9,8 @@ namespace dollytrack::test {
 
 /// A scene with data in every member: two meshes under three nodes, two materials, two objects, and
 /// a valid, a missing and a broken texture.
-io::ReadScene smallReadScene();
+io::DecodedScene smallDecodedScene();
 
-std::vector<std::uint8_t> frameOf(const Result<io::ReadScene>& outcome);
+std::vector<std::uint8_t> serialized(const Result<io::DecodedScene>& outcome);
 
 }  // namespace dollytrack::test

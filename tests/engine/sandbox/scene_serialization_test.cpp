@@ -1,7 +1,7 @@
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 #include "engine/core/clean_text.h"
-#include "engine/io/sandbox/frame_archive.h"
-#include "tests/engine/sandbox/frames.h"
+#include "engine/io/sandbox/binary_archive.h"
+#include "tests/engine/sandbox/serialized_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@
 namespace dollytrack {
 namespace {
 
-using io::ReadScene;
+using io::DecodedScene;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kHeaderBytes = 32;
 
 /// The invariants of a scene, checked independently of the code under test.
-void expectSound(const ReadScene& scene) {
+void expectSound(const DecodedScene& scene) {
     const RawScene& raw = scene.raw;
     for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
         ASSERT_LT(raw.nodes[i].parent, static_cast<int>(i));
@@ -60,11 +60,11 @@ void expectSound(const ReadScene& scene) {
     ASSERT_TRUE(std::isfinite(unit_m) && unit_m > 0.0);
 }
 
-TEST(SceneFrame, BringsEverythingBack) {
-    const ReadScene before = test::smallReadScene();
-    const Bytes frame = test::frameOf(before);
+TEST(SceneSerialization, BringsEverythingBack) {
+    const DecodedScene before = test::smallDecodedScene();
+    const Bytes bytes = test::serialized(before);
     bool damaged = true;
-    const Result<ReadScene> after = io::readFrame(frame, damaged);
+    const Result<DecodedScene> after = io::deserializeScene(bytes, damaged);
     ASSERT_TRUE(after) << after.error().message;
     EXPECT_FALSE(damaged);
     expectSound(*after);
@@ -81,42 +81,42 @@ TEST(SceneFrame, BringsEverythingBack) {
     EXPECT_EQ(after->textures.textures[0].rgba, before.textures.textures[0].rgba);
     EXPECT_EQ(after->textures.broken, before.textures.broken);
     // Written again, it is byte-identical.
-    EXPECT_EQ(test::frameOf(*after), frame);
+    EXPECT_EQ(test::serialized(*after), bytes);
 }
 
-TEST(SceneFrame, BringsErrorsBackCleaned) {
-    const Bytes frame =
-        test::frameOf(tl::unexpected(Error{ErrorCode::BadInput, "bad\x1b[31m\nfile", "room.obj"}));
+TEST(SceneSerialization, BringsErrorsBackCleaned) {
+    const Bytes bytes = test::serialized(
+        tl::unexpected(Error{ErrorCode::BadInput, "bad\x1b[31m\nfile", "room.obj"}));
     bool damaged = true;
-    const Result<ReadScene> error = io::readFrame(frame, damaged);
+    const Result<DecodedScene> error = io::deserializeScene(bytes, damaged);
     ASSERT_FALSE(error);
     EXPECT_FALSE(damaged);
     EXPECT_EQ(error.error().message, "bad[31mfile");
     // Error codes that the importer cannot know are not accepted.
-    const Bytes other = test::frameOf(tl::unexpected(Error{ErrorCode::CannotWrite, "x", ""}));
-    EXPECT_EQ(io::readFrame(other, damaged).error().code, ErrorCode::BadInput);
+    const Bytes other = test::serialized(tl::unexpected(Error{ErrorCode::CannotWrite, "x", ""}));
+    EXPECT_EQ(io::deserializeScene(other, damaged).error().code, ErrorCode::BadInput);
 }
 
 // Each changed byte and each truncation is detected.
-TEST(SceneFrame, NoticesEveryByte) {
-    const Bytes frame = test::frameOf(test::smallReadScene());
-    for (std::size_t i = 0; i < frame.size(); ++i) {
+TEST(SceneSerialization, NoticesEveryByte) {
+    const Bytes bytes = test::serialized(test::smallDecodedScene());
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
         for (const int change : {0x01, 0x80, 0xFF}) {
-            Bytes other = frame;
+            Bytes other = bytes;
             other[i] ^= static_cast<std::uint8_t>(change);
             bool damaged = false;
-            ASSERT_FALSE(io::readFrame(other, damaged)) << i;
+            ASSERT_FALSE(io::deserializeScene(other, damaged)) << i;
             ASSERT_TRUE(damaged);
         }
         bool damaged = false;
-        ASSERT_FALSE(io::readFrame(std::span(frame).first(i), damaged)) << i;
+        ASSERT_FALSE(io::deserializeScene(std::span(bytes).first(i), damaged)) << i;
     }
 }
 
-// With a corrected checksum, as a compromised importer could write: frames that are accepted must
+// With a corrected checksum, as a compromised importer could write: bytes that are accepted must
 // contain valid scenes.
-TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
-    const Bytes frame = test::frameOf(test::smallReadScene());
+TEST(SceneSerialization, SealedMutantsAreRefusedOrSound) {
+    const Bytes bytes = test::serialized(test::smallDecodedScene());
     std::mt19937 random(7);
     const std::array<std::uint64_t, 8> evil = {0,
                                                1,
@@ -129,7 +129,7 @@ TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
     int refused = 0;
     int sound = 0;
     for (int mutant = 0; mutant < 20'000; ++mutant) {
-        Bytes other = frame;
+        Bytes other = bytes;
         const int changes = 1 + static_cast<int>(random() % 3);
         for (int i = 0; i < changes; ++i) {
             const std::size_t width = std::array{1, 4, 8}[random() % 3];
@@ -137,9 +137,9 @@ TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
             std::uint64_t value = random() % 2 == 0 ? evil[random() % evil.size()] : random();
             std::memcpy(other.data() + at, &value, width);
         }
-        io::sealFrame(other);
+        io::updateChecksum(other);
         bool damaged = false;
-        const Result<ReadScene> read = io::readFrame(other, damaged);
+        const Result<DecodedScene> read = io::deserializeScene(other, damaged);
         if (!read) {
             ++refused;
             ASSERT_TRUE(damaged);
@@ -155,26 +155,26 @@ TEST(SceneFrame, SealedMutantsAreRefusedOrSound) {
     EXPECT_GT(sound, 1000);
 }
 
-TEST(SceneFrame, CountsAreNotBelieved) {
-    Bytes frame = test::frameOf(test::smallReadScene());
+TEST(SceneSerialization, CountsAreNotBelieved) {
+    Bytes bytes = test::serialized(test::smallDecodedScene());
     // The first number after the header is the number of nodes.
     for (const std::uint64_t count :
          {std::uint64_t{4}, std::uint64_t{1} << 32U, std::numeric_limits<std::uint64_t>::max()}) {
-        std::memcpy(frame.data() + kHeaderBytes, &count, sizeof(count));
-        io::sealFrame(frame);
+        std::memcpy(bytes.data() + kHeaderBytes, &count, sizeof(count));
+        io::updateChecksum(bytes);
         bool damaged = false;
-        EXPECT_FALSE(io::readFrame(frame, damaged)) << count;
+        EXPECT_FALSE(io::deserializeScene(bytes, damaged)) << count;
         EXPECT_TRUE(damaged);
     }
 }
 
-TEST(SceneFrame, EntriesLargerThanTheirBytesAreBounded) {
+TEST(SceneSerialization, EntriesLargerThanTheirBytesAreBounded) {
     const std::vector<std::string> texts(1000);  // of 8 bytes each
     const std::string written =
         io::listText(texts, [](auto& to, const std::string& text) { to.text(text); });
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(written.data()), written.size());
     for (const std::size_t allowed : {1000 * sizeof(std::string), 999 * sizeof(std::string)}) {
-        io::FrameReader reader(bytes, allowed);
+        io::BinaryReader reader(bytes, allowed);
         std::vector<std::string> read;
         reader.list(read, 8, [](auto& from, std::string& text) { from.text(text); });
         EXPECT_EQ(reader.finished(), allowed == 1000 * sizeof(std::string));
@@ -183,37 +183,37 @@ TEST(SceneFrame, EntriesLargerThanTheirBytesAreBounded) {
 }
 
 /// A defect that a compromised importer could put into a scene.
-using Spoil = void (*)(ReadScene&);
+using Spoil = void (*)(DecodedScene&);
 
-TEST(SceneFrame, RefusesScenesThatAreNotSound) {
+TEST(SceneSerialization, RefusesScenesThatAreNotSound) {
     const std::vector<std::pair<const char*, Spoil>> cases = {
-        {"index", [](ReadScene& s) { s.raw.parts[0].triangles[0][1] = 4; }},
-        {"nan", [](ReadScene& s) { s.raw.parts[0].positions[0].x() = NAN; }},
-        {"beyond reach", [](ReadScene& s) { s.raw.parts[0].positions[0].x() = 2e9F; }},
-        {"infinite uv", [](ReadScene& s) { s.raw.parts[0].uvs[0].y() = INFINITY; }},
-        {"long normal", [](ReadScene& s) { s.raw.parts[0].normals[0] *= 2.0F; }},
-        {"fewer normals", [](ReadScene& s) { s.raw.parts[0].normals.pop_back(); }},
-        {"node", [](ReadScene& s) { s.raw.parts[0].node = 3; }},
-        {"negative node", [](ReadScene& s) { s.raw.parts[0].node = -1; }},
-        {"material", [](ReadScene& s) { s.raw.parts[0].material = 2; }},
-        {"parent", [](ReadScene& s) { s.raw.nodes[1].parent = 1; }},
-        {"texture", [](ReadScene& s) { s.raw.materials[0].texture = 3; }},
-        {"color", [](ReadScene& s) { s.raw.materials[0].base_color.x() = 1.5F; }},
-        {"opacity", [](ReadScene& s) { s.raw.materials[0].opacity = NAN; }},
-        {"object's part", [](ReadScene& s) { s.raw.objects[0].parts[0] = 2; }},
-        {"part taken twice", [](ReadScene& s) { s.raw.objects[0].parts = {1}; }},
-        {"class", [](ReadScene& s) { s.raw.objects[0].nyu40 = 41; }},
-        {"front", [](ReadScene& s) { s.raw.objects[0].front->x() = NAN; }},
-        {"axis", [](ReadScene& s) { s.raw.file_up_axis = 'w'; }},
-        {"picture's size", [](ReadScene& s) { s.textures.textures[0].width = 3; }},
-        {"huge picture", [](ReadScene& s) { s.textures.textures[0].width = 1 << 30; }},
-        {"pictures", [](ReadScene& s) { s.textures.textures.pop_back(); }},
-        {"count of pictures", [](ReadScene& s) { s.textures.found = 2; }}};
+        {"index", [](DecodedScene& s) { s.raw.parts[0].triangles[0][1] = 4; }},
+        {"nan", [](DecodedScene& s) { s.raw.parts[0].positions[0].x() = NAN; }},
+        {"beyond reach", [](DecodedScene& s) { s.raw.parts[0].positions[0].x() = 2e9F; }},
+        {"infinite uv", [](DecodedScene& s) { s.raw.parts[0].uvs[0].y() = INFINITY; }},
+        {"long normal", [](DecodedScene& s) { s.raw.parts[0].normals[0] *= 2.0F; }},
+        {"fewer normals", [](DecodedScene& s) { s.raw.parts[0].normals.pop_back(); }},
+        {"node", [](DecodedScene& s) { s.raw.parts[0].node = 3; }},
+        {"negative node", [](DecodedScene& s) { s.raw.parts[0].node = -1; }},
+        {"material", [](DecodedScene& s) { s.raw.parts[0].material = 2; }},
+        {"parent", [](DecodedScene& s) { s.raw.nodes[1].parent = 1; }},
+        {"texture", [](DecodedScene& s) { s.raw.materials[0].texture = 3; }},
+        {"color", [](DecodedScene& s) { s.raw.materials[0].base_color.x() = 1.5F; }},
+        {"opacity", [](DecodedScene& s) { s.raw.materials[0].opacity = NAN; }},
+        {"object's part", [](DecodedScene& s) { s.raw.objects[0].parts[0] = 2; }},
+        {"part taken twice", [](DecodedScene& s) { s.raw.objects[0].parts = {1}; }},
+        {"class", [](DecodedScene& s) { s.raw.objects[0].nyu40 = 41; }},
+        {"front", [](DecodedScene& s) { s.raw.objects[0].front->x() = NAN; }},
+        {"axis", [](DecodedScene& s) { s.raw.file_up_axis = 'w'; }},
+        {"picture's size", [](DecodedScene& s) { s.textures.textures[0].width = 3; }},
+        {"huge picture", [](DecodedScene& s) { s.textures.textures[0].width = 1 << 30; }},
+        {"pictures", [](DecodedScene& s) { s.textures.textures.pop_back(); }},
+        {"count of pictures", [](DecodedScene& s) { s.textures.found = 2; }}};
     for (const auto& [name, spoil] : cases) {
-        ReadScene scene = test::smallReadScene();
+        DecodedScene scene = test::smallDecodedScene();
         spoil(scene);
         bool damaged = false;
-        EXPECT_FALSE(io::readFrame(test::frameOf(scene), damaged)) << name;
+        EXPECT_FALSE(io::deserializeScene(test::serialized(scene), damaged)) << name;
         EXPECT_TRUE(damaged) << name;
     }
 }

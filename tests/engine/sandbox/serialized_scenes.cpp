@@ -1,11 +1,11 @@
-#include "tests/engine/sandbox/frames.h"
+#include "tests/engine/sandbox/serialized_scenes.h"
 
 #include "engine/io/import/mesh_part_builder.h"
 
 namespace dollytrack::test {
 
-io::ReadScene smallReadScene() {
-    io::ReadScene scene;
+io::DecodedScene smallDecodedScene() {
+    io::DecodedScene scene;
     RawScene& raw = scene.raw;
     raw.nodes = {{"root", -1, 2}, {"table", 0, 0}, {"lamp", 0, 0}};
     raw.materials.resize(2);
@@ -53,10 +53,10 @@ io::ReadScene smallReadScene() {
     return scene;
 }
 
-std::vector<std::uint8_t> frameOf(const Result<io::ReadScene>& outcome) {
-    std::vector<std::uint8_t> frame(io::frameSize(outcome));
-    io::writeFrame(outcome, frame);
-    return frame;
+std::vector<std::uint8_t> serialized(const Result<io::DecodedScene>& outcome) {
+    std::vector<std::uint8_t> bytes(io::serializedSize(outcome));
+    io::serializeScene(outcome, bytes);
+    return bytes;
 }
 
 }  // namespace dollytrack::test

@@ -1,7 +1,7 @@
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/sandbox/frame_archive.h"
+#include "engine/io/sandbox/binary_archive.h"
 #include "engine/io/sandbox/scene_check.h"
 
 #include <array>
@@ -12,12 +12,12 @@
 namespace dollytrack::io {
 namespace {
 
-constexpr std::uint64_t kFrameMagic = 0x31454E454353'5444ULL;  // "DTSCENE1"
+constexpr std::uint64_t kSceneMagic = 0x31454E454353'5444ULL;  // "DTSCENE1"
 constexpr std::size_t kLongestMessage = 2000;
 
 struct Header {
-    std::uint64_t magic = kFrameMagic;
-    std::uint32_t version = kFrameVersion;
+    std::uint64_t magic = kSceneMagic;
+    std::uint32_t version = kSerializationVersion;
     std::uint32_t is_error = 0;
     std::uint64_t size = 0;  // including this header
     std::uint64_t sum = 0;   // of all bytes after the header
@@ -142,7 +142,7 @@ void errorMembers(Archive& archive, T& error) {
     archive.text(where);
 }
 
-void writeBody(FrameWriter& writer, const Result<ReadScene>& outcome) {
+void writeBody(BinaryWriter& writer, const Result<DecodedScene>& outcome) {
     if (outcome) {
         sceneMembers(writer, *outcome);
     } else {
@@ -167,42 +167,43 @@ Error cleanError(const Error& read) {
 
 }  // namespace
 
-std::size_t frameSize(const Result<ReadScene>& outcome) {
-    FrameWriter counter;
+std::size_t serializedSize(const Result<DecodedScene>& outcome) {
+    BinaryWriter counter;
     writeBody(counter, outcome);
     return sizeof(Header) + counter.size();
 }
 
-void writeFrame(const Result<ReadScene>& outcome, std::span<std::uint8_t> out) {
-    FrameWriter writer(out.data() + sizeof(Header));
+void serializeScene(const Result<DecodedScene>& outcome, std::span<std::uint8_t> out) {
+    BinaryWriter writer(out.data() + sizeof(Header));
     writeBody(writer, outcome);
     Header header;
     header.is_error = !outcome;
     header.size = out.size();
     std::memcpy(out.data(), &header, sizeof(header));
-    sealFrame(out);
+    updateChecksum(out);
 }
 
-void sealFrame(std::span<std::uint8_t> frame) {
+void updateChecksum(std::span<std::uint8_t> bytes) {
     Header header;
-    std::memcpy(&header, frame.data(), sizeof(header));
-    header.sum = frameSum(frame.subspan(sizeof(header)));
-    std::memcpy(frame.data(), &header, sizeof(header));
+    std::memcpy(&header, bytes.data(), sizeof(header));
+    header.sum = checksumOf(bytes.subspan(sizeof(header)));
+    std::memcpy(bytes.data(), &header, sizeof(header));
 }
 
-Result<ReadScene> readFrame(std::span<const std::uint8_t> frame, bool& damaged) {
+Result<DecodedScene> deserializeScene(std::span<const std::uint8_t> bytes, bool& damaged) {
     damaged = true;
     Header header;
-    if (frame.size() < sizeof(header)) return tl::unexpected(damage("it is too short"));
-    std::memcpy(&header, frame.data(), sizeof(header));
-    if (header.magic != kFrameMagic)
+    if (bytes.size() < sizeof(header)) return tl::unexpected(damage("it is too short"));
+    std::memcpy(&header, bytes.data(), sizeof(header));
+    if (header.magic != kSceneMagic)
         return tl::unexpected(damage("it does not start with the expected bytes"));
-    if (header.version != kFrameVersion) return tl::unexpected(damage("it has another version"));
+    if (header.version != kSerializationVersion)
+        return tl::unexpected(damage("it has another version"));
     if (header.is_error > 1) return tl::unexpected(damage("its kind is unknown"));
-    if (header.size != frame.size()) return tl::unexpected(damage("its length is wrong"));
-    const auto body = frame.subspan(sizeof(header));
-    if (header.sum != frameSum(body)) return tl::unexpected(damage("its checksum is wrong"));
-    FrameReader reader(body);
+    if (header.size != bytes.size()) return tl::unexpected(damage("its length is wrong"));
+    const auto body = bytes.subspan(sizeof(header));
+    if (header.sum != checksumOf(body)) return tl::unexpected(damage("its checksum is wrong"));
+    BinaryReader reader(body);
     if (header.is_error == 1) {
         Error error;
         errorMembers(reader, error);
@@ -210,7 +211,7 @@ Result<ReadScene> readFrame(std::span<const std::uint8_t> frame, bool& damaged) 
         damaged = false;
         return tl::unexpected(cleanError(error));
     }
-    ReadScene scene;
+    DecodedScene scene;
     sceneMembers(reader, scene);
     if (!reader.finished()) return tl::unexpected(damage("its counts do not match its length"));
     if (Status sound = checkScene(scene); !sound) return tl::unexpected(sound.error());
