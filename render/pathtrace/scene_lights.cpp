@@ -99,7 +99,7 @@ LightSample SceneLights::sampleBall(const SceneLamp& lamp, const Eigen::Vector3d
 
 double SceneLights::totalChoice(const Eigen::Vector3d& from) const {
     double sum = 0.0;
-    for (const SceneLamp& lamp : rig_.own_lamps) sum += choice(lamp, from);
+    for (const SceneLamp& lamp : rig_.scene_lamps) sum += choice(lamp, from);
     for (const Lamp& lamp : rig_.lamps) sum += choice(lamp, from);
     return sum;
 }
@@ -118,7 +118,7 @@ std::optional<LightSample> SceneLights::sampleLamp(const Eigen::Vector3d& from, 
         if (left < 0.0) break;
     }
     const SceneLamp* ball = nullptr;
-    for (const SceneLamp& lamp : rig_.own_lamps) {
+    for (const SceneLamp& lamp : rig_.scene_lamps) {
         if (left < 0.0) break;
         const double share = choice(lamp, from);
         if (share <= 0.0) continue;

@@ -38,7 +38,7 @@ class SceneLights {
     template <class Visit>
     void visitLamps(const Eigen::Vector3d& from, const Eigen::Vector3d& way, double begin,
                     double end, Visit&& visit) const {
-        for (const SceneLamp& lamp : rig_.own_lamps) {
+        for (const SceneLamp& lamp : rig_.scene_lamps) {
             const std::optional<double> distance = toBall(lamp, from, way);
             if (!distance) continue;
             const double free = lamp.shadowedFor(from, way, *distance);
@@ -81,7 +81,7 @@ class SceneLights {
     }
     [[nodiscard]] Eigen::Vector3f lampRadiance(const SceneLamp& lamp,
                                                const Eigen::Vector3d& from) const {
-        return rig_.ownLampLight() * static_cast<float>(lamp.radianceFrom(from));
+        return rig_.sceneLampLight() * static_cast<float>(lamp.radianceFrom(from));
     }
     /// Mean radiance of a triangle, by which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;
