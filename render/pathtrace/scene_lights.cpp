@@ -29,7 +29,7 @@ SceneLights::SceneLights(const Scene& scene, const TracedSurface& surface, const
             const double power = brightness(object.id, t) * areaOf(surface.corners(t));
             if (power <= 0.0) continue;
             sum += power;
-            shining_.push_back({t, object.id});
+            emitters_.push_back({t, object.id});
             power_.push_back(sum);
         }
     }
@@ -147,7 +147,7 @@ std::optional<LightSample> SceneLights::sampleTriangle(const Eigen::Vector3d& fr
     const auto found = std::upper_bound(power_.begin(), power_.end(), which * power_.back());
     const auto index = static_cast<std::size_t>(
         std::min(found - power_.begin(), static_cast<std::ptrdiff_t>(power_.size()) - 1));
-    const auto& [triangle, object_id] = shining_[index];
+    const auto& [triangle, object_id] = emitters_[index];
     const auto [a, b, c] = surface_.corners(triangle);
     const double root = std::sqrt(where[0]);
     const double v = root * (1.0 - where[1]);

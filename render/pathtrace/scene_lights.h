@@ -86,7 +86,7 @@ class SceneLights {
     /// Mean radiance of a triangle, by which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;
 
-    struct Shining {
+    struct Emitter {
         std::uint32_t triangle;
         int object_id;
     };
@@ -94,7 +94,7 @@ class SceneLights {
     const Scene& scene_;
     const TracedSurface& surface_;
     const LightRig& rig_;
-    std::vector<Shining> shining_;
+    std::vector<Emitter> emitters_;
     std::vector<float> emission_;  // by material: mean emission
     std::vector<float> shines_;    // by id - 1: factor of emission
     std::vector<double> power_;    // cumulative power by triangle, in W/sr up to a factor

@@ -99,9 +99,9 @@ std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
 }
 
 /// Reads the --trajectory files, in world coordinates of the scene.
-Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments,
-                                               const OpenedScene& opened) {
-    std::vector<GivenTrajectory> given;
+Result<std::vector<ExternalTrajectory>> loadGiven(const CompareArguments& arguments,
+                                                  const OpenedScene& opened) {
+    std::vector<ExternalTrajectory> given;
     const std::vector<std::string> names = givenNames(arguments.trajectories);
     for (const std::string& path : arguments.trajectories) {
         io::TrajectoryReading reading;

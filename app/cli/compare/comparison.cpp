@@ -62,7 +62,7 @@ class SceneComparison {
         return {};
     }
 
-    Status add(const GivenTrajectory& given, const JobContext& job) {
+    Status add(const ExternalTrajectory& given, const JobContext& job) {
         Result<MetricsRow> row = measureOne(given.motion, job);
         if (!row) return tl::unexpected<Error>(std::move(row.error()));
         const auto& metrics = planning::plannerMetricInfos();
@@ -120,7 +120,8 @@ class SceneComparison {
 
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
-                                const std::vector<GivenTrajectory>& given, const JobContext& job) {
+                                const std::vector<ExternalTrajectory>& given,
+                                const JobContext& job) {
     if (order.seeds > 1 && params.seed > std::numeric_limits<int>::max() - (order.seeds - 1)) {
         return fail(
             ErrorCode::Usage,
@@ -148,7 +149,7 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
-    for (const GivenTrajectory& one : given) {
+    for (const ExternalTrajectory& one : given) {
         if (Status status = comparison.add(one, next(one.name)); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }

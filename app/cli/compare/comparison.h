@@ -11,7 +11,7 @@
 namespace dollytrack::cli {
 
 /// An existing trajectory, evaluated beside the planners.
-struct GivenTrajectory {
+struct ExternalTrajectory {
     std::string name;
     planning::PlannedMotion motion;
 };
@@ -41,7 +41,8 @@ struct ComparisonOrder {
 /// if the seeds exceed the largest int; errors of the map; Cancelled.
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
-                                const std::vector<GivenTrajectory>& given, const JobContext& job);
+                                const std::vector<ExternalTrajectory>& given,
+                                const JobContext& job);
 
 /// Means by planner, over the scenes in which the planner has a row.
 ComparedScene meanOver(const std::vector<ComparedScene>& scenes);

@@ -14,7 +14,7 @@ namespace dollytrack::editor {
 namespace {
 
 // Grace of an outdated run. A longer one would delay the plan for the final value of a drag.
-constexpr BackgroundWorker::GracePeriod kGracePeriod{std::chrono::milliseconds(900), 0.6};
+constexpr BackgroundWorker::GracePeriod kPlanGracePeriod{std::chrono::milliseconds(900), 0.6};
 
 }  // namespace
 
@@ -74,7 +74,7 @@ LivePlanner::LivePlanner(std::function<void()> wake, BackgroundWorker::Clock clo
     : outcomes_(std::make_shared<LatestValue<PlanOutcome>>()),
       worker_state_(std::make_shared<WorkerState>()),
       wake_(std::move(wake)),
-      worker_(wake_, kGracePeriod, std::move(clock)) {}
+      worker_(wake_, kPlanGracePeriod, std::move(clock)) {}
 
 LivePlanner::~LivePlanner() = default;
 

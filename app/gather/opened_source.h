@@ -23,7 +23,7 @@ struct Annotation {
 };
 
 /// A dataset while its frames are written.
-struct OpenSource {
+struct OpenedSource {
     const Source& source;
     verify::StoredDataset dataset;
     std::vector<std::vector<Annotation>> annotations;  // of each frame
@@ -36,6 +36,6 @@ struct OpenSource {
 
 /// Reads dataset.json and annotations.json. Error: BadInput where a file is damaged, or has changed
 /// since the dataset was looked at.
-[[nodiscard]] Result<OpenSource> openSource(const Source& source, const ClassUnion& classes);
+[[nodiscard]] Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes);
 
 }  // namespace dollytrack::gather

@@ -1,4 +1,4 @@
-#include "app/gather/open_source.h"
+#include "app/gather/opened_source.h"
 
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/sha256.h"
@@ -33,7 +33,7 @@ Annotation annotationOf(const json& one, const ClassTable& table, const ClassUni
 
 /// Parses annotations one by one, so that the JSON of only one annotation is in memory.
 Status readAnnotations(const std::string& text, const std::string& where, const ClassUnion& classes,
-                       OpenSource& opened) {
+                       OpenedSource& opened) {
     constexpr int kInList = 2;  // nesting depth of an annotation
     std::string section;
     bool damaged = false;
@@ -63,17 +63,17 @@ Status readAnnotations(const std::string& text, const std::string& where, const 
 
 }  // namespace
 
-std::string OpenSource::frameName(std::size_t frame) const {
+std::string OpenedSource::frameName(std::size_t frame) const {
     return fmt::format("{}_{:06}", source.name, frame);
 }
 
-SourceFile OpenSource::file(std::string_view modality, std::size_t frame) const {
+SourceFile OpenedSource::file(std::string_view modality, std::size_t frame) const {
     const std::string name = frameFileOf(modality, frame);
     const auto listed = dataset.sha256s.find(name);
     return {source.folder / name, listed == dataset.sha256s.end() ? "" : listed->second};
 }
 
-Result<OpenSource> openSource(const Source& source, const ClassUnion& classes) {
+Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
     Result<verify::StoredDataset> dataset = verify::readStoredDataset(source.folder);
     if (!dataset) return tl::unexpected(dataset.error());
     const Result<std::string> card = io::sha256OfFile(source.folder / "dataset.json");
@@ -88,7 +88,7 @@ Result<OpenSource> openSource(const Source& source, const ClassUnion& classes) {
     if (!file) return tl::unexpected(file.error());
     const Result<std::string> text = readProven(*file);
     if (!text) return tl::unexpected(text.error());
-    OpenSource opened{source, std::move(*dataset), {}};
+    OpenedSource opened{source, std::move(*dataset), {}};
     opened.annotations.resize(source.frames);
     if (Status read = readAnnotations(*text, file->path.string(), classes, opened); !read) {
         return tl::unexpected(read.error());

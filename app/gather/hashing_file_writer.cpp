@@ -1,4 +1,4 @@
-#include "app/gather/hashed_file.h"
+#include "app/gather/hashing_file_writer.h"
 
 #include <fcntl.h>
 
@@ -19,26 +19,27 @@ Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder, const std::s
     return folder.openFile(name, kNew);
 }
 
-Result<HashedFile> HashedFile::create(const io::GuardedFolder& folder, const std::string& name) {
+Result<HashingFileWriter> HashingFileWriter::create(const io::GuardedFolder& folder,
+                                                    const std::string& name) {
     Result<io::FileDescriptor> file = openNew(folder, name);
     if (!file) return tl::unexpected(file.error());
-    return HashedFile(folder.path() / name, std::move(*file));
+    return HashingFileWriter(folder.path() / name, std::move(*file));
 }
 
-Status HashedFile::write(std::string_view bytes) {
+Status HashingFileWriter::write(std::string_view bytes) {
     size_ += bytes.size();
     pending_ += bytes;
     return pending_.size() < kPending ? Status() : flush();
 }
 
-Status HashedFile::flush() {
+Status HashingFileWriter::flush() {
     hash_.add(std::string_view(pending_));
     const int error = io::writeAll(file_.get(), pending_);
     pending_.clear();
     return error == 0 ? Status() : tl::unexpected<Error>(io::writeError(error, path_));
 }
 
-Result<std::string> HashedFile::finish() {
+Result<std::string> HashingFileWriter::finish() {
     if (Status flushed = flush(); !flushed) return tl::unexpected(flushed.error());
     if (const int error = file_.close()) {
         return tl::unexpected<Error>(io::writeError(error, path_));

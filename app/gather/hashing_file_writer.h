@@ -14,11 +14,11 @@ namespace dollytrack::gather {
 
 /// A new file that is written from its beginning to its end and hashed on the way. Errors are
 /// CannotWrite.
-class HashedFile {
+class HashingFileWriter {
   public:
     /// Creates the file; an existing one of this name is removed at once.
-    [[nodiscard]] static Result<HashedFile> create(const io::GuardedFolder& folder,
-                                                   const std::string& name);
+    [[nodiscard]] static Result<HashingFileWriter> create(const io::GuardedFolder& folder,
+                                                          const std::string& name);
 
     [[nodiscard]] Status write(std::string_view bytes);
     /// Bytes written so far.
@@ -27,7 +27,7 @@ class HashedFile {
     [[nodiscard]] Result<std::string> finish();
 
   private:
-    HashedFile(std::filesystem::path path, io::FileDescriptor file)
+    HashingFileWriter(std::filesystem::path path, io::FileDescriptor file)
         : path_(std::move(path)), file_(std::move(file)) {}
     [[nodiscard]] Status flush();
 
