@@ -15,7 +15,8 @@ struct SampleStatistics {
 
 /// How the camera moves, from the poses alone: differences from frame to frame, of the first order
 /// for speed and turning rate, of the second for accelerations, of the third for jerk. Nothing is
-/// measured across a change of path, or where frames were left out. At long frame intervals these are means over them.
+/// measured across a change of path, or where frames were left out. At long frame intervals these
+/// are means over them.
 struct MotionMetrics {
     SampleStatistics speed_mps;
     SampleStatistics turn_dps;

@@ -3,7 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
-#include "planning/free_space/mapping_words.h"
+#include "planning/free_space/mapping_messages.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/rooms.h"
 #include "planning/free_space/scanned_space.h"

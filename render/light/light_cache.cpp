@@ -1,7 +1,7 @@
 #include "render/light/light_cache.h"
 
 #include "engine/core/program_file.h"
-#include "engine/io/files/cache_room.h"
+#include "engine/io/files/cache_eviction.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/user_cache.h"

@@ -1,6 +1,6 @@
 #include "app/editor/project/autosave.h"
 
-#include "app/editor/project/files_in.h"
+#include "app/editor/project/folder_entries.h"
 #include "app/editor/shell/local_time.h"
 #include "app/editor/shell/settings.h"
 #include "engine/core/log.h"

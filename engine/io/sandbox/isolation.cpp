@@ -1,7 +1,7 @@
 #include "engine/io/sandbox/isolation.h"
 
-#include "engine/io/sandbox/call_filter.h"
 #include "engine/io/sandbox/folder_rules.h"
+#include "engine/io/sandbox/syscall_filter.h"
 
 #include <malloc.h>
 #include <sys/prctl.h>

@@ -1,6 +1,6 @@
 #include "engine/io/sandbox/scene_cache.h"
 
-#include "engine/io/files/cache_room.h"
+#include "engine/io/files/cache_eviction.h"
 #include "engine/io/files/file_descriptor.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/files/sha256.h"

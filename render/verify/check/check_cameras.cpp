@@ -1,7 +1,7 @@
 // Checks the rig's images: their consistency, the objects' boxes, and ray casts into the scene.
 #include "render/verify/check/check_cameras.h"
-#include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
+#include "render/verify/interpolated_normal.h"
 #include "render/verify/label_alignment_check.h"
 #include "render/verify/read/stored_rig.h"
 
@@ -148,7 +148,7 @@ class CameraFrame {
             const Eigen::Vector3d along = (pose_.rotation * ray->direction).normalized();
             const Eigen::Vector3d place =
                 pose_.toWorld(ray->origin + hit.distance * ray->direction);
-            const Eigen::Vector3d expected = cornersNormal(*subject.scene, hit, place, along);
+            const Eigen::Vector3d expected = interpolatedNormal(*subject.scene, hit, place, along);
             if (expected.norm() < 0.5) return;
             if (normalAt(x, y).dot(expected) >= std::cos(3.0 * std::numbers::pi / 180.0)) return;
             normals.add(x, y, [&] {

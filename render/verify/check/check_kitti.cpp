@@ -3,7 +3,7 @@
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
 #include "render/verify/motion_check.h"
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "render/verify/check_list.h"
-#include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
+#include "render/verify/interpolated_normal.h"
 
 #include <fmt/format.h>
 
@@ -188,8 +188,8 @@ class NormalImages {
                 if (ids_ && ids_->at(x, y) != hit.object_id) continue;
                 const Eigen::Vector3d ahead = subject_.dataset.lens.unproject(x + 0.5, y + 0.5);
                 const Eigen::Vector3d expected =
-                    cornersNormal(*subject_.scene, hit, pose.toWorld(hit.distance * ahead),
-                                  (pose.rotation * ahead).normalized());
+                    interpolatedNormal(*subject_.scene, hit, pose.toWorld(hit.distance * ahead),
+                                       (pose.rotation * ahead).normalized());
                 if (expected.norm() > 0.5) compare(x, y, expected, 3.0, "the scene");
             }
         }

@@ -1,6 +1,6 @@
 #include "render/verify/check_list.h"
 #include "render/verify/other_view.h"
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 

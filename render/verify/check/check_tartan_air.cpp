@@ -5,7 +5,7 @@
 #include "render/verify/check_list.h"
 #include "render/verify/motion_check.h"
 #include "render/verify/read/numpy_array.h"
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 

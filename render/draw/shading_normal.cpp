@@ -1,12 +1,12 @@
-#include "render/draw/seen_normal.h"
+#include "render/draw/shading_normal.h"
 
 #include <algorithm>
 
 namespace dollytrack::render {
 
-Eigen::Vector3d seenNormal(const Scene& scene, const std::vector<Eigen::Isometry3d>& to_rest,
-                           const RayHit& hit, const Eigen::Vector3d& origin,
-                           const Eigen::Vector3d& direction) {
+Eigen::Vector3d shadingNormal(const Scene& scene, const std::vector<Eigen::Isometry3d>& to_rest,
+                              const RayHit& hit, const Eigen::Vector3d& origin,
+                              const Eigen::Vector3d& direction) {
     Eigen::Isometry3d rest_from_now = Eigen::Isometry3d::Identity();
     if (!to_rest.empty()) rest_from_now = to_rest[static_cast<std::size_t>(hit.object_id)];
     const Eigen::Vector3d point = rest_from_now * (origin + hit.distance * direction);

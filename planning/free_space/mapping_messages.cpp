@@ -1,4 +1,4 @@
-#include "planning/free_space/mapping_words.h"
+#include "planning/free_space/mapping_messages.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/scene/facing.h"
+#include "engine/scene/front_directions.h"
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/labels.h"
@@ -27,8 +27,7 @@ struct WallLine {
 std::vector<WallLine> collectWalls(const Scene& scene) {
     std::vector<WallLine> walls;
     for (const Object& object : scene.objects) {
-        if (!object.structure || object.nyu40 == kNyuFloor ||
-            object.nyu40 == kNyuCeiling) {
+        if (!object.structure || object.nyu40 == kNyuFloor || object.nyu40 == kNyuCeiling) {
             continue;
         }
         for (std::uint32_t i = 0; i < object.triangle_count; ++i) {

@@ -1,4 +1,4 @@
-#include "engine/io/files/cache_room.h"
+#include "engine/io/files/cache_eviction.h"
 
 #include <algorithm>
 #include <string>

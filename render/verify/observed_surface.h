@@ -9,6 +9,6 @@ namespace dollytrack::verify {
 /// World points on the surfaces in a dataset's depth images, about one per cube of `spacing_m`:
 /// what a reconstruction from its frames could contain. Moving objects are left out. Empty without
 /// depth images.
-std::vector<Eigen::Vector3d> seenSurface(const StoredDataset& dataset, double spacing_m);
+std::vector<Eigen::Vector3d> observedSurface(const StoredDataset& dataset, double spacing_m);
 
 }  // namespace dollytrack::verify

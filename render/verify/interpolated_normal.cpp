@@ -1,4 +1,4 @@
-#include "render/verify/corners_normal.h"
+#include "render/verify/interpolated_normal.h"
 
 #include <Eigen/Geometry>
 
@@ -6,8 +6,8 @@
 
 namespace dollytrack::verify {
 
-Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place,
-                              const Eigen::Vector3d& along) {
+Eigen::Vector3d interpolatedNormal(const Scene& scene, const RayHit& hit,
+                                   const Eigen::Vector3d& place, const Eigen::Vector3d& along) {
     const Triangle& corners = scene.triangles[hit.triangle];
     const Eigen::Vector3d a = scene.positions[corners[0]].cast<double>();
     const Eigen::Vector3d ab = scene.positions[corners[1]].cast<double>() - a;

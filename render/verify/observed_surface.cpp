@@ -1,4 +1,4 @@
-#include "render/verify/seen_surface.h"
+#include "render/verify/observed_surface.h"
 
 #include "engine/jobs/parallel.h"
 #include "render/verify/read/frame_images.h"
@@ -40,7 +40,7 @@ std::map<Cube, Eigen::Vector3d> cubesOf(const StoredDataset& dataset, int index,
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> seenSurface(const StoredDataset& dataset, double spacing_m) {
+std::vector<Eigen::Vector3d> observedSurface(const StoredDataset& dataset, double spacing_m) {
     constexpr std::size_t kAtOnce = 32;
     std::map<Cube, Eigen::Vector3d> all;
     for (std::size_t begin = 0; begin < dataset.frames.size(); begin += kAtOnce) {

@@ -1,4 +1,4 @@
-#include "app/python/bindings/waiting.h"
+#include "app/python/bindings/work_thread.h"
 
 #include "app/cli/command_line.h"
 #include "app/python/bindings/arrays.h"

@@ -13,9 +13,9 @@ namespace dollytrack::render {
 /// assets/shaders/surface.frag (without normal maps).
 /// @param to_rest  by object id: the transform from the current position to that in `scene`
 ///     (MovingObjects::toRest()); empty if nothing moves
-[[nodiscard]] Eigen::Vector3d seenNormal(const Scene& scene,
-                                         const std::vector<Eigen::Isometry3d>& to_rest,
-                                         const RayHit& hit, const Eigen::Vector3d& origin,
-                                         const Eigen::Vector3d& direction);
+[[nodiscard]] Eigen::Vector3d shadingNormal(const Scene& scene,
+                                            const std::vector<Eigen::Isometry3d>& to_rest,
+                                            const RayHit& hit, const Eigen::Vector3d& origin,
+                                            const Eigen::Vector3d& direction);
 
 }  // namespace dollytrack::render

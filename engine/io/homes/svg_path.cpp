@@ -1,4 +1,4 @@
-#include "engine/io/homes/cut_out_shape.h"
+#include "engine/io/homes/svg_path.h"
 
 #include <Eigen/Geometry>
 

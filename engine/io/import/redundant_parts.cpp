@@ -1,4 +1,4 @@
-#include "engine/io/import/unseen_parts.h"
+#include "engine/io/import/redundant_parts.h"
 
 #include <algorithm>
 #include <array>

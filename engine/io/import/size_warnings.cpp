@@ -1,4 +1,4 @@
-#include "engine/io/import/size_doubts.h"
+#include "engine/io/import/size_warnings.h"
 
 #include "engine/io/import/import_notes.h"
 #include "engine/scene/furniture_sizes.h"

@@ -1,4 +1,4 @@
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 namespace dollytrack::verify {
 

@@ -10,7 +10,7 @@ namespace dollytrack::verify {
 /// viewer, it is projected onto the outline.
 /// @param place  the hit point, world
 /// @param along  the ray's unit direction, world
-Eigen::Vector3d cornersNormal(const Scene& scene, const RayHit& hit, const Eigen::Vector3d& place,
-                              const Eigen::Vector3d& along);
+Eigen::Vector3d interpolatedNormal(const Scene& scene, const RayHit& hit,
+                                   const Eigen::Vector3d& place, const Eigen::Vector3d& along);
 
 }  // namespace dollytrack::verify

@@ -1,4 +1,4 @@
-#include "engine/io/sandbox/call_filter.h"
+#include "engine/io/sandbox/syscall_filter.h"
 
 #include <fcntl.h>
 #include <sched.h>
