@@ -134,9 +134,9 @@ class Runner {
         }
         // After a cancellation, jobs that were not reached take their stored results.
         for (; next != indices.end(); ++next) {
-            const auto standing = standingOf(jobs_[*next], settings_);
-            if (standing && standing->step == Standing::Step::Nothing) {
-                results_[*next] = standing->found;
+            const auto resume = resumeStateOf(jobs_[*next], settings_);
+            if (resume && resume->action == ResumeState::Action::None) {
+                results_[*next] = resume->found;
             }
         }
     }
@@ -186,25 +186,26 @@ class Runner {
             finish(index);
             return {};
         }
-        Result<Standing> standing = standingOf(job, settings_);
-        if (!standing) return tl::unexpected<Error>(std::move(standing.error()));
-        if (standing->step == Standing::Step::Nothing) {
-            results_[index] = std::move(standing->found);
+        Result<ResumeState> resume = resumeStateOf(job, settings_);
+        if (!resume) return tl::unexpected<Error>(std::move(resume.error()));
+        if (resume->action == ResumeState::Action::None) {
+            results_[index] = std::move(resume->found);
             ++finished_;
             log::debug("batch", job.name + ": done before");
             return {};
         }
-        if (!standing->why.empty()) log::info("batch", job.name + ": restarted, " + standing->why);
-        const bool resumes = standing->step == Standing::Step::GoOn && job.command == "export";
+        if (!resume->why.empty()) log::info("batch", job.name + ": restarted, " + resume->why);
+        const bool resumes =
+            resume->action == ResumeState::Action::Resume && job.command == "export";
         JobResult result;
         result.state = JobState::Begun;
         result.message = "its last run did not finish";
-        result.scene = std::move(standing->scene);
+        result.scene = std::move(resume->scene);
         result.command = job.command;
         result.arguments = job.arguments;
         result.version = settings_.version;
         result.ran_now = true;
-        result.seconds = resumes ? standing->found.seconds : 0.0;
+        result.seconds = resumes ? resume->found.seconds : 0.0;
         // Written before the run, so that the next batch knows which settings the frames in the
         // folder belong to.
         if (Status status = writeResult(lock->folder(), result); !status) return status;
@@ -328,27 +329,27 @@ Result<fs::path> ownProgram() {
                 program.string());
 }
 
-Result<Standing> standingOf(const Job& job, const RunSettings& settings) {
+Result<ResumeState> resumeStateOf(const Job& job, const RunSettings& settings) {
     const fs::path folder = settings.folder / job.name;
-    Standing standing;
-    standing.found = readResult(folder);
-    const JobResult& found = standing.found;
+    ResumeState resume;
+    resume.found = readResult(folder);
+    const JobResult& found = resume.found;
     Result<SceneStamp> scene = stampOf(job, found.scene);
     if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
-    standing.scene = std::move(*scene);
-    if (found.state == JobState::NotRun) return standing;
+    resume.scene = std::move(*scene);
+    if (found.state == JobState::NotRun) return resume;
     if (!isOf(found, job)) {
-        standing.why = "its settings have changed";
-    } else if (standing.scene.sha256 != found.scene.sha256) {
-        standing.why = "its scene has changed";
+        resume.why = "its settings have changed";
+    } else if (resume.scene.sha256 != found.scene.sha256) {
+        resume.why = "its scene has changed";
     } else if (found.state == JobState::Done && datasetsAreThere(found, folder)) {
-        standing.step = Standing::Step::Nothing;
+        resume.action = ResumeState::Action::None;
     } else if (found.version != settings.version) {
-        standing.why = "another version of the program started it";
+        resume.why = "another version of the program started it";
     } else if (canGoOn(found)) {
-        standing.step = Standing::Step::GoOn;
+        resume.action = ResumeState::Action::Resume;
     }
-    return standing;
+    return resume;
 }
 
 std::vector<std::string> commandOf(const Job& job, const RunSettings& settings, bool resumes) {

@@ -25,9 +25,9 @@ struct RunSettings {
 [[nodiscard]] Result<std::filesystem::path> ownProgram();
 
 /// What remains to be done for a job, according to its folder.
-struct Standing {
-    enum class Step { Nothing, GoOn, Begin };
-    Step step = Step::Begin;
+struct ResumeState {
+    enum class Action { None, Resume, Start };
+    Action action = Action::Start;
     JobResult found;
     SceneStamp scene;  // current stamp of the scene
     std::string why;   // why existing results cannot be used; empty if there are none
@@ -35,7 +35,7 @@ struct Standing {
 
 /// Compares the job's folder with the job's settings, scene stamp and program version. Error:
 /// BadInput if the scene cannot be read.
-[[nodiscard]] Result<Standing> standingOf(const Job& job, const RunSettings& settings);
+[[nodiscard]] Result<ResumeState> resumeStateOf(const Job& job, const RunSettings& settings);
 
 /// The command line that runs a job.
 [[nodiscard]] std::vector<std::string> commandOf(const Job& job, const RunSettings& settings,

@@ -58,8 +58,8 @@ std::string Report::linkTo(const ReportRow& row, const std::string& file) const 
     return asLink(path.generic_string());
 }
 
-std::vector<ReportRow> judge(const std::vector<Job>& jobs, std::vector<JobResult> results,
-                             const std::vector<std::string>& require) {
+std::vector<ReportRow> evaluateResults(const std::vector<Job>& jobs, std::vector<JobResult> results,
+                                       const std::vector<std::string>& require) {
     std::vector<ReportRow> rows;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         ReportRow row{jobs[i], std::move(results[i]), {}};

@@ -39,9 +39,9 @@ struct Report {
 
 /// Combines jobs with their results (same order) and evaluates the requirements, which must be
 /// valid.
-[[nodiscard]] std::vector<ReportRow> judge(const std::vector<Job>& jobs,
-                                           std::vector<JobResult> results,
-                                           const std::vector<std::string>& require);
+[[nodiscard]] std::vector<ReportRow> evaluateResults(const std::vector<Job>& jobs,
+                                                     std::vector<JobResult> results,
+                                                     const std::vector<std::string>& require);
 
 /// Checks, before any job runs, that the requirements name metrics that these jobs report. Error:
 /// Usage.

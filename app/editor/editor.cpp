@@ -33,7 +33,7 @@ const std::vector<PinnedPoint>& pinnedIn(const PlanOutcome& shown) {
 
 }  // namespace
 
-Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook& log,
+Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuffer& log,
                EditorSettings settings)
     : window_(window),
       log_(log),
@@ -46,8 +46,8 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook
       sheet_(&Window::wake),
       files_(&Window::wake),
       pieces_(&Window::wake),
-      sent_scene_(drawing_),
-      questions_(workspace_, doors()),
+      scene_sync_(drawing_),
+      questions_(workspace_, questionCallbacks()),
       pictures_(&Window::wake) {
     ui::loadFonts(window_.contentScale() * settings_.zoom);
     setTheme();
@@ -83,7 +83,7 @@ void Editor::refreshScene() {
         track_time_.reset();
         step_playback_.goTo(0);
         through_camera_ = false;
-        sent_scene_.forget();
+        scene_sync_.forget();
         remedies_.forget();
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
@@ -112,7 +112,7 @@ void Editor::refreshScene() {
         }
     }
     if (!shown.scene) return;
-    sent_scene_.send(shown, workspace_.light());
+    scene_sync_.send(shown, workspace_.light());
 }
 
 void Editor::play() {

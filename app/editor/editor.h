@@ -4,7 +4,7 @@
 #include "app/editor/export/folder_check.h"
 #include "app/editor/objects/piece_count.h"
 #include "app/editor/objects/remedy_finder.h"
-#include "app/editor/objects/selected.h"
+#include "app/editor/objects/selection_tracker.h"
 #include "app/editor/project/autosave.h"
 #include "app/editor/project/parameter_draft.h"
 #include "app/editor/project/workspace.h"
@@ -22,7 +22,7 @@
 #include "app/editor/viewport/layer_builder.h"
 #include "app/editor/viewport/picture_file.h"
 #include "app/editor/viewport/picture_saver.h"
-#include "app/editor/viewport/sent_scene.h"
+#include "app/editor/viewport/render_scene_sync.h"
 #include "render/draw/storey_cutaway.h"
 #include "ui/edit_request.h"
 #include "ui/layers.h"
@@ -48,7 +48,7 @@ namespace dollytrack::editor {
 /// the workspace. Long work runs in the background.
 class Editor {
   public:
-    Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBook& log,
+    Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuffer& log,
            EditorSettings settings);
     ~Editor();
 
@@ -154,7 +154,7 @@ class Editor {
     void askForFile(const std::string& id);
     void answerFile(const ui::FileAnswer& answer);
     void answerExportFile(const ui::FileAnswer& answer);
-    [[nodiscard]] Questions::Doors doors();
+    [[nodiscard]] Questions::Callbacks questionCallbacks();
     void openAfterAsking(const std::filesystem::path& path);
     void save();
 
@@ -180,7 +180,7 @@ class Editor {
     [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 
     Window& window_;
-    ui::LogBook& log_;
+    ui::LogBuffer& log_;
     EditorSettings settings_;
     SettingsSaver settings_saver_;
     bool import_bar_dismissed_ = false;
@@ -205,7 +205,7 @@ class Editor {
     ui::FileBrowser files_;
 
     // Selection and display state.
-    Selected selected_;
+    SelectionTracker selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
     mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below
@@ -220,7 +220,7 @@ class Editor {
     std::size_t position_before_drag_ = 0;  // position in the history
     RemedyFinder remedies_{&Window::wake};
     PlanTimeline plan_timeline_;
-    SentScene sent_scene_;
+    RenderSceneSync scene_sync_;
     ParameterDraft parameters_;
 
     // State of the panels.

@@ -89,7 +89,7 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
             "before another is opened");
     } else if (answer.id == "save") {
         // The dialog has already confirmed replacing an existing file.
-        workspace_.save(answer.path, Workspace::IfChanged::Overwrite);
+        workspace_.save(answer.path, Workspace::OnConflict::Overwrite);
     } else if (answer.id == "annotations") {
         const io::ProjectFile project = workspace_.snapshot(false);
         Status written = io::writeAnnotations(answer.path, project.import, project.edits);
@@ -116,7 +116,7 @@ void Editor::save() {
     if (workspace_.path().empty()) {
         askForFile("save");
     } else {
-        workspace_.save(workspace_.path(), Workspace::IfChanged::Ask);
+        workspace_.save(workspace_.path(), Workspace::OnConflict::Ask);
     }
 }
 
@@ -124,28 +124,28 @@ void Editor::openAfterAsking(const std::filesystem::path& path) {
     questions_.afterUnsaved([this, path] { workspace_.open(path); }, "before another is opened");
 }
 
-Questions::Doors Editor::doors() {
-    Questions::Doors doors;
-    doors.save = [this] { save(); };
-    doors.save_as = [this] { askForFile("save"); };
-    doors.restore = [this](const LostWork& work) {
+Questions::Callbacks Editor::questionCallbacks() {
+    Questions::Callbacks callbacks;
+    callbacks.save = [this] { save(); };
+    callbacks.save_as = [this] { askForFile("save"); };
+    callbacks.restore = [this](const RecoveredWork& work) {
         questions_.afterUnsaved([this, file = work.file] { workspace_.restore(file); },
                                 "before the other is restored");
     };
-    doors.find_scene = [this](const std::filesystem::path& project, bool restores) {
+    callbacks.find_scene = [this](const std::filesystem::path& project, bool restores) {
         scene_wanted_by_ = project;
         scene_wanted_to_restore_ = restores;
         askForFile("locate scene");
     };
-    doors.continue_exports = [this](const std::vector<int>& jobs) {
+    callbacks.continue_exports = [this](const std::vector<int>& jobs) {
         for (const int job : jobs) exports_->resume(job);
         focus_tab_ = "Export";
     };
-    doors.forget_exports = [this](const std::vector<int>& jobs) {
+    callbacks.forget_exports = [this](const std::vector<int>& jobs) {
         for (const int job : jobs) exports_->remove(job);
     };
-    doors.unfinished_exports = [this] { return exports_ ? exports_->unfinished() : 0; };
-    return doors;
+    callbacks.unfinished_exports = [this] { return exports_ ? exports_->unfinished() : 0; };
+    return callbacks;
 }
 
 void Editor::drawDialogs() {
@@ -156,8 +156,8 @@ void Editor::drawDialogs() {
     if (const std::optional<Error> error = pictures_.takeError()) {
         questions_.tell({true, "Cannot save the image", describe(*error), {}});
     }
-    if (std::vector<LostWork> lost = autosave_.takeLostWork(); !lost.empty()) {
-        questions_.offer(std::move(lost));
+    if (std::vector<RecoveredWork> recovered = autosave_.takeRecoveredWork(); !recovered.empty()) {
+        questions_.offer(std::move(recovered));
     }
     if (exports_) {
         if (auto found = exports_->takeFound(); !found.empty()) {

@@ -127,8 +127,8 @@ double Editor::overlayScale() const {
 }
 
 void Editor::requestPicture() {
-    if (!workspace_.shown().scene || !sent_scene_.isSent() || pane_.width < 16) return;
-    if (sent_scene_.takeFirstLook()) {
+    if (!workspace_.shown().scene || !scene_sync_.isSent() || pane_.width < 16) return;
+    if (scene_sync_.takeFirstLook()) {
         panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
                                       static_cast<double>(pane_.width) / pane_.height);
         panels_.viewport.camera.distance *= 0.78;
@@ -153,7 +153,7 @@ std::optional<Pose> Editor::previewPose() const {
 
 void Editor::requestPreview() {
     const std::optional<Pose> pose = previewPose();
-    if (!pose || !sent_scene_.isSent() || !panels_.preview.open) return;
+    if (!pose || !scene_sync_.isSent() || !panels_.preview.open) return;
     const CameraParams& camera = workspace_.shown().params.camera;
     render::View view;
     view.intrinsics = makeIntrinsics(camera);
@@ -412,7 +412,7 @@ void Editor::drawBars() {
 void Editor::drawCentre() {
     drawBars();
     ui::ViewportView view;
-    view.image = sent_scene_.isSent() ? &drawing_.view() : nullptr;
+    view.image = scene_sync_.isSent() ? &drawing_.view() : nullptr;
     const BackgroundWorker::State loading = workspace_.loading();
     if (loading.busy) {
         view.message = fmt::format("Opening … {:.0f} %  {}   (Esc stops)", 100.0 * loading.fraction,

@@ -19,9 +19,9 @@ namespace {
 /// Redirects the log to the window during its lifetime, then back to stderr.
 class LogToWindow {
   public:
-    explicit LogToWindow(dollytrack::ui::LogBook& book) {
-        dollytrack::log::setSink([&book](const dollytrack::log::Record& record) {
-            book.add(record);
+    explicit LogToWindow(dollytrack::ui::LogBuffer& buffer) {
+        dollytrack::log::setSink([&buffer](const dollytrack::log::Record& record) {
+            buffer.add(record);
             dollytrack::editor::Window::wake();
         });
     }
@@ -33,8 +33,8 @@ class LogToWindow {
 int run(const std::string& path, const std::string& socket,
         dollytrack::editor::EditorSettings settings) {
     using namespace dollytrack;
-    ui::LogBook log_book;
-    std::optional<LogToWindow> log_to_window(std::in_place, log_book);
+    ui::LogBuffer log_buffer;
+    std::optional<LogToWindow> log_to_window(std::in_place, log_buffer);
     auto window = editor::Window::open(settings.window);
     if (!window) {
         std::cerr << "dollytrack-editor: " << describe(window.error()) << "\n";
@@ -45,7 +45,7 @@ int run(const std::string& path, const std::string& socket,
         std::cerr << "dollytrack-editor: " << describe(drawing.error()) << "\n";
         return 5;
     }
-    editor::Editor shell(**window, std::move(*drawing), log_book, std::move(settings));
+    editor::Editor shell(**window, std::move(*drawing), log_buffer, std::move(settings));
     std::unique_ptr<editor::Inspector> inspector;
     if (!socket.empty()) {
         ui::item_map::want(true);

@@ -19,9 +19,11 @@ class CocoLayout : public Layout {
 
     Status beginPart(PartIndex part) override {
         part_ = kParts[part];
-        Result<HashedFile> file = HashedFile::create(input_.files.folder(), fileName());
+        Result<HashingFileWriter> file =
+            HashingFileWriter::create(input_.files.folder(), fileName());
         if (!file) return tl::unexpected(file.error());
-        Result<HashedFile> waiting = HashedFile::create(input_.files.folder(), kWaiting);
+        Result<HashingFileWriter> waiting =
+            HashingFileWriter::create(input_.files.folder(), kWaiting);
         if (!waiting) return tl::unexpected(waiting.error());
         images_.emplace(std::move(*file));
         annotations_.emplace(std::move(*waiting));
@@ -39,7 +41,7 @@ class CocoLayout : public Layout {
             categories.dump()));
     }
 
-    Status add(const OpenSource& source, std::size_t begin, std::size_t end) override {
+    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
         Status status = input_.files.copyPictures(source, begin, end, part_, input_.job);
         for (std::size_t frame = begin; status && frame < end; ++frame) {
             status = addFrame(source, frame);
@@ -62,7 +64,7 @@ class CocoLayout : public Layout {
         return fmt::format("annotations/instances_{}.json", part_);
     }
 
-    Status addFrame(const OpenSource& source, std::size_t frame) {
+    Status addFrame(const OpenedSource& source, std::size_t frame) {
         ++image_id_;  // unique across all parts
         Status status = images_->write(
             fmt::format("{}\n{{\"id\": {}, \"file_name\": {}, \"width\": {}, \"height\": {}}}",
@@ -105,8 +107,8 @@ class CocoLayout : public Layout {
 
     LayoutInput input_;
     std::string part_;
-    std::optional<HashedFile> images_;  // the annotation file of the part
-    std::optional<HashedFile> annotations_;
+    std::optional<HashingFileWriter> images_;  // the annotation file of the part
+    std::optional<HashingFileWriter> annotations_;
     std::size_t images_in_part_ = 0;
     std::size_t annotations_in_part_ = 0;
     std::size_t image_id_ = 0;

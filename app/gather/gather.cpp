@@ -2,7 +2,7 @@
 
 #include "app/gather/class_union.h"
 #include "app/gather/gather_card.h"
-#include "app/gather/open_source.h"
+#include "app/gather/opened_source.h"
 #include "app/gather/output_files.h"
 #include "app/gather/output_folder.h"
 #include "app/gather/source_search.h"
@@ -270,7 +270,7 @@ class PartWriter {
 
   private:
     Status add(Layout& layout, const Source& source, PartSummary& part) {
-        const Result<OpenSource> opened = openSource(source, classes_);
+        const Result<OpenedSource> opened = openSource(source, classes_);
         if (!opened) return tl::unexpected(opened.error());
         const std::size_t step = stepOf(source);
         for (std::size_t begin = 0; begin < source.frames; begin += step) {

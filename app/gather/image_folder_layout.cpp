@@ -15,13 +15,14 @@ class ImageFolderLayout : public Layout {
 
     Status beginPart(PartIndex part) override {
         part_ = kParts[part];
-        Result<HashedFile> file = HashedFile::create(input_.files.folder(), fileName());
+        Result<HashingFileWriter> file =
+            HashingFileWriter::create(input_.files.folder(), fileName());
         if (!file) return tl::unexpected(file.error());
         rows_.emplace(std::move(*file));
         return {};
     }
 
-    Status add(const OpenSource& source, std::size_t begin, std::size_t end) override {
+    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
         Status status = input_.files.copyPictures(source, begin, end, part_, input_.job);
         for (std::size_t frame = begin; status && frame < end; ++frame) {
             status = rows_->write(rowOf(source, frame).dump() + "\n");
@@ -39,7 +40,7 @@ class ImageFolderLayout : public Layout {
   private:
     [[nodiscard]] std::string fileName() const { return part_ + "/metadata.jsonl"; }
 
-    static Json rowOf(const OpenSource& source, std::size_t frame) {
+    static Json rowOf(const OpenedSource& source, std::size_t frame) {
         Json boxes = Json::array();
         Json categories = Json::array();
         Json areas = Json::array();
@@ -64,7 +65,7 @@ class ImageFolderLayout : public Layout {
 
     LayoutInput input_;
     std::string part_;
-    std::optional<HashedFile> rows_;
+    std::optional<HashingFileWriter> rows_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/gather/open_source.h"
+#include "app/gather/opened_source.h"
 #include "app/gather/output_files.h"
 #include "app/gather/output_folder.h"
 #include "app/gather/scene_split.h"
@@ -42,7 +42,7 @@ class Layout {
     virtual ~Layout() = default;
     [[nodiscard]] virtual Status beginPart(PartIndex part) = 0;
     /// Frames `begin` to `end` (not included) of a dataset.
-    [[nodiscard]] virtual Status add(const OpenSource& source, std::size_t begin,
+    [[nodiscard]] virtual Status add(const OpenedSource& source, std::size_t begin,
                                      std::size_t end) = 0;
     [[nodiscard]] virtual Status endPart() = 0;
     /// After the last part.

@@ -22,7 +22,7 @@ Status firstError(const std::vector<Status>& all) {
 
 Result<std::string> writeHashed(const io::GuardedFolder& folder, const std::string& name,
                                 std::string_view text) {
-    Result<HashedFile> file = HashedFile::create(folder, name);
+    Result<HashingFileWriter> file = HashingFileWriter::create(folder, name);
     if (!file) return tl::unexpected(file.error());
     if (Status written = file->write(text); !written) return tl::unexpected(written.error());
     return file->finish();
@@ -30,12 +30,12 @@ Result<std::string> writeHashed(const io::GuardedFolder& folder, const std::stri
 
 }  // namespace
 
-std::string pictureNameOf(const OpenSource& source, std::size_t frame) {
+std::string pictureNameOf(const OpenedSource& source, std::size_t frame) {
     return source.frameName(frame) + ".png";
 }
 
 Result<OutputFiles> OutputFiles::begin(const io::GuardedFolder& folder, Settings settings) {
-    Result<HashedFile> sums = HashedFile::create(folder, kSumsFile);
+    Result<HashingFileWriter> sums = HashingFileWriter::create(folder, kSumsFile);
     if (!sums) return tl::unexpected(sums.error());
     return OutputFiles(folder, settings, std::move(*sums));
 }
@@ -70,7 +70,7 @@ Status OutputFiles::write(const std::string& folder,
     return status;
 }
 
-Result<bool> OutputFiles::linkPicture(const OpenSource& source, std::size_t frame,
+Result<bool> OutputFiles::linkPicture(const OpenedSource& source, std::size_t frame,
                                       const io::GuardedFolder& to) const {
     // Both paths are resolved from the root without following symbolic links.
     const Result<io::GuardedFolder> root = io::GuardedFolder::open("/");
@@ -89,7 +89,7 @@ Result<bool> OutputFiles::linkPicture(const OpenSource& source, std::size_t fram
     return true;
 }
 
-Status OutputFiles::copyPicture(const OpenSource& source, std::size_t frame,
+Status OutputFiles::copyPicture(const OpenedSource& source, std::size_t frame,
                                 const io::GuardedFolder& to, const JobContext& job) const {
     const SourceFile file = source.file(kPicture, frame);
     const std::string name = pictureNameOf(source, frame);
@@ -102,7 +102,7 @@ Status OutputFiles::copyPicture(const OpenSource& source, std::size_t frame,
     return copyProven(file, to, name);
 }
 
-Status OutputFiles::copyPictures(const OpenSource& source, std::size_t begin, std::size_t end,
+Status OutputFiles::copyPictures(const OpenedSource& source, std::size_t begin, std::size_t end,
                                  const std::string& folder, const JobContext& job) {
     const Result<io::GuardedFolder> to = folder_.makeWithin(folder);
     if (!to) return tl::unexpected(to.error());

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/gather/hashed_file.h"
-#include "app/gather/open_source.h"
+#include "app/gather/hashing_file_writer.h"
+#include "app/gather/opened_source.h"
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/jobs/job.h"
@@ -34,27 +34,28 @@ class OutputFiles {
     [[nodiscard]] Status write(const std::string& folder,
                                const std::vector<std::pair<std::string, std::string>>& texts);
     /// The images of frames `begin` to `end` (not included), in parallel.
-    [[nodiscard]] Status copyPictures(const OpenSource& source, std::size_t begin, std::size_t end,
-                                      const std::string& folder, const JobContext& job);
+    [[nodiscard]] Status copyPictures(const OpenedSource& source, std::size_t begin,
+                                      std::size_t end, const std::string& folder,
+                                      const JobContext& job);
 
     /// Ends the list; returns its own hash.
     [[nodiscard]] Result<std::string> finish();
 
   private:
-    OutputFiles(const io::GuardedFolder& folder, Settings settings, HashedFile sums)
+    OutputFiles(const io::GuardedFolder& folder, Settings settings, HashingFileWriter sums)
         : folder_(folder), settings_(settings), sums_(std::move(sums)) {}
     /// Makes a hard link to the image; false if it is a symbolic link and must be copied.
-    [[nodiscard]] Result<bool> linkPicture(const OpenSource& source, std::size_t frame,
+    [[nodiscard]] Result<bool> linkPicture(const OpenedSource& source, std::size_t frame,
                                            const io::GuardedFolder& to) const;
-    [[nodiscard]] Status copyPicture(const OpenSource& source, std::size_t frame,
+    [[nodiscard]] Status copyPicture(const OpenedSource& source, std::size_t frame,
                                      const io::GuardedFolder& to, const JobContext& job) const;
 
     io::GuardedFolder folder_;
     Settings settings_;
-    HashedFile sums_;
+    HashingFileWriter sums_;
 };
 
 /// The name of a frame's image in layouts of single files.
-[[nodiscard]] std::string pictureNameOf(const OpenSource& source, std::size_t frame);
+[[nodiscard]] std::string pictureNameOf(const OpenedSource& source, std::size_t frame);
 
 }  // namespace dollytrack::gather

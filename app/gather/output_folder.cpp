@@ -1,6 +1,6 @@
 #include "app/gather/output_folder.h"
 
-#include "app/gather/hashed_file.h"
+#include "app/gather/hashing_file_writer.h"
 #include "app/gather/source_search.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/text_file.h"

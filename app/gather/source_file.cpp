@@ -1,6 +1,6 @@
 #include "app/gather/source_file.h"
 
-#include "app/gather/hashed_file.h"
+#include "app/gather/hashing_file_writer.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/text_file.h"
 #include "engine/io/sandbox/input_file.h"

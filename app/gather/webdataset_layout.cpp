@@ -20,7 +20,8 @@ using Json = nlohmann::ordered_json;
 using FrameMembers = std::vector<std::pair<std::string, std::string>>;
 
 /// A frame's JSON. Masks are already JSON and are inserted unchanged.
-std::string describeFrame(const OpenSource& source, std::size_t frame, const ClassUnion& classes) {
+std::string describeFrame(const OpenedSource& source, std::size_t frame,
+                          const ClassUnion& classes) {
     const verify::StoredFrame& stored = source.dataset.frames[frame];
     const Intrinsics& lens = source.dataset.lens;
     const Eigen::Vector3d& p = stored.pose.position;
@@ -60,7 +61,7 @@ class WebDatasetLayout : public Layout {
         return passFinished();
     }
 
-    Status add(const OpenSource& source, std::size_t begin, std::size_t end) override {
+    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
         const std::size_t passed = std::min(to_pass_, end - begin);
         to_pass_ -= passed;
         begin += passed;
@@ -104,7 +105,7 @@ class WebDatasetLayout : public Layout {
         }
     }
 
-    Result<FrameMembers> membersOf(const OpenSource& source, std::size_t frame) const {
+    Result<FrameMembers> membersOf(const OpenedSource& source, std::size_t frame) const {
         FrameMembers members;
         for (const std::string& modality : input_.modalities) {
             Result<std::string> bytes = readProven(source.file(modality, frame));
@@ -135,7 +136,8 @@ class WebDatasetLayout : public Layout {
             if (Status status = endShard(); !status) return status;
         }
         if (!file_) {
-            Result<HashedFile> file = HashedFile::create(input_.files.folder(), shardName());
+            Result<HashingFileWriter> file =
+                HashingFileWriter::create(input_.files.folder(), shardName());
             if (!file) return tl::unexpected(file.error());
             file_.emplace(std::move(*file));
             frames_ = 0;
@@ -169,7 +171,7 @@ class WebDatasetLayout : public Layout {
     std::size_t frames_ = 0;   // in the current shard
     std::size_t to_pass_ = 0;  // frames in finished shards, to be skipped
     std::vector<std::pair<std::string, FrameMembers>> waiting_;  // frames read but not yet written
-    std::optional<HashedFile> file_;
+    std::optional<HashingFileWriter> file_;
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ class YoloLayout : public Layout {
         return {};
     }
 
-    Status add(const OpenSource& source, std::size_t begin, std::size_t end) override {
+    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
         std::vector<std::pair<std::string, std::string>> labels;
         const double width = source.dataset.lens.width;
         const double height = source.dataset.lens.height;

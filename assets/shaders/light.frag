@@ -18,9 +18,10 @@ layout(location = 10) uniform float glow;        // factor of emission
 layout(location = 17) uniform vec2 image_size;   // px
 
 #ifdef LOOKS  // multisampled surface buffer
-const int kLooks = 4;  // as in look_images.h
+const int kSamplesPerPixel = 4;  // as in multisample_buffer.h
 layout(location = 11) uniform float share;          // weight of each sample
-layout(location = 25) uniform vec2 offset[kLooks];  // sample position, from the pixel's centre, px
+// Sample positions, from the pixel's centre, px.
+layout(location = 25) uniform vec2 offset[kSamplesPerPixel];
 layout(location = 12) uniform vec2 depth_span;      // see surface.vert
 #endif
 
@@ -157,13 +158,13 @@ float planarDepth(float depth) {
 }
 #endif
 
-// @param look  sample number; 0 without multisampling
-Seen seenBy(int look) {
+// @param number  sample number; 0 without multisampling
+Seen seenBy(int number) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef LOOKS
-    vec4 color = texelFetch(colors, pixel, look);
-    vec4 facing = texelFetch(normals, pixel, look);
-    float z = planarDepth(texelFetch(depths, pixel, look).r);
+    vec4 color = texelFetch(colors, pixel, number);
+    vec4 facing = texelFetch(normals, pixel, number);
+    float z = planarDepth(texelFetch(depths, pixel, number).r);
 #else
     vec4 color = texelFetch(colors, pixel, 0);
     vec4 facing = texelFetch(normals, pixel, 0);
@@ -307,21 +308,21 @@ void main() {
     Seen first = seenBy(0);
     Seen mean = first;
     bool same = true;
-    for (int i = 1; i < kLooks; ++i) {
+    for (int i = 1; i < kSamplesPerPixel; ++i) {
         Seen other = seenBy(i);
         same = same && alike(first, other);
         mean.albedo += other.albedo;
         mean.normal += other.normal;
         mean.z += other.z;
     }
-    mean.albedo /= float(kLooks);
+    mean.albedo /= float(kSamplesPerPixel);
     mean.normal = mean.z > 0.0 ? normalize(mean.normal) : mean.normal;
-    mean.z /= float(kLooks);
-    out_rgb = vec4(float(kLooks) * share * shown(mean, gl_FragCoord.xy), 1.0);
+    mean.z /= float(kSamplesPerPixel);
+    out_rgb = vec4(float(kSamplesPerPixel) * share * shown(mean, gl_FragCoord.xy), 1.0);
     if (!same) discard;  // last, because neighbouring pixels need its derivatives
 #elif defined(LOOKS)
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < kLooks; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
+    for (int i = 0; i < kSamplesPerPixel; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
     out_rgb = vec4(share * sum, 1.0);  // averages linear light
 #elif defined(SENSOR)
     Seen seen = seenBy(0);

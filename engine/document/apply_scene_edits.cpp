@@ -3,7 +3,7 @@
 #include "engine/document/regroup.h"
 #include "engine/document/target_filter.h"
 #include "engine/scene/class_table.h"
-#include "engine/scene/facing.h"
+#include "engine/scene/front_directions.h"
 #include "engine/scene/move_object.h"
 #include "engine/scene/object_size.h"
 

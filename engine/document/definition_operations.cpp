@@ -1,5 +1,5 @@
 #include "engine/core/disjoint_sets.h"
-#include "engine/document/change_words.h"
+#include "engine/document/change_descriptions.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/regroup.h"
 #include "engine/geometry/contact.h"

@@ -1,4 +1,4 @@
-#include "engine/document/change_words.h"
+#include "engine/document/change_descriptions.h"
 #include "engine/document/object_track.h"
 #include "engine/document/operation_table.h"
 #include "engine/document/target_filter.h"

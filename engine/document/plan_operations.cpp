@@ -1,4 +1,4 @@
-#include "engine/document/change_words.h"
+#include "engine/document/change_descriptions.h"
 #include "engine/document/named_entries.h"
 #include "engine/document/operation_table.h"
 

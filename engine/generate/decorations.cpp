@@ -30,29 +30,29 @@ void addCeilingLamp(Furnisher& f, const Eigen::Vector2d& at) {
         placed.piece = piece;
         placed.role = FurnitureRole::CeilingLamp;
         placed.at = at;
-        placed.hold = PlacedPiece::Hold::Ceiling;
+        placed.support = PlacedPiece::Support::Ceiling;
         placed.elevation = f.layout.height() - piece->height - kFixed;
         if (placed.elevation > kLampHeadroom_cm && f.layout.add(placed)) return;
     }
 }
 
-void addWallThing(Furnisher& f) {
+void addWallItem(Furnisher& f) {
     for (int i = 0; i < kPlacementTries; ++i) {
-        const CatalogPiece* piece = f.pick(FurnitureRole::WallThing);
+        const CatalogPiece* piece = f.pick(FurnitureRole::WallItem);
         if (!piece) return;
         const int wall = f.anyWall();
         const double room = f.layout.wallLength(wall) - piece->width;
         if (room < 20.0) continue;
         const double along = 0.5 * piece->width + f.random.uniform(10.0, room - 10.0);
         PlacedPiece placed =
-            f.layout.atWall(*piece, FurnitureRole::WallThing, {wall, along}, kFixed);
-        placed.hold = PlacedPiece::Hold::Wall;
+            f.layout.atWall(*piece, FurnitureRole::WallItem, {wall, along}, kFixed);
+        placed.support = PlacedPiece::Support::Wall;
         placed.elevation = hangingHeight(*piece, f.layout.height());
         if (f.layout.add(placed)) return;
     }
 }
 
-void addFloorThing(Furnisher& f, FurnitureRole role) {
+void addFloorItem(Furnisher& f, FurnitureRole role) {
     for (int i = 0; i < kPlacementTries; ++i) {
         const CatalogPiece* piece = f.pick(role);
         if (!piece) return;

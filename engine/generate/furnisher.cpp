@@ -16,16 +16,16 @@ int mostAlike(FurnitureRole role, int most_small) {
     switch (role) {
         case FloorLamp:
         case FloorPlant:
-        case WallThing:
-        case FloorThing:
-        case WorkFloorThing:
+        case WallItem:
+        case FloorItem:
+        case WorkFloorItem:
             return 1;
         case TableLamp:
-        case DeskThing:
-        case LivingThing:
-        case KitchenThing:
-        case BedroomThing:
-        case ShelfThing:
+        case DeskItem:
+        case LivingRoomItem:
+        case KitchenItem:
+        case BedroomItem:
+        case ShelfItem:
             return most_small;
         default:
             return std::numeric_limits<int>::max();
@@ -36,7 +36,7 @@ int mostAlike(FurnitureRole role, int most_small) {
 /// models of clocks, bins and the like; other pieces only if they are the same.
 bool areAlike(const CatalogPiece& a, const CatalogPiece& b, FurnitureRole role) {
     using enum FurnitureRole;
-    const bool by_name = role == WallThing || role == FloorThing || role == WorkFloorThing;
+    const bool by_name = role == WallItem || role == FloorItem || role == WorkFloorItem;
     return &a == &b || (by_name && a.name == b.name);
 }
 

@@ -44,7 +44,7 @@ void addDiningGroup(Furnisher& furnisher);  // table, chairs on all sides, lamp 
 
 /// Each adds a decoration: at the ceiling, on a random wall, or on the floor near a wall.
 void addCeilingLamp(Furnisher& furnisher, const Eigen::Vector2d& at);
-void addWallThing(Furnisher& furnisher);
-void addFloorThing(Furnisher& furnisher, FurnitureRole role);
+void addWallItem(Furnisher& furnisher);
+void addFloorItem(Furnisher& furnisher, FurnitureRole role);
 
 }  // namespace dollytrack::generate

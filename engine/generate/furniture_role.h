@@ -35,18 +35,18 @@ enum class FurnitureRole {
     CeilingLamp,
     TableLamp,
     FloorPlant,
-    WallThing,
-    FloorThing,
-    WorkFloorThing,  // on the floor of kitchens, dining rooms and offices
-    DeskThing,
-    LivingThing,
-    KitchenThing,
-    BedroomThing,
-    ShelfThing,
+    WallItem,
+    FloorItem,
+    WorkFloorItem,  // on the floor of kitchens, dining rooms and offices
+    DeskItem,
+    LivingRoomItem,
+    KitchenItem,
+    BedroomItem,
+    ShelfItem,
 };
-constexpr int kRoleCount = static_cast<int>(FurnitureRole::ShelfThing) + 1;
+constexpr int kRoleCount = static_cast<int>(FurnitureRole::ShelfItem) + 1;
 
-/// The role's name in roles.csv, such as "night_stand".
+/// The role's name in roles.csv, such as "night_stand"; that of DeskItem is "desk_thing".
 std::string_view roleName(FurnitureRole role);
 
 /// Which pieces have a role: by name, category, elevation and size, because libraries also contain

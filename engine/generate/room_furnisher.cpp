@@ -86,13 +86,13 @@ void decorate(RoomKind kind, int objects, int tries, Furnisher& furnisher) {
     for (int i = 0; i < tries && furnisher.layout.furnished() < objects; ++i) {
         const std::uint32_t what = furnisher.random.below(8);
         if (what < 3) {
-            addWallThing(furnisher);
+            addWallItem(furnisher);
         } else if (what < 5) {
-            addFloorThing(furnisher, FloorPlant);
+            addFloorItem(furnisher, FloorPlant);
         } else if (what == 5 && !kitchen) {
-            addFloorThing(furnisher, FloorLamp);
+            addFloorItem(furnisher, FloorLamp);
         } else {
-            addFloorThing(furnisher, work ? WorkFloorThing : FloorThing);
+            addFloorItem(furnisher, work ? WorkFloorItem : FloorItem);
         }
     }
 }

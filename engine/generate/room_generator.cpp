@@ -47,7 +47,7 @@ RoomLayout layOut(const RoomSpec& spec, FurniturePool& pool, Random& random,
     // Some of the missing objects are placed on walls and floor, most on the furniture.
     const int missing = spec.objects - layout.furnished();
     decorate(spec.kind, layout.furnished() + std::max(0, missing / 4), missing, furnisher);
-    stackThings(spec.objects, furnisher);
+    stackItems(spec.objects, furnisher);
     decorate(spec.kind, spec.objects, 2 * spec.objects, furnisher);
     return layout;
 }

@@ -15,7 +15,7 @@ constexpr double kFlat = 20.0;        // cm: nor do wall-mounted pieces of this 
 
 bool isInTheWay(const PlacedPiece& piece) {
     if (piece.supporter >= 0 || piece.elevation >= kPassUnder) return false;
-    return piece.hold != PlacedPiece::Hold::Wall || piece.piece->depth > kFlat;
+    return piece.support != PlacedPiece::Support::Wall || piece.piece->depth > kFlat;
 }
 
 }  // namespace
@@ -30,11 +30,11 @@ UprightBox PlacedPiece::box() const {
 }
 
 RoomLayout::RoomLayout(double length, double width, double height)
-    : length_(length), width_(width), height_(height), ways_(length, width) {}
+    : length_(length), width_(width), height_(height), floor_(length, width) {}
 
 int RoomLayout::furnished() const {
     return static_cast<int>(std::count_if(pieces_.begin(), pieces_.end(), [](const auto& piece) {
-        return piece.hold != PlacedPiece::Hold::Opening;
+        return piece.support != PlacedPiece::Support::Opening;
     }));
 }
 
@@ -74,7 +74,7 @@ bool RoomLayout::fits(const PlacedPiece& piece) const {
     if (!isInside(box)) return false;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         if (static_cast<int>(i) == piece.supporter) continue;
-        if (pieces_[i].hold == PlacedPiece::Hold::Opening) continue;
+        if (pieces_[i].support == PlacedPiece::Support::Opening) continue;
         if (near(box, pieces_[i].box(), kGap)) return false;
     }
     if (piece.supporter >= 0) return true;
@@ -85,8 +85,8 @@ bool RoomLayout::fits(const PlacedPiece& piece) const {
 bool RoomLayout::add(const PlacedPiece& piece) {
     if (!fits(piece)) return false;
     if (isInTheWay(piece)) {
-        if (!ways_.stayJoinedWith(piece.box())) return false;
-        ways_.block(piece.box());
+        if (!floor_.staysConnectedWith(piece.box())) return false;
+        floor_.block(piece.box());
     }
     pieces_.push_back(piece);
     return true;

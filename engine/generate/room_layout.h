@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/generate/floor_ways.h"
 #include "engine/generate/furniture_role.h"
+#include "engine/generate/traversability_grid.h"
 #include "engine/generate/upright_box.h"
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@ namespace dollytrack::generate {
 
 /// A placed piece and its support.
 struct PlacedPiece {
-    enum class Hold { Floor, Wall, Ceiling, Piece, Opening };
+    enum class Support { Floor, Wall, Ceiling, Piece, Opening };
     const CatalogPiece* piece = nullptr;
     FurnitureRole role = FurnitureRole::Door;
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     double angle = 0.0;
     double elevation = 0.0;
-    Hold hold = Hold::Floor;
+    Support support = Support::Floor;
     int supporter = -1;  // index of the piece it stands on or in; -1: none
 
     [[nodiscard]] UprightBox box() const;
@@ -61,7 +61,7 @@ class RoomLayout {
     /// Adds a door or a window to a wall and reserves a box before it.
     void addOpening(const PlacedPiece& piece, const UprightBox& clear);
     /// Adds a point that must stay connected with the rest of the floor, such as an entrance.
-    void reach(const Eigen::Vector2d& point) { ways_.reach(point); }
+    void reach(const Eigen::Vector2d& point) { floor_.reach(point); }
 
   private:
     [[nodiscard]] bool isInside(const UprightBox& box) const;
@@ -72,7 +72,7 @@ class RoomLayout {
     double height_;
     std::vector<PlacedPiece> pieces_;
     std::vector<UprightBox> reserved_;
-    FloorWays ways_;
+    TraversabilityGrid floor_;
 };
 
 }  // namespace dollytrack::generate

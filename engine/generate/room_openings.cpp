@@ -25,7 +25,7 @@ UprightBox before(const PlacedPiece& at_wall, double depth, double low, double h
 PlacedPiece inWall(PlacedPiece at_wall, double elevation) {
     at_wall.at -= 0.5 * (at_wall.piece->depth + kWallThickness) * forwardAt(at_wall.angle);
     at_wall.elevation = elevation;
-    at_wall.hold = PlacedPiece::Hold::Opening;
+    at_wall.support = PlacedPiece::Support::Opening;
     return at_wall;
 }
 

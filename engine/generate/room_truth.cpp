@@ -27,15 +27,15 @@ int classOf(const PlacedPiece& placed) {
 }
 
 std::string heldBy(const PlacedPiece& placed, const std::vector<std::string>& names) {
-    switch (placed.hold) {
-        case PlacedPiece::Hold::Piece:
+    switch (placed.support) {
+        case PlacedPiece::Support::Piece:
             return names[static_cast<std::size_t>(placed.supporter)];
-        case PlacedPiece::Hold::Wall:
-        case PlacedPiece::Hold::Opening:
+        case PlacedPiece::Support::Wall:
+        case PlacedPiece::Support::Opening:
             return "wall";
-        case PlacedPiece::Hold::Ceiling:
+        case PlacedPiece::Support::Ceiling:
             return "ceiling";
-        case PlacedPiece::Hold::Floor:
+        case PlacedPiece::Support::Floor:
             break;
     }
     return "floor";
@@ -64,7 +64,7 @@ nlohmann::ordered_json truthOf(const RoomLayout& layout, const std::vector<std::
         objects.push_back(
             {{"name", names[i]},
              {"class", nyu40 == 0 ? "unknown" : std::string(nyu40Name(nyu40))},
-             {"structure", placed.hold == PlacedPiece::Hold::Opening},
+             {"structure", placed.support == PlacedPiece::Support::Opening},
              {"center_m",
               {rounded(0.01 * placed.at.x()), rounded(-0.01 * placed.at.y()),
                rounded(0.01 * middle)}},

@@ -1,6 +1,6 @@
 #include "engine/generate/surface_stacker.h"
 
-#include "engine/generate/carrier_surface.h"
+#include "engine/generate/support_surface.h"
 
 #include <algorithm>
 #include <map>
@@ -12,11 +12,11 @@ namespace {
 using Eigen::Vector2d;
 using enum FurnitureRole;
 
-constexpr int kTriesPerThing = 40;
+constexpr int kTriesPerItem = 40;
 constexpr double kRim = 0.5;    // cm to the edge of the supporting piece
 constexpr double kTurn = 0.35;  // radians: largest random rotation of an object
 
-bool carries(FurnitureRole role) {
+bool supportsItems(FurnitureRole role) {
     switch (role) {
         case NightStand:
         case Wardrobe:
@@ -36,27 +36,27 @@ bool carries(FurnitureRole role) {
     }
 }
 
-FurnitureRole thingsFor(FurnitureRole carrier, bool kitchen, bool desk, Random& random) {
-    switch (carrier) {
+FurnitureRole itemRoleFor(FurnitureRole supporter, bool kitchen, bool desk, Random& random) {
+    switch (supporter) {
         case NightStand:
-            return random.below(3) == 0 ? TableLamp : BedroomThing;
+            return random.below(3) == 0 ? TableLamp : BedroomItem;
         case Dresser:
         case Wardrobe:
-            return random.below(5) == 0 ? TableLamp : BedroomThing;
+            return random.below(5) == 0 ? TableLamp : BedroomItem;
         case Desk:
-            return random.below(8) == 0 ? TableLamp : DeskThing;
+            return random.below(8) == 0 ? TableLamp : DeskItem;
         case KitchenBase:
         case KitchenTall:
         case KitchenUpper:
-            return KitchenThing;
+            return KitchenItem;
         case DiningTable:
-            return random.below(4) == 0 && !kitchen ? LivingThing : KitchenThing;
+            return random.below(4) == 0 && !kitchen ? LivingRoomItem : KitchenItem;
         case CoffeeTable:
         case TvStand:
-            return LivingThing;
+            return LivingRoomItem;
         default:
-            if (random.below(3) > 0) return ShelfThing;
-            return desk ? DeskThing : LivingThing;
+            if (random.below(3) > 0) return ShelfItem;
+            return desk ? DeskItem : LivingRoomItem;
     }
 }
 
@@ -67,27 +67,28 @@ class Stacker {
             const PlacedPiece& piece = f_.layout.pieces()[i];
             if (piece.role == KitchenBase) kitchen_ = true;
             if (piece.role == Desk) desk_ = true;
-            if (carries(piece.role)) carriers_.push_back(static_cast<int>(i));
+            if (supportsItems(piece.role)) supporters_.push_back(static_cast<int>(i));
         }
     }
 
     void putTelevisions() {
-        for (const int carrier : carriers_) {
-            if (at(carrier).role != TvStand) continue;
+        for (const int supporter : supporters_) {
+            if (at(supporter).role != TvStand) continue;
             for (int i = 0; i < 6; ++i) {
                 const CatalogPiece* piece = f_.pick(Television);
                 if (!piece) return;
-                if (put(*piece, Television, carrier, Vector2d::Zero(), 0.0)) break;
+                if (put(*piece, Television, supporter, Vector2d::Zero(), 0.0)) break;
             }
         }
     }
 
     void stackUpTo(int objects) {
-        if (carriers_.empty()) return;
-        const int tries = kTriesPerThing * (objects - f_.layout.furnished());
+        if (supporters_.empty()) return;
+        const int tries = kTriesPerItem * (objects - f_.layout.furnished());
         for (int i = 0; i < tries && !f_.job.cancelled(); ++i) {
             if (f_.layout.furnished() >= objects) return;
-            putSomewhere(carriers_[f_.random.below(static_cast<std::uint32_t>(carriers_.size()))]);
+            putSomewhere(
+                supporters_[f_.random.below(static_cast<std::uint32_t>(supporters_.size()))]);
         }
     }
 
@@ -96,19 +97,19 @@ class Stacker {
         return f_.layout.pieces()[static_cast<std::size_t>(index)];
     }
 
-    const CarrierSurface* surfaceOf(int carrier) {
-        auto found = surfaces_.find(carrier);
+    const SupportSurface* surfaceOf(int supporter) {
+        auto found = surfaces_.find(supporter);
         if (found == surfaces_.end()) {
-            const auto* model = f_.pool.modelOf(*at(carrier).piece, f_.job);
+            const auto* model = f_.pool.modelOf(*at(supporter).piece, f_.job);
             if (!model) return nullptr;
-            found = surfaces_.emplace(carrier, CarrierSurface(*model, at(carrier))).first;
+            found = surfaces_.emplace(supporter, SupportSurface(*model, at(supporter))).first;
         }
         return &found->second;
     }
 
-    void putSomewhere(int carrier) {
-        const PlacedPiece on = at(carrier);
-        const FurnitureRole role = thingsFor(on.role, kitchen_, desk_, f_.random);
+    void putSomewhere(int supporter) {
+        const PlacedPiece on = at(supporter);
+        const FurnitureRole role = itemRoleFor(on.role, kitchen_, desk_, f_.random);
         const CatalogPiece* piece = f_.pick(role);
         if (!piece) return;
         const double slack_x = 0.5 * (on.piece->width - piece->width) - kRim;
@@ -116,55 +117,56 @@ class Stacker {
         if (slack_x < 0.0 || slack_y < 0.0) return;
         const double x = f_.random.uniform(-slack_x, slack_x);
         const double y = f_.random.uniform(-slack_y, slack_y);
-        put(*piece, role, carrier, {x, y}, f_.random.uniform(-kTurn, kTurn));
+        put(*piece, role, supporter, {x, y}, f_.random.uniform(-kTurn, kTurn));
     }
 
     /// Places an object at `offset` (along the axes of the supporting piece), if it fits.
-    bool put(const CatalogPiece& piece, FurnitureRole role, int carrier, const Vector2d& offset,
+    bool put(const CatalogPiece& piece, FurnitureRole role, int supporter, const Vector2d& offset,
              double turn) {
-        const CarrierSurface* surface = surfaceOf(carrier);
+        const SupportSurface* surface = surfaceOf(supporter);
         if (!surface) return false;
-        const PlacedPiece on = at(carrier);
-        PlacedPiece thing;
-        thing.piece = &piece;
-        thing.role = role;
-        thing.hold = PlacedPiece::Hold::Piece;
-        thing.supporter = carrier;
-        thing.angle = on.angle + turn;
-        thing.at = on.at + offset.x() * acrossAt(on.angle) + offset.y() * forwardAt(on.angle);
-        const auto rest = surface->restFor(thing, f_.random);
-        if (!rest) return false;
-        thing.elevation = rest->height;
-        if (isInTheWay(thing.box()) || (rest->way && isTaken(*rest->way, carrier))) return false;
-        if (!f_.layout.add(thing)) return false;
-        if (rest->way) ways_.push_back(*rest->way);
+        const PlacedPiece on = at(supporter);
+        PlacedPiece item;
+        item.piece = &piece;
+        item.role = role;
+        item.support = PlacedPiece::Support::Piece;
+        item.supporter = supporter;
+        item.angle = on.angle + turn;
+        item.at = on.at + offset.x() * acrossAt(on.angle) + offset.y() * forwardAt(on.angle);
+        const auto placement = surface->placementFor(item, f_.random);
+        if (!placement) return false;
+        item.elevation = placement->height;
+        if (isInTheWay(item.box()) || (placement->access && isTaken(*placement->access, supporter)))
+            return false;
+        if (!f_.layout.add(item)) return false;
+        if (placement->access) access_boxes_.push_back(*placement->access);
         return true;
     }
 
     /// Whether a box would block the free access to an object in a shelf, and so hide it.
     [[nodiscard]] bool isInTheWay(const UprightBox& box) const {
-        return std::any_of(ways_.begin(), ways_.end(),
-                           [&](const UprightBox& way) { return near(box, way, 0.0); });
+        return std::any_of(access_boxes_.begin(), access_boxes_.end(),
+                           [&](const UprightBox& access) { return near(box, access, 0.0); });
     }
 
-    [[nodiscard]] bool isTaken(const UprightBox& way, int carrier) const {
+    [[nodiscard]] bool isTaken(const UprightBox& access, int supporter) const {
         const auto& pieces = f_.layout.pieces();
         return std::any_of(pieces.begin(), pieces.end(), [&](const PlacedPiece& piece) {
-            return piece.supporter == carrier && near(piece.box(), way, 0.0);
+            return piece.supporter == supporter && near(piece.box(), access, 0.0);
         });
     }
 
     Furnisher& f_;
-    std::vector<int> carriers_;
-    std::map<int, CarrierSurface> surfaces_;
-    std::vector<UprightBox> ways_;  // free access to the objects in shelves
+    std::vector<int> supporters_;
+    std::map<int, SupportSurface> surfaces_;
+    std::vector<UprightBox> access_boxes_;  // free access to the objects in shelves
     bool kitchen_ = false;
     bool desk_ = false;
 };
 
 }  // namespace
 
-void stackThings(int objects, Furnisher& furnisher) {
+void stackItems(int objects, Furnisher& furnisher) {
     Stacker stacker(furnisher);
     stacker.putTelevisions();
     stacker.stackUpTo(objects);

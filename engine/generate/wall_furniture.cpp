@@ -17,7 +17,7 @@ void addUpperUnit(Furnisher& f, const CatalogPiece& below, const WallPlace& plac
     const CatalogPiece* upper = f.pick(KitchenUpper);
     if (!upper || upper->width > below.width + 1.0) return;
     PlacedPiece above = f.layout.atWall(*upper, KitchenUpper, place, 0.3);
-    above.hold = PlacedPiece::Hold::Wall;
+    above.support = PlacedPiece::Support::Wall;
     above.elevation = kUpperUnits;
     f.layout.add(above);
 }

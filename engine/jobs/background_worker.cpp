@@ -14,10 +14,11 @@ constexpr auto kProgressEvery = std::chrono::milliseconds(100);
 }  // namespace
 
 BackgroundWorker::BackgroundWorker(std::function<void()> on_change)
-    : BackgroundWorker(std::move(on_change), Patience{}) {}
+    : BackgroundWorker(std::move(on_change), GracePeriod{}) {}
 
-BackgroundWorker::BackgroundWorker(std::function<void()> on_change, Patience patience, Clock clock)
-    : patience_(patience),
+BackgroundWorker::BackgroundWorker(std::function<void()> on_change, GracePeriod grace_period,
+                                   Clock clock)
+    : grace_period_(grace_period),
       clock_(std::move(clock)),
       on_change_(std::move(on_change)),
       thread_([this] { loop(); }) {}
@@ -37,18 +38,18 @@ void BackgroundWorker::start(Work work) {
     {
         const std::lock_guard lock(mutex_);
         next_ = std::move(work);
-        cancelImpatiently();
+        cancelAfterGracePeriod();
         state_.busy = true;
     }
     work_arrived_.notify_one();
 }
 
 /// Cancels an outdated task whose grace period is over. The mutex must be held.
-void BackgroundWorker::cancelImpatiently() {
+void BackgroundWorker::cancelAfterGracePeriod() {
     if (!cancel_running_ || !next_) return;
     const auto run_for = clock_() - begun_;
-    const bool is_near_end = state_.fraction >= patience_.near_end;
-    if (run_for >= (is_near_end ? 2 : 1) * patience_.grace) cancel_running_->store(true);
+    const bool is_near_end = state_.fraction >= grace_period_.near_end;
+    if (run_for >= (is_near_end ? 2 : 1) * grace_period_.grace) cancel_running_->store(true);
 }
 
 void BackgroundWorker::cancelOutdated() {
@@ -90,7 +91,7 @@ void BackgroundWorker::loop() {
             {
                 const std::lock_guard guard(mutex_);
                 if (cancel_running_ == cancelled) state_ = {true, fraction, std::string(stage)};
-                cancelImpatiently();
+                cancelAfterGracePeriod();
             }
             const auto now = std::chrono::steady_clock::now();
             if (now - told < kProgressEvery) return;

@@ -16,7 +16,7 @@ namespace dollytrack {
 
 /// Runs one piece of work at a time on a thread of its own, for a window that must not wait. A
 /// newer piece cancels the one that runs and replaces the one that waits, so a dragged slider never
-/// builds a queue. Work sees copies or constant data and leaves its result in an Outbox.
+/// builds a queue. Work sees copies or constant data and leaves its result in an LatestValue.
 class BackgroundWorker {
   public:
     using Work = std::function<void(const JobContext&)>;
@@ -25,7 +25,7 @@ class BackgroundWorker {
     /// How long a piece may go on after a newer one has arrived: until it has run for `grace` in
     /// all, or for twice as long where it is near its end by then. Without grace it is cancelled at
     /// once. With it, a value that changes all the time still gets results.
-    struct Patience {
+    struct GracePeriod {
         std::chrono::milliseconds grace{0};
         double near_end = 0.7;  // fraction of its progress
     };
@@ -40,7 +40,7 @@ class BackgroundWorker {
     /// a second for its progress: to wake a window. Work that puts out a part of its result before
     /// it ends tells so itself.
     explicit BackgroundWorker(std::function<void()> on_change = {});
-    BackgroundWorker(std::function<void()> on_change, Patience patience,
+    BackgroundWorker(std::function<void()> on_change, GracePeriod grace_period,
                      Clock clock = std::chrono::steady_clock::now);
     /// Cancels and waits.
     ~BackgroundWorker();
@@ -57,9 +57,9 @@ class BackgroundWorker {
 
   private:
     void loop();
-    void cancelImpatiently();
+    void cancelAfterGracePeriod();
 
-    Patience patience_;
+    GracePeriod grace_period_;
     Clock clock_;
     std::chrono::steady_clock::time_point begun_;  // the piece that runs
 
@@ -76,7 +76,7 @@ class BackgroundWorker {
 
 /// Hands the newest value from one thread to another.
 template <class T>
-class Outbox {
+class LatestValue {
   public:
     void put(T value) {
         const std::lock_guard lock(mutex_);
@@ -94,7 +94,7 @@ class Outbox {
 
 /// Hands every value from one thread to another, in order.
 template <class T>
-class Tray {
+class ConcurrentQueue {
   public:
     void put(T value) {
         const std::lock_guard lock(mutex_);

@@ -18,7 +18,7 @@ double quantile(const std::vector<double>& sorted, double share) {
     return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
 }
 
-Spread spreadOf(std::vector<double> values) {
+SampleStatistics spreadOf(std::vector<double> values) {
     if (values.empty()) return {};
     std::sort(values.begin(), values.end());
     return {quantile(values, 0.5), quantile(values, 0.95), values.back()};

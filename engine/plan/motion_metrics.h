@@ -7,7 +7,7 @@
 namespace dollytrack {
 
 /// How a measured quantity is distributed over the frames.
-struct Spread {
+struct SampleStatistics {
     double median = 0.0;
     double p95 = 0.0;  // 95 % are no larger
     double max = 0.0;
@@ -15,13 +15,14 @@ struct Spread {
 
 /// How the camera moves, from the poses alone: differences from frame to frame, of the first order
 /// for speed and turning rate, of the second for accelerations, of the third for jerk. Nothing is
-/// measured across a change of path, or where frames were left out. At long frame intervals these are means over them.
+/// measured across a change of path, or where frames were left out. At long frame intervals these
+/// are means over them.
 struct MotionMetrics {
-    Spread speed_mps;
-    Spread turn_dps;
-    Spread acceleration_mps2;
-    Spread turn_acceleration_dps2;
-    Spread jerk_mps3;
+    SampleStatistics speed_mps;
+    SampleStatistics turn_dps;
+    SampleStatistics acceleration_mps2;
+    SampleStatistics turn_acceleration_dps2;
+    SampleStatistics jerk_mps3;
 };
 
 [[nodiscard]] MotionMetrics measureMotion(const Trajectory& trajectory);

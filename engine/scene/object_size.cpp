@@ -7,15 +7,16 @@ namespace {
 
 constexpr double kRestGap = 0.05;  // m between an object and its supporting surface
 
-/// Whether the object stands on the carrier or is inside its box (on a shelf, in a cabinet).
-bool isCarriedBy(const Object& thing, const Object& carrier) {
-    const double bottom = thing.box.center.z() - thing.box.half_size.z();
-    const double carrier_bottom = carrier.box.center.z() - carrier.box.half_size.z();
-    const double carrier_top = carrier.box.center.z() + carrier.box.half_size.z();
-    if (bottom > carrier_top + kRestGap || bottom < carrier_bottom + kRestGap) return false;
-    Eigen::Vector3d level = thing.centroid;
-    level.z() = carrier.box.center.z();
-    return carrier.box.contains(level);
+/// Whether the object stands on the supporting object or is inside its box (on a shelf, in a
+/// cabinet).
+bool isSupportedBy(const Object& object, const Object& support) {
+    const double bottom = object.box.center.z() - object.box.half_size.z();
+    const double support_bottom = support.box.center.z() - support.box.half_size.z();
+    const double support_top = support.box.center.z() + support.box.half_size.z();
+    if (bottom > support_top + kRestGap || bottom < support_bottom + kRestGap) return false;
+    Eigen::Vector3d level = object.centroid;
+    level.z() = support.box.center.z();
+    return support.box.contains(level);
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ void sortBySize(std::vector<Object>& objects, double small_volume_m3, double siz
         if (!object.large || object.structure) continue;
         object.large = std::none_of(objects.begin(), objects.end(), [&](const Object& other) {
             return other.id != object.id && !other.structure &&
-                   other.box.volume() >= size_ratio * volume && isCarriedBy(object, other);
+                   other.box.volume() >= size_ratio * volume && isSupportedBy(object, other);
         });
     }
 }

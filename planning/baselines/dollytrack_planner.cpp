@@ -73,10 +73,10 @@ PlannedMotion plannedMotionOf(const Plan& plan) {
 Result<PlannedMotion> smoothAsThePaper(const BaselineScene& scene, const Plan& plan,
                                        const PlanParams& params) {
     const PitchBand pitch = pitchBand(params.constraints);
-    const Surroundings around{*scene.views, *scene.free_space, *scene.sphere, pitch};
+    const PlanningEnvironment environment{*scene.views, *scene.free_space, *scene.sphere, pitch};
     std::vector<SmoothPath> paths;
     for (const CameraPath& path : plan.paths) {
-        paths.push_back(smoothBlindly(path, params.smoothing.corner_distance_m, around));
+        paths.push_back(smoothBlindly(path, params.smoothing.corner_distance_m, environment));
     }
     return timeTrajectory(paths, plan.position_points, plan.observation_points, params.timing,
                           pitch, headingLimit(params.body))

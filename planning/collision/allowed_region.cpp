@@ -53,7 +53,7 @@ Verdict AllowedRegion::verdict(const Eigen::Vector3d& center, double radius_m) c
     if (!floors_) return Verdict::Legal;
     if (levels_) {
         if (!levels_->isOnLevel(center)) return Verdict::HeightBand;
-        if (levels_->gap(center).free_m < SweptSphere::kMargin) return Verdict::InObstacle;
+        if (levels_->clearance(center).free_m < SweptSphere::kMargin) return Verdict::InObstacle;
         return levels_->isReached(center) ? Verdict::Legal : Verdict::OutsideRoom;
     }
     const double height = heightOf(center);

@@ -48,8 +48,8 @@ class AllowedRegion {
     [[nodiscard]] const FloorLevels& levels() const { return *levels_; }
 
     /// Free distance around the body of a camera with an exact height; infinite without one.
-    [[nodiscard]] BodyGap bodyGap(const Eigen::Vector3d& center) const {
-        return levels_ ? levels_->gap(center) : BodyGap{};
+    [[nodiscard]] BodyClearance bodyClearance(const Eigen::Vector3d& center) const {
+        return levels_ ? levels_->clearance(center) : BodyClearance{};
     }
 
     /// Verdict on a camera sphere of this radius: Legal, NoGo (touches a box), HeightBand (outside

@@ -17,7 +17,7 @@ namespace {
 
 // Cell centres are stored as floats, so a position may be off its level by a rounding error.
 constexpr double kSameHeight_m = 1e-5;
-constexpr double kFarthest_m = 0.25;       // cap of gap()
+constexpr double kFarthest_m = 0.25;       // cap of clearance()
 constexpr double kLeastLevel_m2 = 0.5;     // a smaller level is a stair tread or a sill
 constexpr double kLeastReached_m2 = 0.25;  // a smaller drivable area is ignored
 constexpr double kBin_m = 0.001;
@@ -209,7 +209,7 @@ void FloorLevels::reach(Level& level, const RayCaster& rays, const FreeSpace& fr
             if (level.floor[c] == 0) continue;
             const Eigen::Vector3d place = placeOver(c, level.floor_m);
             const int room = free_space.componentAt(place);
-            if (room < 0 || gap(place).free_m < SweptSphere::kMargin) continue;
+            if (room < 0 || clearance(place).free_m < SweptSphere::kMargin) continue;
             const bool is_clear =
                 free_space.clearanceLowerBound(place) >= reach_m || rays.isClear(place, reach_m);
             const bool is_allowed = std::ranges::none_of(
@@ -289,7 +289,7 @@ bool FloorLevels::isReached(const Eigen::Vector3d& place) const {
     });
 }
 
-BodyGap FloorLevels::gap(const Eigen::Vector3d& place) const {
+BodyClearance FloorLevels::clearance(const Eigen::Vector3d& place) const {
     const int index = levelAt(place);
     if (index < 0) return {0.0, 0};
     const Level& level = levels_[static_cast<std::size_t>(index)];

@@ -15,7 +15,7 @@ class FloorHeights;
 class FreeSpace;
 
 /// Free distance around the camera's body.
-struct BodyGap {
+struct BodyClearance {
     double free_m = std::numeric_limits<double>::infinity();  // from the cylinder's side, m; capped
     int object_id = 0;  // nearest object; 0: a no-go box, a floor edge or none
 };
@@ -47,7 +47,7 @@ class FloorLevels {
 
     /// Free distance around the body with the camera at the position, exact up to a cap of 0.25 m;
     /// negative on overlap, 0 off the levels.
-    [[nodiscard]] BodyGap gap(const Eigen::Vector3d& place) const;
+    [[nodiscard]] BodyClearance clearance(const Eigen::Vector3d& place) const;
 
     /// Centres of the cells where the camera can be, by component of free space, in a fixed order.
     [[nodiscard]] const std::vector<std::vector<Eigen::Vector3f>>& cells() const { return cells_; }

@@ -50,7 +50,7 @@ Verdict SweptSphere::verdict(const Eigen::Vector3d& position, int& object_id) co
     if (allowed == Verdict::NoGo) return allowed;
     object_id = rays_->closest(position, reach).object_id;
     if (object_id == 0 && allowed == Verdict::InObstacle) {
-        object_id = region_->bodyGap(position).object_id;
+        object_id = region_->bodyClearance(position).object_id;
     }
     if (object_id != 0 || free_space_->stateAt(position) == CellState::Occupied) {
         return Verdict::InObstacle;
@@ -71,17 +71,17 @@ const std::vector<Eigen::Vector3f>& SweptSphere::cells(int component) const {
     return region_ ? region_->cells(component) : free_space_->cells(component);
 }
 
-Sweep SweptSphere::segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+SweepResult SweptSphere::segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
     return bezier(from, 0.5 * (from + to), to);
 }
 
-Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
-                          const Eigen::Vector3d& end) const {
+SweepResult SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
+                                const Eigen::Vector3d& end) const {
     // |B'(t)| never exceeds this, so t may grow by (free distance) / speed.
     const double speed = 2.0 * std::max((control - start).norm(), (end - control).norm());
     // Both ends of a straight move lie in one free leaf of the octree, so all of it is free space.
     const bool inside = control == 0.5 * (start + end) && free_space_->inOneFreeLeaf(start, end);
-    Sweep sweep;
+    SweepResult sweep;
     sweep.min_clearance_m = std::numeric_limits<double>::infinity();
     if (region_ && !region_->bandHolds(start, control, end, sweep.collision)) {
         sweep.min_clearance_m = clearance(sweep.collision, radius_m_ + kPlenty);
@@ -121,7 +121,7 @@ Sweep SweptSphere::bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& c
             sweep.reason = Verdict::NoGo;
             return sweep;
         }
-        const BodyGap body = region_ ? region_->bodyGap(position) : BodyGap{};
+        const BodyClearance body = region_ ? region_->bodyClearance(position) : BodyClearance{};
         if (body.free_m < kContact) {
             sweep.collision = position;
             sweep.object_id = body.object_id;

@@ -17,7 +17,7 @@ class FreeSpace;
 class RoomPlan;
 
 /// Result of moving the camera sphere along a curve.
-struct Sweep {
+struct SweepResult {
     bool free = false;
     double min_clearance_m = 0.0;  // centre to surface, the least found at sampled points of the
                                    // proof; between them it may be a few millimetres less, but
@@ -55,11 +55,11 @@ class SweptSphere {
     /// `limit`.
     [[nodiscard]] double clearance(const Eigen::Vector3d& position, double limit) const;
 
-    [[nodiscard]] Sweep segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+    [[nodiscard]] SweepResult segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
     /// Tests a move along a quadratic Bezier curve.
-    [[nodiscard]] Sweep bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
-                               const Eigen::Vector3d& end) const;
+    [[nodiscard]] SweepResult bezier(const Eigen::Vector3d& start, const Eigen::Vector3d& control,
+                                     const Eigen::Vector3d& end) const;
 
     [[nodiscard]] double radius() const { return radius_m_; }
 

@@ -26,11 +26,11 @@ constexpr std::size_t kPlacesTried = 16;  // candidates, those that see most mis
 constexpr std::size_t kAimsTried = 24;
 
 /// Random legal camera positions near the region.
-std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const OrientedBox& box,
-                                        double farthest_m) {
+std::vector<Eigen::Vector3d> placesNear(const PlanningEnvironment& environment,
+                                        const OrientedBox& box, double farthest_m) {
     std::vector<Eigen::Vector3d> near;
-    for (std::size_t room = 0; room < around.free_space.rooms().size(); ++room) {
-        for (const Eigen::Vector3f& cell : around.sphere.cells(static_cast<int>(room))) {
+    for (std::size_t room = 0; room < environment.free_space.rooms().size(); ++room) {
+        for (const Eigen::Vector3f& cell : environment.sphere.cells(static_cast<int>(room))) {
             const Eigen::Vector3d place = cell.cast<double>();
             if (box.distance(place) < farthest_m) near.push_back(place);
         }
@@ -39,7 +39,7 @@ std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const Orient
     Random random(1);
     for (std::size_t i = 0; i < 4 * kPlaces && places.size() < kPlaces && !near.empty(); ++i) {
         const Eigen::Vector3d& place = near[random.below(static_cast<std::uint32_t>(near.size()))];
-        if (around.sphere.fits(place)) places.push_back(place);
+        if (environment.sphere.fits(place)) places.push_back(place);
     }
     return places;
 }
@@ -47,12 +47,13 @@ std::vector<Eigen::Vector3d> placesNear(const Surroundings& around, const Orient
 /// Chooses the views of one region.
 class Covering {
   public:
-    Covering(const Surroundings& around, const Region& region)
-        : around_(around), views_(around.views) {
+    Covering(const PlanningEnvironment& environment, const Region& region)
+        : environment_(environment), views_(environment.views) {
         result_.name = region.name;
         result_.surface = patchesIn(views_.scene(), region.box, kSpacing_m);
-        const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
-        places_ = placesNear(around, region.box, sight.farthest_m());
+        const PatchVisibility visibility(views_.rays(), views_.intrinsics(),
+                                         result_.surface.spacing_m);
+        places_ = placesNear(environment, region.box, visibility.farthest_m());
         const double half_height =
             std::atan(0.5 * views_.intrinsics().height / views_.intrinsics().fy);
         const auto& patches = result_.surface.patches;
@@ -60,11 +61,11 @@ class Covering {
         parallelFor(places_.size(), [&](std::size_t i) {
             for (std::size_t p = 0; p < patches.size(); ++p) {
                 const double elevation = elevationOf(patches[p].point - places_[i]);
-                if (elevation < around_.pitch.lowest - half_height ||
-                    elevation > around_.pitch.highest + half_height) {
+                if (elevation < environment_.pitch.lowest - half_height ||
+                    elevation > environment_.pitch.highest + half_height) {
                     continue;
                 }
-                if (sight.reaches(places_[i], patches[p])) {
+                if (visibility.reaches(places_[i], patches[p])) {
                     seen_from_[i].push_back(static_cast<int>(p));
                 }
             }
@@ -77,7 +78,7 @@ class Covering {
     }
 
     /// Counts the fixed views, then keeps given views that add enough, the best first.
-    void takeGiven(const std::vector<GivenView>& given) {
+    void takeGiven(const std::vector<ExistingView>& given) {
         std::vector<std::vector<int>> shown(given.size());
         parallelFor(given.size(), [&](std::size_t i) { shown[i] = shownBy(given[i].pose); });
         const auto take = [&](std::size_t i) {
@@ -133,12 +134,13 @@ class Covering {
 
     /// Indices of the patches not yet covered that a view shows.
     [[nodiscard]] std::vector<int> shownBy(const Pose& pose) const {
-        const PatchSight sight(views_.rays(), views_.intrinsics(), result_.surface.spacing_m);
+        const PatchVisibility visibility(views_.rays(), views_.intrinsics(),
+                                         result_.surface.spacing_m);
         const auto& patches = result_.surface.patches;
         std::vector<int> shown;
         for (std::size_t p = 0; p < patches.size(); ++p) {
             if (wanted_[p] != 0 && views_.inImage(pose, patches[p].point) &&
-                sight.reaches(pose.position, patches[p])) {
+                visibility.reaches(pose.position, patches[p])) {
                 shown.push_back(static_cast<int>(p));
             }
         }
@@ -186,7 +188,7 @@ class Covering {
                 at /= static_cast<double>(list.size());
             }
             if ((at - places_[place]).norm() < 1e-6) continue;
-            Tried one{0, aim(places_[place], at, around_.pitch)};
+            Tried one{0, aim(places_[place], at, environment_.pitch)};
             for (const int p : list) {
                 one.shown +=
                     views_.inImage(one.pose, patches[static_cast<std::size_t>(p)].point) ? 1 : 0;
@@ -196,7 +198,7 @@ class Covering {
         return best;
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const ViewEstimator& views_;
     MustSee result_;
     std::vector<Eigen::Vector3d> places_;
@@ -216,12 +218,12 @@ std::vector<Region> mustSeeAmong(const std::vector<Region>& regions) {
     return wanted;
 }
 
-Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
+Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
-                                         std::vector<GivenView> given, const JobContext& job) {
+                                         std::vector<ExistingView> given, const JobContext& job) {
     std::vector<MustSee> all;
     for (const Region& region : regions) {
-        Covering covering(around, region);
+        Covering covering(environment, region);
         covering.takeGiven(given);
         all.push_back(std::move(covering).run(job));
         if (all.back().surface.patches.empty()) {
@@ -249,13 +251,14 @@ Result<std::vector<RegionCoverage>> measureCoverage(const std::vector<MustSee>& 
     std::vector<RegionCoverage> all;
     for (const MustSee& region : must_see) {
         const auto& patches = region.surface.patches;
-        const PatchSight sight(views.rays(), views.intrinsics(), region.surface.spacing_m);
+        const PatchVisibility visibility(views.rays(), views.intrinsics(),
+                                         region.surface.spacing_m);
         std::vector<char> seen(patches.size(), 0);
         parallelFor(patches.size(), [&](std::size_t p) {
             for (const TrajectoryFrame* frame : frames) {
                 if (job.cancelled()) return;
                 if (views.inImage(frame->pose, patches[p].point) &&
-                    sight.reaches(frame->pose.position, patches[p])) {
+                    visibility.reaches(frame->pose.position, patches[p])) {
                     seen[p] = 1;
                     break;
                 }

@@ -14,8 +14,9 @@
 namespace dollytrack::planning {
 
 /// Coverage of one must-see region: its surface patches, which of them can be seen, and chosen
-/// views. A frame sees a patch if it is in the image and PatchSight reaches it. A patch is seeable
-/// if one of 500 random legal camera positions near the region sees it with an allowed pitch.
+/// views. A frame sees a patch if it is in the image and PatchVisibility reaches it. A patch is
+/// seeable if one of 500 random legal camera positions near the region sees it with an allowed
+/// pitch.
 struct MustSee {
     std::string name;
     SurfacePatches surface;
@@ -29,7 +30,7 @@ struct MustSee {
 std::vector<Region> mustSeeAmong(const std::vector<Region>& regions);
 
 /// A view that the trajectory already contains.
-struct GivenView {
+struct ExistingView {
     Pose pose;
     bool fixed = false;  // whether it stays even if no region needs it
 };
@@ -37,9 +38,9 @@ struct GivenView {
 /// Chooses views that cover each region, by greedy set cover: fixed given views count first, then
 /// given views that each add at least 2 % of the seeable patches are kept, then new views are
 /// added. Logs a warning for a region without surface. Error: Cancelled.
-Result<std::vector<MustSee>> findMustSee(const Surroundings& around,
+Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
-                                         std::vector<GivenView> given, const JobContext& job);
+                                         std::vector<ExistingView> given, const JobContext& job);
 
 /// Counts the patches of each region that frames of the trajectory see. A patch that a frame sees
 /// counts as seeable. Error: Cancelled.

@@ -17,16 +17,16 @@ struct ShownPatch {
 
 ShownPatch shownBy(const Trajectory& trajectory, const SurfacePatch& patch, const SurfaceGoal& goal,
                    const ViewEstimator& views) {
-    const PatchSight sight(views.rays(), surfaceRules());
+    const PatchVisibility visibility(views.rays(), surfaceRules());
     ShownPatch shown;
-    SpreadDirections sharp;
+    DistinctDirections sharp;
     for (const TrajectoryFrame& frame : trajectory.frames) {
         const Eigen::Vector3d way = frame.pose.position - patch.point;
         const double distance = way.norm();
         const bool helps = distance <= goal.sharp_m && distance > 0.0 &&
                            sharp.adds(way / distance, goal.directions);
         if ((shown.seen && !helps) || !views.inImage(frame.pose, patch.point) ||
-            !sight.reaches(frame.pose.position, patch)) {
+            !visibility.reaches(frame.pose.position, patch)) {
             continue;
         }
         shown.seen = true;

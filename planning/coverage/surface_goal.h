@@ -26,13 +26,13 @@ struct SurfaceGoal {
 /// Cosine of 75 degrees.
 inline constexpr double kFlattestSurfaceCosine = 0.25881904510252074;
 
-inline SightRules surfaceRules() {
+inline VisibilityRules surfaceRules() {
     return {.flattest_cosine = kFlattestSurfaceCosine, .two_sided = false};
 }
 
 /// Counts the patches that the frames of the trajectory see, and that they cover: sharply, from as
-/// many directions as asked for, counted in the order of the frames (see SpreadDirections). A patch
-/// that the frames cover is also counted as coverable. Error: Cancelled.
+/// many directions as asked for, counted in the order of the frames (see DistinctDirections). A
+/// patch that the frames cover is also counted as coverable. Error: Cancelled.
 Result<SurfaceShare> measureSurface(const SurfaceGoal& goal, const ViewEstimator& views,
                                     const Trajectory& trajectory, const JobContext& job);
 

@@ -85,13 +85,14 @@ SurfacePatches patchesIn(const Scene& scene, const OrientedBox& box, double spac
     return found;
 }
 
-PatchSight::PatchSight(const RayCaster& rays, const SightRules& rules)
+PatchVisibility::PatchVisibility(const RayCaster& rays, const VisibilityRules& rules)
     : rays_(rays), rules_(rules) {}
 
-PatchSight::PatchSight(const RayCaster& rays, const Intrinsics& intrinsics, double spacing_m)
-    : PatchSight(rays, {.farthest_m = spacing_m * intrinsics.fx / kLeastPixels}) {}
+PatchVisibility::PatchVisibility(const RayCaster& rays, const Intrinsics& intrinsics,
+                                 double spacing_m)
+    : PatchVisibility(rays, {.farthest_m = spacing_m * intrinsics.fx / kLeastPixels}) {}
 
-bool PatchSight::faces(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
+bool PatchVisibility::faces(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
     const Eigen::Vector3d way = patch.point - from;
     const double distance = way.norm();
     if (distance > rules_.farthest_m || distance < 1e-6) return false;
@@ -99,7 +100,7 @@ bool PatchSight::faces(const Eigen::Vector3d& from, const SurfacePatch& patch) c
     return (rules_.two_sided ? std::abs(cosine) : cosine) >= rules_.flattest_cosine;
 }
 
-bool PatchSight::reaches(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
+bool PatchVisibility::reaches(const Eigen::Vector3d& from, const SurfacePatch& patch) const {
     if (!faces(from, patch)) return false;
     const Eigen::Vector3d way = patch.point - from;
     const double distance = way.norm();

@@ -35,7 +35,7 @@ SurfacePatches patchesIn(const Scene& scene, const OrientedBox& box, double spac
 inline constexpr double kFlattestSightCosine = 0.17364817766693036;
 
 /// The positions from which a patch counts as seen.
-struct SightRules {
+struct VisibilityRules {
     double farthest_m = std::numeric_limits<double>::infinity();
     double flattest_cosine = kFlattestSightCosine;  // of line of sight and normal
     bool two_sided = true;                          // else only from the side of the normal
@@ -43,12 +43,12 @@ struct SightRules {
 
 /// Visibility of patches from a point, for any viewing direction: the line of sight is free and
 /// keeps to the rules.
-class PatchSight {
+class PatchVisibility {
   public:
-    PatchSight(const RayCaster& rays, const SightRules& rules);
+    PatchVisibility(const RayCaster& rays, const VisibilityRules& rules);
     /// A patch must be at least 8 pixels wide in an image of these intrinsics; it is seen within 80
     /// degrees of its normal, from both sides.
-    PatchSight(const RayCaster& rays, const Intrinsics& intrinsics, double spacing_m);
+    PatchVisibility(const RayCaster& rays, const Intrinsics& intrinsics, double spacing_m);
 
     /// Whether a view keeps to the rules, if nothing is in between.
     [[nodiscard]] bool faces(const Eigen::Vector3d& from, const SurfacePatch& patch) const;
@@ -60,7 +60,7 @@ class PatchSight {
 
   private:
     const RayCaster& rays_;
-    SightRules rules_;
+    VisibilityRules rules_;
 };
 
 }  // namespace dollytrack::planning

@@ -6,7 +6,7 @@
 
 namespace dollytrack::planning {
 
-bool SpreadDirections::adds(const Eigen::Vector3d& direction, int wanted) const {
+bool DistinctDirections::adds(const Eigen::Vector3d& direction, int wanted) const {
     if (count_ >= std::min(wanted, kMost)) return false;
     return std::none_of(
         directions_.begin(), directions_.begin() + count_,
@@ -19,22 +19,22 @@ SurfaceProgress::SurfaceProgress(std::vector<int> wanted)
       sharp_(wanted_.size()),
       all_directions_(std::accumulate(wanted_.begin(), wanted_.end(), std::size_t{0})) {}
 
-double SurfaceProgress::gain(const PatchSighting& sighting) const {
-    const std::size_t p = sighting.patch;
+double SurfaceProgress::gain(const PatchObservation& observation) const {
+    const std::size_t p = observation.patch;
     double gain = seen_[p] == 0 ? 1.0 : 0.0;
-    if (sighting.sharp && sharp_[p].adds(sighting.direction, wanted_[p])) {
+    if (observation.sharp && sharp_[p].adds(observation.direction, wanted_[p])) {
         gain += 1.0 / (sharp_[p].count() + 1);
     }
     return gain;
 }
 
-void SurfaceProgress::add(const PatchSighting& sighting) {
-    const std::size_t p = sighting.patch;
+void SurfaceProgress::add(const PatchObservation& observation) {
+    const std::size_t p = observation.patch;
     seen_patches_ += seen_[p] == 0 ? 1 : 0;
     seen_[p] = 1;
-    if (!sighting.sharp) return;
+    if (!observation.sharp) return;
     const int before = sharp_[p].count();
-    sharp_[p].add(sighting.direction, wanted_[p]);
+    sharp_[p].add(observation.direction, wanted_[p]);
     covered_directions_ += static_cast<std::size_t>(sharp_[p].count() - before);
 }
 

@@ -10,7 +10,7 @@ namespace dollytrack::planning {
 
 /// Directions from which a patch was seen, any two of them at least 15 degrees apart. A direction
 /// nearer than that to one counted before does not count, so the number depends on the order.
-class SpreadDirections {
+class DistinctDirections {
   public:
     static constexpr int kMost = 8;
     static constexpr double kApartCosine = 0.96592582628906831;  // of 15 degrees
@@ -28,7 +28,7 @@ class SpreadDirections {
 };
 
 /// A patch that a view shows.
-struct PatchSighting {
+struct PatchObservation {
     std::size_t patch = 0;
     bool sharp = false;  // near enough for the resolution asked for
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  // unit, from the patch to the camera
@@ -41,9 +41,10 @@ class SurfaceProgress {
     /// `wanted`: directions per patch from which it can be seen sharply, and shall be.
     explicit SurfaceProgress(std::vector<int> wanted);
 
-    /// What a sighting would add: 1 for a patch not seen before, and 1 / n for its nth direction.
-    [[nodiscard]] double gain(const PatchSighting& sighting) const;
-    void add(const PatchSighting& sighting);
+    /// What a observation would add: 1 for a patch not seen before, and 1 / n for its nth
+    /// direction.
+    [[nodiscard]] double gain(const PatchObservation& observation) const;
+    void add(const PatchObservation& observation);
 
     /// Whether at least this share of the patches is seen, and of the wanted directions covered.
     [[nodiscard]] bool reaches(double share) const;
@@ -51,7 +52,7 @@ class SurfaceProgress {
   private:
     std::vector<int> wanted_;
     std::vector<char> seen_;
-    std::vector<SpreadDirections> sharp_;
+    std::vector<DistinctDirections> sharp_;
     std::size_t all_directions_ = 0;
     std::size_t covered_directions_ = 0;
     std::size_t seen_patches_ = 0;

@@ -36,7 +36,7 @@ constexpr int kMostAcross = 24, kFewestHigh = 3, kMostHigh = 9;
 struct SurfaceCandidate {
     std::size_t place = 0;
     Eigen::Vector3d forward = Eigen::Vector3d::UnitX();
-    std::vector<std::uint32_t> shown;  // indices into the sightings of its position
+    std::vector<std::uint32_t> shown;  // indices into the observations from its position
 };
 
 SurfacePatches patchesFor(std::vector<SurfacePatch> fine) {
@@ -77,32 +77,32 @@ std::vector<Eigen::Vector3d> aimsAround(const Intrinsics& lens, const PitchBand&
 
 class SurfaceViewSearch {
   public:
-    SurfaceViewSearch(const Surroundings& around, SurfaceGoal goal,
+    SurfaceViewSearch(const PlanningEnvironment& environment, SurfaceGoal goal,
                       std::vector<Eigen::Vector3d> places)
-        : around_(around),
-          lens_(around.views.intrinsics()),
+        : environment_(environment),
+          lens_(environment.views.intrinsics()),
           goal_(std::move(goal)),
           places_(std::move(places)),
-          sightings_(places_.size()) {
+          observations_(places_.size()) {
         parallelFor(places_.size(),
-                    [&](std::size_t i) { sightings_[i] = sightingsAt(places_[i]); });
+                    [&](std::size_t i) { observations_[i] = observationsAt(places_[i]); });
         const std::size_t patches = goal_.surface.patches.size();
-        std::vector<SpreadDirections> possible(patches);
-        for (const auto& list : sightings_) {
-            for (const PatchSighting& one : list) {
+        std::vector<DistinctDirections> possible(patches);
+        for (const auto& list : observations_) {
+            for (const PatchObservation& one : list) {
                 if (one.sharp) possible[one.patch].add(one.direction, goal_.directions);
             }
         }
-        for (const SpreadDirections& one : possible) goal_.coverable.push_back(one.count());
+        for (const DistinctDirections& one : possible) goal_.coverable.push_back(one.count());
     }
 
     SurfaceViews choose(const std::vector<Pose>& given, std::size_t most,
                         const JobContext& job) && {
         SurfaceProgress progress(goal_.coverable);
-        std::vector<std::vector<PatchSighting>> shown(given.size());
-        parallelFor(given.size(), [&](std::size_t i) { shown[i] = sightingsOf(given[i]); });
+        std::vector<std::vector<PatchObservation>> shown(given.size());
+        parallelFor(given.size(), [&](std::size_t i) { shown[i] = observationsOf(given[i]); });
         for (const auto& list : shown) {
-            for (const PatchSighting& one : list) progress.add(one);
+            for (const PatchObservation& one : list) progress.add(one);
         }
         std::vector<Pose> views;
         if (most > 0) addBest(progress, most, views, job);
@@ -111,31 +111,31 @@ class SurfaceViewSearch {
 
   private:
     /// The patches visible from a position, in any viewing direction.
-    [[nodiscard]] std::vector<PatchSighting> sightingsAt(const Eigen::Vector3d& place) const {
-        const PatchSight sight(around_.views.rays(), surfaceRules());
+    [[nodiscard]] std::vector<PatchObservation> observationsAt(const Eigen::Vector3d& place) const {
+        const PatchVisibility visibility(environment_.views.rays(), surfaceRules());
         const std::vector<SurfacePatch>& patches = goal_.surface.patches;
-        std::vector<PatchSighting> found;
+        std::vector<PatchObservation> found;
         std::vector<RayCaster::BundleRay> rays;
         for (std::size_t p = 0; p < patches.size(); ++p) {
-            if (!sight.faces(place, patches[p])) continue;
+            if (!visibility.faces(place, patches[p])) continue;
             const Eigen::Vector3d way = patches[p].point - place;
             const double distance = way.norm();
             found.push_back({p, distance <= goal_.sharp_m, -way / distance});
-            rays.push_back({way, static_cast<float>(1.0 - PatchSight::kReached_m / distance)});
+            rays.push_back({way, static_cast<float>(1.0 - PatchVisibility::kReached_m / distance)});
         }
         std::vector<RayHit> hits;
-        around_.views.rays().castBundle(place, rays, 0.0, hits);
-        std::vector<PatchSighting> visible;
+        environment_.views.rays().castBundle(place, rays, 0.0, hits);
+        std::vector<PatchObservation> visible;
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (hits[i].object_id == 0) visible.push_back(found[i]);
         }
         return visible;
     }
 
-    [[nodiscard]] std::vector<PatchSighting> sightingsOf(const Pose& pose) const {
-        std::vector<PatchSighting> shown;
-        for (const PatchSighting& one : sightingsAt(pose.position)) {
-            if (around_.views.inImage(pose, goal_.surface.patches[one.patch].point)) {
+    [[nodiscard]] std::vector<PatchObservation> observationsOf(const Pose& pose) const {
+        std::vector<PatchObservation> shown;
+        for (const PatchObservation& one : observationsAt(pose.position)) {
+            if (environment_.views.inImage(pose, goal_.surface.patches[one.patch].point)) {
                 shown.push_back(one);
             }
         }
@@ -149,12 +149,12 @@ class SurfaceViewSearch {
         const double y = lens_.cy / lens_.fy;
         const double corner_cosine = 1.0 / std::sqrt(1.0 + x * x + y * y);
         std::vector<SurfaceCandidate> candidates;
-        for (const Eigen::Vector3d& forward : aimsAround(lens_, around_.pitch, phase)) {
+        for (const Eigen::Vector3d& forward : aimsAround(lens_, environment_.pitch, phase)) {
             SurfaceCandidate one{place, forward, {}};
             const Eigen::Matrix3d camera_from_world =
                 lookAlong(forward).conjugate().toRotationMatrix();
-            for (std::size_t s = 0; s < sightings_[place].size(); ++s) {
-                const Eigen::Vector3d& direction = sightings_[place][s].direction;
+            for (std::size_t s = 0; s < observations_[place].size(); ++s) {
+                const Eigen::Vector3d& direction = observations_[place][s].direction;
                 if (-forward.dot(direction) < corner_cosine) continue;
                 const Eigen::Vector3d p = camera_from_world * -direction;
                 if (std::abs(p.x()) < x * p.z() && std::abs(p.y()) < y * p.z()) {
@@ -169,13 +169,13 @@ class SurfaceViewSearch {
     [[nodiscard]] double gainOf(const SurfaceCandidate& one,
                                 const SurfaceProgress& progress) const {
         double gain = 0.0;
-        for (const std::uint32_t s : one.shown) gain += progress.gain(sightings_[one.place][s]);
+        for (const std::uint32_t s : one.shown) gain += progress.gain(observations_[one.place][s]);
         return gain;
     }
 
     /// In a scan, a view must show enough scanned surface.
     [[nodiscard]] bool showsScanned(const Pose& pose) const {
-        return around_.views.scannedShare(pose) >= CaptureRules{}.min_scanned_share;
+        return environment_.views.scannedShare(pose) >= CaptureRules{}.min_scanned_share;
     }
 
     /// Lazy greedy: gains only fall, so a candidate whose gain is still the largest after an update
@@ -210,26 +210,26 @@ class SurfaceViewSearch {
             }
             const Pose pose{places_[one.place], lookAlong(one.forward)};
             if (!showsScanned(pose)) continue;
-            for (const std::uint32_t s : one.shown) progress.add(sightings_[one.place][s]);
+            for (const std::uint32_t s : one.shown) progress.add(observations_[one.place][s]);
             views.push_back(pose);
         }
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const Intrinsics& lens_;
     SurfaceGoal goal_;
     std::vector<Eigen::Vector3d> places_;
-    std::vector<std::vector<PatchSighting>> sightings_;  // by position
+    std::vector<std::vector<PatchObservation>> observations_;  // by position
 };
 
 }  // namespace
 
-Result<SurfaceViews> findSurfaceViews(const Surroundings& around, const PlanParams& params,
-                                      const std::vector<Pose>& given, std::size_t most,
-                                      const JobContext& job) {
+Result<SurfaceViews> findSurfaceViews(const PlanningEnvironment& environment,
+                                      const PlanParams& params, const std::vector<Pose>& given,
+                                      std::size_t most, const JobContext& job) {
     std::vector<Eigen::Vector3d> places =
-        evenPlaces(around.free_space, around.sphere, kSurfacePlaces);
-    auto fine = reachablePatches(around.views.scene(), around.views.rays(), places,
+        evenPlaces(environment.free_space, environment.sphere, kSurfacePlaces);
+    auto fine = reachablePatches(environment.views.scene(), environment.views.rays(), places,
                                  kSurfaceRaysAround, kFinestPatch_m, job);
     if (!fine) return tl::unexpected<Error>(std::move(fine.error()));
     SurfaceGoal goal;
@@ -237,7 +237,7 @@ Result<SurfaceViews> findSurfaceViews(const Surroundings& around, const PlanPara
     goal.sharp_m = sharpWithin_m(params);
     goal.directions = params.coverage.surface_directions;
     SurfaceViews found =
-        SurfaceViewSearch(around, std::move(goal), std::move(places)).choose(given, most, job);
+        SurfaceViewSearch(environment, std::move(goal), std::move(places)).choose(given, most, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return found;
 }

@@ -21,8 +21,8 @@ struct SurfaceViews {
 /// greedy maximum coverage: a patch counts when it is seen first, and less for each further
 /// direction in which it is seen sharply. `given` views count as chosen. Stops when 99 % of what is
 /// possible is shown, or after `most` views. Deterministic. Error: Cancelled.
-Result<SurfaceViews> findSurfaceViews(const Surroundings& around, const PlanParams& params,
-                                      const std::vector<Pose>& given, std::size_t most,
-                                      const JobContext& job);
+Result<SurfaceViews> findSurfaceViews(const PlanningEnvironment& environment,
+                                      const PlanParams& params, const std::vector<Pose>& given,
+                                      std::size_t most, const JobContext& job);
 
 }  // namespace dollytrack::planning

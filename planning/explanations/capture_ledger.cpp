@@ -48,8 +48,8 @@ double movedBySmoothing(const Plan& plan, int point) {
 class RowMaker {
   public:
     RowMaker(const Scene& scene, const Plan& plan, const ObjectCapture& capture,
-             const LeftOutFor& left_out_for)
-        : scene_(scene), plan_(plan), capture_(capture), left_out_for_(left_out_for) {}
+             const ExclusionReasons& reasons)
+        : scene_(scene), plan_(plan), capture_(capture), reasons_(reasons) {}
 
     LedgerRow make() {
         row_.object_id = capture_.object_id;
@@ -94,7 +94,7 @@ class RowMaker {
             case Reached::Found:
                 // Key frames of objects are chosen to keep every capture; only a budget drops some.
                 lose(Loss::OverBudget,
-                     fmt::format("Its key frame was dropped {}.", left_out_for_.key_frames));
+                     fmt::format("Its key frame was dropped {}.", reasons_.key_frames));
                 break;
             case Reached::KeyFrame:
                 lostBeforePath(furthest);
@@ -117,7 +117,7 @@ class RowMaker {
                         [&](const SmoothPath& path) { return path.component == part; });
         if (visited) {
             lose(Loss::DroppedByPath,
-                 fmt::format("Its key frame was left out of the path {}.", left_out_for_.path));
+                 fmt::format("Its key frame was left out of the path {}.", reasons_.path));
         } else {
             lose(Loss::OtherComponent,
                  fmt::format("Its key frame is in room {}, which no path visits.", part + 1));
@@ -206,17 +206,17 @@ class RowMaker {
     const Scene& scene_;
     const Plan& plan_;
     const ObjectCapture& capture_;
-    const LeftOutFor& left_out_for_;
+    const ExclusionReasons& reasons_;
     LedgerRow row_;
 };
 
 }  // namespace
 
 std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan,
-                                     const LeftOutFor& left_out_for) {
+                                     const ExclusionReasons& reasons) {
     std::vector<LedgerRow> ledger;
     for (const ObjectCapture& capture : plan.captures) {
-        ledger.push_back(RowMaker(scene, plan, capture, left_out_for).make());
+        ledger.push_back(RowMaker(scene, plan, capture, reasons).make());
     }
     return ledger;
 }

@@ -8,7 +8,7 @@
 namespace dollytrack::planning {
 
 /// Reasons for views that were found but left out, as phrases.
-struct LeftOutFor {
+struct ExclusionReasons {
     std::string path = "because no collision-free path to it was found";  // not on a path
     std::string key_frames = "to keep within max_frames";                 // no key frame
 };
@@ -17,6 +17,6 @@ struct LeftOutFor {
 /// which that was lost and why. Uses the plan only, without new estimates; findRemedies() searches
 /// for what would help.
 std::vector<LedgerRow> captureLedger(const Scene& scene, const Plan& plan,
-                                     const LeftOutFor& left_out_for = {});
+                                     const ExclusionReasons& reasons = {});
 
 }  // namespace dollytrack::planning

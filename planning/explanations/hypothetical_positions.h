@@ -24,7 +24,7 @@ struct HypotheticalPosition {
 /// Dense positions around an object: many directions and distances, then random positions in the
 /// rooms' free space, regardless of no-go boxes and height band. In a fixed order. Empty if
 /// cancelled.
-std::vector<HypotheticalPosition> hypotheticalPositions(const Surroundings& around,
+std::vector<HypotheticalPosition> hypotheticalPositions(const PlanningEnvironment& environment,
                                                         const Subject& subject, int object_id,
                                                         int seed, const JobContext& job);
 

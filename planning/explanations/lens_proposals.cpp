@@ -17,8 +17,8 @@ constexpr double kWidest = 120.0;  // wider pinhole images are strongly stretche
 constexpr double kWhole = 0.92;    // largest share of the image's length for an object
 
 /// A proposal with another lens; empty if no near plane fits in the camera's sphere.
-std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
-    Proposal made = unchanged(what, std::nullopt);
+std::optional<Proposal> withLens(const ProposalContext& context, double hfov_deg) {
+    Proposal made = unchanged(context, std::nullopt);
     changeTo(made, "hfov_deg", made.change.params.camera.hfov_deg, hfov_deg);
     if (!keepNearInSphere(made)) return std::nullopt;
     return made;
@@ -27,35 +27,35 @@ std::optional<Proposal> withLens(const WhatIf& what, double hfov_deg) {
 /// View estimators for other lenses, by angle of view, created on demand.
 class Lenses {
   public:
-    explicit Lenses(const WhatIf& what) : what_(what) {}
+    explicit Lenses(const ProposalContext& context) : context_(context) {}
 
     /// The view estimator for a lens; null if no camera can have it.
     [[nodiscard]] const ViewEstimator* at(double hfov_deg) {
         const auto known = made_.find(hfov_deg);
         if (known != made_.end()) return &known->second;
-        const auto lens = withLens(what_, hfov_deg);
+        const auto lens = withLens(context_, hfov_deg);
         if (!lens) return nullptr;
-        const ViewEstimator& views = what_.around.views;
+        const ViewEstimator& views = context_.environment.views;
         return &made_.try_emplace(hfov_deg, views.scene(), views.rays(), lens->change.params.camera)
                     .first->second;
     }
 
     [[nodiscard]] bool show(double hfov_deg, const Pose& view) {
         const ViewEstimator* views = at(hfov_deg);
-        return views != nullptr && showsEnough(*views, view, what_.object_id, what_.well);
+        return views != nullptr && showsEnough(*views, view, context_.object_id, context_.well);
     }
 
     [[nodiscard]] std::size_t count() const { return made_.size(); }
 
     /// A proposal with a lens for which at() returned an estimator.
     [[nodiscard]] Proposal propose(double hfov_deg, const Pose& view) const {
-        Proposal made = *withLens(what_, hfov_deg);
+        Proposal made = *withLens(context_, hfov_deg);
         made.view = view;
         return made;
     }
 
   private:
-    const WhatIf& what_;
+    const ProposalContext& context_;
     std::map<double, ViewEstimator> made_;
 };
 
@@ -66,20 +66,20 @@ double scaled(double hfov_deg, double scale) {
 }
 
 /// Longer lenses for an object that is too small: the mildest that enlarges it enough.
-std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
-    const double before = what.params.camera.hfov_deg;
+std::vector<Proposal> narrower(const ProposalContext& context, Lenses& lenses) {
+    const double before = context.params.camera.hfov_deg;
     const auto lensFor = [&](const HypotheticalPosition& p) {
         if (p.seen.occluder != 0 || !(p.fill > 0.0) || p.fill > kWhole) return before;
         const CaptureRules rules;
         double grow = rules.min_visible_px / std::max(p.seen.visible_px, 1.0);
-        if (what.well) {
+        if (context.well) {
             grow = std::max(grow, rules.min_box_share / std::max(p.seen.box_share, 1e-6));
         }
         const double scale = std::max(1.0, 1.02 * std::sqrt(grow));
         return scale * p.fill > kWhole ? before : std::floor(scaled(before, scale));
     };
     const auto places = bestFirst(
-        what.places,
+        context.places,
         [&](const HypotheticalPosition& p) {
             const double hfov = lensFor(p);
             return p.legal() && hfov < before && hfov >= kNarrowest &&
@@ -94,20 +94,20 @@ std::vector<Proposal> narrower(const WhatIf& what, Lenses& lenses) {
         const bool known =
             !proposals.empty() && proposals.back().change.params.camera.hfov_deg == hfov;
         if (known || ++looked[hfov] > kLookedAt / 2) continue;
-        const Pose view = poseAt(what, *place);
+        const Pose view = poseAt(context, *place);
         if (lenses.show(hfov, view)) proposals.push_back(lenses.propose(hfov, view));
     }
     return proposals;
 }
 
 /// Wider lenses for an object that does not fit: the mildest that shows enough of it.
-std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
-    const double before = what.params.camera.hfov_deg;
+std::vector<Proposal> wider(const ProposalContext& context, Lenses& lenses) {
+    const double before = context.params.camera.hfov_deg;
     const auto fits = [&](const HypotheticalPosition& p) {
         return std::min(std::ceil(scaled(before, kWhole / p.fill)), kWidest);
     };
     const auto cropped = bestFirst(
-        what.places,
+        context.places,
         [](const HypotheticalPosition& p) {
             return p.legal() && std::isfinite(p.fill) && p.fill > kWhole;
         },
@@ -118,14 +118,15 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
     if (widest == nullptr) return {};
     std::vector<double> promises(cropped.size());
     parallelFor(cropped.size(), [&](std::size_t i) {
-        const auto seen = widest->estimate(poseAt(what, *cropped[i]), what.object_id, kCoarseGrid);
-        promises[i] = promise(seen, what.well);
+        const auto seen =
+            widest->estimate(poseAt(context, *cropped[i]), context.object_id, kCoarseGrid);
+        promises[i] = promise(seen, context.well);
     });
     double least = kWidest + 1.0;
     Pose view;
     const auto lookFrom = [&](std::size_t i) {
         // A wider lens shows more of it, so bisection finds the least angle.
-        const Pose here = poseAt(what, *cropped[i]);
+        const Pose here = poseAt(context, *cropped[i]);
         double enough = std::min(least - 1.0, fits(*cropped[i]));
         if (enough <= before || !lenses.show(enough, here)) return;
         double short_of = before;
@@ -157,19 +158,19 @@ std::vector<Proposal> wider(const WhatIf& what, Lenses& lenses) {
 
 }  // namespace
 
-std::vector<Proposal> proposeLenses(const WhatIf& what) {
-    Lenses lenses(what);
-    std::vector<Proposal> proposals = narrower(what, lenses);
-    for (Proposal& made : wider(what, lenses)) proposals.push_back(std::move(made));
+std::vector<Proposal> proposeLenses(const ProposalContext& context) {
+    Lenses lenses(context);
+    std::vector<Proposal> proposals = narrower(context, lenses);
+    for (Proposal& made : wider(context, lenses)) proposals.push_back(std::move(made));
     return proposals;
 }
 
-std::vector<Proposal> proposeWiderUnseen(const WhatIf& what) {
+std::vector<Proposal> proposeWiderUnseen(const ProposalContext& context) {
     constexpr double kStep = 5.0;
-    const double before = what.params.camera.hfov_deg;
+    const double before = context.params.camera.hfov_deg;
     std::vector<Proposal> proposals;
     for (double hfov = std::floor(before / kStep + 1.0) * kStep; hfov <= kWidest; hfov += kStep) {
-        if (auto made = withLens(what, hfov)) proposals.push_back(std::move(*made));
+        if (auto made = withLens(context, hfov)) proposals.push_back(std::move(*made));
     }
     return proposals;
 }

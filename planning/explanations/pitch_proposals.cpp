@@ -32,20 +32,21 @@ struct SteepPlace {
     double goodness = 0.0;  // without any limit of pitch
 };
 
-SteepPlace steepPlace(const WhatIf& what, const HypotheticalPosition& place, double asked) {
+SteepPlace steepPlace(const ProposalContext& context, const HypotheticalPosition& place,
+                      double asked) {
     SteepPlace steep{&place};
-    const double elevation = elevationOf(what.subject.center - place.position);
-    const PitchBand band = pitchBand(what.params.constraints);
+    const double elevation = elevationOf(context.subject.center - place.position);
+    const PitchBand band = pitchBand(context.params.constraints);
     if (band.nearest(elevation) == elevation) return steep;
     steep.down = elevation < band.lowest;
-    const ConstraintParams& from = what.params.constraints;
+    const ConstraintParams& from = context.params.constraints;
     const auto seen = [&](int steps) {
         const PitchBand looser = pitchBand(loosened(from, steep.down, steps));
-        return what.around.views.estimate(aim(place.position, what.subject.center, looser),
-                                          what.object_id, kCoarseGrid);
+        return context.environment.views.estimate(
+            aim(place.position, context.subject.center, looser), context.object_id, kCoarseGrid);
     };
     const auto promises = [&](const ViewEstimator::Estimate& view) {
-        return promise(view, what.well) >= asked;
+        return promise(view, context.well) >= asked;
     };
     // With this many steps the object is in the image centre.
     int enough = static_cast<int>(std::ceil(
@@ -64,9 +65,10 @@ SteepPlace steepPlace(const WhatIf& what, const HypotheticalPosition& place, dou
     return steep;
 }
 
-Proposal propose(const WhatIf& what, const SteepPlace& steep, int steps) {
-    const ConstraintParams to = loosened(what.params.constraints, steep.down, steps);
-    Proposal made = unchanged(what, aim(steep.place->position, what.subject.center, pitchBand(to)));
+Proposal propose(const ProposalContext& context, const SteepPlace& steep, int steps) {
+    const ConstraintParams to = loosened(context.params.constraints, steep.down, steps);
+    Proposal made =
+        unchanged(context, aim(steep.place->position, context.subject.center, pitchBand(to)));
     ConstraintParams& band = made.change.params.constraints;
     if (steep.down) {
         changeTo(made, "min_pitch_deg", band.min_pitch_deg, to.min_pitch_deg);
@@ -77,11 +79,12 @@ Proposal propose(const WhatIf& what, const SteepPlace& steep, int steps) {
 }
 
 /// The positions from which a coarse estimate reaches `asked`, fewest steps first.
-std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
-    std::vector<SteepPlace> steep(what.places.size());
-    parallelFor(what.places.size(), [&](std::size_t i) {
-        const HypotheticalPosition& place = what.places[i];
-        if (place.legal() && std::isfinite(place.fill)) steep[i] = steepPlace(what, place, asked);
+std::vector<SteepPlace> steepPlaces(const ProposalContext& context, double asked) {
+    std::vector<SteepPlace> steep(context.places.size());
+    parallelFor(context.places.size(), [&](std::size_t i) {
+        const HypotheticalPosition& place = context.places[i];
+        if (place.legal() && std::isfinite(place.fill))
+            steep[i] = steepPlace(context, place, asked);
     });
     std::erase_if(steep, [](const SteepPlace& one) { return one.steps == 0; });
     std::stable_sort(steep.begin(), steep.end(), [](const SteepPlace& a, const SteepPlace& b) {
@@ -91,27 +94,27 @@ std::vector<SteepPlace> steepPlaces(const WhatIf& what, double asked) {
 }
 
 /// The mildest loosening, verified by exact estimates; empty if no position meets the requirement.
-std::vector<Proposal> loosenedFor(const WhatIf& what) {
+std::vector<Proposal> loosenedFor(const ProposalContext& context) {
     const auto shows = [&](const Proposal& made) {
-        return showsEnough(what.around.views, *made.view, what.object_id, what.well);
+        return showsEnough(context.environment.views, *made.view, context.object_id, context.well);
     };
     // Most candidates that nearly meet the requirement fail the exact estimate.
     for (const double asked : {1.0, kAlmost}) {
         std::size_t looked = 0;
-        for (const SteepPlace& one : steepPlaces(what, asked)) {
+        for (const SteepPlace& one : steepPlaces(context, asked)) {
             if (++looked > 2 * kLookedAt) break;
             int steps = one.steps;
-            Proposal pinned = propose(what, one, steps);
+            Proposal pinned = propose(context, one, steps);
             if (!shows(pinned)) continue;
             for (; steps > 1; --steps) {
-                Proposal milder = propose(what, one, steps - 1);
+                Proposal milder = propose(context, one, steps - 1);
                 if (!shows(milder)) break;
                 pinned = std::move(milder);
             }
             // A slightly looser band may make the pin unnecessary, since the search has more
             // candidates.
             Proposal least = pinned;
-            Proposal more = propose(what, one, steps + kMoreSteps);
+            Proposal more = propose(context, one, steps + kMoreSteps);
             least.view.reset();
             more.view.reset();
             pinned.needs_pin = true;
@@ -123,14 +126,14 @@ std::vector<Proposal> loosenedFor(const WhatIf& what) {
 
 }  // namespace
 
-std::vector<Proposal> proposePitches(const WhatIf& what) {
-    if (!pitchBand(what.params.constraints).restricts()) return {};
-    WhatIf well = what;
+std::vector<Proposal> proposePitches(const ProposalContext& context) {
+    if (!pitchBand(context.params.constraints).restricts()) return {};
+    ProposalContext well = context;
     well.well = true;
     // Prefer views that capture well: a looser band has no other cost.
     std::vector<Proposal> proposals = loosenedFor(well);
-    if (what.well) return proposals;
-    for (Proposal& made : loosenedFor(what)) proposals.push_back(std::move(made));
+    if (context.well) return proposals;
+    for (Proposal& made : loosenedFor(context)) proposals.push_back(std::move(made));
     return proposals;
 }
 

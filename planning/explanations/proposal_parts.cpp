@@ -32,14 +32,14 @@ double goodness(const ViewEstimator::Estimate& seen) {
            0.2 * seen.box_share;
 }
 
-Pose poseAt(const WhatIf& what, const HypotheticalPosition& place) {
-    return aim(place.position, what.subject.center, pitchBand(what.params.constraints));
+Pose poseAt(const ProposalContext& context, const HypotheticalPosition& place) {
+    return aim(place.position, context.subject.center, pitchBand(context.params.constraints));
 }
 
-Proposal unchanged(const WhatIf& what, const std::optional<Pose>& view) {
+Proposal unchanged(const ProposalContext& context, const std::optional<Pose>& view) {
     Proposal made;
-    made.change.params = what.params;
-    made.change.edits = what.edits;
+    made.change.params = context.params;
+    made.change.edits = context.edits;
     made.view = view;
     return made;
 }

@@ -28,10 +28,10 @@ std::vector<const HypotheticalPosition*> bestFirst(
     const std::function<double(const HypotheticalPosition&)>& order);
 
 /// The view of the object from a position, within the pitch band.
-Pose poseAt(const WhatIf& what, const HypotheticalPosition& place);
+Pose poseAt(const ProposalContext& context, const HypotheticalPosition& place);
 
 /// A proposal without any change yet.
-Proposal unchanged(const WhatIf& what, const std::optional<Pose>& view);
+Proposal unchanged(const ProposalContext& context, const std::optional<Pose>& view);
 
 /// Changes a parameter, and adds that to the remedy's settings and text.
 void changeTo(Proposal& made, const std::string& name, double& field, double value);

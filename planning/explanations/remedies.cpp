@@ -86,13 +86,13 @@ CandidateTally tallyOf(const std::vector<HypotheticalPosition>& places) {
 class Finder {
   public:
     Finder(const std::shared_ptr<const Scene>& scene, const PlanParams& params,
-           const PlanEdits& edits, const Plan& plan, const Surroundings& around, PlanTrials& trials,
-           const JobContext& job)
+           const PlanEdits& edits, const Plan& plan, const PlanningEnvironment& environment,
+           PlanTrials& trials, const JobContext& job)
         : scene_(*scene),
           params_(params),
           edits_(edits),
           plan_(plan),
-          around_(around),
+          environment_(environment),
           trials_(trials),
           job_(job) {}
 
@@ -213,26 +213,28 @@ class Finder {
 
     /// No view was found: searches for a missed view, then for changes that would give one.
     void findElsewhere(LedgerRow& row) {
-        const Subject subject = makeSubject(around_.views, {row.object_id});
+        const Subject subject = makeSubject(environment_.views, {row.object_id});
         const auto places =
-            hypotheticalPositions(around_, subject, row.object_id, params_.seed, job_);
-        const WhatIf what{around_, params_, edits_, subject, places, row.object_id, row.captured};
-        if (takeFirst(proposePins(what), row) || row.remedy) {
+            hypotheticalPositions(environment_, subject, row.object_id, params_.seed, job_);
+        const ProposalContext context{environment_, params_,       edits_,      subject,
+                                      places,       row.object_id, row.captured};
+        if (takeFirst(proposePins(context), row) || row.remedy) {
             row.loss = Loss::SearchMissed;
             row.occluder = 0;
             row.reason = "There is a legal view of it that the search did not find.";
             return;
         }
         lookDenser(places, row);
-        std::vector<Proposal> pitches = proposePitches(what);
+        std::vector<Proposal> pitches = proposePitches(context);
         const bool held_by_pitch = !pitches.empty();
         if (takeFirst(std::move(pitches), row)) return blamePitchBand(row);
-        if (takeFirst(proposeRegions(what), row) || takeFirst(proposeSmallerCameras(what), row) ||
-            takeFirst(proposeLenses(what), row)) {
+        if (takeFirst(proposeRegions(context), row) ||
+            takeFirst(proposeSmallerCameras(context), row) ||
+            takeFirst(proposeLenses(context), row)) {
             return;
         }
-        if (row.loss == Loss::DoesNotFit && takeFirst(proposeWiderUnseen(what), row)) return;
-        if (!takeFirst(proposeMoves(what, trials_), row) && held_by_pitch) blamePitchBand(row);
+        if (row.loss == Loss::DoesNotFit && takeFirst(proposeWiderUnseen(context), row)) return;
+        if (!takeFirst(proposeMoves(context, trials_), row) && held_by_pitch) blamePitchBand(row);
     }
 
     /// Corrects the reason with the result of dense sampling.
@@ -399,7 +401,7 @@ class Finder {
     const PlanParams& params_;
     const PlanEdits& edits_;
     const Plan& plan_;
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     PlanTrials& trials_;
     const JobContext& job_;
     int kept_balance_ = 0;  // objects that the kept remedy gains minus those it loses
@@ -425,12 +427,13 @@ Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& 
     const auto region = pipeline.region();
     const ViewEstimator views(*scene, *rays, params.camera);
     const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, region.get());
-    const Surroundings around{views, *free_space, sphere, pitchBand(params.constraints)};
+    const PlanningEnvironment environment{views, *free_space, sphere,
+                                          pitchBand(params.constraints)};
     for (std::size_t i = 0; i < lost.size(); ++i) {
         const double done = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(lost.size());
         job.report(done);
         const JobContext quiet = job.stage(done, done, "remedies");
-        Finder(scene, params, edits, plan, around, trials, quiet).find(*lost[i]);
+        Finder(scene, params, edits, plan, environment, trials, quiet).find(*lost[i]);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     }
     return rows;

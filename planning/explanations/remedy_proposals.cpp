@@ -24,46 +24,48 @@ bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bo
     return well ? isWellCaptured(view) : isCaptured(view);
 }
 
-std::vector<Proposal> proposePins(const WhatIf& what) {
+std::vector<Proposal> proposePins(const ProposalContext& context) {
     const auto places = bestFirst(
-        what.places,
+        context.places,
         [&](const HypotheticalPosition& p) {
-            return p.legal() && promise(p.seen, what.well) >= kAlmost;
+            return p.legal() && promise(p.seen, context.well) >= kAlmost;
         },
         [](const HypotheticalPosition& p) { return goodness(p.seen); });
     for (std::size_t i = 0; i < std::min(kLookedAt, places.size()); ++i) {
-        const Pose view = poseAt(what, *places[i]);
-        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
-        Proposal made = unchanged(what, view);
+        const Pose view = poseAt(context, *places[i]);
+        if (!showsEnough(context.environment.views, view, context.object_id, context.well))
+            continue;
+        Proposal made = unchanged(context, view);
         made.needs_pin = true;
         return {made};
     }
     return {};
 }
 
-std::vector<Proposal> proposeRegions(const WhatIf& what) {
-    const AllowedRegion* region = what.around.sphere.region();
+std::vector<Proposal> proposeRegions(const ProposalContext& context) {
+    const AllowedRegion* region = context.environment.sphere.region();
     std::vector<Proposal> proposals;
     // An exact height cannot be widened slightly.
     if (region == nullptr || region->hasLevels()) return proposals;
-    const double reach = what.around.sphere.radius() + SweptSphere::kMargin;
-    const FreeSpaceParams& band = what.params.free_space;
+    const double reach = context.environment.sphere.radius() + SweptSphere::kMargin;
+    const FreeSpaceParams& band = context.params.free_space;
     const auto beyond = [&](const HypotheticalPosition& p) {
         if (p.allowed != Verdict::HeightBand) return 0.0;
         const double height = region->heightOf(p.position);
         return std::max(height - band.max_height_m, band.min_height_m - height);
     };
     const auto places = bestFirst(
-        what.places,
+        context.places,
         [&](const HypotheticalPosition& p) {
-            return p.roomy && p.allowed != Verdict::Legal && promise(p.seen, what.well) >= kAlmost;
+            return p.roomy && p.allowed != Verdict::Legal &&
+                   promise(p.seen, context.well) >= kAlmost;
         },
         [&](const HypotheticalPosition& p) { return -beyond(p); });
     std::set<std::string> proposed;
     for (std::size_t i = 0; i < std::min(4 * kLookedAt, places.size()); ++i) {
         if (proposals.size() >= kMostOfAKind) break;
-        const Pose view = poseAt(what, *places[i]);
-        Proposal made = unchanged(what, view);
+        const Pose view = poseAt(context, *places[i]);
+        Proposal made = unchanged(context, view);
         if (places[i]->allowed == Verdict::NoGo) {
             const NoGoBox* box = region->boxAt(view.position, reach);
             if (box == nullptr) continue;
@@ -83,24 +85,25 @@ std::vector<Proposal> proposeRegions(const WhatIf& what) {
             }
         }
         if (proposed.contains(made.remedy.text)) continue;
-        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
+        if (!showsEnough(context.environment.views, view, context.object_id, context.well))
+            continue;
         proposed.insert(made.remedy.text);
         proposals.push_back(std::move(made));
     }
     return proposals;
 }
 
-std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
+std::vector<Proposal> proposeSmallerCameras(const ProposalContext& context) {
     const auto radiusAt = [](const HypotheticalPosition& p) {
         // Subtract the margin, and round to centimetres.
         return std::floor((p.clearance_m - SweptSphere::kMargin) * 100.0 + 1e-6) / 100.0;
     };
-    const CameraParams& camera = what.params.camera;
+    const CameraParams& camera = context.params.camera;
     const auto places = bestFirst(
-        what.places,
+        context.places,
         [&](const HypotheticalPosition& p) {
             return !p.roomy && p.allowed == Verdict::Legal && radiusAt(p) >= kLeastRadius_m &&
-                   radiusAt(p) < camera.camera_radius_m && promise(p.seen, what.well) >= kAlmost;
+                   radiusAt(p) < camera.camera_radius_m && promise(p.seen, context.well) >= kAlmost;
         },
         [&](const HypotheticalPosition& p) { return 100.0 * radiusAt(p) + goodness(p.seen); });
     std::vector<Proposal> proposals;
@@ -111,9 +114,10 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
         const bool known =
             !proposals.empty() && proposals.back().change.params.camera.camera_radius_m == radius;
         if (known || ++looked[radius] > kLookedAt) continue;
-        const Pose view = poseAt(what, *place);
-        if (!showsEnough(what.around.views, view, what.object_id, what.well)) continue;
-        Proposal made = unchanged(what, view);
+        const Pose view = poseAt(context, *place);
+        if (!showsEnough(context.environment.views, view, context.object_id, context.well))
+            continue;
+        Proposal made = unchanged(context, view);
         CameraParams& smaller = made.change.params.camera;
         changeTo(made, "camera_radius_m", smaller.camera_radius_m, radius);
         if (!keepNearInSphere(made)) continue;
@@ -122,15 +126,15 @@ std::vector<Proposal> proposeSmallerCameras(const WhatIf& what) {
     return proposals;
 }
 
-std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
-    const Scene& scene = what.around.views.scene();
+std::vector<Proposal> proposeMoves(const ProposalContext& context, PlanTrials& trials) {
+    const Scene& scene = context.environment.views.scene();
     const auto shareWithout = [](const HypotheticalPosition& p) {
         return p.seen.visible_fraction + p.seen.occluder_share;
     };
     const auto places = bestFirst(
-        what.places,
+        context.places,
         [&](const HypotheticalPosition& p) {
-            return p.legal() && p.seen.occluder != 0 && p.seen.occluder != what.object_id &&
+            return p.legal() && p.seen.occluder != 0 && p.seen.occluder != context.object_id &&
                    !scene.object(p.seen.occluder).structure &&
                    shareWithout(p) >= CaptureRules{}.min_visible_fraction;
         },
@@ -151,10 +155,11 @@ std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials) {
         const auto scene_without = trials.scene(gone);
         const RayCaster& rays_without = rays.try_emplace(gone, *scene_without).first->second;
         const ViewEstimator& views_without =
-            views.try_emplace(gone, *scene_without, rays_without, what.params.camera).first->second;
-        const Pose view = poseAt(what, *place);
-        if (!showsEnough(views_without, view, what.object_id, what.well)) continue;
-        Proposal made = unchanged(what, view);
+            views.try_emplace(gone, *scene_without, rays_without, context.params.camera)
+                .first->second;
+        const Pose view = poseAt(context, *place);
+        if (!showsEnough(views_without, view, context.object_id, context.well)) continue;
+        Proposal made = unchanged(context, view);
         made.change.without_object = gone;
         made.remedy.move_object = gone;
         made.remedy.text = fmt::format("move {} away, which hides {:.0f} % of it",

@@ -20,8 +20,8 @@ struct Proposal {
 };
 
 /// Input of the proposals. Keeps references.
-struct WhatIf {
-    const Surroundings& around;
+struct ProposalContext {
+    const PlanningEnvironment& environment;
     const PlanParams& params;
     const PlanEdits& edits;
     const Subject& subject;
@@ -35,14 +35,15 @@ bool showsEnough(const ViewEstimator& views, const Pose& pose, int object_id, bo
 
 // Each proposes one kind of remedy, the mildest change first, verified by exact estimates from the
 // proposed pose.
-std::vector<Proposal> proposePins(const WhatIf& what);
-std::vector<Proposal> proposePitches(const WhatIf& what);  // looser pitch band
-std::vector<Proposal> proposeRegions(const WhatIf& what);  // no-go boxes and height band
-std::vector<Proposal> proposeSmallerCameras(const WhatIf& what);
-std::vector<Proposal> proposeLenses(const WhatIf& what);
+std::vector<Proposal> proposePins(const ProposalContext& context);
+std::vector<Proposal> proposePitches(const ProposalContext& context);  // looser pitch band
+std::vector<Proposal> proposeRegions(
+    const ProposalContext& context);  // no-go boxes and height band
+std::vector<Proposal> proposeSmallerCameras(const ProposalContext& context);
+std::vector<Proposal> proposeLenses(const ProposalContext& context);
 // Wider lenses for an object that does not fit, if no position shows enough of it. Not verified by
 // estimates: the search itself samples more closely and may find a view.
-std::vector<Proposal> proposeWiderUnseen(const WhatIf& what);
-std::vector<Proposal> proposeMoves(const WhatIf& what, PlanTrials& trials);
+std::vector<Proposal> proposeWiderUnseen(const ProposalContext& context);
+std::vector<Proposal> proposeMoves(const ProposalContext& context, PlanTrials& trials);
 
 }  // namespace dollytrack::planning

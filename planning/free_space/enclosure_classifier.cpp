@@ -26,9 +26,9 @@ constexpr double kOpenHeight_m = 1.6;
 
 constexpr unsigned kFloorAndCeiling = kFloorBelow | kCeilingAbove;
 
-enum class Verdict { Outside, Possible, Certain };
+enum class EnclosureVote { Outside, Possible, Certain };
 
-Verdict judge(EnclosureRule rule, bool roofed, std::uint8_t sight) {
+EnclosureVote classify(EnclosureRule rule, bool roofed, std::uint8_t sight) {
     const int hits = sight & kEnclosureHitsMask;
     const bool floor = (sight & kFloorBelow) != 0;
     const bool ceiling = (sight & kCeilingAbove) != 0;
@@ -47,7 +47,9 @@ Verdict judge(EnclosureRule rule, bool roofed, std::uint8_t sight) {
             certain = floor;
             break;
     }
-    return certain ? Verdict::Certain : possible ? Verdict::Possible : Verdict::Outside;
+    return certain    ? EnclosureVote::Certain
+           : possible ? EnclosureVote::Possible
+                      : EnclosureVote::Outside;
 }
 
 void closeGaps(std::vector<std::uint8_t>& inside, std::size_t most) {
@@ -99,7 +101,8 @@ void EnclosureClassifier::countRoof(const EnclosureInput& seen, const CellBox& b
         const int z = box.begin[2] + static_cast<int>(slice);
         auto& count = roof_[static_cast<std::size_t>(z)];
         seen.visitAir(box, z, [&](std::size_t i) {
-            if (judge(EnclosureRule::Walls, false, seen.sight[i]) != Verdict::Certain) return;
+            if (classify(EnclosureRule::Walls, false, seen.sight[i]) != EnclosureVote::Certain)
+                return;
             count[0] += sign;
             if ((seen.sight[i] & kFloorAndCeiling) == kFloorAndCeiling) count[1] += sign;
         });
@@ -126,11 +129,11 @@ void EnclosureClassifier::countCells(const EnclosureInput& seen, const FloorPlan
         seen.visitAir(box, z, [&](std::size_t i) {
             const int part = plan.part_of_column[i - first];
             if (part == kNoPart) return;
-            const Verdict verdict = judge(rule_, roofed_, seen.sight[i]);
+            const EnclosureVote vote = classify(rule_, roofed_, seen.sight[i]);
             EnclosureCounts& count = votes[static_cast<std::size_t>(part)];
             count.air += sign;
-            count.possible += verdict != Verdict::Outside ? sign : 0;
-            count.certain += verdict == Verdict::Certain ? sign : 0;
+            count.possible += vote != EnclosureVote::Outside ? sign : 0;
+            count.certain += vote == EnclosureVote::Certain ? sign : 0;
             count.covered += (seen.sight[i] & kFloorAndCeiling) != 0 ? sign : 0;
             count.hits += sign * (seen.sight[i] & kEnclosureHitsMask);
         });

@@ -3,7 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/free_space/components.h"
 #include "planning/free_space/distance_field.h"
-#include "planning/free_space/mapping_words.h"
+#include "planning/free_space/mapping_messages.h"
 #include "planning/free_space/octree.h"
 #include "planning/free_space/rooms.h"
 #include "planning/free_space/scanned_space.h"
@@ -59,8 +59,8 @@ struct FreeSpace::Impl {
     std::once_flag octree_asked;  // asked for by pictures and files only, never by planning
     OctreePtr octree;
     Eigen::AlignedBox3d bounds;
-    std::once_flag leaks_asked;  // asked for by the report only, never by planning
-    LeakReport leaks;
+    std::once_flag openings_asked;  // asked for by the report only, never by planning
+    OpeningReport opening_report;
 
     [[nodiscard]] const std::vector<std::uint8_t>& inside(EnclosureRule rule);
     void findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
@@ -89,7 +89,7 @@ const std::vector<std::uint8_t>& FreeSpace::Impl::inside(EnclosureRule rule) {
 /// Finds the inside cells where the sphere fits, for one rule.
 void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
                                const JobContext& job) {
-    const FittingPlace place{
+    const SphereFitInput place{
         rays, grid, surfaces->surfaces().cells, surfaces->gaps(), inside(rule), camera_radius_m};
     const auto index = static_cast<std::size_t>(rule);
     const bool known = moved != nullptr && !moved->before.fits[index].empty();
@@ -424,10 +424,11 @@ std::optional<double> FreeSpace::scannedShare() const {
 double FreeSpace::resolution_m() const {
     return impl_->grid.resolution_m;
 }
-const LeakReport& FreeSpace::leaks() const {
-    std::call_once(impl_->leaks_asked,
-                   [&] { impl_->leaks = findLeaks(impl_->grid, impl_->cells, impl_->found); });
-    return impl_->leaks;
+const OpeningReport& FreeSpace::openingReport() const {
+    std::call_once(impl_->openings_asked, [&] {
+        impl_->opening_report = findOpenings(impl_->grid, impl_->cells, impl_->found);
+    });
+    return impl_->opening_report;
 }
 
 }  // namespace dollytrack::planning

@@ -6,7 +6,7 @@
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "planning/free_space/free_space_params.h"
-#include "planning/free_space/leak_report.h"
+#include "planning/free_space/opening_report.h"
 
 #include <Eigen/Geometry>
 
@@ -118,7 +118,7 @@ class FreeSpace {
     [[nodiscard]] std::optional<double> scannedShare() const;
 
     /// Openings of the rooms. Computed at the first call.
-    [[nodiscard]] const LeakReport& leaks() const;
+    [[nodiscard]] const OpeningReport& openingReport() const;
 
   private:
     struct Impl;

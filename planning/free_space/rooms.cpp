@@ -65,22 +65,22 @@ class SurfaceInSphere {
 /// Tests whether the sphere fits at the centre of inside cells.
 class SphereFit {
   public:
-    explicit SphereFit(const FittingPlace& place)
-        : place_(place),
-          radius_(place.camera_radius_m / place.grid.resolution_m),
+    explicit SphereFit(const SphereFitInput& input)
+        : input_(input),
+          radius_(input.camera_radius_m / input.grid.resolution_m),
           sure_(static_cast<std::uint16_t>(
               std::min<double>(std::ceil(radius_ * radius_), kMaxSquaredGap))),
-          surface_in_sphere_(place.grid, place.surfaces, radius_) {}
+          surface_in_sphere_(input.grid, input.surfaces, radius_) {}
 
     [[nodiscard]] std::uint8_t operator()(std::size_t i, int x, int y, int z) const {
-        if (place_.inside[i] == 0) return 0;
-        if (place_.squared_gaps[i] >= sure_) return 1;
+        if (input_.inside[i] == 0) return 0;
+        if (input_.squared_gaps[i] >= sure_) return 1;
         if (surface_in_sphere_(x, y, z)) return 0;
-        return place_.rays.isClear(place_.grid.centerOf(x, y, z), place_.camera_radius_m) ? 1 : 0;
+        return input_.rays.isClear(input_.grid.centerOf(x, y, z), input_.camera_radius_m) ? 1 : 0;
     }
 
   private:
-    const FittingPlace& place_;
+    const SphereFitInput& input_;
     double radius_;       // in cells
     std::uint16_t sure_;  // a squared gap of at least this leaves room for the sphere
     SurfaceInSphere surface_in_sphere_;
@@ -160,17 +160,17 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
 
 }  // namespace
 
-std::vector<std::uint8_t> whereSphereFits(const FittingPlace& place, const JobContext& job) {
-    return whereSphereFitsAfter(std::vector<std::uint8_t>(place.grid.size(), 0), {},
-                                {wholeGrid(place.grid)}, place, job);
+std::vector<std::uint8_t> whereSphereFits(const SphereFitInput& input, const JobContext& job) {
+    return whereSphereFitsAfter(std::vector<std::uint8_t>(input.grid.size(), 0), {},
+                                {wholeGrid(input.grid)}, input, job);
 }
 
 std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& before,
                                                const std::vector<std::uint8_t>& inside_before,
                                                const std::vector<CellBox>& near_moved,
-                                               const FittingPlace& place, const JobContext& job) {
-    const VoxelGrid& grid = place.grid;
-    const SphereFit sphere_fits(place);
+                                               const SphereFitInput& input, const JobContext& job) {
+    const VoxelGrid& grid = input.grid;
+    const SphereFit sphere_fits(input);
     std::vector<std::uint8_t> fits = before;
     const auto rows =
         static_cast<std::size_t>(grid.count[1]) * static_cast<std::size_t>(grid.count[2]);
@@ -190,7 +190,7 @@ std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& 
             if (inside_before.empty()) continue;
             const auto width = static_cast<std::size_t>(grid.count[0]);
             const std::uint8_t* was = inside_before.data() + row;
-            const std::uint8_t* is = place.inside.data() + row;
+            const std::uint8_t* is = input.inside.data() + row;
             if (std::equal(was, was + width, is)) continue;
             for (int x = 0; x < grid.count[0]; ++x) {
                 const std::size_t i = row + static_cast<std::size_t>(x);

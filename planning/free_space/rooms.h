@@ -32,7 +32,7 @@ struct FoundRooms {
 };
 
 /// Input of the search for cells where the camera sphere fits. Keeps references.
-struct FittingPlace {
+struct SphereFitInput {
     const RayCaster& rays;
     const VoxelGrid& grid;
     const std::vector<std::uint8_t>& surfaces;       // CellSurface bits, by cell
@@ -43,7 +43,7 @@ struct FittingPlace {
 
 /// By cell: 1 if it is inside and the sphere fits at its centre, by exact distance; else 0. On
 /// cancellation the result is incomplete.
-std::vector<std::uint8_t> whereSphereFits(const FittingPlace& place, const JobContext& job);
+std::vector<std::uint8_t> whereSphereFits(const SphereFitInput& input, const JobContext& job);
 
 /// Incremental whereSphereFits(): `before` and `inside_before` are from before objects moved; the
 /// disjoint boxes `near_moved` hold all cells within a camera radius of a moved object, before or
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> whereSphereFits(const FittingPlace& place, const JobCo
 std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& before,
                                                const std::vector<std::uint8_t>& inside_before,
                                                const std::vector<CellBox>& near_moved,
-                                               const FittingPlace& place, const JobContext& job);
+                                               const SphereFitInput& input, const JobContext& job);
 
 /// Finds the rooms among the connected components of `fits`: components of sufficient volume,
 /// height and clearance that do not lie inside a piece of furniture; at most 250. If there is none,

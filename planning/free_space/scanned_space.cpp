@@ -44,9 +44,9 @@ double scannedAround(const Eigen::Vector3d& place, const std::vector<Eigen::Vect
                      const ScannedSurfaces& scan, const RayCaster& rays) {
     int sum = 0;
     for (const Eigen::Vector3d& direction : directions) {
-        const auto met = scan.met(rays.cast(place, direction), direction);
-        if (met == ScannedSurfaces::Met::Front) ++sum;
-        if (met == ScannedSurfaces::Met::Back) --sum;
+        const auto side = scan.hitSide(rays.cast(place, direction), direction);
+        if (side == ScannedSurfaces::HitSide::Front) ++sum;
+        if (side == ScannedSurfaces::HitSide::Back) --sum;
     }
     return static_cast<double>(sum) / static_cast<double>(directions.size());
 }

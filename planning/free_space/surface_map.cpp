@@ -4,7 +4,7 @@
 #include "planning/free_space/distance_field.h"
 #include "planning/free_space/enclosure_rays.h"
 #include "planning/free_space/floor_plan.h"
-#include "planning/free_space/mapping_words.h"
+#include "planning/free_space/mapping_messages.h"
 #include "planning/free_space/octree.h"
 
 #include <algorithm>

@@ -62,13 +62,13 @@ struct Shown {
 
 Eigen::Vector3d gridDirection(int heading, int elevation, const PitchBand& pitch) {
     const double up = pitch.nearest(kLowest + elevation * kElevationStep);
-    const double around = 2.0 * std::numbers::pi * heading / kHeadings;
-    return {std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)};
+    const double azimuth = 2.0 * std::numbers::pi * heading / kHeadings;
+    return {std::cos(up) * std::cos(azimuth), std::cos(up) * std::sin(azimuth), std::sin(up)};
 }
 
 double gridValue(const Grid& grid, const Eigen::Vector3d& direction) {
-    const double around = std::atan2(direction.y(), direction.x()) / (2.0 * std::numbers::pi);
-    const int heading = static_cast<int>(std::lround((around + 1.0) * kHeadings)) % kHeadings;
+    const double azimuth = std::atan2(direction.y(), direction.x()) / (2.0 * std::numbers::pi);
+    const int heading = static_cast<int>(std::lround((azimuth + 1.0) * kHeadings)) % kHeadings;
     const int elevation = std::clamp(
         static_cast<int>(std::lround((elevationOf(direction) - kLowest) / kElevationStep)), 0,
         kElevations - 1);
@@ -77,11 +77,11 @@ double gridValue(const Grid& grid, const Eigen::Vector3d& direction) {
 
 class GazeSearch {
   public:
-    GazeSearch(std::vector<Place> places, const Surroundings& around, double turn_price,
+    GazeSearch(std::vector<Place> places, const PlanningEnvironment& environment, double turn_price,
                const TimingParams& timing)
         : places_(std::move(places)),
-          pitch_(around.pitch),
-          samples_(around.views),
+          pitch_(environment.pitch),
+          samples_(environment.views),
           weights_(samples_.targets().size(), 1.0),
           turn_price_(turn_price) {
         const MotionLimits limits = motionLimits(timing);
@@ -90,7 +90,8 @@ class GazeSearch {
         turn_rps2_ = std::min(limits.turn_acceleration_rps2, kFastest_rps2);
         std::vector<std::unique_ptr<Panorama>> made(places_.size());
         parallelFor(places_.size(), [&](std::size_t i) {
-            made[i] = std::make_unique<Panorama>(around.views, samples_, places_[i].key.position);
+            made[i] =
+                std::make_unique<Panorama>(environment.views, samples_, places_[i].key.position);
         });
         for (auto& one : made) panoramas_.push_back(std::move(*one));
         shown_.resize(places_.size());
@@ -307,13 +308,13 @@ std::vector<Place> placesOn(const SmoothPath& path,
 
 SmoothPath withContextViews(const SmoothPath& path,
                             const std::function<Pose(const SmoothPath::Key&)>& pose_at,
-                            const Surroundings& around, const GazeParams& params,
+                            const PlanningEnvironment& environment, const GazeParams& params,
                             const TimingParams& timing) {
-    if (params.view_mix <= 0.0 || around.heading.restricts()) return path;
-    const std::vector<Place> places = placesOn(path, pose_at, around.pitch, timing.max_frames);
+    if (params.view_mix <= 0.0 || environment.heading.restricts()) return path;
+    const std::vector<Place> places = placesOn(path, pose_at, environment.pitch, timing.max_frames);
     if (std::ranges::none_of(places, &Place::free)) return path;
     const double turn_price = (1.0 - params.view_mix) / params.view_mix;
-    const auto [directions, shown] = GazeSearch(places, around, turn_price, timing).search();
+    const auto [directions, shown] = GazeSearch(places, environment, turn_price, timing).search();
     double mean = 0.0;
     for (const double value : shown) mean += value / static_cast<double>(shown.size() - 1);
     const bool spreads = timing.max_frames > 0 && !keepsFrameRate(timing) && mean > 0.0;

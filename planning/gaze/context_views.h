@@ -8,7 +8,7 @@
 namespace dollytrack::planning {
 
 struct GazeParams;
-struct Surroundings;
+struct PlanningEnvironment;
 struct TimingParams;
 
 /// Inserts context views between the key frames of a smoothed path: the camera looks at many
@@ -21,6 +21,6 @@ struct TimingParams;
 /// the heading is restricted, or the budget of frames leaves none for context.
 [[nodiscard]] SmoothPath withContextViews(
     const SmoothPath& path, const std::function<Pose(const SmoothPath::Key&)>& pose_at,
-    const Surroundings& around, const GazeParams& params, const TimingParams& timing);
+    const PlanningEnvironment& environment, const GazeParams& params, const TimingParams& timing);
 
 }  // namespace dollytrack::planning

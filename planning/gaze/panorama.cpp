@@ -102,43 +102,43 @@ Panorama::Panorama(const ViewEstimator& views, const TargetSamples& samples,
     views.rays().castBundle(place, rays, 0.0, hits);
     for (std::size_t i = 0; i < of_target.size(); ++i) {
         const TargetSamples::Target& target = targets[of_target[i]];
-        Sighting sighting{of_target[i], 0.0, {}};
+        VisibleTarget seen{of_target[i], 0.0, {}};
         for (std::size_t k = 0; k < TargetSamples::kPerObject; ++k) {
             const std::size_t ray = i * TargetSamples::kPerObject + k;
             // A sample hidden only by its own object counts: that part of the silhouette is
             // visible.
             if (hits[ray].object_id == target.object_id || hits[ray].distance >= kReachedBefore ||
                 hits[ray].object_id == 0) {
-                sighting.visible.push_back(rays[ray].direction);
+                seen.visible.push_back(rays[ray].direction);
             }
         }
-        if (sighting.visible.empty()) continue;
+        if (seen.visible.empty()) continue;
         const OrientedBox& box = views.scene().object(target.object_id).box;
         const Eigen::Vector3d towards = box.center - place;
         const double distance2 = std::max(1e-2, towards.squaredNorm());
-        sighting.pixels =
+        seen.pixels =
             kSilhouetteOfBox * silhouette(box, towards.normalized()) * pixels_at_1m / distance2;
-        boundDirections(sighting);
-        sightings_.push_back(std::move(sighting));
+        boundDirections(seen);
+        visible_targets_.push_back(std::move(seen));
     }
 }
 
-void Panorama::boundDirections(Sighting& sighting) const {
-    sighting.axis = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& way : sighting.visible) sighting.axis += way.normalized();
-    sighting.axis.normalize();
+void Panorama::boundDirections(VisibleTarget& seen) const {
+    seen.axis = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& way : seen.visible) seen.axis += way.normalized();
+    seen.axis.normalize();
     double radius = 0.0;
-    for (const Eigen::Vector3d& way : sighting.visible) {
-        radius = std::max(radius, angleBetween(sighting.axis, way));
+    for (const Eigen::Vector3d& way : seen.visible) {
+        radius = std::max(radius, angleBetween(seen.axis, way));
     }
     const double farthest = std::atan(half_size_.norm()) + radius;
-    if (farthest < std::numbers::pi) sighting.least_cosine = std::cos(farthest) - 1e-9;
+    if (farthest < std::numbers::pi) seen.least_cosine = std::cos(farthest) - 1e-9;
 }
 
 double Panorama::shownShare(const Eigen::Matrix3d& camera_from_world,
-                            const Sighting& sighting) const {
+                            const VisibleTarget& seen) const {
     int inside = 0;
-    for (const Eigen::Vector3d& direction : sighting.visible) {
+    for (const Eigen::Vector3d& direction : seen.visible) {
         const Eigen::Vector3d p = camera_from_world * direction;
         if (p.z() > 0.0 && std::abs(p.x()) < half_size_.x() * p.z() &&
             std::abs(p.y()) < half_size_.y() * p.z()) {
@@ -147,7 +147,7 @@ double Panorama::shownShare(const Eigen::Matrix3d& camera_from_world,
     }
     const double shown = static_cast<double>(inside) / TargetSamples::kPerObject;
     if (shown < kLeastShown) return 0.0;
-    const double pixels = shown * sighting.pixels;
+    const double pixels = shown * seen.pixels;
     return std::clamp(std::log(pixels / kLeastPixels) / std::log(kPlentyPixels / kLeastPixels), 0.0,
                       1.0);
 }

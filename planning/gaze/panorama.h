@@ -41,15 +41,15 @@ class Panorama {
     void visitShown(const Eigen::Vector3d& direction, Visitor&& visit) const {
         const Eigen::Matrix3d camera_from_world =
             lookAlong(direction).conjugate().toRotationMatrix();
-        for (const Sighting& sighting : sightings_) {
-            if (direction.dot(sighting.axis) < sighting.least_cosine) continue;
-            const double share = shownShare(camera_from_world, sighting);
-            if (share > 0.0) visit(sighting.target, share);
+        for (const VisibleTarget& seen : visible_targets_) {
+            if (direction.dot(seen.axis) < seen.least_cosine) continue;
+            const double share = shownShare(camera_from_world, seen);
+            if (share > 0.0) visit(seen.target, share);
         }
     }
 
   private:
-    struct Sighting {
+    struct VisibleTarget {
         std::size_t target = 0;
         double pixels = 0.0;                   // silhouette area at the centre of a 640 x 480 image
         std::vector<Eigen::Vector3d> visible;  // from the camera position to visible
@@ -58,12 +58,12 @@ class Panorama {
         double least_cosine = -1.0;  // smallest cosine between axis and view at which the image can
                                      // show a sample
     };
-    void boundDirections(Sighting& sighting) const;
+    void boundDirections(VisibleTarget& seen) const;
     [[nodiscard]] double shownShare(const Eigen::Matrix3d& camera_from_world,
-                                    const Sighting& sighting) const;
+                                    const VisibleTarget& seen) const;
 
     Eigen::Vector2d half_size_;  // of the image at depth 1
-    std::vector<Sighting> sightings_;
+    std::vector<VisibleTarget> visible_targets_;
 };
 
 }  // namespace dollytrack::planning

@@ -45,7 +45,7 @@ constexpr double kFramesPerView = 3.0;  // frames that a key frame and the path 
 constexpr double kMostPerKeyFrame = 2.0;
 constexpr double kLeastGain = 0.1;  // relative to the first view
 
-struct Sighted {
+struct ShownTarget {
     std::size_t target = 0;
     std::size_t side = 0;
     double share = 0.0;
@@ -53,7 +53,7 @@ struct Sighted {
 
 struct Choice {
     Pose pose;
-    std::vector<Sighted> shown;
+    std::vector<ShownTarget> shown;
 };
 
 /// Counts how often the chosen views show each object, by side.
@@ -61,15 +61,15 @@ class Shown {
   public:
     explicit Shown(std::size_t targets) : by_side_(targets), all_(targets, 0.0) {}
 
-    void add(const std::vector<Sighted>& view) {
-        for (const Sighted& one : view) {
+    void add(const std::vector<ShownTarget>& view) {
+        for (const ShownTarget& one : view) {
             by_side_[one.target][one.side] += one.share;
             all_[one.target] += one.share;
         }
     }
-    [[nodiscard]] double gain(const std::vector<Sighted>& view) const {
+    [[nodiscard]] double gain(const std::vector<ShownTarget>& view) const {
         double sum = 0.0;
-        for (const Sighted& one : view) {
+        for (const ShownTarget& one : view) {
             const double before = by_side_[one.target][one.side];
             sum += one.share / (1.0 + before + kOtherSides * (all_[one.target] - before));
         }
@@ -93,11 +93,12 @@ bool atEyeLevel(const Eigen::Vector3d& place, const RayCaster& rays) {
 
 /// Random free positions in these components, with clearance around the camera and at eye level;
 /// filled up with other free positions if there are too few.
-std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::set<int>& components,
-                                        int seed) {
+std::vector<Eigen::Vector3d> drawPlaces(const PlanningEnvironment& environment,
+                                        const std::set<int>& components, int seed) {
     std::vector<const Eigen::Vector3f*> cells;
     for (const int component : components) {
-        for (const Eigen::Vector3f& cell : around.sphere.cells(component)) cells.push_back(&cell);
+        for (const Eigen::Vector3f& cell : environment.sphere.cells(component))
+            cells.push_back(&cell);
     }
     if (cells.empty()) return {};
     Random random(static_cast<std::uint64_t>(seed), kPlaces);
@@ -108,11 +109,11 @@ std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::s
     }
     enum class Fit { No, Tight, Roomy };
     std::vector<Fit> fits(drawn.size(), Fit::No);
-    const double clearance = around.sphere.radius() + kLeastClearance_m;
+    const double clearance = environment.sphere.radius() + kLeastClearance_m;
     parallelFor(drawn.size(), [&](std::size_t i) {
-        if (!around.sphere.fits(drawn[i])) return;
-        fits[i] = around.sphere.clearance(drawn[i], clearance) >= clearance &&
-                          atEyeLevel(drawn[i], around.views.rays())
+        if (!environment.sphere.fits(drawn[i])) return;
+        fits[i] = environment.sphere.clearance(drawn[i], clearance) >= clearance &&
+                          atEyeLevel(drawn[i], environment.views.rays())
                       ? Fit::Roomy
                       : Fit::Tight;
     });
@@ -127,12 +128,14 @@ std::vector<Eigen::Vector3d> drawPlaces(const Surroundings& around, const std::s
 
 class RoomViewSearch {
   public:
-    explicit RoomViewSearch(const Surroundings& around)
-        : around_(around), samples_(around.views), shown_(samples_.targets().size()) {}
+    explicit RoomViewSearch(const PlanningEnvironment& environment)
+        : environment_(environment),
+          samples_(environment.views),
+          shown_(samples_.targets().size()) {}
 
     /// Counts the objects that a key frame captures as shown.
     void count(const PositionPoint& key) {
-        std::vector<Sighted> shown;
+        std::vector<ShownTarget> shown;
         for (std::size_t t = 0; t < samples_.targets().size(); ++t) {
             const int id = samples_.targets()[t].object_id;
             if (std::ranges::binary_search(key.captured, id)) {
@@ -185,13 +188,14 @@ class RoomViewSearch {
     /// Index of the side of the object that the camera is on.
     [[nodiscard]] std::size_t sideOf(const Pose& pose, int object_id) const {
         const Eigen::Vector3d way =
-            pose.position - around_.views.scene().object(object_id).box.center;
+            pose.position - environment_.views.scene().object(object_id).box.center;
         const double turns = std::atan2(way.y(), way.x()) / (2.0 * std::numbers::pi);
         return static_cast<std::size_t>((turns + 1.0) * kSides) % kSides;
     }
 
-    [[nodiscard]] std::vector<Sighted> look(const Panorama& panorama, const Pose& pose) const {
-        std::vector<Sighted> shown;
+    [[nodiscard]] std::vector<ShownTarget> shownIn(const Panorama& panorama,
+                                                   const Pose& pose) const {
+        std::vector<ShownTarget> shown;
         panorama.visitShown(pose.forward(), [&](std::size_t target, double share) {
             const int id = samples_.targets()[target].object_id;
             shown.push_back({target, sideOf(pose, id), share});
@@ -200,16 +204,16 @@ class RoomViewSearch {
     }
 
     [[nodiscard]] std::vector<Choice> aimsAt(const Eigen::Vector3d& place) const {
-        const Panorama panorama(around_.views, samples_, place);
+        const Panorama panorama(environment_.views, samples_, place);
         std::vector<std::pair<double, Choice>> all;
         for (const double elevation : kElevations) {
-            const double up = around_.pitch.nearest(elevation);
+            const double up = environment_.pitch.nearest(elevation);
             for (int h = 0; h < kHeadings; ++h) {
                 const double heading = 2.0 * std::numbers::pi * h / kHeadings;
                 const Eigen::Vector3d direction(std::cos(up) * std::cos(heading),
                                                 std::cos(up) * std::sin(heading), std::sin(up));
                 Choice choice{{place, lookAlong(direction)}, {}};
-                choice.shown = look(panorama, choice.pose);
+                choice.shown = shownIn(panorama, choice.pose);
                 all.emplace_back(-shown_.gain(choice.shown), std::move(choice));
             }
         }
@@ -225,7 +229,7 @@ class RoomViewSearch {
         return kept;
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     TargetSamples samples_;
     Shown shown_;
     std::vector<Choice> choices_;
@@ -250,8 +254,9 @@ bool asksForRoomViews(const PlanParams& params) {
            params.path.max_length_m <= 0.0 && !keepsFrameRate(params.timing);
 }
 
-void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoints& viewpoints) {
-    RoomViewSearch search(around);
+void addRoomViews(const PlanParams& params, const PlanningEnvironment& environment,
+                  Viewpoints& viewpoints) {
+    RoomViewSearch search(environment);
     std::vector<Pose> given;
     std::set<int> components;
     for (const int key : chooseKeyFrames(viewpoints.position_points)) {
@@ -262,9 +267,9 @@ void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoin
     }
     const std::size_t most = mostRoomViews(params, given.size());
     if (most == 0) return;
-    search.propose(drawPlaces(around, components, params.seed));
+    search.propose(drawPlaces(environment, components, params.seed));
     for (const Pose& view : search.choose(given, most)) {
-        addFixedPoint(view, around, viewpoints);
+        addFixedPoint(view, environment, viewpoints);
         viewpoints.position_points.back().fixed = false;
         viewpoints.position_points.back().room_view = true;
     }

@@ -17,6 +17,7 @@ struct PlanParams;
 /// counts less the more views show it, above all from the same side; the gain is weighed against
 /// the distance from the other key frames. Each view lies in a component of free space that holds
 /// key frames.
-void addRoomViews(const PlanParams& params, const Surroundings& around, Viewpoints& viewpoints);
+void addRoomViews(const PlanParams& params, const PlanningEnvironment& environment,
+                  Viewpoints& viewpoints);
 
 }  // namespace dollytrack::planning

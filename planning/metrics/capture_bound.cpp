@@ -26,11 +26,12 @@ struct Reach {
 
 class DenseSearch {
   public:
-    DenseSearch(const Surroundings& around, int object_id, int seed, const JobContext& job)
-        : around_(around),
+    DenseSearch(const PlanningEnvironment& environment, int object_id, int seed,
+                const JobContext& job)
+        : environment_(environment),
           object_id_(object_id),
           seed_(seed),
-          subject_(makeSubject(around.views, {object_id})),
+          subject_(makeSubject(environment.views, {object_id})),
           random_(static_cast<std::uint64_t>(seed),
                   static_cast<std::uint64_t>(object_id) + 100'000U),
           job_(job) {}
@@ -44,15 +45,16 @@ class DenseSearch {
         for (const Eigen::Vector3d& direction :
              directionsAllAround(Eigen::Vector3d::UnitX(), kDirections)) {
             for (double fill = 0.08; fill < 1.4; fill *= 1.2) {
-                const double distance = distanceForFill(around_.views, subject_, direction, fill);
-                consider(around_.sphere.inBand(subject_.center + direction * distance));
+                const double distance =
+                    distanceForFill(environment_.views, subject_, direction, fill);
+                consider(environment_.sphere.inBand(subject_.center + direction * distance));
             }
         }
         refine();
         if (reach_.well) return reach_;
         for (const Eigen::Vector3d& place :
-             randomPlaces(around_.free_space, around_.sphere, around_.views, subject_, 0.05, 1.5,
-                          kRandomPlaces, random_)) {
+             randomPlaces(environment_.free_space, environment_.sphere, environment_.views,
+                          subject_, 0.05, 1.5, kRandomPlaces, random_)) {
             consider(place);
         }
         refine();
@@ -67,9 +69,9 @@ class DenseSearch {
     };
 
     void consider(const Eigen::Vector3d& position) {
-        if (job_.cancelled() || !around_.sphere.fits(position)) return;
-        const Pose pose = aim(position, subject_.center, around_.pitch);
-        Place place{position, around_.views.estimate(pose, object_id_, kCoarseGrid)};
+        if (job_.cancelled() || !environment_.sphere.fits(position)) return;
+        const Pose pose = aim(position, subject_.center, environment_.pitch);
+        Place place{position, environment_.views.estimate(pose, object_id_, kCoarseGrid)};
         if (place.coarse.visible_fraction > 0.6) places_.push_back(std::move(place));
     }
 
@@ -78,10 +80,11 @@ class DenseSearch {
     void askWhatIf() {
         const PlanParams params;
         const PlanEdits edits;
-        const auto places = hypotheticalPositions(around_, subject_, object_id_, seed_, job_);
+        const auto places = hypotheticalPositions(environment_, subject_, object_id_, seed_, job_);
         for (const bool well : {true, false}) {
             if (well ? reach_.well : reach_.captured) continue;
-            if (proposePins({around_, params, edits, subject_, places, object_id_, well}).empty()) {
+            if (proposePins({environment_, params, edits, subject_, places, object_id_, well})
+                    .empty()) {
                 continue;
             }
             reach_.captured = true;
@@ -96,9 +99,9 @@ class DenseSearch {
                 return quality(a.coarse) > quality(b.coarse);
             });
             for (std::size_t i = 0; i < std::min(kRefined, places_.size()) && !reach_.well; ++i) {
-                const Pose pose = aim(places_[i].position, subject_.center, around_.pitch);
+                const Pose pose = aim(places_[i].position, subject_.center, environment_.pitch);
                 const ObjectView view =
-                    makeView(around_.views.estimateExactly(pose, object_id_), object_id_, 0);
+                    makeView(environment_.views.estimateExactly(pose, object_id_), object_id_, 0);
                 reach_.captured |= isCaptured(view);
                 reach_.well |= isWellCaptured(view);
             }
@@ -114,7 +117,7 @@ class DenseSearch {
         places_.clear();
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     int object_id_;
     int seed_;
     Subject subject_;
@@ -126,13 +129,13 @@ class DenseSearch {
 
 }  // namespace
 
-Result<CaptureBound> boundCaptures(const Surroundings& around, const Plan& plan, int seed,
-                                   const JobContext& job) {
+Result<CaptureBound> boundCaptures(const PlanningEnvironment& environment, const Plan& plan,
+                                   int seed, const JobContext& job) {
     std::vector<Reach> reaches(plan.captures.size());
     parallelFor(reaches.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
         const int id = plan.captures[i].object_id;
-        reaches[i] = DenseSearch(around, id, seed, job).run(plan);
+        reaches[i] = DenseSearch(environment, id, seed, job).run(plan);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     CaptureBound bound;

@@ -72,13 +72,13 @@ std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& t
     return frames;
 }
 
-using Glances = std::vector<ViewCache::Look>;
+using CoarseEstimates = std::vector<ViewCache::CoarseEstimate>;
 using ObjectViews = std::vector<ObjectView>;  // of one object, by ascending frame
 
 /// Coarse estimates of all targets, by frame; cached poses are reused.
-std::vector<ViewCache::Entry*> glanceFromAll(const ViewEstimator& views,
-                                             const Trajectory& trajectory, ViewCache& memo,
-                                             const JobContext& job) {
+std::vector<ViewCache::Entry*> estimateCoarsely(const ViewEstimator& views,
+                                                const Trajectory& trajectory, ViewCache& memo,
+                                                const JobContext& job) {
     const Scene& scene = views.scene();
     const auto& frames = trajectory.frames;
     std::vector<ViewCache::Entry*> entries(frames.size());
@@ -88,21 +88,23 @@ std::vector<ViewCache::Entry*> glanceFromAll(const ViewEstimator& views,
         if (entries[f] == nullptr) fresh.push_back(f);
     }
     // Object by object, for cache locality: neighbouring frames see much the same of one object.
-    std::vector<std::vector<std::pair<std::size_t, ViewCache::Look>>> seen(scene.objects.size());
+    std::vector<std::vector<std::pair<std::size_t, ViewCache::CoarseEstimate>>> seen(
+        scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = scene.objects[i].id;
         if (scene.objects[i].role != Role::Target) return;
         for (std::size_t f = 0; f < fresh.size() && !job.cancelled(); ++f) {
             const Pose& pose = frames[fresh[f]].pose;
             if (!mayCapture(views, pose, id)) continue;
-            const auto glance = views.estimate(pose, id, kGlanceGrid);
-            seen[i].emplace_back(f, ViewCache::Look{makeView(glance, id, 0), glance.visible_box});
+            const auto one = views.estimate(pose, id, kSparseGrid);
+            seen[i].emplace_back(f,
+                                 ViewCache::CoarseEstimate{makeView(one, id, 0), one.visible_box});
         }
     });
     if (job.cancelled()) return {};
-    std::vector<Glances> by_frame(fresh.size());
+    std::vector<CoarseEstimates> by_frame(fresh.size());
     for (const auto& of_object : seen) {
-        for (const auto& [f, glance] : of_object) by_frame[f].push_back(glance);
+        for (const auto& [f, one] : of_object) by_frame[f].push_back(one);
     }
     for (std::size_t f = 0; f < fresh.size(); ++f) {
         entries[fresh[f]] = &memo.keep(frames[fresh[f]].pose, std::move(by_frame[f]));
@@ -117,7 +119,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
     ViewCache own;
     ViewCache& known = memo != nullptr ? *memo : own;
     known.begin();
-    const std::vector<ViewCache::Entry*> entries = glanceFromAll(views, trajectory, known, job);
+    const std::vector<ViewCache::Entry*> entries = estimateCoarsely(views, trajectory, known, job);
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
 
     const Scene& scene = views.scene();
@@ -129,22 +131,22 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
                 [&](std::size_t f) { scanned[f] = views.scannedShare(trajectory.frames[f].pose); });
     std::vector<ObjectViews> coarse(scene.objects.size());
     for (std::size_t f = 0; f < entries.size(); ++f) {
-        for (const ViewCache::Look& glance : entries[f]->looks) {
-            ObjectView view = glance.view;
+        for (const ViewCache::CoarseEstimate& one : entries[f]->coarse) {
+            ObjectView view = one.view;
             view.frame = static_cast<int>(f);
             view.scanned_share = scanned[f];
             coarse[static_cast<std::size_t>(view.object_id) - 1].push_back(view);
-            if (!glance.box.isEmpty()) estimate.frame_boxes[f].push_back(glance.box);
+            if (!one.box.isEmpty()) estimate.frame_boxes[f].push_back(one.box);
         }
     }
     std::vector<ObjectViews> exact(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = static_cast<int>(i) + 1;
-        const auto look = [&](int frame) {
+        const auto addExact = [&](int frame) {
             const auto f = static_cast<std::size_t>(frame);
-            const auto remembered = entries[f]->closely.find(id);
+            const auto remembered = entries[f]->exact.find(id);
             ObjectView view =
-                remembered != entries[f]->closely.end()
+                remembered != entries[f]->exact.end()
                     ? remembered->second
                     : makeView(views.estimateExactly(trajectory.frames[f].pose, id), id, 0);
             view.frame = frame;
@@ -154,13 +156,13 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
         const std::vector<int> best = bestFrames(coarse[i], trajectory);
         for (const int frame : best) {
             if (job.cancelled()) return;
-            look(frame);
+            addExact(frame);
         }
         const auto is_well = [](const ObjectView& view) { return isWellCaptured(view); };
         if (std::ranges::any_of(exact[i], is_well)) return;
         for (const int frame : keyFramesOf(coarse[i], trajectory)) {
             if (job.cancelled()) return;
-            if (!std::ranges::binary_search(best, frame)) look(frame);
+            if (!std::ranges::binary_search(best, frame)) addExact(frame);
         }
         std::ranges::sort(exact[i], {}, &ObjectView::frame);
     });
@@ -173,7 +175,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
             const auto f = static_cast<std::size_t>(view.frame);
             if (better != exact[i].end() && better->frame == view.frame) {
                 view = *better++;
-                entries[f]->closely[view.object_id] = view;
+                entries[f]->exact[view.object_id] = view;
             }
             estimate.frame_views[f].push_back(view);
         }

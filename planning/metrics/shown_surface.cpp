@@ -19,8 +19,8 @@ struct RayGrid {
     double patch_m = 0.1;  // edge of a patch
     [[nodiscard]] int rays() const { return columns * rows; }
 };
-constexpr RayGrid kFull;
-constexpr RayGrid kGlance = {16, 12, 0.2};
+constexpr RayGrid kFineRays;
+constexpr RayGrid kCoarseRays = {16, 12, 0.2};
 constexpr double kNothingNew = 0.01;  // share of the rays
 
 // Rays are ordered in blocks of this many rows and columns, so that neighbours in the list point in
@@ -83,7 +83,7 @@ struct Seen {
     int on_targets = 0;
 };
 
-Seen lookFrom(const ViewEstimator& views, const Pose& pose, const RayGrid& grid) {
+Seen castSamples(const ViewEstimator& views, const Pose& pose, const RayGrid& grid) {
     const Intrinsics& k = views.intrinsics();
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
     thread_local std::vector<RayCaster::BundleRay> rays;
@@ -120,8 +120,8 @@ SurfaceSampler::SurfaceSampler(const ViewEstimator& views, Detail detail)
     : views_(views), detail_(detail), numbers_(std::make_unique<Numbers>()) {}
 SurfaceSampler::~SurfaceSampler() = default;
 
-Result<FrameSurfaces> SurfaceSampler::look(const Trajectory& trajectory, const JobContext& job) {
-    const RayGrid& grid = detail_ == Detail::Full ? kFull : kGlance;
+Result<FrameSurfaces> SurfaceSampler::sample(const Trajectory& trajectory, const JobContext& job) {
+    const RayGrid& grid = detail_ == Detail::Full ? kFineRays : kCoarseRays;
     // Frames at new poses, and the patches they show.
     std::vector<std::size_t> fresh;
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
@@ -130,7 +130,7 @@ Result<FrameSurfaces> SurfaceSampler::look(const Trajectory& trajectory, const J
     }
     std::vector<Seen> seen(fresh.size());
     parallelFor(fresh.size(), [&](std::size_t i) {
-        if (!job.cancelled()) seen[i] = lookFrom(views_, trajectory.frames[fresh[i]].pose, grid);
+        if (!job.cancelled()) seen[i] = castSamples(views_, trajectory.frames[fresh[i]].pose, grid);
     });
     if (job.cancelled()) {
         shown_.clear();
@@ -183,7 +183,7 @@ double FrameSurfaces::objectPixels() const {
 
 Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job) {
-    return SurfaceSampler(views).look(trajectory, job).map([](const FrameSurfaces& surfaces) {
+    return SurfaceSampler(views).sample(trajectory, job).map([](const FrameSurfaces& surfaces) {
         const auto frames = static_cast<double>(std::max<std::size_t>(1, surfaces.frames()));
         return ShownSurface{surfaces.repeats() / frames, surfaces.objectPixels()};
     });

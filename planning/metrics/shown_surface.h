@@ -60,7 +60,7 @@ class SurfaceSampler {
 
     /// Samples all frames of a trajectory at new poses. Error: Cancelled, which also clears the
     /// cache.
-    Result<FrameSurfaces> look(const Trajectory& trajectory, const JobContext& job);
+    Result<FrameSurfaces> sample(const Trajectory& trajectory, const JobContext& job);
 
   private:
     class Numbers;

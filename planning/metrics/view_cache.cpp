@@ -18,9 +18,9 @@ void ViewCache::begin() {
 void ViewCache::forget(const MovedObjects& moved, const ViewEstimator& now) {
     std::erase_if(entries_, [&](const auto& entry) {
         const Pose pose = poseOf(entry.first);
-        return std::ranges::any_of(entry.second.looks,
-                                   [&](const Look& look) {
-                                       const int id = look.view.object_id;
+        return std::ranges::any_of(entry.second.coarse,
+                                   [&](const CoarseEstimate& one) {
+                                       const int id = one.view.object_id;
                                        return moved.isOne(id) ||
                                               moved.cross(pose.position, reachedBox(now, id));
                                    }) ||
@@ -37,9 +37,9 @@ ViewCache::Entry* ViewCache::find(const Pose& pose) {
     return &found->second;
 }
 
-ViewCache::Entry& ViewCache::keep(const Pose& pose, std::vector<Look> looks) {
+ViewCache::Entry& ViewCache::keep(const Pose& pose, std::vector<CoarseEstimate> coarse) {
     Entry& entry = entries_[keyOf(pose)];
-    entry.looks = std::move(looks);
+    entry.coarse = std::move(coarse);
     entry.used = now_;
     return entry;
 }

@@ -18,13 +18,13 @@ class ViewEstimator;
 /// changes; if objects only moved, forget() is enough. Not thread-safe.
 class ViewCache {
   public:
-    struct Look {
+    struct CoarseEstimate {
         ObjectView view;  // its frame index is not maintained
         Eigen::AlignedBox2d box;
     };
     struct Entry {
-        std::vector<Look> looks;            // by ascending object id
-        std::map<int, ObjectView> closely;  // exact estimates, by object id
+        std::vector<CoarseEstimate> coarse;  // by ascending object id
+        std::map<int, ObjectView> exact;     // exact estimates, by object id
         unsigned used = 0;
     };
 
@@ -32,7 +32,7 @@ class ViewCache {
     void begin();
     /// Null if the pose is unknown. Valid until begin().
     [[nodiscard]] Entry* find(const Pose& pose);
-    Entry& keep(const Pose& pose, std::vector<Look> looks);
+    Entry& keep(const Pose& pose, std::vector<CoarseEstimate> coarse);
     void clear() { entries_.clear(); }
     /// Drops entries that moved objects may have changed. `now` estimates views in the scene after
     /// the move.

@@ -7,7 +7,7 @@ namespace {
 
 class BranchWalk {
   public:
-    BranchWalk(const RoadmapPart& part, const std::vector<double>& weights, const WayEnds& ends)
+    BranchWalk(const RoadmapPart& part, const std::vector<double>& weights, const PartEnds& ends)
         : part_(part), closed_(ends.closed), wanted_(part.keys.size(), false) {
         const auto weightOf = [&](int key) {
             return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(key)];
@@ -19,11 +19,11 @@ class BranchWalk {
                                 : std::numeric_limits<double>::infinity();
         };
         // In a tree the vertex farthest from any vertex is an end of the longest branch.
-        const auto furthest = [&](const Ways& ways) {
+        const auto furthest = [&](const ShortestPaths& shortest) {
             int best = 0;
             const auto worth = [&](int vertex) {
                 const auto v = static_cast<std::size_t>(vertex);
-                return ways.cost[v] + 0.5 * weightOf(part.keys[v]);
+                return shortest.cost[v] + 0.5 * weightOf(part.keys[v]);
             };
             for (int vertex = 1; vertex < part.size(); ++vertex) {
                 if (worth(vertex) > worth(best)) best = vertex;
@@ -31,16 +31,16 @@ class BranchWalk {
             return best;
         };
         const int one_end = ends.first >= 0  ? ends.first
-                            : ends.last >= 0 ? furthest(waysFrom(part, ends.last, steps))
-                                             : furthest(waysFrom(part, 0, steps));
-        const Ways ways = waysFrom(part, one_end, steps);
-        branch_ = trace(part, ways, ends.last >= 0 ? ends.last : furthest(ways));
+                            : ends.last >= 0 ? furthest(shortestPathsFrom(part, ends.last, steps))
+                                             : furthest(shortestPathsFrom(part, 0, steps));
+        const ShortestPaths shortest = shortestPathsFrom(part, one_end, steps);
+        branch_ = trace(part, shortest, ends.last >= 0 ? ends.last : furthest(shortest));
         std::vector<bool> on_branch(part.keys.size(), false);
         for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
         for (int i = 0; i < part.size(); ++i) {
             if (!part.point(i).fixed) continue;
             // The detour from the branch to the fixed point.
-            const auto way = trace(part, ways, i);
+            const auto way = trace(part, shortest, i);
             for (auto step = way.rbegin(); step != way.rend(); ++step) {
                 const auto vertex = static_cast<std::size_t>(step->first);
                 if (on_branch[vertex] || wanted_[vertex]) break;
@@ -93,7 +93,7 @@ class BranchWalk {
 }  // namespace
 
 std::vector<PathVertex> walkBranch(const RoadmapPart& part, const std::vector<double>& weights,
-                                   const WayEnds& ends) {
+                                   const PartEnds& ends) {
     return BranchWalk(part, weights, ends).walk();
 }
 

@@ -10,6 +10,6 @@ namespace dollytrack::planning {
 /// point; empty: the most vertices). It leaves the branch for fixed points only, and returns. Given
 /// ends determine one or both ends of the branch. A closed walk returns along the branch.
 std::vector<PathVertex> walkBranch(const RoadmapPart& part, const std::vector<double>& weights,
-                                   const WayEnds& ends);
+                                   const PartEnds& ends);
 
 }  // namespace dollytrack::planning

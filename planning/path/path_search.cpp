@@ -47,21 +47,21 @@ void addPruneSteps(const RoadmapPart& part, AlgorithmSteps& steps) {
 }
 
 /// The ends of each part's path.
-std::vector<WayEnds> endsOf(const std::vector<RoadmapPart>& parts, const PathEnds& ends) {
+std::vector<PartEnds> endsOf(const std::vector<RoadmapPart>& parts, const PathEnds& ends) {
     int spare = std::numeric_limits<int>::max();
     if (ends.visits > 0 && !ends.chosen_by_tour) {
         spare = ends.visits;
         for (const RoadmapPart& part : parts) spare -= part.size();
     }
-    std::vector<WayEnds> ways;
+    std::vector<PartEnds> part_ends;
     for (const RoadmapPart& part : parts) {
-        WayEnds way{part.vertexOf(ends.start), part.vertexOf(ends.end)};
-        if (way.last == way.first) way.last = -1;
-        way.closed = ends.loop && part.size() > 1 && spare > 0;
-        if (way.closed) --spare;
-        ways.push_back(way);
+        PartEnds part_end{part.vertexOf(ends.start), part.vertexOf(ends.end)};
+        if (part_end.last == part_end.first) part_end.last = -1;
+        part_end.closed = ends.loop && part.size() > 1 && spare > 0;
+        if (part_end.closed) --spare;
+        part_ends.push_back(part_end);
     }
-    return ways;
+    return part_ends;
 }
 
 void addVisitSteps(const CameraPath& path, int index, AlgorithmSteps& steps) {
@@ -105,17 +105,17 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
         dropCycleEdges(part);
         addPruneSteps(part, roadmap.steps);
     }
-    const std::vector<WayEnds> ways = endsOf(parts, ends);
+    const std::vector<PartEnds> part_ends = endsOf(parts, ends);
     std::vector<std::vector<PathVertex>> walks;
     if (params.path_mode == PathMode::LongestBranch) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            walks.push_back(walkBranch(parts[i], ends.weights, ways[i]));
+            walks.push_back(walkBranch(parts[i], ends.weights, part_ends[i]));
         }
     } else {
         const TourBudget budget{params.max_length_m, ends.chosen_by_tour ? ends.visits : 0,
                                 ends.object_weights, ends.rank,
                                 ends.flown_m,        ends.corner_distance_m};
-        walks = walkTours(parts, ways, sphere, budget, weights, job);
+        walks = walkTours(parts, part_ends, sphere, budget, weights, job);
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     std::vector<CameraPath> paths;

@@ -24,34 +24,36 @@ RoadmapPart::RoadmapPart(Roadmap& roadmap, const std::vector<PositionPoint>& poi
     }
 }
 
-Ways waysFrom(const RoadmapPart& part, int start,
-              const std::function<double(const RoadmapEdge&)>& weigh) {
-    Ways ways{std::vector<double>(part.keys.size(), std::numeric_limits<double>::infinity()),
-              std::vector<int>(part.keys.size(), -1)};
+ShortestPaths shortestPathsFrom(const RoadmapPart& part, int start,
+                                const std::function<double(const RoadmapEdge&)>& weigh) {
+    ShortestPaths shortest{
+        std::vector<double>(part.keys.size(), std::numeric_limits<double>::infinity()),
+        std::vector<int>(part.keys.size(), -1)};
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
         open;
-    ways.cost[static_cast<std::size_t>(start)] = 0.0;
+    shortest.cost[static_cast<std::size_t>(start)] = 0.0;
     open.emplace(0.0, start);
     while (!open.empty()) {
         const auto [cost, vertex] = open.top();
         open.pop();
-        if (cost > ways.cost[static_cast<std::size_t>(vertex)]) continue;
+        if (cost > shortest.cost[static_cast<std::size_t>(vertex)]) continue;
         for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
             const double length = weigh(part.edge(e));
             const auto next = static_cast<std::size_t>(part.otherEnd(e, vertex));
-            if (cost + length >= ways.cost[next]) continue;
-            ways.cost[next] = cost + length;
-            ways.by_edge[next] = e;
+            if (cost + length >= shortest.cost[next]) continue;
+            shortest.cost[next] = cost + length;
+            shortest.by_edge[next] = e;
             open.emplace(cost + length, static_cast<int>(next));
         }
     }
-    return ways;
+    return shortest;
 }
 
-std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const Ways& ways, int end) {
+std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const ShortestPaths& shortest,
+                                       int end) {
     std::vector<std::pair<int, int>> result;
     for (int vertex = end;;) {
-        const int e = ways.by_edge[static_cast<std::size_t>(vertex)];
+        const int e = shortest.by_edge[static_cast<std::size_t>(vertex)];
         result.emplace_back(vertex, e);
         if (e < 0) break;
         vertex = part.otherEnd(e, vertex);

@@ -42,7 +42,7 @@ class RoadmapPart {
 };
 
 /// Ends of one part's path, as vertices; -1: any.
-struct WayEnds {
+struct PartEnds {
     int first = -1;
     int last = -1;
     bool closed = false;  // returns to the first
@@ -50,17 +50,18 @@ struct WayEnds {
 
 /// Shortest-path tree from one vertex (Dijkstra): by vertex, the cost and the edge that leads to it
 /// (-1: none).
-struct Ways {
+struct ShortestPaths {
     std::vector<double> cost;
     std::vector<int> by_edge;
 };
 
-Ways waysFrom(const RoadmapPart& part, int start,
-              const std::function<double(const RoadmapEdge&)>& weigh);
+ShortestPaths shortestPathsFrom(const RoadmapPart& part, int start,
+                                const std::function<double(const RoadmapEdge&)>& weigh);
 
 /// The vertices from the root of the tree to `end`, each with the edge that leads to it; -1 at the
 /// root.
-std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const Ways& ways, int end);
+std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const ShortestPaths& shortest,
+                                       int end);
 
 /// Inner corners of an edge, in the direction towards the vertex `to`.
 std::vector<Eigen::Vector3d> cornersAlong(const RoadmapPart& part, int edge, int to);

@@ -22,18 +22,19 @@ constexpr double kMostCut = 1.4;  // relative to the allowed length: smoothing m
 
 /// A tour of one part: shortest paths between its key frames, and their order.
 struct TourOfPart {
-    std::vector<Ways> ways;     // from each vertex
+    std::vector<ShortestPaths> shortest;  // from each vertex
     std::vector<int> vertices;  // by stop; a closed tour contains its first vertex twice
     BudgetedTour plan;
 };
 
-TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, const WayEnds& ends,
+TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, const PartEnds& ends,
                      const std::vector<int>& rank, const JobContext& job) {
     const auto count = part.keys.size();
     TourOfPart tour;
-    tour.ways.resize(count);
-    parallelFor(count,
-                [&](std::size_t i) { tour.ways[i] = waysFrom(part, static_cast<int>(i), metres); });
+    tour.shortest.resize(count);
+    parallelFor(count, [&](std::size_t i) {
+        tour.shortest[i] = shortestPathsFrom(part, static_cast<int>(i), metres);
+    });
     BudgetedTour& plan = tour.plan;
     plan.metres.assign(count, std::vector<double>(count, 0.0));
     plan.cost = plan.metres;
@@ -41,7 +42,7 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         for (std::size_t j = 0; j < i; ++j) {
             const double turn = angleBetween(part.point(static_cast<int>(i)).pose.rotation,
                                              part.point(static_cast<int>(j)).pose.rotation);
-            const double length = std::min(tour.ways[i].cost[j], tour.ways[j].cost[i]);
+            const double length = std::min(tour.shortest[i].cost[j], tour.shortest[j].cost[i]);
             plan.metres[i][j] = plan.metres[j][i] = length;
             plan.cost[i][j] = plan.cost[j][i] = weights.distance_weight * length + turn;
         }
@@ -141,7 +142,7 @@ class Legs {
         const Eigen::Vector3d& end = part_.point(to).pose.position;
         std::vector<Eigen::Vector3d> corners;
         for (const auto& [vertex, e] :
-             trace(part_, tour_.ways[static_cast<std::size_t>(from)], to)) {
+             trace(part_, tour_.shortest[static_cast<std::size_t>(from)], to)) {
             if (e < 0) continue;
             for (const auto& corner : cornersAlong(part_, e, vertex)) corners.push_back(corner);
             if (vertex != to) corners.push_back(part_.point(vertex).pose.position);
@@ -236,7 +237,7 @@ TourChoice choose(const std::vector<TourOfPart>& tours, std::vector<Legs>& legs,
 }  // namespace
 
 std::vector<std::vector<PathVertex>> walkTours(const std::vector<RoadmapPart>& parts,
-                                               const std::vector<WayEnds>& ends,
+                                               const std::vector<PartEnds>& ends,
                                                const SweptSphere& sphere, const TourBudget& budget,
                                                const RoadmapParams& weights,
                                                const JobContext& job) {

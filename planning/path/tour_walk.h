@@ -27,7 +27,7 @@ struct TourBudget {
 /// whose walks fit it, so that a larger budget never shows less; the walk of a part may then be
 /// empty.
 std::vector<std::vector<PathVertex>> walkTours(const std::vector<RoadmapPart>& parts,
-                                               const std::vector<WayEnds>& ends,
+                                               const std::vector<PartEnds>& ends,
                                                const SweptSphere& sphere, const TourBudget& budget,
                                                const RoadmapParams& weights, const JobContext& job);
 

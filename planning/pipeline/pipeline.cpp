@@ -35,7 +35,7 @@ std::string leftOutOfPathFor(const PlanParams& params) {
 std::string notChosenFor(const PlanParams& params) {
     return params.coverage.objective == Objective::Surface
                ? "because objective=surface chooses key frames for surface alone"
-               : LeftOutFor{}.key_frames;
+               : ExclusionReasons{}.key_frames;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.must_see = metrics->shown.must_see;
     plan.surface = metrics->shown.surface;
     refusePinsOverBudget(edits, plan);
-    plan.ledger = captureLedger(*scene, plan, left_out_for);
+    plan.ledger = captureLedger(*scene, plan, exclusion_reasons);
     return plan;
 }
 
@@ -117,7 +117,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
         return tl::unexpected<Error>(std::move(status.error()));
     }
     stages_->times.clear();
-    stages_->left_out_for = {leftOutOfPathFor(params), notChosenFor(params)};
+    stages_->exclusion_reasons = {leftOutOfPathFor(params), notChosenFor(params)};
     return stages_->map(params, edits, job)
         .and_then([&] { return stages_->plan(params, edits, job, on_trajectory); })
         .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });

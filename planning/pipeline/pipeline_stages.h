@@ -66,7 +66,7 @@ struct Pipeline::Stages {
     Stage<SmoothingInputs, std::vector<SmoothPath>> smoothing;
     Stage<GazeInputs, std::vector<SmoothPath>> gaze;
     Stage<TimingInputs, Trajectory> timing;
-    Stage<RepairInputs, Repaired> repair;
+    Stage<RepairInputs, RepairedTrajectory> repair;
     Stage<MetricInputs, Metrics> metrics;
 
     // Whether the last run needed constraint viewpoints, so that `asked` is valid.
@@ -79,7 +79,7 @@ struct Pipeline::Stages {
 
     PlanCache memory;
     std::vector<StageTime> times;
-    LeftOutFor left_out_for;  // reasons for the last run's parameters
+    ExclusionReasons exclusion_reasons;  // reasons for the last run's parameters
 
     /// Runs and times one stage. Error: Cancelled if the job was cancelled before it, or the
     /// stage's own.
@@ -98,7 +98,7 @@ struct Pipeline::Stages {
     }
 
     /// The map of the last run.
-    [[nodiscard]] MapInUse mapped() const {
+    [[nodiscard]] CurrentMap mapped() const {
         return {free_space.version(), region.version(), free_space.share(), region.share()};
     }
 

@@ -18,7 +18,7 @@ bool haveSameRoles(const Scene& a, const Scene& b) {
 }  // namespace
 
 void PlanCache::noteMoves(const Scene& before, const Scene& now, const std::vector<int>& moved,
-                          std::shared_ptr<const RayCaster> rays, const MapInUse& map) {
+                          std::shared_ptr<const RayCaster> rays, const CurrentMap& map) {
     if (!haveSameRoles(before, now)) shown_with_.reset();
     if (moved.empty()) return;
     std::vector<Eigen::AlignedBox3d> boxes;
@@ -49,7 +49,7 @@ RayCaster PlanCache::cast(const Scene& scene) {
     return made;
 }
 
-void PlanCache::refreshSearches(const MapInUse& map, const SearchInputs& inputs) {
+void PlanCache::refreshSearches(const CurrentMap& map, const SearchInputs& inputs) {
     const std::pair in(map.free_space_version, map.region_version);
     const bool same_inputs = searched_with_ == inputs;
     if (searched_in_ != in || !same_inputs) {

@@ -21,7 +21,7 @@ class FreeSpace;
 class ViewEstimator;
 
 /// The current map; versions tell whether it has changed.
-struct MapInUse {
+struct CurrentMap {
     unsigned free_space_version = 0;
     unsigned region_version = 0;
     std::shared_ptr<const FreeSpace> free_space;  // null before the first map
@@ -53,7 +53,7 @@ class PlanCache {
     /// Records a new scene with the same objects, of which `moved` (ids, ascending; may be empty)
     /// changed their pose. `rays` and `map` are those of the scene before.
     void noteMoves(const Scene& before, const Scene& now, const std::vector<int>& moved,
-                   std::shared_ptr<const RayCaster> rays, const MapInUse& map);
+                   std::shared_ptr<const RayCaster> rays, const CurrentMap& map);
 
     /// The ray structure of the scene; objects that did not move share the earlier one's.
     [[nodiscard]] RayCaster cast(const Scene& scene);
@@ -68,7 +68,7 @@ class PlanCache {
     }
 
     /// Drops searches that are not valid for this map or these inputs.
-    void refreshSearches(const MapInUse& map, const SearchInputs& inputs);
+    void refreshSearches(const CurrentMap& map, const SearchInputs& inputs);
 
     /// Drops cached views that are not valid for the current views.
     void refreshShown(unsigned views_version, const CameraParams& camera,

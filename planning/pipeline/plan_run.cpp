@@ -46,8 +46,8 @@ class Pipeline::Stages::PlanRun {
           on_trajectory_(on_trajectory),
           sphere_(*stages_.rays, *stages_.free_space, params.camera.camera_radius_m,
                   &*stages_.region),
-          around_{*stages_.views, *stages_.free_space, sphere_, pitchBand(params.constraints),
-                  headingLimit(params.body)} {}
+          environment_{*stages_.views, *stages_.free_space, sphere_, pitchBand(params.constraints),
+                       headingLimit(params.body)} {}
 
     Status run() {
         return setTargets()
@@ -93,7 +93,9 @@ class Pipeline::Stages::PlanRun {
         return viewpoints().position_points;
     }
     /// Where the camera may move; with one trajectory per room, within its room.
-    [[nodiscard]] const Surroundings& moves() const { return in_room_ ? *in_room_ : around_; }
+    [[nodiscard]] const PlanningEnvironment& moves() const {
+        return in_room_ ? *in_room_ : environment_;
+    }
 
     Stages& stages_;
     const PlanParams& params_;
@@ -101,9 +103,9 @@ class Pipeline::Stages::PlanRun {
     const JobContext& job_;
     const OnTrajectory& on_trajectory_;
     SweptSphere sphere_;
-    Surroundings around_;
+    PlanningEnvironment environment_;
     std::optional<SweptSphere> sphere_in_room_;
-    std::optional<Surroundings> in_room_;
+    std::optional<PlanningEnvironment> in_room_;
     PathEnds ends_;                             // from selectKeyFrames()
     std::optional<TrajectoryBuilder> builder_;  // from selectKeyFrames()
 };
@@ -119,26 +121,27 @@ Status Pipeline::Stages::PlanRun::setTargets() {
 
 Status Pipeline::Stages::PlanRun::searchForViewpoints() {
     const JobContext job = job_.stage(0.44, 0.68, "viewpoints");
-    stages_.memory.refreshSearches(stages_.mapped(),
-                                   {params_.camera, params_.viewpoints, around_.pitch, params_.seed,
-                                    edits_.no_go, params_.free_space, params_.body});
-    return stages_.run(
-        "viewpoints", stages_.found,
-        ViewpointInputs{stages_.targets.version(), stages_.region.version(),
-                        stages_.views.version(), params_.viewpoints, around_.pitch, params_.seed},
-        job, [&] {
-            return searchViewpoints(around_, *stages_.targets, params_.viewpoints, params_.seed,
-                                    job, &stages_.memory.searches);
-        });
+    stages_.memory.refreshSearches(
+        stages_.mapped(), {params_.camera, params_.viewpoints, environment_.pitch, params_.seed,
+                           edits_.no_go, params_.free_space, params_.body});
+    return stages_.run("viewpoints", stages_.found,
+                       ViewpointInputs{stages_.targets.version(), stages_.region.version(),
+                                       stages_.views.version(), params_.viewpoints,
+                                       environment_.pitch, params_.seed},
+                       job, [&] {
+                           return searchViewpoints(environment_, *stages_.targets,
+                                                   params_.viewpoints, params_.seed, job,
+                                                   &stages_.memory.searches);
+                       });
 }
 
 Status Pipeline::Stages::PlanRun::placePointsByHand() {
     stages_.memory.refreshShown(stages_.views.version(), params_.camera, *stages_.views);
     return stages_.run("by_hand", stages_.placed,
-                       PlacedInputs{stages_.found.version(), stages_.views.version(), around_.pitch,
-                                    edits_.pinned, edits_.removed},
+                       PlacedInputs{stages_.found.version(), stages_.views.version(),
+                                    environment_.pitch, edits_.pinned, edits_.removed},
                        job_.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
-                           return placeByHand(*stages_.found, edits_, around_,
+                           return placeByHand(*stages_.found, edits_, environment_,
                                               &stages_.memory.shown);
                        });
 }
@@ -157,8 +160,9 @@ Status Pipeline::Stages::PlanRun::divideIntoRooms() {
             if (params_.constraints.rooms != RoomTours::Each) return;
             sphere_in_room_.emplace(*stages_.rays, *stages_.free_space, radius_m, &*stages_.region,
                                     &*stages_.rooms);
-            in_room_.emplace(Surroundings{*stages_.views, *stages_.free_space, *sphere_in_room_,
-                                          around_.pitch, around_.heading});
+            in_room_.emplace(PlanningEnvironment{*stages_.views, *stages_.free_space,
+                                                 *sphere_in_room_, environment_.pitch,
+                                                 environment_.heading});
         });
 }
 
@@ -178,7 +182,7 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
     const JobContext job = job_.stage(0.69, 0.7, "constraints");
     return stages_.run("constraints", stages_.asked, inputs, job, [&] {
         return addConstraintViewpoints(*stages_.placed, inputs.must_see, params_,
-                                       rooms ? &*stages_.rooms : nullptr, around_,
+                                       rooms ? &*stages_.rooms : nullptr, environment_,
                                        &stages_.memory.shown, job);
     });
 }
@@ -198,7 +202,7 @@ PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
 }
 
 Status Pipeline::Stages::PlanRun::selectKeyFrames() {
-    builder_.emplace(around_, moves(), viewpoints(), params_, job_);
+    builder_.emplace(environment_, moves(), viewpoints(), params_, job_);
     ends_ = pathEnds();
     const KeyFrameInputs inputs{stages_.pointsVersion(),
                                 edits_.regions,
@@ -327,8 +331,9 @@ Status Pipeline::Stages::PlanRun::repairFrames() {
         "repair", stages_.repair,
         RepairInputs{stages_.timing.version(), stages_.views.version(), params_.repair,
                      params_.seed},
-        job, [&]() -> Result<Repaired> {
-            const Repaired as_timed{stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
+        job, [&]() -> Result<RepairedTrajectory> {
+            const RepairedTrajectory as_timed{
+                stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
             if (!wanted) return as_timed;
             return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing), moves(),
                                     params_.repair, params_.seed, job, &stages_.memory.seen);

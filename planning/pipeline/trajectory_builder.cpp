@@ -14,10 +14,10 @@
 
 namespace dollytrack::planning {
 
-TrajectoryBuilder::TrajectoryBuilder(const Surroundings& around, const Surroundings& moves,
-                                     const Viewpoints& viewpoints, const PlanParams& params,
-                                     const JobContext& job)
-    : around_(around),
+TrajectoryBuilder::TrajectoryBuilder(const PlanningEnvironment& environment,
+                                     const PlanningEnvironment& moves, const Viewpoints& viewpoints,
+                                     const PlanParams& params, const JobContext& job)
+    : environment_(environment),
       moves_(moves),
       position_points_(viewpoints.position_points),
       observation_points_(viewpoints.observation_points),
@@ -29,7 +29,7 @@ TrajectoryBuilder::TrajectoryBuilder(const Surroundings& around, const Surroundi
 }
 
 Pose TrajectoryBuilder::poseAt(const SmoothPath::Key& key) const {
-    return KeyViews(position_points_, observation_points_, around_.pitch).pose(key);
+    return KeyViews(position_points_, observation_points_, environment_.pitch).pose(key);
 }
 
 Result<SmoothPath> TrajectoryBuilder::smooth(const CameraPath& path) const {
@@ -57,8 +57,8 @@ SmoothPath TrajectoryBuilder::withContext(const SmoothPath& path,
         share.max_frames = std::max(1, static_cast<int>(share.max_frames * part));
     }
     return withContextViews(
-        path, [this](const SmoothPath::Key& key) { return poseAt(key); }, around_, params_.gaze,
-        share);
+        path, [this](const SmoothPath::Key& key) { return poseAt(key); }, environment_,
+        params_.gaze, share);
 }
 
 std::vector<SmoothPath> TrajectoryBuilder::withContext(const std::vector<SmoothPath>& all) const {
@@ -70,15 +70,15 @@ std::vector<SmoothPath> TrajectoryBuilder::withContext(const std::vector<SmoothP
 void TrajectoryBuilder::measureImageMotions(std::vector<SmoothPath>& paths) const {
     for (SmoothPath& path : paths) {
         measureImageMotion(
-            path, [this](const SmoothPath::Key& key) { return poseAt(key); }, around_.views,
-            around_.pitch);
+            path, [this](const SmoothPath::Key& key) { return poseAt(key); }, environment_.views,
+            environment_.pitch);
     }
 }
 
 Result<Trajectory> TrajectoryBuilder::timeSteadily(const std::vector<SmoothPath>& paths,
                                                    const TimingParams& timing) const {
-    return timeTrajectory(paths, position_points_, observation_points_, timing, around_.pitch,
-                          around_.heading);
+    return timeTrajectory(paths, position_points_, observation_points_, timing, environment_.pitch,
+                          environment_.heading);
 }
 
 Result<Trajectory> TrajectoryBuilder::withoutRepeats(Trajectory&& steady,
@@ -86,27 +86,29 @@ Result<Trajectory> TrajectoryBuilder::withoutRepeats(Trajectory&& steady,
                                                      const TimingParams& timing) const {
     if (timing.max_frames <= 0 || keepsFrameRate(timing)) return std::move(steady);
     // Each key needs a frame, including look-aside views and turns on the spot.
-    const auto least = static_cast<int>(
-        leastFrames(paths, position_points_, observation_points_, around_.pitch, around_.heading));
+    const auto least = static_cast<int>(leastFrames(paths, position_points_, observation_points_,
+                                                    environment_.pitch, environment_.heading));
     const auto within = [&](int max_frames) {
         TimingParams fewer = timing;
         fewer.max_frames = std::max(max_frames, least);
         return timeSteadily(paths, fewer);
     };
-    FrameLooks looks(around_.views);  // local to the call, since repairs are tried in parallel
-    return dropRepeats(std::move(steady), timing.max_repeat_rate, within, looks, job_);
+    SurfaceSamplers samplers(
+        environment_.views);  // local to the call, since repairs are tried in parallel
+    return dropRepeats(std::move(steady), timing.max_repeat_rate, within, samplers, job_);
 }
 
 Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
                                            const TimingParams& timing) const {
     // With a heading limit, timing adds keys of its own, which have no image motion.
-    if (limitsImageMotion(timing) && !around_.heading.restricts()) measureImageMotions(paths);
+    if (limitsImageMotion(timing) && !environment_.heading.restricts()) measureImageMotions(paths);
     return timeSteadily(paths, timing)
         .and_then(
             [&](Trajectory&& steady) { return withoutRepeats(std::move(steady), paths, timing); })
         .and_then([&](Trajectory&& steady) {
-            return shakeTrajectory(paths, std::move(steady), position_points_, around_.views,
-                                   moves_.sphere, params_.shake, around_.pitch, params_.seed, job_);
+            return shakeTrajectory(paths, std::move(steady), position_points_, environment_.views,
+                                   moves_.sphere, params_.shake, environment_.pitch, params_.seed,
+                                   job_);
         });
 }
 

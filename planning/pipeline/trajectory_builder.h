@@ -18,7 +18,7 @@ class TrajectoryBuilder {
   public:
     /// `around` is where the camera may look from, `moves` where it may move: the same, unless each
     /// room has a trajectory of its own.
-    TrajectoryBuilder(const Surroundings& around, const Surroundings& moves,
+    TrajectoryBuilder(const PlanningEnvironment& environment, const PlanningEnvironment& moves,
                       const Viewpoints& viewpoints, const PlanParams& params,
                       const JobContext& job);
 
@@ -50,8 +50,8 @@ class TrajectoryBuilder {
     void measureImageMotions(std::vector<SmoothPath>& paths) const;
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const;
 
-    const Surroundings& around_;
-    const Surroundings& moves_;
+    const PlanningEnvironment& environment_;
+    const PlanningEnvironment& moves_;
     const std::vector<PositionPoint>& position_points_;
     const std::vector<ObservationPoint>& observation_points_;
     const PlanParams& params_;

@@ -41,10 +41,10 @@ CameraPath partBy(const CameraPath& path, std::size_t from, std::size_t to,
 std::optional<CameraPath> findDetour(const RepairContext& context, const CameraPath& path,
                                      std::size_t from, std::size_t to, double low_share,
                                      std::uint64_t stream) {
-    const Surroundings& around = context.around;
+    const PlanningEnvironment& environment = context.environment;
     const Eigen::Vector3d& start = path.vertices[from].position;
     const Eigen::Vector3d& goal = path.vertices[to].position;
-    const auto& cells = around.sphere.cells(path.component);
+    const auto& cells = environment.sphere.cells(path.component);
     const double longest =
         kLongest * wayLength(cornersBetween(path, from, to), start, goal) + kLongest_m;
     if (cells.empty()) return std::nullopt;
@@ -59,9 +59,11 @@ std::optional<CameraPath> findDetour(const RepairContext& context, const CameraP
         problem.sample = [&](Random& r) {
             return cells[r.below(static_cast<std::uint32_t>(cells.size()))].cast<double>();
         };
-        problem.is_free = [&](const Eigen::Vector3d& place) { return around.sphere.fits(place); };
+        problem.is_free = [&](const Eigen::Vector3d& place) {
+            return environment.sphere.fits(place);
+        };
         problem.is_move_free = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-            return around.sphere.segment(a, b).free;
+            return environment.sphere.segment(a, b).free;
         };
         const RrtStarResult way =
             rrtStar(problem, Random(static_cast<std::uint64_t>(context.seed),
@@ -74,7 +76,7 @@ std::optional<CameraPath> findDetour(const RepairContext& context, const CameraP
         if (!trajectory) continue;
         std::vector<std::vector<Eigen::AlignedBox2d>> boxes;
         for (const TrajectoryFrame& frame : trajectory->frames) {
-            boxes.push_back(imageBoxes(around.views, frame.pose));
+            boxes.push_back(imageBoxes(environment.views, frame.pose));
         }
         const ScoreTally score =
             tally(imageScores(*trajectory, boxes, context.weights), context.threshold);

@@ -52,11 +52,11 @@ double scoreWithin(const Trajectory& trajectory,
     return imageScores(part, shows, weights).back();
 }
 
-/// Index of the key frame at which a stretch starts; keys.size() if there is none.
-std::size_t firstKeyOf(const SmoothPath& path, std::size_t stretch) {
+/// Index of the key frame at which a segment starts; keys.size() if there is none.
+std::size_t firstKeyOf(const SmoothPath& path, std::size_t segment) {
     std::size_t met = 0;
     for (std::size_t i = 0; i < path.keys.size(); ++i) {
-        if (path.keys[i].position_point >= 0 && met++ == stretch) return i;
+        if (path.keys[i].position_point >= 0 && met++ == segment) return i;
     }
     return path.keys.size();
 }
@@ -66,7 +66,7 @@ std::size_t firstKeyOf(const SmoothPath& path, std::size_t stretch) {
 std::optional<Eigen::Vector3d> findLookAside(
     const RepairContext& context, const Trajectory& trajectory,
     const std::vector<std::vector<Eigen::AlignedBox2d>>& boxes, const LowRun& run) {
-    const Surroundings& around = context.around;
+    const PlanningEnvironment& environment = context.environment;
     const auto& frames = trajectory.frames;
     const TrajectoryFrame& middle = frames[run.first + (run.last - run.first) / 2];
     const Pose& before = frames[run.first > 0 ? run.first - 1 : run.first].pose;
@@ -75,14 +75,14 @@ std::optional<Eigen::Vector3d> findLookAside(
     const Eigen::Vector3d& place = middle.pose.position;
     std::optional<Eigen::Vector3d> best;
     double best_worth = 0.0;
-    for (const Eigen::Vector3d& center : nearestTargets(around.views.scene(), place)) {
-        if ((center - place).norm() < around.views.nearDistance()) continue;
-        const Pose pose = aim(place, center, around.pitch);
+    for (const Eigen::Vector3d& center : nearestTargets(environment.views.scene(), place)) {
+        if ((center - place).norm() < environment.views.nearDistance()) continue;
+        const Pose pose = aim(place, center, environment.pitch);
         const double detour = angleBetween(before.rotation, pose.rotation) +
                               angleBetween(pose.rotation, after.rotation) - turn;
         if (detour > kMostDetour) continue;
-        const double score =
-            scoreWithin(trajectory, boxes, run, imageBoxes(around.views, pose), context.weights);
+        const double score = scoreWithin(trajectory, boxes, run,
+                                         imageBoxes(environment.views, pose), context.weights);
         if (score < context.threshold) continue;
         const double worth = score - kDetourCost * detour;
         if (best && worth <= best_worth) continue;
@@ -93,23 +93,23 @@ std::optional<Eigen::Vector3d> findLookAside(
 }
 
 std::vector<SmoothPath> withLookAsides(std::vector<SmoothPath> paths,
-                                       const std::vector<LookAside>& glances) {
-    std::vector<LookAside> ordered = glances;
+                                       const std::vector<LookAside>& look_asides) {
+    std::vector<LookAside> ordered = look_asides;
     std::stable_sort(ordered.begin(), ordered.end(), [](const LookAside& a, const LookAside& b) {
-        return std::pair(a.stretch, a.share) < std::pair(b.stretch, b.share);
+        return std::pair(a.segment, a.share) < std::pair(b.segment, b.share);
     });
-    for (const LookAside& glance : ordered) {
-        SmoothPath& path = paths[glance.stretch.path];
-        const std::size_t from = firstKeyOf(path, glance.stretch.number);
-        const std::size_t to = firstKeyOf(path, glance.stretch.number + 1);
+    for (const LookAside& look_aside : ordered) {
+        SmoothPath& path = paths[look_aside.segment.path];
+        const std::size_t from = firstKeyOf(path, look_aside.segment.number);
+        const std::size_t to = firstKeyOf(path, look_aside.segment.number + 1);
         if (to >= path.keys.size()) continue;
         const double begin = path.keys[from].arc_m;
         const double end = path.keys[to].arc_m;
         SmoothPath::Key key;
-        key.arc_m = begin + glance.share * (end - begin);
+        key.arc_m = begin + look_aside.share * (end - begin);
         key.position = end > begin ? path.at(key.arc_m) : path.keys[from].position;
-        key.looks_at = glance.looks_at;
-        // Insert after earlier look-aside views of the stretch.
+        key.looks_at = look_aside.looks_at;
+        // Insert after earlier look-aside views of the segment.
         path.keys.insert(path.keys.begin() + static_cast<std::ptrdiff_t>(to), key);
     }
     return paths;

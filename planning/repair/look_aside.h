@@ -11,8 +11,8 @@ namespace dollytrack::planning {
 
 /// A look-aside view between two key frames.
 struct LookAside {
-    StretchName stretch;
-    double share = 0.5;                                  // of the stretch's arc length, 0..1
+    SegmentId segment;
+    double share = 0.5;                                  // of the segment's arc length, 0..1
     Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // point to look at, world, m
 };
 
@@ -25,6 +25,6 @@ struct LookAside {
 
 /// The paths with the look-aside views inserted as keys between their key frames.
 [[nodiscard]] std::vector<SmoothPath> withLookAsides(std::vector<SmoothPath> paths,
-                                                     const std::vector<LookAside>& glances);
+                                                     const std::vector<LookAside>& look_asides);
 
 }  // namespace dollytrack::planning

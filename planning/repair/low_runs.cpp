@@ -5,8 +5,8 @@
 
 namespace dollytrack::planning {
 
-std::vector<StretchName> stretchesOf(const Trajectory& trajectory) {
-    std::vector<StretchName> names(trajectory.frames.size());
+std::vector<SegmentId> segmentsOf(const Trajectory& trajectory) {
+    std::vector<SegmentId> names(trajectory.frames.size());
     std::size_t keys = 0;  // key frames so far on this path
     for (std::size_t i = 0; i < names.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
@@ -19,16 +19,16 @@ std::vector<StretchName> stretchesOf(const Trajectory& trajectory) {
 
 std::vector<LowRun> lowRuns(const Trajectory& trajectory, const std::vector<double>& scores,
                             double threshold) {
-    const std::vector<StretchName> stretches = stretchesOf(trajectory);
+    const std::vector<SegmentId> segments = segmentsOf(trajectory);
     std::vector<LowRun> runs;
     for (std::size_t i = 0; i < scores.size(); ++i) {
         if (scores[i] >= threshold || trajectory.frames[i].position_point >= 0) continue;
         const bool goes_on =
-            !runs.empty() && runs.back().last + 1 == i && runs.back().stretch == stretches[i];
+            !runs.empty() && runs.back().last + 1 == i && runs.back().segment == segments[i];
         if (goes_on) {
             runs.back().last = i;
         } else {
-            runs.push_back({stretches[i], i, i});
+            runs.push_back({segments[i], i, i});
         }
     }
     return runs;

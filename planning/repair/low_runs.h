@@ -9,26 +9,26 @@
 
 namespace dollytrack::planning {
 
-/// A stretch: the part of a path between two successive key frames, by the path's index and the
-/// stretch's number on it.
-struct StretchName {
+/// A segment: the part of a path between two successive key frames, by the path's index and the
+/// segment's number on it.
+struct SegmentId {
     std::size_t path = 0;
     std::size_t number = 0;
-    auto operator<=>(const StretchName&) const = default;
+    auto operator<=>(const SegmentId&) const = default;
 };
 
 /// Consecutive frames that score low, none of them a key frame.
 struct LowRun {
-    StretchName stretch;
+    SegmentId segment;
     std::size_t first = 0;  // index in the trajectory
     std::size_t last = 0;   // inclusive
     [[nodiscard]] std::size_t size() const { return last - first + 1; }
 };
 
-/// The stretch of each frame; a key frame belongs to the stretch that ends there.
-[[nodiscard]] std::vector<StretchName> stretchesOf(const Trajectory& trajectory);
+/// The segment of each frame; a key frame belongs to the segment that ends there.
+[[nodiscard]] std::vector<SegmentId> segmentsOf(const Trajectory& trajectory);
 
-/// Runs of frames with scores below the threshold, each within one stretch.
+/// Runs of frames with scores below the threshold, each within one segment.
 [[nodiscard]] std::vector<LowRun> lowRuns(const Trajectory& trajectory,
                                           const std::vector<double>& scores, double threshold);
 

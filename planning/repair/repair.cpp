@@ -24,7 +24,7 @@ constexpr int kAttempts = 3;          // per round, each with fewer changes
 struct Design {
     std::vector<CameraPath> paths;
     std::vector<SmoothPath> smooth;  // without look-aside views
-    std::vector<LookAside> glances;
+    std::vector<LookAside> look_asides;
 };
 
 /// A design with its trajectory and scores.
@@ -36,9 +36,9 @@ struct Trial {
 };
 
 struct Change {
-    StretchName stretch;
-    std::optional<LookAside> glance;
-    std::optional<CameraPath> other_way;
+    SegmentId segment;
+    std::optional<LookAside> look_aside;
+    std::optional<CameraPath> detour;
 };
 
 /// Index of a path's vertex at its n-th key frame (from 0).
@@ -49,13 +49,13 @@ std::size_t vertexOfKey(const CameraPath& path, std::size_t n) {
     return path.vertices.size();
 }
 
-std::map<StretchName, ScoreTally> tallies(const Trial& trial, double threshold) {
-    const std::vector<StretchName> stretches = stretchesOf(trial.trajectory);
-    std::map<StretchName, std::vector<double>> scores;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        scores[stretches[i]].push_back(trial.scores[i]);
+std::map<SegmentId, ScoreTally> tallies(const Trial& trial, double threshold) {
+    const std::vector<SegmentId> segments = segmentsOf(trial.trajectory);
+    std::map<SegmentId, std::vector<double>> scores;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        scores[segments[i]].push_back(trial.scores[i]);
     }
-    std::map<StretchName, ScoreTally> result;
+    std::map<SegmentId, ScoreTally> result;
     for (const auto& [name, some] : scores) result[name] = tally(some, threshold);
     return result;
 }
@@ -70,18 +70,18 @@ std::set<int> neededFrames(const std::vector<ObjectCapture>& captures) {
     return frames;
 }
 
-/// The stretches with objects that are no longer captured, or captured well.
-std::set<StretchName> lostOn(const Trial& before, const Trial& after) {
-    const std::vector<StretchName> stretches = stretchesOf(before.trajectory);
-    std::set<StretchName> lost;
+/// The segments with objects that are no longer captured, or captured well.
+std::set<SegmentId> lostOn(const Trial& before, const Trial& after) {
+    const std::vector<SegmentId> segments = segmentsOf(before.trajectory);
+    std::set<SegmentId> lost;
     for (std::size_t i = 0; i < before.estimate.captures.size(); ++i) {
         const ObjectCapture& was = before.estimate.captures[i];
         const ObjectCapture& is = after.estimate.captures[i];
         if (was.captured && !is.captured) {
-            lost.insert(stretches[static_cast<std::size_t>(was.best.frame)]);
+            lost.insert(segments[static_cast<std::size_t>(was.best.frame)]);
         }
         if (was.well_captured && !is.well_captured) {
-            lost.insert(stretches[static_cast<std::size_t>(was.best_well.frame)]);
+            lost.insert(segments[static_cast<std::size_t>(was.best_well.frame)]);
         }
     }
     return lost;
@@ -94,7 +94,7 @@ class Repair {
 
     [[nodiscard]] Result<Trial> carryOut(const Design& design) const {
         Trial trial;
-        trial.smooth = withLookAsides(design.smooth, design.glances);
+        trial.smooth = withLookAsides(design.smooth, design.look_asides);
         Result<Trajectory> trajectory = context_.maker.time(trial.smooth);
         if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
         trial.trajectory = std::move(*trajectory);
@@ -104,34 +104,34 @@ class Repair {
     /// Completes a trial that has its trajectory with captures and scores.
     [[nodiscard]] Result<Trial> lookAt(Trial trial) const {
         Result<CaptureEstimate> estimate =
-            estimateCaptures(context_.around.views, trial.trajectory, job_, memo_);
+            estimateCaptures(context_.environment.views, trial.trajectory, job_, memo_);
         if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
         trial.estimate = std::move(*estimate);
         trial.scores = imageScores(trial.trajectory, trial.estimate.frame_boxes, context_.weights);
         return trial;
     }
 
-    /// One change for each stretch with low frames, unless given up.
+    /// One change for each segment with low frames, unless given up.
     std::vector<Change> propose(const Design& design, const Trial& trial, int round) {
-        std::map<StretchName, LowRun> longest;
+        std::map<SegmentId, LowRun> longest;
         for (const LowRun& run : lowRuns(trial.trajectory, trial.scores, context_.threshold)) {
-            if (given_up_.contains(run.stretch)) continue;
-            const auto [at, fresh] = longest.try_emplace(run.stretch, run);
+            if (given_up_.contains(run.segment)) continue;
+            const auto [at, fresh] = longest.try_emplace(run.segment, run);
             if (!fresh && run.size() > at->second.size()) at->second = run;
         }
         std::vector<LowRun> runs;
         for (const auto& [_, run] : longest) runs.push_back(run);
-        const std::map<StretchName, ScoreTally> scored = tallies(trial, context_.threshold);
+        const std::map<SegmentId, ScoreTally> scored = tallies(trial, context_.threshold);
         std::vector<Change> changes(runs.size());
         parallelFor(runs.size(), [&](std::size_t i) {
             if (!job_.cancelled()) {
-                changes[i] = propose(design, trial, runs[i], scored.at(runs[i].stretch), round);
+                changes[i] = propose(design, trial, runs[i], scored.at(runs[i].segment), round);
             }
         });
         for (const Change& change : changes) {
-            if (!change.glance && !change.other_way) given_up_.insert(change.stretch);
+            if (!change.look_aside && !change.detour) given_up_.insert(change.segment);
         }
-        std::erase_if(changes, [](const Change& c) { return !c.glance && !c.other_way; });
+        std::erase_if(changes, [](const Change& c) { return !c.look_aside && !c.detour; });
         return changes;
     }
 
@@ -139,19 +139,19 @@ class Repair {
     [[nodiscard]] Result<Design> apply(Design design, const std::vector<Change>& changes) const {
         std::set<std::size_t> rerouted;
         for (const Change& change : changes) {
-            if (change.glance) design.glances.push_back(*change.glance);
-            if (!change.other_way) continue;
-            CameraPath& path = design.paths[change.stretch.path];
-            const std::size_t from = vertexOfKey(path, change.stretch.number);
-            const std::size_t to = vertexOfKey(path, change.stretch.number + 1);
-            const auto& inner = change.other_way->vertices;
+            if (change.look_aside) design.look_asides.push_back(*change.look_aside);
+            if (!change.detour) continue;
+            CameraPath& path = design.paths[change.segment.path];
+            const std::size_t from = vertexOfKey(path, change.segment.number);
+            const std::size_t to = vertexOfKey(path, change.segment.number + 1);
+            const auto& inner = change.detour->vertices;
             const auto at =
                 path.vertices.erase(path.vertices.begin() + static_cast<std::ptrdiff_t>(from) + 1,
                                     path.vertices.begin() + static_cast<std::ptrdiff_t>(to));
             path.vertices.insert(at, inner.begin() + 1, inner.end() - 1);
-            std::erase_if(design.glances,
-                          [&](const LookAside& g) { return g.stretch == change.stretch; });
-            rerouted.insert(change.stretch.path);
+            std::erase_if(design.look_asides,
+                          [&](const LookAside& g) { return g.segment == change.segment; });
+            rerouted.insert(change.segment.path);
         }
         for (const std::size_t path : rerouted) {
             Result<SmoothPath> smooth = context_.maker.smooth(design.paths[path]);
@@ -161,22 +161,22 @@ class Repair {
         return design;
     }
 
-    /// The changes that improve their stretch and lose no capture.
+    /// The changes that improve their segment and lose no capture.
     std::vector<Change> keepGood(const std::vector<Change>& changes, const Trial& before,
                                  const Trial& after) {
         const auto was = tallies(before, context_.threshold);
         const auto is = tallies(after, context_.threshold);
-        const std::set<StretchName> lost = lostOn(before, after);
+        const std::set<SegmentId> lost = lostOn(before, after);
         std::vector<Change> good;
         for (const Change& change : changes) {
-            const ScoreTally& b = was.at(change.stretch);
-            const auto a = is.find(change.stretch);
+            const ScoreTally& b = was.at(change.segment);
+            const auto a = is.find(change.segment);
             const bool mended = a != is.end() && a->second.low < b.low &&
-                                a->second.mean >= b.mean && !lost.contains(change.stretch);
+                                a->second.mean >= b.mean && !lost.contains(change.segment);
             if (mended) {
                 good.push_back(change);
             } else {
-                refused_[change.stretch] += 1;
+                refused_[change.segment] += 1;
             }
         }
         return good;
@@ -185,7 +185,7 @@ class Repair {
     /// The first half of the changes; the others count as refused.
     std::vector<Change> keepHalf(std::vector<Change> changes) {
         const std::size_t half = changes.size() / 2;
-        for (std::size_t i = half; i < changes.size(); ++i) refused_[changes[i].stretch] += 1;
+        for (std::size_t i = half; i < changes.size(); ++i) refused_[changes[i].segment] += 1;
         changes.resize(half);
         return changes;
     }
@@ -193,33 +193,33 @@ class Repair {
   private:
     [[nodiscard]] Change propose(const Design& design, const Trial& trial, const LowRun& run,
                                  const ScoreTally& scored, int round) const {
-        Change change{run.stretch, {}, {}};
-        const auto refused = refused_.find(run.stretch);
+        Change change{run.segment, {}, {}};
+        const auto refused = refused_.find(run.segment);
         const int times = refused == refused_.end() ? 0 : refused->second;
         if (times == 0) {
             const auto looks_at =
                 findLookAside(context_, trial.trajectory, trial.estimate.frame_boxes, run);
             if (looks_at)
-                change.glance = LookAside{run.stretch, shareOf(design, trial, run), *looks_at};
+                change.look_aside = LookAside{run.segment, shareOf(design, trial, run), *looks_at};
         }
-        if (change.glance || times > 1 || run.size() <= kShortRun) return change;
-        const CameraPath& path = design.paths[run.stretch.path];
-        const std::size_t from = vertexOfKey(path, run.stretch.number);
-        const std::size_t to = vertexOfKey(path, run.stretch.number + 1);
+        if (change.look_aside || times > 1 || run.size() <= kShortRun) return change;
+        const CameraPath& path = design.paths[run.segment.path];
+        const std::size_t from = vertexOfKey(path, run.segment.number);
+        const std::size_t to = vertexOfKey(path, run.segment.number + 1);
         if (to >= path.vertices.size()) return change;
         const double low_share = static_cast<double>(scored.low) / scored.frames;
         const auto stream = static_cast<std::uint64_t>(round) * 1'000'000 +
-                            run.stretch.path * 100'000 + run.stretch.number * 10;
-        change.other_way = findDetour(context_, path, from, to, low_share, stream);
+                            run.segment.path * 100'000 + run.segment.number * 10;
+        change.detour = findDetour(context_, path, from, to, low_share, stream);
         return change;
     }
 
     /// Position of the middle of a run between its key frames, as a share of arc length.
     [[nodiscard]] static double shareOf(const Design& design, const Trial& trial,
                                         const LowRun& run) {
-        const SmoothPath& path = design.smooth[run.stretch.path];
-        const double begin = path.keys[run.stretch.number].arc_m;
-        const double end = path.keys[run.stretch.number + 1].arc_m;
+        const SmoothPath& path = design.smooth[run.segment.path];
+        const double begin = path.keys[run.segment.number].arc_m;
+        const double end = path.keys[run.segment.number + 1].arc_m;
         const auto& frames = trial.trajectory.frames;
         const double arc = frames[run.first + (run.last - run.first) / 2].arc_m;
         return end > begin ? std::clamp((arc - begin) / (end - begin), 0.0, 1.0) : 0.5;
@@ -228,8 +228,8 @@ class Repair {
     const RepairContext& context_;
     ViewCache* memo_;
     const JobContext& job_;
-    std::set<StretchName> given_up_;
-    std::map<StretchName, int> refused_;  // number of refused changes, by stretch
+    std::set<SegmentId> given_up_;
+    std::map<SegmentId, int> refused_;  // number of refused changes, by segment
 };
 
 /// Removes low frames that are neither key frames nor needed for a capture. Returns their number.
@@ -251,9 +251,9 @@ int dropLow(Trial& trial, double threshold) {
     return dropped;
 }
 
-int countStretches(const std::vector<LookAside>& glances) {
-    std::set<StretchName> names;
-    for (const LookAside& glance : glances) names.insert(glance.stretch);
+int countSegments(const std::vector<LookAside>& look_asides) {
+    std::set<SegmentId> names;
+    for (const LookAside& look_aside : look_asides) names.insert(look_aside.segment);
     return static_cast<int>(names.size());
 }
 
@@ -263,10 +263,12 @@ bool asksForRepair(const RepairParams& params) {
     return params.repair_rounds > 0 || params.drop_low_frames;
 }
 
-Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
-                                  const Surroundings& around, const RepairParams& params, int seed,
-                                  const JobContext& job, ViewCache* memo) {
-    RepairContext context{maker, around, params.score, 0.0, seed};
+Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
+                                            const TrajectoryMaker& maker,
+                                            const PlanningEnvironment& environment,
+                                            const RepairParams& params, int seed,
+                                            const JobContext& job, ViewCache* memo) {
+    RepairContext context{maker, environment, params.score, 0.0, seed};
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};
     Result<Trial> first = repair.lookAt({found.smooth_paths, found.trajectory, {}, {}});
@@ -274,11 +276,11 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
     Trial best = std::move(*first);
     context.threshold = lowThreshold(best.scores, params.score_threshold);
 
-    Repaired result;
+    RepairedTrajectory result;
     RepairReport& report = result.report;
     report.threshold = context.threshold;
     report.before = tally(best.scores, context.threshold);
-    std::set<StretchName> rerouted;
+    std::set<SegmentId> rerouted;
     for (int round = 0; round < params.repair_rounds; ++round) {
         job.report(static_cast<double>(round) / params.repair_rounds);
         std::vector<Change> changes = repair.propose(design, best, round);
@@ -302,7 +304,7 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
                 continue;
             }
             for (const Change& change : changes) {
-                if (change.other_way) rerouted.insert(change.stretch);
+                if (change.detour) rerouted.insert(change.segment);
             }
             design = *changed;
             best = std::move(*trial);
@@ -314,7 +316,7 @@ Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& 
         best.scores = imageScores(best.trajectory, best.estimate.frame_boxes, context.weights);
     }
     report.after = tally(best.scores, context.threshold);
-    report.glances = countStretches(design.glances);
+    report.glances = countSegments(design.look_asides);
     report.replanned = static_cast<int>(rerouted.size());
     result.paths = std::move(design.paths);
     result.smooth_paths = std::move(best.smooth);

@@ -11,13 +11,13 @@ namespace dollytrack::planning {
 
 class ViewCache;
 struct RepairParams;
-struct Surroundings;
+struct PlanningEnvironment;
 
 [[nodiscard]] bool asksForRepair(const RepairParams& params);
 
-/// A trajectory after stretches of bad frames were planned again, the paths it was made from, and a
+/// A trajectory after segments of bad frames were planned again, the paths it was made from, and a
 /// report.
-struct Repaired {
+struct RepairedTrajectory {
     std::vector<CameraPath> paths;
     std::vector<SmoothPath> smooth_paths;
     Trajectory trajectory;
@@ -34,12 +34,14 @@ struct TrajectoryMaker {
 
 /// Repairs frames that score low (paper, 3.2.4), in rounds. A run of such frames between two key
 /// frames first gets a look-aside view (the paper's fine-tuning of poses); if that does not help, a
-/// detour found by RRT*. A stretch keeps a change only if fewer of its frames are low, their mean
+/// detour found by RRT*. A segment keeps a change only if fewer of its frames are low, their mean
 /// score does not fall, and no object loses its capture. With `drop_low_frames`, frames still low
 /// are removed, except key frames and those that a capture needs. Key frames keep their poses
 /// unless a detour rounds their corner differently. `memo` may be null. Error: Cancelled.
-Result<Repaired> repairTrajectory(const Repaired& found, const TrajectoryMaker& maker,
-                                  const Surroundings& around, const RepairParams& params, int seed,
-                                  const JobContext& job, ViewCache* memo = nullptr);
+Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
+                                            const TrajectoryMaker& maker,
+                                            const PlanningEnvironment& environment,
+                                            const RepairParams& params, int seed,
+                                            const JobContext& job, ViewCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

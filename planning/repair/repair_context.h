@@ -8,7 +8,7 @@ namespace dollytrack::planning {
 /// Input shared by all steps of a repair. Keeps references.
 struct RepairContext {
     const TrajectoryMaker& maker;
-    const Surroundings& around;
+    const PlanningEnvironment& environment;
     ScoreWeights weights;
     double threshold = 0.0;  // frames with a smaller score are low
     int seed = 1;

@@ -21,7 +21,7 @@ constexpr int kEdgesPerSample = 4;
 struct Pair {
     int a = 0;
     int b = 0;
-    Sweep sweep;
+    SweepResult sweep;
 };
 
 /// The three terms of Near's cost.
@@ -62,7 +62,8 @@ std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std:
 }
 
 /// Adds the steps Near, Edge and CollisionFree. Call before adding the edge or the refused edge.
-void addEdgeSteps(Roadmap& roadmap, int sample, int near, const Cost& terms, const Sweep& sweep) {
+void addEdgeSteps(Roadmap& roadmap, int sample, int near, const Cost& terms,
+                  const SweepResult& sweep) {
     using Kind = AlgorithmStep::Kind;
     AlgorithmStep step{Kind::Near, sample, near};
     step.distance_m = static_cast<float>(terms.distance_m);

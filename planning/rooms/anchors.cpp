@@ -26,15 +26,15 @@ bool isWindow(const Opening& hole) {
 
 class Finder {
   public:
-    explicit Finder(const Surroundings& around) : around_(around) {}
+    explicit Finder(const PlanningEnvironment& environment) : environment_(environment) {}
 
     /// The legal position nearest above or below.
     [[nodiscard]] std::optional<Eigen::Vector3d> legalNear(const Eigen::Vector3d& wish) const {
-        const Eigen::Vector3d start = around_.sphere.inBand(wish);
+        const Eigen::Vector3d start = environment_.sphere.inBand(wish);
         for (double off = 0.0; off <= kHighest_m; off += kStep_m) {
             for (const double sign : {1.0, -1.0}) {
                 const Eigen::Vector3d place = start + sign * off * Eigen::Vector3d::UnitZ();
-                if (around_.sphere.fits(place)) return place;
+                if (environment_.sphere.fits(place)) return place;
             }
         }
         return std::nullopt;
@@ -45,7 +45,7 @@ class Finder {
         for (const double along : {0.0, 0.1, -0.1, 0.2, -0.2, 0.3, -0.3}) {
             const auto place = legalNear(door.center + along * door.through);
             if (!place) continue;
-            views.push_back(aim(*place, *place + kLooksAhead_m * door.through, around_.pitch));
+            views.push_back(aim(*place, *place + kLooksAhead_m * door.through, environment_.pitch));
             return;
         }
     }
@@ -53,12 +53,12 @@ class Finder {
     void opening(const Opening& hole, std::vector<Pose>& views) const {
         for (double back = kFarthest_m; back >= kNearest_m; back -= kStep_m) {
             const auto place = legalNear(hole.center_in_world - back * hole.outwards);
-            if (!place || around_.free_space.componentAt(*place) != hole.component) continue;
+            if (!place || environment_.free_space.componentAt(*place) != hole.component) continue;
             // The centre of a large opening may be blocked.
             const Eigen::Vector3d way = hole.center_in_world - *place;
-            const RayHit hit = around_.views.rays().cast(*place, way, 1.0);
+            const RayHit hit = environment_.views.rays().cast(*place, way, 1.0);
             if (hit.object_id != 0) continue;
-            views.push_back(aim(*place, hole.center_in_world, around_.pitch));
+            views.push_back(aim(*place, hole.center_in_world, environment_.pitch));
             return;
         }
     }
@@ -71,14 +71,14 @@ class Finder {
             for (double in = 0.0; in < 0.5 * length; in += kStep_m) {
                 const auto place = legalNear(from + in / length * (to - from));
                 if (!place) continue;
-                views.push_back(aim(*place, {to.x(), to.y(), place->z()}, around_.pitch));
+                views.push_back(aim(*place, {to.x(), to.y(), place->z()}, environment_.pitch));
                 break;
             }
         }
     }
 
   private:
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
 };
 
 }  // namespace
@@ -90,8 +90,8 @@ std::vector<Anchors> anchorKinds(Anchors wanted) {
 }
 
 std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
-                                     const Surroundings& around) {
-    const Finder finder(around);
+                                     const PlanningEnvironment& environment) {
+    const Finder finder(environment);
     const std::vector<Anchors> kinds = anchorKinds(wanted);
     const auto wants = [&](Anchors kind) {
         return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
@@ -108,7 +108,7 @@ std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
         }
     }
     if (wants(Anchors::Openings)) {
-        for (const Opening& hole : around.free_space.leaks().openings) {
+        for (const Opening& hole : environment.free_space.openingReport().openings) {
             if (isWindow(hole)) finder.opening(hole, add(Anchors::Openings));
         }
     }

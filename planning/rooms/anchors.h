@@ -23,6 +23,6 @@ std::vector<Anchors> anchorKinds(Anchors wanted);
 /// the smaller one; in front of each opening in a wall, looking out; at both ends of each corridor,
 /// looking along it. One entry per anchor in the scene.
 std::vector<AnchorViews> anchorViews(const RoomPlan& rooms, Anchors wanted,
-                                     const Surroundings& around);
+                                     const PlanningEnvironment& environment);
 
 }  // namespace dollytrack::planning

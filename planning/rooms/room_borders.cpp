@@ -26,10 +26,10 @@ Eigen::Vector2d placeOf(std::size_t column, const VoxelGrid& plane) {
 /// Splits the borders of a plan into connected stretches.
 class Borders {
   public:
-    Borders(const VoxelGrid& plane, const std::vector<int>& parts, const AirColumns& air)
-        : plane_(plane), parts_(parts), air_(air) {}
+    Borders(const VoxelGrid& plane, const std::vector<int>& parts, const FreeColumns& free_columns)
+        : plane_(plane), parts_(parts), free_columns_(free_columns) {}
 
-    [[nodiscard]] std::vector<Border> find() const {
+    [[nodiscard]] std::vector<RoomBorder> find() const {
         std::map<std::pair<int, int>, std::map<std::size_t, Eigen::Vector2d>> touching;
         const int nx = plane_.count[0];
         const int ny = plane_.count[1];
@@ -39,9 +39,9 @@ class Borders {
                 if (y + 1 < ny) touch(x, y, x, y + 1, touching);
             }
         }
-        std::vector<Border> borders;
+        std::vector<RoomBorder> borders;
         for (auto& [pair, columns] : touching) {
-            while (!columns.empty()) borders.push_back(takeStretch(pair, columns));
+            while (!columns.empty()) borders.push_back(takeConnected(pair, columns));
         }
         return borders;
     }
@@ -56,7 +56,7 @@ class Borders {
         const int a = parts_[from];
         const int b = parts_[to];
         if (a == b || a == kNoPart || b == kNoPart) return;
-        if (air_.walks[from] == 0 || air_.walks[to] == 0) return;
+        if (free_columns_.walks[from] == 0 || free_columns_.walks[to] == 0) return;
         const Eigen::Vector2d step(to_x - x, to_y - y);
         if (a < b) {
             touching[{a, b}].try_emplace(from, Eigen::Vector2d::Zero()).first->second += step;
@@ -65,8 +65,8 @@ class Borders {
         }
     }
 
-    Border takeStretch(const std::pair<int, int>& pair, Columns& columns) const {
-        Border border{pair.first, pair.second, {}, Eigen::Vector2d::Zero()};
+    RoomBorder takeConnected(const std::pair<int, int>& pair, Columns& columns) const {
+        RoomBorder border{pair.first, pair.second, {}, Eigen::Vector2d::Zero()};
         const int nx = plane_.count[0];
         std::vector<std::size_t> front = {columns.begin()->first};
         border.through += columns.begin()->second;
@@ -97,19 +97,19 @@ class Borders {
 
     const VoxelGrid& plane_;
     const std::vector<int>& parts_;
-    const AirColumns& air_;
+    const FreeColumns& free_columns_;
 };
 
 }  // namespace
 
-AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
-                   const FreeSpace& free_space, const FloorHeights& floors) {
+FreeColumns freeColumnsOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
+                            const FreeSpace& free_space, const FloorHeights& floors) {
     const auto columns = static_cast<std::size_t>(grid.count[0] * grid.count[1]);
-    AirColumns air;
-    air.fits.assign(columns, 0);
-    air.walks.assign(columns, 0);
-    air.low.assign(columns, 0.0);
-    air.high.assign(columns, 0.0);
+    FreeColumns free_columns;
+    free_columns.fits.assign(columns, 0);
+    free_columns.walks.assign(columns, 0);
+    free_columns.low.assign(columns, 0.0);
+    free_columns.high.assign(columns, 0.0);
     parallelFor(columns, [&](std::size_t i) {
         const int column = static_cast<int>(i);
         const auto at = [&](int z) {
@@ -120,32 +120,33 @@ AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column
         while (low <= high && free_space.componentAt(at(low)) < 0) ++low;
         while (high > low && free_space.componentAt(at(high)) < 0) --high;
         if (low > high) return;
-        air.fits[i] = 1;
-        air.low[i] = at(low).z();
-        air.high[i] = at(high).z();
+        free_columns.fits[i] = 1;
+        free_columns.low[i] = at(low).z();
+        free_columns.high[i] = at(high).z();
         if (part_of_column[i] == kNoPart) return;
-        air.walks[i] = air.low[i] - floors.below(at(low)) <= kWalks_m ? 1 : 0;
+        free_columns.walks[i] = free_columns.low[i] - floors.below(at(low)) <= kWalks_m ? 1 : 0;
     });
     // In wall columns use the floor beside the wall: the top of a parapet is not a floor.
     std::vector<int> nearest(columns, kNoPart);
     for (std::size_t i = 0; i < columns; ++i) {
-        if (air.walks[i] != 0) nearest[i] = static_cast<int>(i);
+        if (free_columns.walks[i] != 0) nearest[i] = static_cast<int>(i);
     }
     spread(grid, nearest, [](std::size_t) { return true; });
     for (std::size_t i = 0; i < columns; ++i) {
-        if (part_of_column[i] != kNoPart || air.fits[i] == 0 || nearest[i] == kNoPart) continue;
-        const double beside = air.low[static_cast<std::size_t>(nearest[i])];
-        air.walks[i] = air.low[i] - beside <= kWalks_m ? 1 : 0;
+        if (part_of_column[i] != kNoPart || free_columns.fits[i] == 0 || nearest[i] == kNoPart)
+            continue;
+        const double beside = free_columns.low[static_cast<std::size_t>(nearest[i])];
+        free_columns.walks[i] = free_columns.low[i] - beside <= kWalks_m ? 1 : 0;
     }
-    return air;
+    return free_columns;
 }
 
-std::vector<Border> findBorders(const VoxelGrid& plane, const std::vector<int>& part_of_column,
-                                const AirColumns& air) {
-    return Borders(plane, part_of_column, air).find();
+std::vector<RoomBorder> findBorders(const VoxelGrid& plane, const std::vector<int>& part_of_column,
+                                    const FreeColumns& free_columns) {
+    return Borders(plane, part_of_column, free_columns).find();
 }
 
-double widthOf(const Border& border, const VoxelGrid& plane) {
+double widthOf(const RoomBorder& border, const VoxelGrid& plane) {
     double widest = 0.0;
     for (const std::size_t a : border.columns) {
         for (const std::size_t b : border.columns) {
@@ -155,7 +156,7 @@ double widthOf(const Border& border, const VoxelGrid& plane) {
     return (widest + 1.0) * plane.resolution_m;
 }
 
-std::size_t middleOf(const Border& border, const VoxelGrid& plane) {
+std::size_t middleOf(const RoomBorder& border, const VoxelGrid& plane) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (const std::size_t i : border.columns) sum += placeOf(i, plane);
     const Eigen::Vector2d middle = sum / static_cast<double>(border.columns.size());

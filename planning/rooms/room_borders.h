@@ -12,18 +12,18 @@ class FloorHeights;
 class FreeSpace;
 
 /// By column of the plan: the heights at which the camera fits.
-struct AirColumns {
+struct FreeColumns {
     std::vector<char> fits;
     std::vector<char> walks;        // 1 if it fits near the floor, not only above a table or in a
                                     // window
     std::vector<double> low, high;  // z of the lowest and highest cell, m
 };
 
-AirColumns airOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
-                   const FreeSpace& free_space, const FloorHeights& floors);
+FreeColumns freeColumnsOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
+                            const FreeSpace& free_space, const FloorHeights& floors);
 
 /// A connected stretch along which two parts of the plan touch and the camera can move across.
-struct Border {
+struct RoomBorder {
     int a = 0;
     int b = 0;
     std::vector<std::size_t> columns;                   // of part a, next to part b, ascending
@@ -31,13 +31,13 @@ struct Border {
                                                         // normalised
 };
 
-std::vector<Border> findBorders(const VoxelGrid& plane, const std::vector<int>& part_of_column,
-                                const AirColumns& air);
+std::vector<RoomBorder> findBorders(const VoxelGrid& plane, const std::vector<int>& part_of_column,
+                                    const FreeColumns& free_columns);
 
 /// Distance between its farthest columns, m, including one column's width.
-double widthOf(const Border& border, const VoxelGrid& plane);
+double widthOf(const RoomBorder& border, const VoxelGrid& plane);
 
 /// The column of the border nearest to its centroid.
-std::size_t middleOf(const Border& border, const VoxelGrid& plane);
+std::size_t middleOf(const RoomBorder& border, const VoxelGrid& plane);
 
 }  // namespace dollytrack::planning

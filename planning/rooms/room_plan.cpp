@@ -24,11 +24,11 @@ constexpr double kCorridorShape = 2.5;  // length over width
 
 /// Area over which the camera can move, by part, m2.
 std::vector<double> walkedAreas(const VoxelGrid& plane, const FloorPlan& plan,
-                                const AirColumns& air) {
+                                const FreeColumns& free_columns) {
     std::vector<double> area(static_cast<std::size_t>(plan.parts), 0.0);
     for (std::size_t i = 0; i < plan.part_of_column.size(); ++i) {
         const int part = plan.part_of_column[i];
-        if (part == kNoPart || air.walks[i] == 0) continue;
+        if (part == kNoPart || free_columns.walks[i] == 0) continue;
         area[static_cast<std::size_t>(part)] += plane.resolution_m * plane.resolution_m;
     }
     return area;
@@ -36,13 +36,13 @@ std::vector<double> walkedAreas(const VoxelGrid& plane, const FloorPlan& plan,
 
 /// Merges parts too small for a room (a threshold, the corner behind a door, outside a window) into
 /// their neighbours, then assigns all other columns, walkable ones first.
-void fillPlan(const VoxelGrid& plane, const AirColumns& air, FloorPlan& plan) {
-    const std::vector<double> area = walkedAreas(plane, plan, air);
+void fillPlan(const VoxelGrid& plane, const FreeColumns& free_columns, FloorPlan& plan) {
+    const std::vector<double> area = walkedAreas(plane, plan, free_columns);
     std::vector<int>& parts = plan.part_of_column;
     for (int& part : parts) {
         if (part != kNoPart && area[static_cast<std::size_t>(part)] < kLeastRoom_m2) part = kNoPart;
     }
-    spread(plane, parts, [&](std::size_t i) { return air.walks[i] != 0; });
+    spread(plane, parts, [&](std::size_t i) { return free_columns.walks[i] != 0; });
     spread(plane, parts, [](std::size_t) { return true; });
 }
 
@@ -72,7 +72,7 @@ void judgeShape(PlanRoom& room, const std::vector<Eigen::Vector2d>& places) {
 }
 
 /// Whether most of a border lies under a lintel, in columns that the floor plan counts as wall.
-bool isUnderLintel(const Border& border, const std::vector<int>& drawn) {
+bool isUnderLintel(const RoomBorder& border, const std::vector<int>& drawn) {
     const auto in_wall = std::count_if(border.columns.begin(), border.columns.end(),
                                        [&](std::size_t i) { return drawn[i] == kNoPart; });
     return 2 * in_wall >= static_cast<std::ptrdiff_t>(border.columns.size());
@@ -80,13 +80,13 @@ bool isUnderLintel(const Border& border, const std::vector<int>& drawn) {
 
 /// Merges parts across borders too wide for a doorway until none is left. Returns the other
 /// borders. `drawn` is the plan with its walls.
-std::vector<Border> joinRooms(const VoxelGrid& plane, const AirColumns& air,
-                              const std::vector<int>& drawn, FloorPlan& plan) {
+std::vector<RoomBorder> joinRooms(const VoxelGrid& plane, const FreeColumns& free_columns,
+                                  const std::vector<int>& drawn, FloorPlan& plan) {
     while (true) {
         DisjointSets<int> joined(static_cast<std::size_t>(plan.parts));
-        std::vector<Border> doorways;
+        std::vector<RoomBorder> doorways;
         bool done = true;
-        for (Border& border : findBorders(plane, plan.part_of_column, air)) {
+        for (RoomBorder& border : findBorders(plane, plan.part_of_column, free_columns)) {
             const double width = widthOf(border, plane);
             if (width <= (isUnderLintel(border, drawn) ? kWidestLintel_m : kWidestGap_m)) {
                 doorways.push_back(std::move(border));
@@ -105,8 +105,9 @@ std::vector<Border> joinRooms(const VoxelGrid& plane, const AirColumns& air,
 
 /// The room number of each part, by walkable area, the largest first; 0 for parts merged into
 /// others.
-std::vector<int> numberRooms(const VoxelGrid& plane, const AirColumns& air, const FloorPlan& plan) {
-    const std::vector<double> area = walkedAreas(plane, plan, air);
+std::vector<int> numberRooms(const VoxelGrid& plane, const FreeColumns& free_columns,
+                             const FloorPlan& plan) {
+    const std::vector<double> area = walkedAreas(plane, plan, free_columns);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t part = 0; part < area.size(); ++part) {
         if (area[part] > 0.0) order.emplace_back(-area[part], part);
@@ -119,12 +120,13 @@ std::vector<int> numberRooms(const VoxelGrid& plane, const AirColumns& air, cons
     return room_of_part;
 }
 
-Doorway doorwayAt(const Border& border, const VoxelGrid& plane, const AirColumns& air) {
+Doorway doorwayAt(const RoomBorder& border, const VoxelGrid& plane,
+                  const FreeColumns& free_columns) {
     Doorway doorway;
     const std::size_t middle = middleOf(border, plane);
     const int column = static_cast<int>(middle);
     doorway.center = plane.centerOf(column % plane.count[0], column / plane.count[0], 0);
-    doorway.center.z() = 0.5 * (air.low[middle] + air.high[middle]);
+    doorway.center.z() = 0.5 * (free_columns.low[middle] + free_columns.high[middle]);
     doorway.width_m = widthOf(border, plane);
     if (border.through.norm() > 1e-9) {
         const Eigen::Vector2d through = border.through.normalized();
@@ -144,22 +146,22 @@ RoomPlan::RoomPlan(const Scene& scene, const RayCaster& rays, const FreeSpace& f
     plane_.first[2] = 0;
     plane_.count[2] = 1;
     const std::vector<int> drawn = plan.part_of_column;
-    const AirColumns air =
-        airOver(grid, drawn, free_space, FloorHeights(scene, rays, free_space, camera_radius_m));
-    fillPlan(plane_, air, plan);
-    const std::vector<Border> borders = joinRooms(plane_, air, drawn, plan);
-    const std::vector<int> room_of_part = numberRooms(plane_, air, plan);
+    const FreeColumns free_columns = freeColumnsOver(
+        grid, drawn, free_space, FloorHeights(scene, rays, free_space, camera_radius_m));
+    fillPlan(plane_, free_columns, plan);
+    const std::vector<RoomBorder> borders = joinRooms(plane_, free_columns, drawn, plan);
+    const std::vector<int> room_of_part = numberRooms(plane_, free_columns, plan);
     const auto roomOf = [&](int part) { return room_of_part[static_cast<std::size_t>(part)]; };
-    takeRooms(air, plan.part_of_column, room_of_part);
-    for (const Border& border : borders) {
-        Doorway doorway = doorwayAt(border, plane_, air);
+    takeRooms(free_columns, plan.part_of_column, room_of_part);
+    for (const RoomBorder& border : borders) {
+        Doorway doorway = doorwayAt(border, plane_, free_columns);
         doorway.room_a = roomOf(border.a);
         doorway.room_b = roomOf(border.b);
         doorways_.push_back(doorway);
     }
 }
 
-void RoomPlan::takeRooms(const AirColumns& air, const std::vector<int>& parts,
+void RoomPlan::takeRooms(const FreeColumns& free_columns, const std::vector<int>& parts,
                          const std::vector<int>& room_of_part) {
     rooms_.resize(1);
     for (const int room : room_of_part) {
@@ -170,13 +172,13 @@ void RoomPlan::takeRooms(const AirColumns& air, const std::vector<int>& parts,
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i] == kNoPart) continue;
         room_of_column_[i] = room_of_part[static_cast<std::size_t>(parts[i])];
-        if (air.fits[i] == 0) continue;
+        if (free_columns.fits[i] == 0) continue;
         PlanRoom& room = rooms_[static_cast<std::size_t>(room_of_column_[i])];
         const int column = static_cast<int>(i);
         const Eigen::Vector3d at =
             plane_.centerOf(column % plane_.count[0], column / plane_.count[0], 0);
-        room.box.extend(Eigen::Vector3d(at.x(), at.y(), air.low[i]));
-        room.box.extend(Eigen::Vector3d(at.x(), at.y(), air.high[i]));
+        room.box.extend(Eigen::Vector3d(at.x(), at.y(), free_columns.low[i]));
+        room.box.extend(Eigen::Vector3d(at.x(), at.y(), free_columns.high[i]));
         room.area_m2 += plane_.resolution_m * plane_.resolution_m;
         places[static_cast<std::size_t>(room_of_column_[i])].emplace_back(at.x(), at.y());
     }

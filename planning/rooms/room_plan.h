@@ -15,7 +15,7 @@ class RayCaster;
 
 namespace dollytrack::planning {
 
-struct AirColumns;
+struct FreeColumns;
 
 /// A room: free space between walls and doorways, seen from above.
 struct PlanRoom {
@@ -60,7 +60,7 @@ class RoomPlan {
                                  const Eigen::Vector3d& end, Eigen::Vector3d& where) const;
 
   private:
-    void takeRooms(const AirColumns& air, const std::vector<int>& parts,
+    void takeRooms(const FreeColumns& free_columns, const std::vector<int>& parts,
                    const std::vector<int>& room_of_part);
 
     VoxelGrid plane_;  // one layer

@@ -3,7 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/plan_params.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr int kHalvings = 4;            // bisection steps between a free set-ba
 constexpr double kLeastSetBack = 0.02;  // m; a smaller curve is no smoother than a stop
 constexpr double kReversal = 150.0 * std::numbers::pi / 180.0;
 constexpr double kStraight = 0.5 * std::numbers::pi / 180.0;
-constexpr int kGrid = 16;
-constexpr int kGlance = 10;
+constexpr int kFineCurveGrid = 16;
+constexpr int kCoarseCurveGrid = 10;
 // With this many rays on the object and nearly all unoccluded, a coarse estimate is enough.
 constexpr int kEnoughRays = 30;
 constexpr double kNearlyWhole = 0.96;  // visible fraction
@@ -34,9 +34,13 @@ struct Curve {
 class Smoother {
   public:
     Smoother(const CameraPath& path, const std::vector<PositionPoint>& points,
-             const std::vector<ObservationPoint>& targets, const Surroundings& around,
+             const std::vector<ObservationPoint>& targets, const PlanningEnvironment& environment,
              double set_back)
-        : path_(path), points_(points), targets_(targets), around_(around), set_back_(set_back) {}
+        : path_(path),
+          points_(points),
+          targets_(targets),
+          environment_(environment),
+          set_back_(set_back) {}
 
     [[nodiscard]] Corner roundCorner(std::size_t i) const {
         Corner corner;
@@ -60,7 +64,7 @@ class Smoother {
         }
         wish = furthest(i, wish);
         // Dense sampling decides the final set-back only.
-        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Look::Sure)) {
+        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Sampling::Dense)) {
             wish = furthest(i, kShrink * wish);
         }
         if (wish < set_back_) corner.shortened = true;
@@ -109,7 +113,7 @@ class Smoother {
     }
 
   private:
-    enum class Look { Quick, Sure };  // Quick: few rays, which may be slightly wrong
+    enum class Sampling { Coarse, Dense };  // Coarse: few rays, which may be slightly wrong
 
     [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
         return path_.vertices[i].position;
@@ -124,7 +128,7 @@ class Smoother {
     /// to a target at the side.
     [[nodiscard]] bool turnsOnTheSpot(std::size_t i, const Eigen::Vector3d& in,
                                       const Eigen::Vector3d& out) const {
-        const HeadingLimit& limit = around_.heading;
+        const HeadingLimit& limit = environment_.heading;
         if (!limit.restricts()) return false;
         if (!limit.allows(in, out)) return true;
         const int key = path_.vertices[i].position_point;
@@ -157,25 +161,25 @@ class Smoother {
     /// Whether the set-back is collision-free and keeps the captures; the cheaper test comes first.
     [[nodiscard]] bool allows(std::size_t i, double set_back) const {
         const Curve curve = curveAt(i, set_back);
-        return around_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
-               keepsCaptures(i, set_back, Look::Quick);
+        return environment_.sphere.bezier(curve.start, curve.corner, curve.end).free &&
+               keepsCaptures(i, set_back, Sampling::Coarse);
     }
 
-    [[nodiscard]] bool keepsCaptures(std::size_t i, double set_back, Look look) const {
+    [[nodiscard]] bool keepsCaptures(std::size_t i, double set_back, Sampling sampling) const {
         const int key = path_.vertices[i].position_point;
         if (key < 0) return true;
         const PositionPoint& point = points_[static_cast<std::size_t>(key)];
         const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
-        const Pose pose = aim(curveAt(i, set_back).middle(), target.position, around_.pitch);
+        const Pose pose = aim(curveAt(i, set_back).middle(), target.position, environment_.pitch);
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
             const bool was_well =
                 std::binary_search(point.well_captured.begin(), point.well_captured.end(), id);
             const auto isStill = was_well ? isSafelyWellCaptured : isSafelyCaptured;
-            const auto glance = around_.views.estimate(pose, id, kGlance);
+            const auto coarse = environment_.views.estimate(pose, id, kCoarseCurveGrid);
             const bool whole =
-                glance.rays_on_silhouette >= kEnoughRays && glance.visible_fraction >= kNearlyWhole;
-            if (look == Look::Quick || whole) return isStill(glance) || !glance.tells();
-            return isStill(estimateSurely(around_.views, pose, id, kGrid));
+                coarse.rays_on_silhouette >= kEnoughRays && coarse.visible_fraction >= kNearlyWhole;
+            if (sampling == Sampling::Coarse || whole) return isStill(coarse) || !coarse.tells();
+            return isStill(estimateSurely(environment_.views, pose, id, kFineCurveGrid));
         });
     }
 
@@ -188,19 +192,19 @@ class Smoother {
     const CameraPath& path_;
     const std::vector<PositionPoint>& points_;
     const std::vector<ObservationPoint>& targets_;
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     double set_back_;
 };
 
 /// Tests the final pieces for collisions and clearance, not the corners they were made from.
 void sweepPieces(SmoothPath& smooth, const SweptSphere& sphere) {
-    std::vector<Sweep> sweeps(smooth.pieces.size());
+    std::vector<SweepResult> sweeps(smooth.pieces.size());
     parallelFor(sweeps.size(), [&](std::size_t i) {
         const SmoothPath::Piece& piece = smooth.pieces[i];
         sweeps[i] = sphere.bezier(piece.start, piece.control, piece.end);
     });
     for (std::size_t i = 0; i < sweeps.size(); ++i) {
-        const Sweep& sweep = sweeps[i];
+        const SweepResult& sweep = sweeps[i];
         smooth.collisions += sweep.free ? 0 : 1;
         smooth.corner_collisions += !sweep.free && smooth.pieces[i].curved ? 1 : 0;
         smooth.min_clearance_m = std::min(smooth.min_clearance_m, sweep.min_clearance_m);
@@ -212,9 +216,9 @@ void sweepPieces(SmoothPath& smooth, const SweptSphere& sphere) {
 Result<SmoothPath> smoothPath(const CameraPath& path,
                               const std::vector<PositionPoint>& position_points,
                               const std::vector<ObservationPoint>& observation_points,
-                              const Surroundings& around, const SmoothingParams& params,
+                              const PlanningEnvironment& environment, const SmoothingParams& params,
                               const JobContext& job) {
-    const Smoother smoother(path, position_points, observation_points, around,
+    const Smoother smoother(path, position_points, observation_points, environment,
                             params.corner_distance_m);
     const std::size_t inner = path.vertices.size() > 2 ? path.vertices.size() - 2 : 0;
     std::vector<Corner> corners(inner);
@@ -223,23 +227,25 @@ Result<SmoothPath> smoothPath(const CameraPath& path,
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     SmoothPath smooth = smoother.assemble(std::move(corners));
-    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, kFarEnough);
-    sweepPieces(smooth, around.sphere);
+    smooth.min_clearance_m =
+        environment.sphere.clearance(path.vertices.front().position, kFarEnough);
+    sweepPieces(smooth, environment.sphere);
     return smooth;
 }
 
 SmoothPath smoothBlindly(const CameraPath& path, double corner_distance_m,
-                         const Surroundings& around) {
+                         const PlanningEnvironment& environment) {
     const std::vector<PositionPoint> no_points;
     const std::vector<ObservationPoint> no_targets;
-    const Smoother smoother(path, no_points, no_targets, around, corner_distance_m);
+    const Smoother smoother(path, no_points, no_targets, environment, corner_distance_m);
     std::vector<Corner> corners;
     for (std::size_t i = 1; i + 1 < path.vertices.size(); ++i) {
         corners.push_back(smoother.roundBlindly(i));
     }
     SmoothPath smooth = smoother.assemble(std::move(corners));
-    smooth.min_clearance_m = around.sphere.clearance(path.vertices.front().position, kFarEnough);
-    sweepPieces(smooth, around.sphere);
+    smooth.min_clearance_m =
+        environment.sphere.clearance(path.vertices.front().position, kFarEnough);
+    sweepPieces(smooth, environment.sphere);
     return smooth;
 }
 

@@ -7,7 +7,7 @@
 namespace dollytrack::planning {
 
 struct SmoothingParams;
-struct Surroundings;
+struct PlanningEnvironment;
 
 /// Rounds the corners of a path with quadratic Bezier curves (paper, 3.2.3) that start and end
 /// `corner_distance_m` from each corner, at most half a leg. The distance (set-back) shrinks until
@@ -17,12 +17,12 @@ struct Surroundings;
 Result<SmoothPath> smoothPath(const CameraPath& path,
                               const std::vector<PositionPoint>& position_points,
                               const std::vector<ObservationPoint>& observation_points,
-                              const Surroundings& around, const SmoothingParams& params,
+                              const PlanningEnvironment& environment, const SmoothingParams& params,
                               const JobContext& job);
 
 /// The paper's smoothing, for comparison: the same set-back at every corner, at most half a leg,
 /// without any tests. Collisions are counted in the result.
 SmoothPath smoothBlindly(const CameraPath& path, double corner_distance_m,
-                         const Surroundings& around);
+                         const PlanningEnvironment& environment);
 
 }  // namespace dollytrack::planning

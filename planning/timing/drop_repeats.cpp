@@ -16,8 +16,8 @@ constexpr double kSurely = 0.75;  // relative to the limit: a coarse rate below 
 constexpr double kAim = 0.9;      // target, relative to the limit
 // At another rate frames lie beside those sampled coarsely, so fine measurements have the last
 // word.
-constexpr int kSamplesPerPixel = 12;
-constexpr int kLooksUp = 3;
+constexpr int kMostReductions = 12;
+constexpr int kMostAdditions = 3;
 constexpr double kAlike = 0.05;     // relative to the number of frames: smaller gains are not worth
                                     // a measurement
 constexpr double kBelow = 0.99;     // relative to the limit, so that the result is below it
@@ -57,7 +57,7 @@ std::vector<std::size_t> atLowerRate(const std::vector<std::size_t>& keys, doubl
 /// measurements: the coarse search tends to end too low.
 Result<Trajectory> addFrames(Trajectory thinned, int low, int high, const TimeWithin& time_within,
                              const std::function<Result<bool>(const Trajectory&)>& repeats_little) {
-    for (int look = 0; look < kLooksUp && high - low > 1 + kAlike * high; ++look) {
+    for (int trial = 0; trial < kMostAdditions && high - low > 1 + kAlike * high; ++trial) {
         const int between = low + (high - low) / 2;
         Result<Trajectory> more = time_within(between);
         if (!more) return more;
@@ -72,16 +72,16 @@ Result<Trajectory> addFrames(Trajectory thinned, int low, int high, const TimeWi
 }  // namespace
 
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
-                               const TimeWithin& time_within, FrameLooks& looks,
+                               const TimeWithin& time_within, SurfaceSamplers& samplers,
                                const JobContext& job) {
     const int least = keyFrames(trajectory);
     if (max_repeat_rate >= 1.0 || least == 0) return trajectory;
-    const auto glanced = looks.glances.look(trajectory, job);
-    if (!glanced) return tl::unexpected<Error>(glanced.error());
+    const auto coarse = samplers.coarse.sample(trajectory, job);
+    if (!coarse) return tl::unexpected<Error>(coarse.error());
     const std::vector<std::size_t> keys = keysOf(trajectory);
     const auto isFew = [&](double share, double rate) {
         const auto frames = atLowerRate(keys, share);
-        return glanced->repeats(frames) <= rate * static_cast<double>(frames.size());
+        return coarse->repeats(frames) <= rate * static_cast<double>(frames.size());
     };
     if (isFew(1.0, kSurely * max_repeat_rate)) return trajectory;
 
@@ -96,8 +96,8 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
         }
         return std::max(least, static_cast<int>(atLowerRate(keys, few).size()));
     };
-    const auto rateOf = [&](const Trajectory& looked_at) -> Result<double> {
-        const auto shown = looks.closer.look(looked_at, job);
+    const auto rateOf = [&](const Trajectory& sampled) -> Result<double> {
+        const auto shown = samplers.fine.sample(sampled, job);
         if (!shown) return tl::unexpected<Error>(shown.error());
         return shown->repeats() / static_cast<double>(shown->frames());
     };
@@ -107,7 +107,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     // The fewest frames known to exceed the limit, or all.
     int high = static_cast<int>(trajectory.frames.size());
     Result<Trajectory> thinned = time_within(low);
-    for (int look = 0; look < kSamplesPerPixel && thinned && low > least; ++look) {
+    for (int trial = 0; trial < kMostReductions && thinned && low > least; ++trial) {
         const Result<double> found = rateOf(*thinned);
         if (!found) return tl::unexpected<Error>(found.error());
         if (*found <= limit) break;

@@ -11,11 +11,11 @@ namespace dollytrack::planning {
 
 /// Caches of the surfaces that frames show, coarse and fine, for trajectories of one scene that
 /// share poses. Not thread-safe.
-struct FrameLooks {
-    explicit FrameLooks(const ViewEstimator& views)
-        : glances(views, SurfaceSampler::Detail::Coarse), closer(views) {}
-    SurfaceSampler glances;
-    SurfaceSampler closer;
+struct SurfaceSamplers {
+    explicit SurfaceSamplers(const ViewEstimator& views)
+        : coarse(views, SurfaceSampler::Detail::Coarse), fine(views) {}
+    SurfaceSampler coarse;
+    SurfaceSampler fine;
 };
 
 /// Times the trajectory again with at most `max_frames` frames; all key frames stay.
@@ -26,7 +26,7 @@ using TimeWithin = std::function<Result<Trajectory>(int max_frames)>;
 /// the rate found may be slightly too low. Unchanged if the limit is 1 or there are no key frames.
 /// Errors: Cancelled, and those of `time_within`.
 Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
-                               const TimeWithin& time_within, FrameLooks& looks,
+                               const TimeWithin& time_within, SurfaceSamplers& samplers,
                                const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -5,7 +5,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/plan_params.h"
 #include "planning/timing/frame_moves.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -40,8 +40,9 @@ class Shaker {
           sways_(steady_.size()),
           moved_(steady_.size(), 1.0),
           turned_(steady_.size(), 1.0) {
-        const Sway sway(params, seed);
-        parallelFor(steady_.size(), [&](std::size_t i) { sways_[i] = sway.at(steady_[i].time_s); });
+        const CameraShake camera_shake(params, seed);
+        parallelFor(steady_.size(),
+                    [&](std::size_t i) { sways_[i] = camera_shake.at(steady_[i].time_s); });
     }
 
     /// Sets the share of shake at ends of paths and at key frames, and fades around them.
@@ -178,7 +179,7 @@ class Shaker {
 
 }  // namespace
 
-Sway::Sway(const ShakeParams& params, int seed) {
+CameraShake::CameraShake(const ShakeParams& params, int seed) {
     Random random(static_cast<std::uint64_t>(seed), kStream);
     constexpr double kTurn = 2.0 * std::numbers::pi;
     for (auto& channel : waves_) {
@@ -202,15 +203,15 @@ Sway::Sway(const ShakeParams& params, int seed) {
     }
 }
 
-Vector6 Sway::at(double time_s) const {
-    Vector6 sway = Vector6::Zero();
+Vector6 CameraShake::at(double time_s) const {
+    Vector6 camera_shake = Vector6::Zero();
     for (std::size_t channel = 0; channel < waves_.size(); ++channel) {
         for (const Wave& wave : waves_[channel]) {
-            sway[static_cast<Eigen::Index>(channel)] +=
+            camera_shake[static_cast<Eigen::Index>(channel)] +=
                 wave.share * std::sin(wave.radians_per_s * time_s + wave.phase);
         }
     }
-    return sway;
+    return camera_shake;
 }
 
 Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Trajectory trajectory,

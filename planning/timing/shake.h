@@ -18,9 +18,9 @@ struct ShakeParams;
 
 /// Camera shake over time: six values in -1..1, three translations along and three rotations about
 /// the camera's own axes. The same seed gives the same shake at any frame rate.
-class Sway {
+class CameraShake {
   public:
-    Sway(const ShakeParams& params, int seed);
+    CameraShake(const ShakeParams& params, int seed);
 
     [[nodiscard]] Eigen::Matrix<double, 6, 1> at(double time_s) const;
 

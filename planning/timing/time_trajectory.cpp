@@ -6,9 +6,9 @@
 #include "planning/timing/heading_keys.h"
 #include "planning/timing/key_views.h"
 #include "planning/timing/motion_limits.h"
-#include "planning/timing/speed_track.h"
+#include "planning/timing/speed_profile.h"
 #include "planning/timing/turn.h"
-#include "planning/timing/turn_pace.h"
+#include "planning/timing/turn_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr std::size_t kMostFrames = 1'000'000;
-constexpr std::size_t kGrain = 8;  // stretches per task
+constexpr std::size_t kGrain = 8;  // segments per task
 
 /// The motion from one key to the next.
-struct Stretch {
+struct Segment {
     const SmoothPath::Key* from = nullptr;
     const SmoothPath::Key* to = nullptr;
     Turn turn;
-    TurnPace pace;
+    TurnProfile turn_profile;
     Eigen::Vector3d from_target, to_target;
 };
 
@@ -36,9 +36,9 @@ struct Stretch {
 struct Motion {
     const SmoothPath* path = nullptr;
     std::size_t path_index = 0;
-    SpeedTrack track;
-    std::size_t first_stretch = 0;
-    std::vector<double> least_times_s;  // by stretch, from their turns
+    SpeedProfile speed_profile;
+    std::size_t first_segment = 0;
+    std::vector<double> least_times_s;  // by segment, from their turns
     std::vector<std::size_t> intervals;
 
     [[nodiscard]] std::size_t frames() const {
@@ -46,13 +46,13 @@ struct Motion {
     }
 };
 
-Stretch makeStretch(const SmoothPath& path, std::size_t key, const KeyViews& views,
+Segment makeSegment(const SmoothPath& path, std::size_t key, const KeyViews& views,
                     const PitchBand& pitch, const MotionLimits& limits) {
-    Stretch s;
+    Segment s;
     s.from = &path.keys[key];
     s.to = &path.keys[key + 1];
     s.turn = Turn(views.pose(*s.from).rotation, views.pose(*s.to).rotation, pitch);
-    s.pace = TurnPace(s.turn, limits);
+    s.turn_profile = TurnProfile(s.turn, limits);
     s.from_target = views.target(*s.from);
     s.to_target = views.target(*s.to);
     return s;
@@ -70,12 +70,12 @@ TrajectoryFrame frameAtKey(const Motion& motion, const SmoothPath::Key& key,
     return frame;
 }
 
-/// Writes the frames after the stretch's first key up to its second, starting at `frames`.
-void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const KeyViews& views,
+/// Writes the frames after the segment's first key up to its second, starting at `frames`.
+void putFrames(const Motion& motion, std::size_t index, const Segment& s, const KeyViews& views,
                double interval_s, TrajectoryFrame* frames) {
     const std::size_t count = motion.intervals[index];
     const double time_s = interval_s * static_cast<double>(count);
-    const std::vector<double> arcs = motion.track.arcs(index, time_s, count);
+    const std::vector<double> arcs = motion.speed_profile.arcs(index, time_s, count);
     const double from_distance = (s.from_target - s.from->position).norm();
     const double to_distance = (s.to_target - s.to->position).norm();
     for (std::size_t i = 1; i < count; ++i) {
@@ -87,7 +87,7 @@ void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const 
         // turning on the spot
         frame.pose.position =
             s.to->arc_m <= s.from->arc_m ? s.from->position : motion.path->at(frame.arc_m);
-        frame.pose.rotation = s.turn.at(s.pace.turnedAt(share));
+        frame.pose.rotation = s.turn.at(s.turn_profile.turnedAt(share));
         const double distance = (1.0 - share) * from_distance + share * to_distance;
         frame.target_in_world = frame.pose.position + distance * frame.pose.forward();
     }
@@ -97,7 +97,7 @@ void putFrames(const Motion& motion, std::size_t index, const Stretch& s, const 
 std::size_t settleAll(std::vector<Motion>& motions, double interval_s) {
     std::size_t frames = 0;
     for (Motion& motion : motions) {
-        motion.intervals = motion.track.settle(interval_s, motion.least_times_s);
+        motion.intervals = motion.speed_profile.settle(interval_s, motion.least_times_s);
         frames += motion.frames();
     }
     return frames;
@@ -190,14 +190,14 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     const KeyViews views(position_points, observation_points, pitch);
     const std::vector<SmoothPath> paths = turnedAlong(smooth_paths, views, heading);
     std::vector<Motion> motions;
-    std::vector<std::pair<std::size_t, std::size_t>> begins;  // of stretches: motion and key
+    std::vector<std::pair<std::size_t, std::size_t>> begins;  // of segments: motion and key
     for (std::size_t p = 0; p < paths.size(); ++p) {
         if (paths[p].keys.empty()) continue;
         const std::size_t first = begins.size();
         for (std::size_t k = 0; k + 1 < paths[p].keys.size(); ++k) {
             begins.emplace_back(motions.size(), k);
         }
-        motions.push_back({&paths[p], p, SpeedTrack(paths[p], limits), first, {}, {}});
+        motions.push_back({&paths[p], p, SpeedProfile(paths[p], limits), first, {}, {}});
     }
     if (params.max_frames > 0 && !keepsFrameRate(params) &&
         begins.size() + motions.size() > static_cast<std::size_t>(params.max_frames)) {
@@ -208,20 +208,20 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
                         : "There are more key frames than max_frames allows.",
                     "max_frames");
     }
-    std::vector<Stretch> stretches(begins.size());
+    std::vector<Segment> segments(begins.size());
     parallelRanges(begins.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto [motion, key] = begins[i];
-            stretches[i] = makeStretch(*motions[motion].path, key, views, pitch, limits);
+            segments[i] = makeSegment(*motions[motion].path, key, views, pitch, limits);
         }
     });
     const double motion_rps =
         limitsImageMotion(params) ? params.max_image_motion_dps * std::numbers::pi / 180.0 : 0.0;
     for (std::size_t i = 0; i < begins.size(); ++i) {
-        const SmoothPath::Key& to = *stretches[i].to;
-        double least_s = stretches[i].pace.time();
+        const SmoothPath::Key& to = *segments[i].to;
+        double least_s = segments[i].turn_profile.time();
         if (to.slowdown > 1.0) {
-            const double travel_s = (to.arc_m - stretches[i].from->arc_m) / limits.speed_mps;
+            const double travel_s = (to.arc_m - segments[i].from->arc_m) / limits.speed_mps;
             least_s = to.slowdown * std::max(least_s, travel_s);
         }
         if (motion_rps > 0.0) least_s = std::max(least_s, to.image_motion_rad / motion_rps);
@@ -247,7 +247,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
                     "frame_rate");
     }
     trajectory.frames.resize(total);
-    std::vector<std::size_t> first_frames;  // by stretch
+    std::vector<std::size_t> first_frames;  // by segment
     std::size_t frames = 0;
     for (const Motion& motion : motions) {
         trajectory.frames[frames++] = frameAtKey(motion, motion.path->keys.front(), views);
@@ -256,10 +256,10 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
             frames += count;
         }
     }
-    parallelRanges(stretches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    parallelRanges(segments.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
             const Motion& motion = motions[begins[s].first];
-            putFrames(motion, s - motion.first_stretch, stretches[s], views, settled_s,
+            putFrames(motion, s - motion.first_segment, segments[s], views, settled_s,
                       &trajectory.frames[first_frames[s]]);
         }
     });

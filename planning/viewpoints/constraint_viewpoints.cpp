@@ -18,9 +18,9 @@
 namespace dollytrack::planning {
 namespace {
 
-std::vector<GivenView> viewsOf(const std::vector<PositionPoint>& points,
-                               const std::vector<int>& keys) {
-    std::vector<GivenView> views;
+std::vector<ExistingView> viewsOf(const std::vector<PositionPoint>& points,
+                                  const std::vector<int>& keys) {
+    std::vector<ExistingView> views;
     for (const int key : keys) {
         const PositionPoint& point = points[static_cast<std::size_t>(key)];
         views.push_back({point.pose, point.fixed});
@@ -39,17 +39,18 @@ std::size_t mostSurfaceViews(const PlanParams& params, std::size_t key_frames) {
 }
 
 /// Chooses surface views beside the key frames, and adds them as position points.
-Result<SurfaceGoal> addSurfaceViews(const PlanParams& params, const Surroundings& around,
-                                    Viewpoints& viewpoints, const JobContext& job) {
+Result<SurfaceGoal> addSurfaceViews(const PlanParams& params,
+                                    const PlanningEnvironment& environment, Viewpoints& viewpoints,
+                                    const JobContext& job) {
     std::vector<Pose> given;
     for (const int key :
          chooseKeyFrames(viewpoints.position_points, {}, params.coverage.objective)) {
         given.push_back(viewpoints.position_points[static_cast<std::size_t>(key)].pose);
     }
-    return findSurfaceViews(around, params, given, mostSurfaceViews(params, given.size()), job)
+    return findSurfaceViews(environment, params, given, mostSurfaceViews(params, given.size()), job)
         .map([&](SurfaceViews&& found) {
             for (const Pose& view : found.views) {
-                addFixedPoint(view, around, viewpoints);
+                addFixedPoint(view, environment, viewpoints);
                 viewpoints.position_points.back().fixed = false;
                 viewpoints.position_points.back().surface_view = true;
             }
@@ -101,7 +102,7 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
                                                      const std::vector<Region>& must_see,
                                                      const PlanParams& params,
                                                      const RoomPlan* rooms,
-                                                     const Surroundings& around,
+                                                     const PlanningEnvironment& environment,
                                                      VisibilityCache* memo, const JobContext& job) {
     const ConstraintParams& constraints = params.constraints;
     ConstraintViewpoints asked;
@@ -111,19 +112,19 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
     const std::size_t before = points.size();
     if (rooms != nullptr) {
         asked.anchors = constraints.anchors;
-        for (const AnchorViews& anchor : anchorViews(*rooms, constraints.anchors, around)) {
+        for (const AnchorViews& anchor : anchorViews(*rooms, constraints.anchors, environment)) {
             AnchorViewpoints& found =
                 asked.found_anchors.emplace_back(AnchorViewpoints{anchor.kind, {}});
             for (const Pose& view : anchor.views) {
                 found.points.push_back(static_cast<int>(points.size()));
-                addFixedPoint(view, around, viewpoints);
+                addFixedPoint(view, environment, viewpoints);
             }
         }
     }
     const std::vector<int> keys = must_see.empty()
                                       ? std::vector<int>()
                                       : chooseKeyFrames(points, {}, params.coverage.objective);
-    auto found = findMustSee(around, must_see, viewsOf(points, keys), job);
+    auto found = findMustSee(environment, must_see, viewsOf(points, keys), job);
     if (!found) return tl::unexpected<Error>(std::move(found.error()));
     asked.must_see = std::move(*found);
     for (const MustSee& region : asked.must_see) {
@@ -133,12 +134,12 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
                 points[static_cast<std::size_t>(keys[static_cast<std::size_t>(kept)])].fixed = true;
             }
         }
-        for (const Pose& view : region.views) addFixedPoint(view, around, viewpoints);
+        for (const Pose& view : region.views) addFixedPoint(view, environment, viewpoints);
     }
     const std::size_t asked_for = points.size();
-    if (asksForRoomViews(params)) addRoomViews(params, around, viewpoints);
+    if (asksForRoomViews(params)) addRoomViews(params, environment, viewpoints);
     if (asksForSurface(params)) {
-        auto goal = addSurfaceViews(params, around, viewpoints, job);
+        auto goal = addSurfaceViews(params, environment, viewpoints, job);
         if (!goal) return tl::unexpected<Error>(std::move(goal.error()));
         asked.surface = std::move(*goal);
     }
@@ -148,7 +149,7 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
         }
         for (PositionPoint& point : points) point.room = rooms->roomAt(point.pose.position);
     }
-    if (asked_for > before) findCaptured(around.views, points, memo);
+    if (asked_for > before) findCaptured(environment.views, points, memo);
     for (std::size_t i = before; i < asked_for; ++i) {
         // Like a point placed by hand, it stands for the objects it captures.
         const auto target = static_cast<std::size_t>(points[i].observation_point);

@@ -48,7 +48,7 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
                                                      const std::vector<Region>& must_see,
                                                      const PlanParams& params,
                                                      const RoomPlan* rooms,
-                                                     const Surroundings& around,
+                                                     const PlanningEnvironment& environment,
                                                      VisibilityCache* memo, const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -17,75 +17,78 @@ constexpr double kLeastSpread = 0.005;
 constexpr double kClimbShrinking = 0.6;  // factor of the spread if no child is better than its
                                          // parents
 
-struct Looked {
+struct ExactCandidate {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    double nearness = 0.0;  // see Judged::nearness; without margins
+    double nearness = 0.0;  // see EvaluatedCandidate::nearness; without margins
     bool well = false;
 };
 
 class Climb {
   public:
-    Climb(const Surroundings& around, const CandidateJudge& judge, int object_id)
-        : around_(around), judge_(judge), object_id_(object_id) {}
+    Climb(const PlanningEnvironment& environment, const CandidateEvaluator& evaluator,
+          int object_id)
+        : environment_(environment), evaluator_(evaluator), object_id_(object_id) {}
 
-    [[nodiscard]] Looked look(const Eigen::Vector3d& position) const {
-        const Pose pose = aim(position, judge_.subject().center, around_.pitch);
-        const auto seen = around_.views.estimateExactly(pose, object_id_);
+    [[nodiscard]] ExactCandidate estimate(const Eigen::Vector3d& position) const {
+        const Pose pose = aim(position, evaluator_.subject().center, environment_.pitch);
+        const auto seen = environment_.views.estimateExactly(pose, object_id_);
         return {position, nearnessOf(seen), isWellCaptured(makeView(seen, object_id_, 0))};
     }
 
     /// Random positions around the parents that are legal and near enough by a coarser estimate.
-    [[nodiscard]] std::vector<Looked> lookBeside(const std::vector<Looked>& parents, double spread,
-                                                 Random& random, std::vector<Judged>& tried) const {
+    [[nodiscard]] std::vector<ExactCandidate> sampleAround(
+        const std::vector<ExactCandidate>& parents, double spread, Random& random,
+        std::vector<EvaluatedCandidate>& tried) const {
         std::vector<Eigen::Vector3d> places;
         for (std::size_t i = 0; i < kClimbChildren; ++i) {
             const Eigen::Vector3d& parent = parents[i % parents.size()].position;
             const Eigen::Vector3d offset(random.normal(), random.normal(), random.normal());
-            const double distance = (parent - judge_.subject().center).norm();
-            places.push_back(around_.sphere.onHeight(parent + spread * distance * offset));
+            const double distance = (parent - evaluator_.subject().center).norm();
+            places.push_back(environment_.sphere.onHeight(parent + spread * distance * offset));
         }
-        std::vector<Judged> glances(places.size());
-        std::vector<Looked> looked(places.size());
+        std::vector<EvaluatedCandidate> sampled(places.size());
+        std::vector<ExactCandidate> refined(places.size());
         parallelFor(places.size(), [&](std::size_t i) {
-            glances[i] = judge_.judge(places[i], Look::Closer);
-            if (glances[i].nearness >= kPromisingNearness) looked[i] = look(places[i]);
+            sampled[i] = evaluator_.evaluate(places[i], SamplingDensity::Medium);
+            if (sampled[i].nearness >= kPromisingNearness) refined[i] = estimate(places[i]);
         });
-        tried.insert(tried.end(), glances.begin(), glances.end());
-        std::erase_if(looked, [](const Looked& one) { return one.nearness == 0.0; });
-        return looked;
+        tried.insert(tried.end(), sampled.begin(), sampled.end());
+        std::erase_if(refined, [](const ExactCandidate& one) { return one.nearness == 0.0; });
+        return refined;
     }
 
   private:
-    const Surroundings& around_;
-    const CandidateJudge& judge_;
+    const PlanningEnvironment& environment_;
+    const CandidateEvaluator& evaluator_;
     int object_id_;
 };
 
-void keepBest(std::vector<Looked>& looked) {
-    std::stable_sort(looked.begin(), looked.end(), [](const Looked& a, const Looked& b) {
-        return std::pair(a.well, a.nearness) > std::pair(b.well, b.nearness);
-    });
-    looked.resize(std::min(looked.size(), kClimbParents));
+void keepBest(std::vector<ExactCandidate>& refined) {
+    std::stable_sort(refined.begin(), refined.end(),
+                     [](const ExactCandidate& a, const ExactCandidate& b) {
+                         return std::pair(a.well, a.nearness) > std::pair(b.well, b.nearness);
+                     });
+    refined.resize(std::min(refined.size(), kClimbParents));
 }
 
 }  // namespace
 
-ExactSearchResult searchExactViewpoint(const Surroundings& around, const CandidateJudge& judge,
-                                       int object_id, const std::vector<Eigen::Vector3d>& places,
-                                       Random& random) {
-    const Climb climb(around, judge, object_id);
+ExactSearchResult searchExactViewpoint(const PlanningEnvironment& environment,
+                                       const CandidateEvaluator& evaluator, int object_id,
+                                       const std::vector<Eigen::Vector3d>& places, Random& random) {
+    const Climb climb(environment, evaluator, object_id);
     ExactSearchResult climbed;
-    std::vector<Looked> best;
+    std::vector<ExactCandidate> best;
     for (std::size_t i = 0; i < std::min(kClimbParents, places.size()); ++i) {
-        best.push_back(climb.look(places[i]));
+        best.push_back(climb.estimate(places[i]));
     }
     if (best.empty()) return climbed;
     keepBest(best);
     double spread = kClimbFirstSpread;
     for (int generation = 0; generation < kClimbGenerations; ++generation) {
-        const Looked before = best.front();
+        const ExactCandidate before = best.front();
         if (before.well || before.nearness < kNearlyThere || spread < kLeastSpread) break;
-        const auto children = climb.lookBeside(best, spread, random, climbed.tried);
+        const auto children = climb.sampleAround(best, spread, random, climbed.tried);
         best.insert(best.end(), children.begin(), children.end());
         keepBest(best);
         if (best.front().nearness <= before.nearness) spread *= kClimbShrinking;

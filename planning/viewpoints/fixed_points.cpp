@@ -18,14 +18,15 @@ Eigen::Vector3d lookedAt(const Pose& pose, const ViewEstimator& views) {
     return pose.position + (hit.object_id != 0 ? hit.distance : kLooksAt_m) * pose.forward();
 }
 
-void addFixedPoint(const Pose& pose, const Surroundings& around, Viewpoints& viewpoints) {
+void addFixedPoint(const Pose& pose, const PlanningEnvironment& environment,
+                   Viewpoints& viewpoints) {
     ObservationPoint target;
-    target.position = lookedAt(pose, around.views);
+    target.position = lookedAt(pose, environment.views);
     target.direction = -pose.forward();
     PositionPoint point;
     point.observation_point = static_cast<int>(viewpoints.observation_points.size());
     point.pose = pose;
-    point.component = around.free_space.componentAt(pose.position);
+    point.component = environment.free_space.componentAt(pose.position);
     point.fixed = true;
     ViewpointSearch search;
     search.position_point = static_cast<int>(viewpoints.position_points.size());

@@ -4,7 +4,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 #include "planning/viewpoints/fixed_points.h"
 #include "planning/viewpoints/key_frames.h"
 #include "planning/visibility/framing.h"
@@ -63,22 +63,23 @@ int enclosing(const RayCaster& rays, const Eigen::Vector3d& place) {
 }
 
 /// Why a pinned point is not legal, as a sentence; empty if it is.
-std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surroundings& around) {
+std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index,
+                                 const PlanningEnvironment& environment) {
     RefusedPin refused;
     const Eigen::Vector3d& place = pin.pose.position;
-    refused.verdict = around.sphere.verdict(place, refused.object_id);
+    refused.verdict = environment.sphere.verdict(place, refused.object_id);
     refused.pin = index;
     refused.name = pin.name;
     if (refused.verdict == Verdict::Legal) {
-        if (around.pitch.holds(pin.pose.rotation)) return std::nullopt;
+        if (environment.pitch.holds(pin.pose.rotation)) return std::nullopt;
         refused.verdict = Verdict::PitchBand;
         refused.reason = "outside the pitch band, looks " + upOrDown(pin.pose.forward());
         return refused;
     }
-    const Scene& scene = around.views.scene();
-    const AllowedRegion* region = around.sphere.region();
+    const Scene& scene = environment.views.scene();
+    const AllowedRegion* region = environment.sphere.region();
     if (refused.verdict == Verdict::OutsideRoom) {
-        const int inside = enclosing(around.views.rays(), place);
+        const int inside = enclosing(environment.views.rays(), place);
         if (inside != 0 && !scene.object(inside).structure) {
             refused.verdict = Verdict::InObstacle;
             refused.object_id = inside;
@@ -89,7 +90,7 @@ std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surrou
     switch (refused.verdict) {
         case Verdict::NoGo: {
             const NoGoBox* box =
-                region->boxAt(place, around.sphere.radius() + SweptSphere::kMargin);
+                region->boxAt(place, environment.sphere.radius() + SweptSphere::kMargin);
             refused.reason = "in the no-go box " + (box ? box->name : std::string());
             break;
         }
@@ -112,15 +113,19 @@ std::optional<RefusedPin> refuse(const PinnedPoint& pin, int index, const Surrou
 
 class HandPlacing {
   public:
-    HandPlacing(const Viewpoints& found, const PlanEdits& edits, const Surroundings& around)
-        : found_(found), edits_(edits), around_(around), scene_(around.views.scene()) {}
+    HandPlacing(const Viewpoints& found, const PlanEdits& edits,
+                const PlanningEnvironment& environment)
+        : found_(found),
+          edits_(edits),
+          environment_(environment),
+          scene_(environment.views.scene()) {}
 
     PlacedPoints run(VisibilityCache* memo) {
         pins_.resize(edits_.pinned.size());
         for (std::size_t i = 0; i < pins_.size(); ++i) {
             const auto index = static_cast<int>(i);
             pins_[i].objects = idsOf(edits_.pinned[i].objects, scene_);
-            if (auto refused = refuse(edits_.pinned[i], index, around_)) {
+            if (auto refused = refuse(edits_.pinned[i], index, environment_)) {
                 placed_.refused.push_back(std::move(*refused));
                 pins_[i].done = true;
             }
@@ -130,7 +135,7 @@ class HandPlacing {
             if (!pins_[i].done) addPin(static_cast<int>(i));
         }
         Viewpoints& points = placed_.viewpoints;
-        findCaptured(around_.views, points.position_points, memo);
+        findCaptured(environment_.views, points.position_points, memo);
         for (const PositionPoint& point : points.position_points) {
             auto& target =
                 points.observation_points[static_cast<std::size_t>(point.observation_point)];
@@ -179,18 +184,19 @@ class HandPlacing {
         PositionPoint point;
         point.observation_point = static_cast<int>(target_index);
         point.pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
-        point.component = around_.free_space.componentAt(point.pose.position);
+        point.component = environment_.free_space.componentAt(point.pose.position);
         point.pin = pin;
         point.fixed = true;
         if (!target.objects.empty()) {
-            const double fill = fillFrom(around_.views, makeSubject(around_.views, target.objects),
-                                         point.pose.position);
+            const double fill =
+                fillFrom(environment_.views, makeSubject(environment_.views, target.objects),
+                         point.pose.position);
             point.fill = std::isfinite(fill) ? fill : 0.0;
         }
         if (target.objects.empty()) {
             for (const Object& object : scene_.objects) {
-                const auto glance = [&] { return estimate(point.pose, object.id, kFirstGrid); };
-                if (object.role != Role::Target || glance().visible_fraction < kLeastVisibleByHand)
+                const auto coarse = [&] { return estimate(point.pose, object.id, kFirstGrid); };
+                if (object.role != Role::Target || coarse().visible_fraction < kLeastVisibleByHand)
                     continue;
                 addCaptured(point, object.id);
             }
@@ -203,7 +209,7 @@ class HandPlacing {
     }
 
     [[nodiscard]] ViewEstimator::Estimate estimate(const Pose& pose, int id, int grid) const {
-        return around_.views.estimate(pose, id, grid);
+        return environment_.views.estimate(pose, id, grid);
     }
 
     void addCaptured(PositionPoint& point, int id) const {
@@ -221,9 +227,9 @@ class HandPlacing {
             if (scene_.object(id).role == Role::Target) target.objects.push_back(id);
         }
         if (target.objects.empty()) {
-            target.position = lookedAt(pose, around_.views);
+            target.position = lookedAt(pose, environment_.views);
         } else {
-            target.position = makeSubject(around_.views, target.objects).center;
+            target.position = makeSubject(environment_.views, target.objects).center;
         }
         const Eigen::Vector3d back = pose.position - target.position;
         target.direction = back.norm() > 1e-6 ? Eigen::Vector3d(back.normalized())
@@ -235,7 +241,7 @@ class HandPlacing {
 
     const Viewpoints& found_;
     const PlanEdits& edits_;
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const Scene& scene_;
     std::vector<Pin> pins_;
     PlacedPoints placed_;
@@ -244,8 +250,8 @@ class HandPlacing {
 }  // namespace
 
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
-                         const Surroundings& around, VisibilityCache* memo) {
-    return HandPlacing(found, edits, around).run(memo);
+                         const PlanningEnvironment& environment, VisibilityCache* memo) {
+    return HandPlacing(found, edits, environment).run(memo);
 }
 
 }  // namespace dollytrack::planning

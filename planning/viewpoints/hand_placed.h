@@ -21,6 +21,6 @@ struct PlacedPoints {
 /// Then completes what each point captures, by findCaptured(). A pin made from a view gets an
 /// observation point for the objects it captures.
 PlacedPoints placeByHand(const Viewpoints& found, const PlanEdits& edits,
-                         const Surroundings& around, VisibilityCache* memo = nullptr);
+                         const PlanningEnvironment& environment, VisibilityCache* memo = nullptr);
 
 }  // namespace dollytrack::planning

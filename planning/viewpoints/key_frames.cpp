@@ -3,7 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "engine/math/pose_key.h"
 #include "planning/plan_params.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr int kGlanceCells = 6;
+constexpr int kScreeningCells = 6;
 constexpr double kLeastVisibleAsKeyFrame = 0.7;  // visible fraction in a coarse estimate
 constexpr int kGrid = 16;
 // Least size of an object's box in another point's view, relative to its own view.
@@ -33,7 +33,7 @@ bool mayShowWell(const ViewEstimator& views, const Pose& pose, int object_id) {
            inside >= CaptureRules{}.min_box_share * image.sizes().prod();
 }
 
-VisibilityCache::Entry lookFrom(const ViewEstimator& views, const PositionPoint& point) {
+VisibilityCache::Entry sampleObjects(const ViewEstimator& views, const PositionPoint& point) {
     VisibilityCache::Entry entry{point.own, point.own, {}};
     const Pose& pose = point.pose;
     for (const Object& object : views.scene().objects) {
@@ -43,8 +43,8 @@ VisibilityCache::Entry lookFrom(const ViewEstimator& views, const PositionPoint&
             continue;
         }
         // A coarse estimate avoids the dense one if the object is clearly hidden.
-        const auto glance = views.estimate(pose, object.id, kGlanceCells);
-        if (glance.tells() && glance.visible_fraction < kLeastVisibleAsKeyFrame) continue;
+        const auto coarse = views.estimate(pose, object.id, kScreeningCells);
+        if (coarse.tells() && coarse.visible_fraction < kLeastVisibleAsKeyFrame) continue;
         const auto estimate = estimateSurely(views, pose, object.id, kGrid);
         if (isSafelyWellCaptured(estimate)) entry.shown.push_back({object.id, estimate.box_share});
     }
@@ -81,19 +81,19 @@ void VisibilityCache::keep(const Pose& pose, Entry entry) {
 
 void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& position_points,
                   VisibilityCache* memo) {
-    std::vector<VisibilityCache::Entry> looks(position_points.size());
+    std::vector<VisibilityCache::Entry> entries(position_points.size());
     parallelFor(position_points.size(), [&](std::size_t i) {
         const auto* known = memo ? memo->find(position_points[i]) : nullptr;
-        looks[i] = known ? *known : lookFrom(views, position_points[i]);
+        entries[i] = known ? *known : sampleObjects(views, position_points[i]);
     });
-    for (std::size_t i = 0; memo && i < looks.size(); ++i) {
-        memo->keep(position_points[i].pose, looks[i]);
+    for (std::size_t i = 0; memo && i < entries.size(); ++i) {
+        memo->keep(position_points[i].pose, entries[i]);
     }
 
     std::map<int, double> own_share;
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         const auto& own = position_points[i].well_captured;
-        for (const ShownObject& one : looks[i].shown) {
+        for (const ShownObject& one : entries[i].shown) {
             if (std::find(own.begin(), own.end(), one.object_id) == own.end()) continue;
             double& share = own_share[one.object_id];
             share = std::max(share, one.box_share);
@@ -102,7 +102,7 @@ void findCaptured(const ViewEstimator& views, std::vector<PositionPoint>& positi
     for (std::size_t i = 0; i < position_points.size(); ++i) {
         PositionPoint& point = position_points[i];
         std::set<int> well(point.well_captured.begin(), point.well_captured.end());
-        for (const ShownObject& one : looks[i].shown) {
+        for (const ShownObject& one : entries[i].shown) {
             if (one.box_share >= kRidesAlong * own_share[one.object_id]) well.insert(one.object_id);
         }
         std::set<int> captured(point.captured.begin(), point.captured.end());

@@ -4,7 +4,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/plan_params.h"
-#include "planning/viewpoints/candidate_judge.h"
+#include "planning/viewpoints/candidate_evaluator.h"
 #include "planning/viewpoints/candidate_source.h"
 #include "planning/viewpoints/exact_viewpoint_search.h"
 
@@ -42,7 +42,7 @@ constexpr double kWorthLuck = 0.2;           // largest missing nearness for a l
 constexpr double kApart = 0.25;              // least distance between parents, relative to the
                                              // spread
 constexpr double kNegligible = 0.01;         // difference in quality
-constexpr int kEarlyLooks = 2;               // fine samplings tried during the coarse pass, to end
+constexpr int kEarlySamplings = 2;           // fine samplings tried during the coarse pass, to end
                                              // the search early
 // The range of fill that the paper searches.
 constexpr double kLeastFill = 0.35;
@@ -57,14 +57,14 @@ bool isLookedFrom(Verdict verdict) {
 
 class Search {
   public:
-    Search(const Surroundings& around, const ObservationPoint& point, const ViewpointParams& params,
-           Random random)
-        : around_(around),
+    Search(const PlanningEnvironment& environment, const ObservationPoint& point,
+           const ViewpointParams& params, Random random)
+        : environment_(environment),
           point_(point),
           params_(params),
-          judge_(around, point, params.fill),
+          evaluator_(environment, point, params.fill),
           random_(random) {
-        for (const int id : point.objects) looked_.target.extend(reachedBox(around.views, id));
+        for (const int id : point.objects) looked_.target.extend(reachedBox(environment.views, id));
     }
 
     FoundView run() {
@@ -77,9 +77,9 @@ class Search {
             tryDirections(directionsAllAround(point_.direction, kAroundDirections),
                           {1.0, 0.75, 0.55});
             if (!refineBest()) {
-                looked_.sampled_around = judge_.subject().center;
+                looked_.sampled_around = evaluator_.subject().center;
                 looked_.sampled_within_m =
-                    furthestUseful(around_.views, judge_.subject(), kLeastRandomFill);
+                    furthestUseful(environment_.views, evaluator_.subject(), kLeastRandomFill);
                 tryRandomPlaces(kLeastRandomFill, kMostRandomFill, kRandomPlaces);
                 tryFromTheCeiling();
                 if (!refineBest()) searchHard();
@@ -91,25 +91,27 @@ class Search {
   private:
     void tryDirections(const std::vector<Eigen::Vector3d>& directions,
                        const std::vector<double>& shares_of_wish) {
-        const double wish = judge_.wishedFill();
+        const double wish = evaluator_.wishedFill();
         for (const Eigen::Vector3d& wanted : directions) {
             // Directions are sorted, the best first: stop after enough good views.
-            const auto good = std::count_if(pending_.begin(), pending_.end(),
-                                            [](const Judged& judged) { return judged.all_well; });
+            const auto good = std::count_if(
+                pending_.begin(), pending_.end(),
+                [](const EvaluatedCandidate& evaluated) { return evaluated.all_well; });
             if (good >= kEnoughGood) break;
             // With a pitch band most directions are too steep: clamp them to the band.
             const Eigen::Vector3d direction =
-                around_.pitch.restricts() ? Eigen::Vector3d(-intoBand(-wanted, around_.pitch))
-                                          : wanted;
+                environment_.pitch.restricts()
+                    ? Eigen::Vector3d(-intoBand(-wanted, environment_.pitch))
+                    : wanted;
             for (const double share : shares_of_wish) {
                 const double fill =
                     std::clamp(share * wish, std::min(kLeastFill, wish), std::max(kMostFill, wish));
                 const double distance =
-                    distanceForFill(around_.views, judge_.subject(), direction, fill);
+                    distanceForFill(environment_.views, evaluator_.subject(), direction, fill);
                 // With a height band most positions are outside it: clamp them to the band.
-                const bool legal = take(judge_.judge(
-                    around_.sphere.inBand(judge_.subject().center + direction * distance),
-                    Look::Coarse));
+                const bool legal = take(evaluator_.evaluate(
+                    environment_.sphere.inBand(evaluator_.subject().center + direction * distance),
+                    SamplingDensity::Coarse));
                 if (legal && isAsGoodAsAny()) return;
             }
         }
@@ -117,12 +119,13 @@ class Search {
 
     /// Whether the last candidate is as good as possible by fine sampling; then it is the result.
     bool isAsGoodAsAny() {
-        if (early_looks_ == kEarlyLooks ||
+        if (early_samplings_ == kEarlySamplings ||
             pending_.back().quality < highestQuality() - kNegligible) {
             return false;
         }
-        ++early_looks_;
-        Judged fine = judge_.judge(pending_.back().candidate.position, Look::Fine);
+        ++early_samplings_;
+        EvaluatedCandidate fine =
+            evaluator_.evaluate(pending_.back().candidate.position, SamplingDensity::Fine);
         if (!fine.all_well || fine.quality < highestQuality() - kNegligible) return false;
         best_ = std::move(fine);
         pending_.clear();
@@ -130,59 +133,61 @@ class Search {
     }
 
     void tryRandomPlaces(double least_fill, double most_fill, int count) {
-        for (Judged& judged :
-             judgeAll(randomPlaces(around_.free_space, around_.sphere, around_.views,
-                                   judge_.subject(), least_fill, most_fill, count, random_),
-                      Look::Coarse)) {
-            take(std::move(judged));
+        for (EvaluatedCandidate& evaluated : evaluateAll(
+                 randomPlaces(environment_.free_space, environment_.sphere, environment_.views,
+                              evaluator_.subject(), least_fill, most_fill, count, random_),
+                 SamplingDensity::Coarse)) {
+            take(std::move(evaluated));
         }
     }
 
     /// An object between tall ones may only be visible from straight above, where the wished
     /// distance of a low object would be above the ceiling.
     void tryFromTheCeiling() {
-        const Eigen::Vector3d& center = judge_.subject().center;
+        const Eigen::Vector3d& center = evaluator_.subject().center;
         double above = 0.0;
-        for (const Eigen::Vector3d& p : judge_.subject().points) {
+        for (const Eigen::Vector3d& p : evaluator_.subject().points) {
             above = std::max(above, (p - center).norm());
         }
-        const double reach = around_.sphere.radius() + SweptSphere::kMargin;
+        const double reach = environment_.sphere.radius() + SweptSphere::kMargin;
         std::vector<Eigen::Vector3d> places;
         for (const Eigen::Vector3d& up :
              directionsInCone(Eigen::Vector3d::UnitZ(), kCeilingHalfAngle, kCeilingDirections)) {
-            const RayHit ceiling = around_.views.rays().cast(center + up * above, up);
+            const RayHit ceiling = environment_.views.rays().cast(center + up * above, up);
             if (ceiling.object_id == 0) continue;
             for (const double share : {1.0, 0.6}) {
                 const double distance = above + share * (ceiling.distance - reach / up.z());
-                places.push_back(around_.sphere.inBand(center + up * distance));
+                places.push_back(environment_.sphere.inBand(center + up * distance));
             }
         }
-        for (Judged& judged : judgeAll(places, Look::Coarse)) take(std::move(judged));
+        for (EvaluatedCandidate& evaluated : evaluateAll(places, SamplingDensity::Coarse))
+            take(std::move(evaluated));
     }
 
-    /// Judges candidates in parallel, for the long stages of the search.
-    std::vector<Judged> judgeAll(const std::vector<Eigen::Vector3d>& places, Look look) const {
-        std::vector<Judged> judged(places.size());
+    /// Evaluates candidates in parallel, for the long stages of the search.
+    std::vector<EvaluatedCandidate> evaluateAll(const std::vector<Eigen::Vector3d>& places,
+                                                SamplingDensity density) const {
+        std::vector<EvaluatedCandidate> evaluated(places.size());
         parallelFor(places.size(),
-                    [&](std::size_t i) { judged[i] = judge_.judge(places[i], look); });
-        return judged;
+                    [&](std::size_t i) { evaluated[i] = evaluator_.evaluate(places[i], density); });
+        return evaluated;
     }
 
     /// Records what a candidate depends on. Finer sampling at the same position depends on nothing
     /// more.
-    void note(const Judged& judged) {
+    void note(const EvaluatedCandidate& evaluated) {
         looked_.places.push_back(
-            {judged.candidate.position, isLookedFrom(judged.candidate.verdict)});
+            {evaluated.candidate.position, isLookedFrom(evaluated.candidate.verdict)});
     }
 
     /// Adds a candidate. Returns whether it is legal and worth finer sampling.
-    bool take(Judged judged) {
-        note(judged);
-        candidates_.push_back(judged.candidate);
-        if (judged.quality < 0.0) return false;
-        judged.order = static_cast<int>(pending_.size());
-        if (point_.objects.size() == 1) promising_.push_back(judged);
-        pending_.push_back(std::move(judged));
+    bool take(EvaluatedCandidate evaluated) {
+        note(evaluated);
+        candidates_.push_back(evaluated.candidate);
+        if (evaluated.quality < 0.0) return false;
+        evaluated.order = static_cast<int>(pending_.size());
+        if (point_.objects.size() == 1) promising_.push_back(evaluated);
+        pending_.push_back(std::move(evaluated));
         return true;
     }
 
@@ -191,14 +196,16 @@ class Search {
     bool refineBest() {
         const auto count = std::min(kRefined, pending_.size());
         std::partial_sort(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(count),
-                          pending_.end(), [](const Judged& a, const Judged& b) {
+                          pending_.end(),
+                          [](const EvaluatedCandidate& a, const EvaluatedCandidate& b) {
                               return std::pair(a.quality, b.order) > std::pair(b.quality, a.order);
                           });
         for (std::size_t i = 0; i < count; ++i) {
             // Most objects are fully visible from the first candidate already.
             constexpr double kRounding = 1e-9;
             if (pending_[i].at_most <= (best_ ? best_->quality : 0.0) + kRounding) continue;
-            Judged fine = judge_.judge(pending_[i].candidate.position, Look::Fine);
+            EvaluatedCandidate fine =
+                evaluator_.evaluate(pending_[i].candidate.position, SamplingDensity::Fine);
             if (!best_ || fine.quality > best_->quality) best_ = std::move(fine);
         }
         pending_.clear();
@@ -207,15 +214,16 @@ class Search {
 
     /// Keeps the candidates with the highest nearness, at a distance from one another.
     void chooseParents(double spread) {
-        std::stable_sort(
-            promising_.begin(), promising_.end(), [](const Judged& a, const Judged& b) {
-                return std::pair(a.nearness, a.quality) > std::pair(b.nearness, b.quality);
-            });
-        std::vector<Judged> parents;
-        for (Judged& one : promising_) {
+        std::stable_sort(promising_.begin(), promising_.end(),
+                         [](const EvaluatedCandidate& a, const EvaluatedCandidate& b) {
+                             return std::pair(a.nearness, a.quality) >
+                                    std::pair(b.nearness, b.quality);
+                         });
+        std::vector<EvaluatedCandidate> parents;
+        for (EvaluatedCandidate& one : promising_) {
             if (parents.size() == kParents) break;
             const double apart = kApart * spread * distanceOf(one);
-            if (std::all_of(parents.begin(), parents.end(), [&](const Judged& other) {
+            if (std::all_of(parents.begin(), parents.end(), [&](const EvaluatedCandidate& other) {
                     return (one.candidate.position - other.candidate.position).norm() >= apart;
                 })) {
                 parents.push_back(std::move(one));
@@ -234,21 +242,21 @@ class Search {
             if (promising_.empty() || missing() > kHope * spread) return;
             std::vector<Eigen::Vector3d> children;
             for (std::size_t i = 0; i < kChildren; ++i) {
-                const Judged& parent = promising_[i % promising_.size()];
+                const EvaluatedCandidate& parent = promising_[i % promising_.size()];
                 const Eigen::Vector3d offset(random_.normal(), random_.normal(), random_.normal());
-                children.push_back(around_.sphere.onHeight(parent.candidate.position +
-                                                           spread * distanceOf(parent) * offset));
+                children.push_back(environment_.sphere.onHeight(
+                    parent.candidate.position + spread * distanceOf(parent) * offset));
             }
-            for (Judged& child : judgeAll(children, Look::Closer)) {
+            for (EvaluatedCandidate& child : evaluateAll(children, SamplingDensity::Medium)) {
                 note(child);
                 if (child.quality >= 0.0) promising_.push_back(std::move(child));
             }
             chooseParents(spread);
-            for (Judged& one : promising_) {
+            for (EvaluatedCandidate& one : promising_) {
                 if (!one.all_well) break;
                 // If fine sampling rejects a candidate, it stays a parent with its corrected
                 // nearness.
-                one = judge_.judge(one.candidate.position, Look::Fine);
+                one = evaluator_.evaluate(one.candidate.position, SamplingDensity::Fine);
                 if (one.all_well) {
                     best_ = std::move(one);
                     return;
@@ -283,18 +291,18 @@ class Search {
     bool takeJustCaptured() {
         chooseParents(kFirstSpread);
         std::vector<Eigen::Vector3d> places;
-        for (const Judged& one : promising_) {
+        for (const EvaluatedCandidate& one : promising_) {
             if (one.nearness >= kPromisingNearness) places.push_back(one.candidate.position);
         }
         const ExactSearchResult climbed =
-            searchExactViewpoint(around_, judge_, point_.objects.front(), places, random_);
-        for (const Judged& tried : climbed.tried) note(tried);
-        if (climbed.place) best_ = judge_.judge(*climbed.place, Look::Fine);
+            searchExactViewpoint(environment_, evaluator_, point_.objects.front(), places, random_);
+        for (const EvaluatedCandidate& tried : climbed.tried) note(tried);
+        if (climbed.place) best_ = evaluator_.evaluate(*climbed.place, SamplingDensity::Fine);
         return climbed.place.has_value();
     }
 
-    [[nodiscard]] double distanceOf(const Judged& judged) const {
-        return (judged.candidate.position - judge_.subject().center).norm();
+    [[nodiscard]] double distanceOf(const EvaluatedCandidate& evaluated) const {
+        return (evaluated.candidate.position - evaluator_.subject().center).norm();
     }
 
     FoundView finish() {
@@ -306,8 +314,8 @@ class Search {
             return found;
         }
         PositionPoint p;
-        p.pose = aim(best_->candidate.position, judge_.subject().center, around_.pitch);
-        p.component = around_.free_space.componentAt(p.pose.position);
+        p.pose = aim(best_->candidate.position, evaluator_.subject().center, environment_.pitch);
+        p.component = environment_.free_space.componentAt(p.pose.position);
         p.fill = best_->candidate.fill;
         if (best_->all_well) {
             p.well_captured = p.captured = point_.objects;
@@ -318,7 +326,7 @@ class Search {
         for (const int id : point_.objects) {
             // Exact and without margins: the trajectory passes through this pose, and an object
             // captured only just is better than none.
-            const ObjectView view = makeView(around_.views.estimateExactly(p.pose, id), id, 0);
+            const ObjectView view = makeView(environment_.views.estimateExactly(p.pose, id), id, 0);
             if (isWellCaptured(view)) {
                 p.well_captured.push_back(id);
             } else {
@@ -330,24 +338,24 @@ class Search {
         return found;
     }
 
-    const Surroundings& around_;
+    const PlanningEnvironment& environment_;
     const ObservationPoint& point_;
     const ViewpointParams& params_;
-    CandidateJudge judge_;
+    CandidateEvaluator evaluator_;
     Random random_;
     std::vector<Candidate> candidates_;
-    std::vector<Judged> pending_;
-    std::vector<Judged> promising_;  // legal candidates of a single object, for breed()
-    std::optional<Judged> best_;
-    int early_looks_ = 0;
+    std::vector<EvaluatedCandidate> pending_;
+    std::vector<EvaluatedCandidate> promising_;  // legal candidates of a single object, for breed()
+    std::optional<EvaluatedCandidate> best_;
+    int early_samplings_ = 0;
     SearchFootprint looked_;
 };
 
 }  // namespace
 
-FoundView searchView(const Surroundings& around, const ObservationPoint& point,
+FoundView searchView(const PlanningEnvironment& environment, const ObservationPoint& point,
                      const ViewpointParams& params, Random random) {
-    return Search(around, point, params, random).run();
+    return Search(environment, point, params, random).run();
 }
 
 }  // namespace dollytrack::planning

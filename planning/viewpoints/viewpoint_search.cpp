@@ -45,7 +45,7 @@ std::size_t SearchCache::forget(const MovedObjects& moved, const MapChange& map,
     return entries_.size();
 }
 
-Result<Viewpoints> searchViewpoints(const Surroundings& around,
+Result<Viewpoints> searchViewpoints(const PlanningEnvironment& environment,
                                     std::vector<ObservationPoint> observation_points,
                                     const ViewpointParams& params, int seed, const JobContext& job,
                                     SearchCache* memo) {
@@ -67,7 +67,7 @@ Result<Viewpoints> searchViewpoints(const Surroundings& around,
                 found[i] = *known;
                 return;
             }
-            found[i] = searchView(around, point, params,
+            found[i] = searchView(environment, point, params,
                                   Random(static_cast<std::uint64_t>(seed), streamOf(point)));
         });
         if (cancelled) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
@@ -84,7 +84,7 @@ Result<Viewpoints> searchViewpoints(const Surroundings& around,
             result.searches.push_back(std::move(found[i].search));
             if (point.objects.size() < 2) continue;
             for (const int id : found[i].not_well) {
-                result.observation_points.push_back(alone(around.views, point, id));
+                result.observation_points.push_back(alone(environment.views, point, id));
             }
         }
         begin = end;

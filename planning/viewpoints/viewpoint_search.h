@@ -20,8 +20,9 @@ class SweptSphere;
 class ViewEstimator;
 struct ViewpointParams;
 
-/// Input of the viewpoint searches. Keeps references.
-struct Surroundings {
+/// What planning searches share: visibility estimates, free space, collision tests, and limits of
+/// the viewing direction. Keeps references.
+struct PlanningEnvironment {
     const ViewEstimator& views;
     const FreeSpace& free_space;
     const SweptSphere& sphere;
@@ -70,7 +71,7 @@ class SearchCache {
 /// Members that their group's view does not capture well get an observation point and view of their
 /// own. Points are searched independently, so that excluding one object leaves the views of the
 /// others unchanged. `memo` may be null. Error: Cancelled.
-Result<Viewpoints> searchViewpoints(const Surroundings& around,
+Result<Viewpoints> searchViewpoints(const PlanningEnvironment& environment,
                                     std::vector<ObservationPoint> observation_points,
                                     const ViewpointParams& params, int seed, const JobContext& job,
                                     SearchCache* memo = nullptr);

@@ -20,7 +20,7 @@ std::vector<Eigen::AlignedBox2d> imageBoxes(const ViewEstimator& views, const Po
     std::vector<Eigen::AlignedBox2d> boxes;
     for (const Object& object : views.scene().objects) {
         if (object.role != Role::Target || !mayCapture(views, pose, object.id)) continue;
-        const auto estimate = views.estimate(pose, object.id, kGlanceGrid);
+        const auto estimate = views.estimate(pose, object.id, kSparseGrid);
         if (estimate.visible_px > 0.0) boxes.push_back(estimate.visible_box);
     }
     return boxes;

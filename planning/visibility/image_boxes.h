@@ -11,7 +11,7 @@ namespace dollytrack::planning {
 class ViewEstimator;
 
 /// Rays per side of an object's extent where many frames are sampled.
-constexpr int kGlanceGrid = 7;
+constexpr int kSparseGrid = 7;
 
 /// Quick test without rays whether a view could capture the object: at least half of its extent
 /// lies in the image, and that part is large enough. Ignores occlusion. Targets only.

@@ -57,15 +57,15 @@ ScannedSurfaces::ScannedSurfaces(const Scene& scene) : scene_(&scene) {
     fronts_known_ = inwards >= kFacesInwards * area;
 }
 
-ScannedSurfaces::Met ScannedSurfaces::met(const RayHit& hit,
-                                          const Eigen::Vector3d& direction) const {
-    if (hit.object_id == 0 || isUnseenFloor(scene_->object(hit.object_id))) return Met::Nothing;
-    if (!fronts_known_) return Met::Front;
+ScannedSurfaces::HitSide ScannedSurfaces::hitSide(const RayHit& hit,
+                                                  const Eigen::Vector3d& direction) const {
+    if (hit.object_id == 0 || isUnseenFloor(scene_->object(hit.object_id))) return HitSide::Nothing;
+    if (!fronts_known_) return HitSide::Front;
     const Triangle& triangle = scene_->triangles[hit.triangle];
     const Eigen::Vector3f& a = scene_->positions[triangle[0]];
     const Eigen::Vector3f across =
         (scene_->positions[triangle[1]] - a).cross(scene_->positions[triangle[2]] - a);
-    return across.cast<double>().dot(direction) <= 0.0 ? Met::Front : Met::Back;
+    return across.cast<double>().dot(direction) <= 0.0 ? HitSide::Front : HitSide::Back;
 }
 
 }  // namespace dollytrack::planning

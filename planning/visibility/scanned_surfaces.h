@@ -25,11 +25,11 @@ class ScannedSurfaces {
     /// walls, floors and ceilings have large triangles.
     [[nodiscard]] bool isScan() const { return is_scan_; }
 
-    enum class Met { Nothing, Front, Back };
+    enum class HitSide { Nothing, Front, Back };
     /// Side of the surface that a ray with this direction hit. The floor added under a point cloud
     /// counts as Nothing. If the triangles do not mostly face the room's centre, their orientation
     /// is unreliable and every hit counts as Front.
-    [[nodiscard]] Met met(const RayHit& hit, const Eigen::Vector3d& direction) const;
+    [[nodiscard]] HitSide hitSide(const RayHit& hit, const Eigen::Vector3d& direction) const;
 
   private:
     const Scene* scene_;

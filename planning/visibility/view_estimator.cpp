@@ -69,15 +69,16 @@ struct ViewEstimator::Scratch {
 };
 
 ViewEstimator::Scratch& ViewEstimator::aimRays(const Pose& pose, const Eigen::AlignedBox2d& area,
-                                               double cell, const SlabHull::From& hull) const {
+                                               double cell,
+                                               const BoundingDop::FromOrigin& hull) const {
     const int columns = std::max(1, static_cast<int>(std::ceil(area.sizes().x() / cell)));
     const int rows = std::max(1, static_cast<int>(std::ceil(area.sizes().y() / cell)));
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
 
     // Skip rays that miss the hull, and end the others behind it. Work in blocks, so that
     // neighbours in the list are neighbours in the image.
-    constexpr int kBlock = SlabHull::From::kAtOnce;
-    SlabHull::From::Directions directions;
+    constexpr int kBlock = BoundingDop::FromOrigin::kAtOnce;
+    BoundingDop::FromOrigin::Directions directions;
     std::array<Eigen::Vector2d, kBlock> asked;
     std::array<Eigen::Vector3d, kBlock> ways;
     thread_local Scratch scratch;
@@ -116,7 +117,7 @@ ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const Ca
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         if (scene.objects[i].role == Role::Target) {
             extremes_[i] = extremePoints(scene, scene.objects[i]);
-            hulls_[i] = SlabHull(scene, scene.objects[i]);
+            hulls_[i] = BoundingDop(scene, scene.objects[i]);
         }
     });
 }
@@ -140,7 +141,7 @@ double ViewEstimator::scannedShare(const Pose& pose) const {
         const Eigen::Vector3d direction = pose.rotation * intrinsics_.unproject(x, y);
         const RayHit hit =
             rays_->cast(pose.position, direction, std::numeric_limits<double>::infinity(), near_m_);
-        shown += surfaces_.met(hit, direction) == ScannedSurfaces::Met::Front ? 1 : 0;
+        shown += surfaces_.hitSide(hit, direction) == ScannedSurfaces::HitSide::Front ? 1 : 0;
     }
     return static_cast<double>(shown) / (kAcross * kDown);
 }
@@ -221,7 +222,8 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     if (!area) return {};
     if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
     const double cell = cellFor(*area, grid);
-    const SlabHull::From hull(hulls_[static_cast<std::size_t>(object_id) - 1], pose.position);
+    const BoundingDop::FromOrigin hull(hulls_[static_cast<std::size_t>(object_id) - 1],
+                                       pose.position);
     return trace(pose, object_id, cell, aimRays(pose, *area, cell, hull));
 }
 
@@ -233,7 +235,8 @@ ViewEstimator::Estimate ViewEstimator::estimateClosely(const Pose& pose, int obj
     const auto area = extent(pose, object_id);
     if (!area) return {};
     if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
-    const SlabHull::From hull(hulls_[static_cast<std::size_t>(object_id) - 1], pose.position);
+    const BoundingDop::FromOrigin hull(hulls_[static_cast<std::size_t>(object_id) - 1],
+                                       pose.position);
     const auto aim = [&](double sides) -> Scratch& {
         return aimRays(pose, *area, cellFor(*area, sides), hull);
     };

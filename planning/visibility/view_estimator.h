@@ -5,8 +5,8 @@
 #include "engine/math/pose.h"
 #include "engine/plan/capture.h"
 #include "engine/scene/scene.h"
+#include "planning/visibility/bounding_dop.h"
 #include "planning/visibility/scanned_surfaces.h"
-#include "planning/visibility/slab_hull.h"
 
 #include <Eigen/Geometry>
 
@@ -81,7 +81,7 @@ class ViewEstimator {
     struct Scratch;
     /// Creates one ray per cell that meets the object's hull.
     Scratch& aimRays(const Pose& pose, const Eigen::AlignedBox2d& area, double cell,
-                     const SlabHull::From& hull) const;
+                     const BoundingDop::FromOrigin& hull) const;
     [[nodiscard]] Estimate trace(const Pose& pose, int object_id, double cell,
                                  Scratch& scratch) const;
 
@@ -91,7 +91,7 @@ class ViewEstimator {
     Intrinsics intrinsics_;
     double near_m_;
     std::vector<std::vector<Eigen::Vector3d>> extremes_;
-    std::vector<SlabHull> hulls_;
+    std::vector<BoundingDop> hulls_;
 };
 
 /// Converts an estimate to the view of an object in a frame.

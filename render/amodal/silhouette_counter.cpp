@@ -66,7 +66,7 @@ Result<SilhouetteCounter> SilhouetteCounter::create() {
 
 Status SilhouetteCounter::start(const GpuScene& scene, const View& view,
                                 std::span<const int> object_ids, int beyond) {
-    asked_.assign(object_ids.size(), {});
+    pixel_queries_.assign(object_ids.size(), {});
     next_query_ = 0;
     if (object_ids.empty()) return {};
     const int width = view.intrinsics.width;
@@ -89,15 +89,16 @@ Status SilhouetteCounter::start(const GpuScene& scene, const View& view,
         if (scene.bounds[object].isEmpty()) continue;
         const PixelRect rect = projectBox(scene.bounds[object], view, limits);
         if (rect.width() <= 0 || rect.height() <= 0) continue;
-        asked_[i] = ask(view, scene.whole_objects[object], rect, limits);
+        pixel_queries_[i] = ask(view, scene.whole_objects[object], rect, limits);
     }
     glDepthRange(0.0, 1.0);
     glDisable(GL_DEPTH_TEST);
     return gl::checkErrors("counting silhouettes");
 }
 
-SilhouetteCounter::Asked SilhouetteCounter::ask(const View& view, const Piece& piece,
-                                                const PixelRect& rect, const PixelRect& limits) {
+SilhouetteCounter::PixelQueries SilhouetteCounter::ask(const View& view, const Piece& piece,
+                                                       const PixelRect& rect,
+                                                       const PixelRect& limits) {
     const PixelRect image{0, 0, view.intrinsics.width, view.intrinsics.height};
     small_.resize(image.width(), image.height());
     if (rect.width() <= image.width() && rect.height() <= image.height()) {
@@ -149,7 +150,7 @@ std::uint64_t SilhouetteCounter::resultOf(int query) const {
 
 std::vector<std::uint64_t> SilhouetteCounter::finish() {
     std::vector<std::uint64_t> counts;
-    for (const Asked& asked : asked_) {
+    for (const PixelQueries& asked : pixel_queries_) {
         const std::uint64_t outside =
             resultOf(asked.sixteenths) - resultOf(asked.sixteenths_inside);
         counts.push_back(resultOf(asked.pixels) + kStep * kStep * outside);

@@ -41,13 +41,14 @@ class SilhouetteCounter {
     };
 
     /// Occlusion queries that make up an object's count; -1: none.
-    struct Asked {
+    struct PixelQueries {
         int pixels = -1;
         int sixteenths = -1;
         int sixteenths_inside = -1;  // the part of `sixteenths` that `pixels` counts already
     };
 
-    Asked ask(const View& view, const Piece& piece, const PixelRect& rect, const PixelRect& limits);
+    PixelQueries ask(const View& view, const Piece& piece, const PixelRect& rect,
+                     const PixelRect& limits);
     /// Draws a piece in a part of the view, or in a rectangle of it. @return index of the query
     /// that counts its pixels
     int count(const View& part, const Piece& piece, Canvas& canvas,
@@ -59,7 +60,7 @@ class SilhouetteCounter {
     Canvas large_;
     std::vector<gl::Query> queries_;  // reused
     int next_query_ = 0;
-    std::vector<Asked> asked_;  // in the order of the ids
+    std::vector<PixelQueries> pixel_queries_;  // in the order of the ids
 };
 
 }  // namespace dollytrack::render

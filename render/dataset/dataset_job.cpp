@@ -18,7 +18,7 @@ namespace dollytrack::render {
 struct DatasetJob::Impl : FrameDrawing {
     using FrameDrawing::FrameDrawing;
     std::optional<DatasetFolder> folder;
-    std::optional<Counted> already_counted;  // the folder contains the complete dataset
+    std::optional<RecordedResults> recorded_results;  // the folder contains the complete dataset
     std::optional<FrameLedger> ledger;
     std::optional<FrameWriter> writer;  // its threads report to the ledger
 
@@ -70,9 +70,9 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     if (order.contents.pictureModality().is_picture) {
         summary.contact_sheet = settings.folder / "contact_sheet.jpg";
     }
-    if (already_counted) {
-        summary.counted = already_counted->captures;
-        summary.pictures = already_counted->pictures;
+    if (recorded_results) {
+        summary.counted = recorded_results->captures;
+        summary.pictures = recorded_results->pictures;
         if (Status status = folder->release(); !status) return tl::unexpected(status.error());
         return summary;
     }
@@ -141,15 +141,15 @@ Result<DatasetJob> DatasetJob::begin(std::unique_ptr<gl::Context> context, const
     }
 
     const DatasetIdentity identity = identityOf(impl->order, impl->settings, origin);
-    Earlier earlier;
+    EarlierExport earlier;
     if (impl->settings.resume) {
-        Result<Earlier> found =
-            findEarlier(*impl->folder, impl->order, identity, job.stage(0.0, 0.3, "checking"));
+        Result<EarlierExport> found = findEarlierExport(*impl->folder, impl->order, identity,
+                                                        job.stage(0.0, 0.3, "checking"));
         if (!found) return tl::unexpected(found.error());
         earlier = std::move(*found);
     }
     if (earlier.complete) {
-        impl->already_counted = earlier.complete;
+        impl->recorded_results = earlier.complete;
         return DatasetJob(std::move(impl));
     }
     std::map<int, std::vector<ObjectView>> restored;

@@ -69,8 +69,8 @@ std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
 }
 
 /// Compares a complete dataset with the wanted one as far as possible without rendering.
-Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
-                              const JobContext& job) {
+Result<RecordedResults> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
+                                      const JobContext& job) {
     const Json found = readCard(folder);
     if (!found.is_object()) return damaged(folder, "dataset.json", 1);
     std::string differing;
@@ -107,7 +107,7 @@ Result<Counted> checkComplete(const DatasetFolder& folder, const DatasetOrder& o
         const Json& metrics = found.at("metrics");
         const Result<CaptureMetrics> captures = captureMetricsFromJson(metrics.at("counted"));
         if (!captures) return damaged(folder, "dataset.json", 1);
-        Counted counted{*captures, {}};
+        RecordedResults counted{*captures, {}};
         if (metrics.contains("pictures")) {  // older datasets lack it
             counted.pictures = pictureTallyFrom(metrics["pictures"]);
         }
@@ -127,14 +127,14 @@ std::set<std::string> filesOf(const std::map<int, JournalEntry>& entries) {
     return files;
 }
 
-Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& order,
-                            const DatasetIdentity& identity, const JobContext& job) {
-    Earlier earlier;
+Result<EarlierExport> findEarlierExport(const DatasetFolder& folder, const DatasetOrder& order,
+                                        const DatasetIdentity& identity, const JobContext& job) {
+    EarlierExport earlier;
     JournalContents& journal = earlier.journal;
     journal = readJournal(folder.folder());
     const bool begun = journal.identity.has_value();
     if (folder.isComplete() && !(begun && folder.isStaged())) {
-        const Result<Counted> counted = checkComplete(folder, order, job);
+        const Result<RecordedResults> counted = checkComplete(folder, order, job);
         if (counted) {
             log::info("export", "the dataset in the folder is complete and undamaged");
             earlier.complete = *counted;
@@ -148,7 +148,7 @@ Result<Earlier> findEarlier(const DatasetFolder& folder, const DatasetOrder& ord
     }
     if (!begun) {
         log::info("export", "there is nothing to resume in the folder; starting a new export");
-        return Earlier{};
+        return EarlierExport{};
     }
     if (*journal.identity != identity) {
         return fail(ErrorCode::Usage,

@@ -1,6 +1,6 @@
 #include "render/dataset/modalities.h"
 
-#include "render/dataset/choice.h"
+#include "render/dataset/name_selection.h"
 #include "render/encoders/encoders.h"
 
 #include <nlohmann/json.hpp>

@@ -21,13 +21,13 @@ enum class PictureQuality : std::uint8_t { Usable, Dark, White, Flat };
 inline constexpr std::array<std::string_view, 4> kPictureQualities = {"usable", "dark", "white",
                                                                       "flat"};
 
-/// Judges an sRGB image, 3 bytes per pixel, row 0 at the top.
+/// Classifies an sRGB image, 3 bytes per pixel, row 0 at the top.
 [[nodiscard]] PictureQuality pictureQuality(int width, int height,
                                             std::span<const std::uint8_t> rgb);
 
 /// The indices of the frames of a dataset whose images are unusable.
 struct PictureTally {
-    int pictures = 0;  // number of images judged; 0 without the modality rgb
+    int pictures = 0;  // number of images classified; 0 without the modality rgb
     std::vector<int> dark;
     std::vector<int> white;
     std::vector<int> flat;

@@ -1,6 +1,6 @@
 #include "render/draw/crack_filling.h"
 
-#include "render/draw/seen_normal.h"
+#include "render/draw/shading_normal.h"
 
 #include <Eigen/Geometry>
 
@@ -165,8 +165,8 @@ void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context,
         const ViewRay ray = rayThrough(view, crack.pixel);
         normal = crack.object_id == 0
                      ? Eigen::Vector3f(Eigen::Vector3f::Zero())
-                     : Eigen::Vector3f(seenNormal(context.contents.scene, to_rest, crack.hit,
-                                                  ray.origin, ray.direction)
+                     : Eigen::Vector3f(shadingNormal(context.contents.scene, to_rest, crack.hit,
+                                                     ray.origin, ray.direction)
                                            .cast<float>());
     }
 }

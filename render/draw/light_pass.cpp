@@ -82,7 +82,7 @@ Status LightPass::setLight(const LightVolume& light) {
     const std::vector<Eigen::Vector3f> none(light.ambient.size(), Eigen::Vector3f::Zero());
     ambient_ = uploadVolume(light, light.ambient);
     slope_ = uploadVolume(light, light.slope.empty() ? none : light.slope);
-    lamps_ = uploadVolume(light, light.lamps, light.own_share);
+    lamps_ = uploadVolume(light, light.lamps, light.scene_lamp_share);
     sky_ = uploadSky(light.backdrop_factor, light.backdrop_grey);
     keep(light);
     sun_shadow_.reset();
@@ -111,7 +111,7 @@ void LightPass::keep(const LightVolume& light) {
     light_.ambient.clear();
     light_.slope.clear();
     light_.lamps.clear();
-    light_.own_share.clear();
+    light_.scene_lamp_share.clear();
 }
 
 void LightPass::setReflections(const std::vector<Eigen::Vector4f>& image, const View& view,
@@ -168,10 +168,10 @@ void LightPass::drawOcclusion(const GpuScene& scene, const View& view, RenderTar
 }
 
 void LightPass::drawOcclusion(const GpuScene& scene, const View& view,
-                              const MultisampleBuffer& looks, RenderTarget& target) {
+                              const MultisampleBuffer& samples, RenderTarget& target) {
     const unsigned program = occlusion_.get((scene.has_maps ? kMaps : 0U) | kFirstLook);
-    glBindTextureUnit(1, looks.normal_.get());
-    glBindTextureUnit(2, looks.depth_.get());
+    glBindTextureUnit(1, samples.normal_.get());
+    glBindTextureUnit(2, samples.depth_.get());
     setDepthSpan(program, 4, view);
     drawOcclusion(view, program, target);
 }
@@ -216,7 +216,7 @@ void LightPass::setLightOf(const View& view, float shine, unsigned program, Rend
                        static_cast<float>(target.height()));
     glProgramUniform1f(program, 10,
                        std::numbers::pi_v<float> * light_.exposure * light_.dimmed * shine);
-    glProgramUniform3fv(program, 24, 1, light_.own_color.data());
+    glProgramUniform3fv(program, 24, 1, light_.scene_lamp_color.data());
     if (sun_shadow_) sun_shadow_->use(program);
     if (reflects_) glBindTextureUnit(14, reflections_.get());
     glBindTextureUnit(0, target.color_.get());
@@ -241,12 +241,12 @@ void LightPass::drawSum(RenderTarget& target, unsigned program) {
     glBindTextureUnit(0, 0);
 }
 
-void LightPass::addLooks(const View& view, float shine, float share, const MultisampleBuffer& looks,
-                         RenderTarget& target) {
+void LightPass::addSamples(const View& view, float shine, float share,
+                           const MultisampleBuffer& samples, RenderTarget& target) {
     std::array<float, 2 * MultisampleBuffer::kSamplesPerPixel> aside{};
     for (std::size_t i = 0; i < MultisampleBuffer::kSamplesPerPixel; ++i) {
-        aside[2 * i] = static_cast<float>(looks.offsets()[i].x());
-        aside[2 * i + 1] = static_cast<float>(looks.offsets()[i].y());
+        aside[2 * i] = static_cast<float>(samples.offsets()[i].x());
+        aside[2 * i + 1] = static_cast<float>(samples.offsets()[i].y());
     }
     // The first pass shades agreeing pixels and marks them in the depth buffer; the second pass
     // shades the pixels without a mark.
@@ -260,9 +260,9 @@ void LightPass::addLooks(const View& view, float shine, float share, const Multi
         glProgramUniform1f(program, 11, share);
         glProgramUniform2fv(program, 25, MultisampleBuffer::kSamplesPerPixel, aside.data());
         setDepthSpan(program, 12, view);
-        glBindTextureUnit(0, looks.color_.get());
-        glBindTextureUnit(1, looks.normal_.get());
-        glBindTextureUnit(2, looks.depth_.get());
+        glBindTextureUnit(0, samples.color_.get());
+        glBindTextureUnit(1, samples.normal_.get());
+        glBindTextureUnit(2, samples.depth_.get());
         drawSum(target, program);
     }
     glDisable(GL_DEPTH_TEST);
@@ -281,8 +281,8 @@ void LightPass::addLight(const View& view, float shine, const LightSum& sum, Ren
     glProgramUniform1f(program, 15, static_cast<float>(sum.distortion.k3));
     // In units of the time between exposure samples, which keeps the numbers small.
     if (sum.s_per_bent > 0.0) {
-        set(16, sum.s_per_bent / sum.look_step_s, -sum.after_s / sum.look_step_s,
-            0.5 * sum.row_exposure_s / sum.look_step_s, 0.0);
+        set(16, sum.s_per_bent / sum.sample_step_s, -sum.after_s / sum.sample_step_s,
+            0.5 * sum.row_exposure_s / sum.sample_step_s, 0.0);
     } else {
         set(16, 0.0, 0.0, 0.5, 0.0);
     }

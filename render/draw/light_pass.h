@@ -44,15 +44,15 @@ class LightPass {
     /// Screen-space ambient occlusion (SSAO) of the surfaces in the target, at half resolution.
     void drawOcclusion(const GpuScene& scene, const View& view, RenderTarget& target);
     /// The same for the first sample of a multisampled surface buffer.
-    void drawOcclusion(const GpuScene& scene, const View& view, const MultisampleBuffer& looks,
+    void drawOcclusion(const GpuScene& scene, const View& view, const MultisampleBuffer& samples,
                        RenderTarget& target);
 
     /// Shades the target's surface buffer. `shine` is SurfacePass::shine().
     void drawPicture(const View& view, float shine, RenderTarget& target);
     /// Adds a multisampled surface buffer to the target's sum, each sample with weight `share`.
     /// Pixels whose samples agree are shaded once.
-    void addLooks(const View& view, float shine, float share, const MultisampleBuffer& looks,
-                  RenderTarget& target);
+    void addSamples(const View& view, float shine, float share, const MultisampleBuffer& samples,
+                    RenderTarget& target);
     /// Adds the target's surface buffer as linear light before the tone curve; see LightSum.
     void addLight(const View& view, float shine, const LightSum& sum, RenderTarget& target);
 

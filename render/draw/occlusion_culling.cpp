@@ -50,7 +50,7 @@ Result<OcclusionCulling> OcclusionCulling::create() {
 
 void OcclusionCulling::start(const GpuScene& scene, const View& view,
                              const std::vector<bool>& in_view) {
-    asked_.clear();
+    occlusion_tests_.clear();
     hidden_ = 0;
     answered_ = true;
     std::uint32_t triangles = 0;
@@ -67,15 +67,15 @@ void OcclusionCulling::start(const GpuScene& scene, const View& view,
         if (!in_view[i] || scene.whole_objects[i].index_count / 3 < kLarge) continue;
         const std::optional<Eigen::AlignedBox3f> box = boxToAsk(scene.bounds[i], view);
         if (!box) continue;
-        if (asked_.size() == queries_.size()) {
+        if (occlusion_tests_.size() == queries_.size()) {
             queries_.push_back(gl::createQuery(GL_ANY_SAMPLES_PASSED));
         }
         glProgramUniform3fv(box_.get(), 4, 1, box->min().data());
         glProgramUniform3fv(box_.get(), 5, 1, box->max().data());
-        glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[asked_.size()].get());
+        glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[occlusion_tests_.size()].get());
         glDrawArrays(GL_TRIANGLES, 0, 36);
         glEndQuery(GL_ANY_SAMPLES_PASSED);
-        asked_.push_back({i});
+        occlusion_tests_.push_back({i});
     }
     for (unsigned i = 0; i < kImages; ++i) glColorMaski(i, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
@@ -84,14 +84,14 @@ void OcclusionCulling::start(const GpuScene& scene, const View& view,
 }
 
 void OcclusionCulling::takeHidden(std::vector<bool>& in_view) {
-    for (std::size_t i = 0; i < asked_.size() && !answered_; ++i) {
+    for (std::size_t i = 0; i < occlusion_tests_.size() && !answered_; ++i) {
         GLuint seen = 0;
         glGetQueryObjectuiv(queries_[i].get(), GL_QUERY_RESULT, &seen);
-        asked_[i].hidden = seen == 0;
+        occlusion_tests_[i].hidden = seen == 0;
         hidden_ += seen == 0 ? 1 : 0;
     }
     answered_ = true;
-    for (const Asked& asked : asked_) {
+    for (const OcclusionTest& asked : occlusion_tests_) {
         if (asked.hidden) in_view[asked.object] = false;
     }
 }

@@ -29,7 +29,7 @@ class OcclusionCulling {
     [[nodiscard]] int hidden() const { return hidden_; }
 
   private:
-    struct Asked {
+    struct OcclusionTest {
         std::size_t object;  // id - 1
         bool hidden = false;
     };
@@ -37,7 +37,7 @@ class OcclusionCulling {
     gl::Program box_;
     gl::VertexArray no_vertices_;
     std::vector<gl::Query> queries_;  // reused
-    std::vector<Asked> asked_;
+    std::vector<OcclusionTest> occlusion_tests_;
     bool answered_ = true;
     int hidden_ = 0;
 };

@@ -57,11 +57,11 @@ Result<RenderTarget> RenderTarget::create(int width, int height) {
     glNamedFramebufferTexture(labels, outputs[3], images[3], 0);
     glNamedFramebufferTexture(labels, outputs[4], images[4], 0);
     glNamedFramebufferTexture(labels, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
-    target.looks_frame_ = gl::createFramebuffer();
-    const unsigned looks = target.looks_frame_.get();
-    for (unsigned i = 0; i < 3; ++i) glNamedFramebufferTexture(looks, outputs[i], images[i], 0);
-    glNamedFramebufferTexture(looks, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
-    glNamedFramebufferDrawBuffers(looks, 3, outputs.data());
+    target.shading_frame_ = gl::createFramebuffer();
+    const unsigned shading = target.shading_frame_.get();
+    for (unsigned i = 0; i < 3; ++i) glNamedFramebufferTexture(shading, outputs[i], images[i], 0);
+    glNamedFramebufferTexture(shading, GL_DEPTH_ATTACHMENT, target.z_buffer_.get(), 0);
+    glNamedFramebufferDrawBuffers(shading, 3, outputs.data());
     outputs[0] = outputs[1] = outputs[2] = GL_NONE;
     glNamedFramebufferDrawBuffers(labels, outputs.size(), outputs.data());
     target.occlusion_frame_ = frameOver(target.occlusion_);

@@ -69,7 +69,7 @@ class RenderTarget {
     gl::Texture marks_;  // depth buffer that marks pixels already shaded
     gl::Texture picture_;
     gl::Framebuffer surfaces_frame_;
-    gl::Framebuffer looks_frame_;   // colour, normal and surface depth only
+    gl::Framebuffer shading_frame_;  // colour, normal and surface depth only
     gl::Framebuffer labels_frame_;  // label depth and ids only
     gl::Framebuffer occlusion_frame_;
     gl::Framebuffer soft_frame_;

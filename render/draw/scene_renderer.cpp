@@ -45,7 +45,7 @@ struct SceneRenderer::Impl {
     SurfacePass surfaces;
     OcclusionCulling culling;
     LightPass light;
-    std::map<std::pair<int, int>, MultisampleBuffer> looks;  // by width and height
+    std::map<std::pair<int, int>, MultisampleBuffer> multisample_buffers;  // by width and height
     SilhouetteCounter silhouettes;
     AmodalMaskRenderer amodal_masks;
     std::map<int, RestingObject> resting;  // uploaded state of the objects that were moved
@@ -74,25 +74,27 @@ struct SceneRenderer::Impl {
         if (labels) {
             surfaces.drawSurfaces(scene, view, target);
         } else {
-            surfaces.drawLook(scene, view, target);
+            surfaces.drawShading(scene, view, target);
         }
         light.drawOcclusion(scene, view, target);
         light.drawPicture(view, surfaces.shine(), target);
         light.smoothEdges(target);
     }
 
-    Result<MultisampleBuffer*> looksOf(int width, int height) {
-        const auto known = looks.find({width, height});
-        if (known != looks.end()) return &known->second;
+    Result<MultisampleBuffer*> multisampleBufferOf(int width, int height) {
+        const auto known = multisample_buffers.find({width, height});
+        if (known != multisample_buffers.end()) return &known->second;
         Result<MultisampleBuffer> made = MultisampleBuffer::create(width, height);
         if (!made) return tl::unexpected(made.error());
-        return &looks.emplace(std::pair(width, height), std::move(*made)).first->second;
+        return &multisample_buffers.emplace(std::pair(width, height), std::move(*made))
+                    .first->second;
     }
 
     /// Draws the mean of several samples per pixel.
-    Status drawLooks(const View& view, std::span<const Eigen::Vector2d> shifts,
-                     RenderTarget& target) {
-        const Result<MultisampleBuffer*> images = looksOf(target.width(), target.height());
+    Status drawMultisampled(const View& view, std::span<const Eigen::Vector2d> shifts,
+                            RenderTarget& target) {
+        const Result<MultisampleBuffer*> images =
+            multisampleBufferOf(target.width(), target.height());
         if (!images) return tl::unexpected(images.error());
         const std::array<float, 4> zero{};
         target.makeSum();
@@ -101,10 +103,10 @@ struct SceneRenderer::Impl {
             1.0F / static_cast<float>(MultisampleBuffer::kSamplesPerPixel * shifts.size());
         for (std::size_t i = 0; i < shifts.size(); ++i) {
             const View shifted = shiftedBy(shifts[i], view);
-            surfaces.drawLooks(scene, shifted, culling, **images);
+            surfaces.drawMultisampled(scene, shifted, culling, **images);
             // Ambient occlusion is blurred, so one sample's result serves all.
             if (i == 0) light.drawOcclusion(scene, shifted, **images, target);
-            light.addLooks(shifted, surfaces.shine(), share, **images, target);
+            light.addSamples(shifted, surfaces.shine(), share, **images, target);
         }
         light.encodeSum(target);
         return {};
@@ -127,7 +129,7 @@ struct SceneRenderer::Impl {
         const int count = sum.last_row - first + kBeyond;
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, first, target.width(), count);
-        surfaces.drawLook(scene, view, target);
+        surfaces.drawShading(scene, view, target);
         glScissor(0, first / 2, target.width(), count / 2 + 1);
         light.drawOcclusion(scene, view, target);
         glScissor(0, sum.first_row, target.width(), sum.last_row - sum.first_row);
@@ -186,7 +188,7 @@ Status SceneRenderer::draw(const View& view, RenderTarget& target, SurfaceTarget
     if (Status status = impl_->prepare(view, 0, target.height()); !status) return status;
     if (const auto shifts = shiftsOf(view.antialias); !shifts.empty()) {
         impl_->drawLabels(view, true, target, surfaces);
-        if (Status status = impl_->drawLooks(view, shifts, target); !status) return status;
+        if (Status status = impl_->drawMultisampled(view, shifts, target); !status) return status;
     } else {
         impl_->drawPicture(view, surfaces == nullptr, target);
         if (surfaces != nullptr) impl_->drawLabels(view, false, target, surfaces);
@@ -207,8 +209,8 @@ Status SceneRenderer::beginLight(RenderTarget& target) {
     glClearNamedFramebufferfv(target.sum_frame_.get(), GL_COLOR, 0, zero.data());
     // Later passes on part of the rows sample the rows around them; clear what earlier frames left
     // there.
-    glClearNamedFramebufferfv(target.looks_frame_.get(), GL_COLOR, 1, zero.data());
-    glClearNamedFramebufferfv(target.looks_frame_.get(), GL_COLOR, 2, zero.data());
+    glClearNamedFramebufferfv(target.shading_frame_.get(), GL_COLOR, 1, zero.data());
+    glClearNamedFramebufferfv(target.shading_frame_.get(), GL_COLOR, 2, zero.data());
     glClearNamedFramebufferfv(target.occlusion_frame_.get(), GL_COLOR, 0, zero.data());
     glClearNamedFramebufferfv(target.soft_frame_.get(), GL_COLOR, 0, zero.data());
     return gl::checkErrors("preparing to add light");
@@ -237,7 +239,7 @@ void SceneRenderer::place(int object_id, const Eigen::Isometry3d& motion) {
 
 Status SceneRenderer::reserve(int width, int height, Antialias antialias) {
     if (shiftsOf(antialias).empty()) return {};
-    const Result<MultisampleBuffer*> images = impl_->looksOf(width, height);
+    const Result<MultisampleBuffer*> images = impl_->multisampleBufferOf(width, height);
     return images ? Status() : tl::unexpected(images.error());
 }
 

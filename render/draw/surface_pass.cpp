@@ -126,16 +126,16 @@ void SurfacePass::drawSurfaces(const GpuScene& scene, const View& view, RenderTa
     glDisable(GL_DEPTH_TEST);
 }
 
-void SurfacePass::drawLook(const GpuScene& scene, const View& view, RenderTarget& target) {
-    begin(scene, target.looks_frame_, target.width(), target.height(), {0, 1, 2});
+void SurfacePass::drawShading(const GpuScene& scene, const View& view, RenderTarget& target) {
+    begin(scene, target.shading_frame_, target.width(), target.height(), {0, 1, 2});
     const std::vector<bool> visible = objectsInView(scene, view);
     drawOpaque(scene, view, visible, Use::Picture);
     tintByGlass(scene, view, visible);
     glDisable(GL_DEPTH_TEST);
 }
 
-void SurfacePass::drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
-                            const MultisampleBuffer& images) {
+void SurfacePass::drawMultisampled(const GpuScene& scene, const View& view,
+                                   OcclusionCulling& culling, const MultisampleBuffer& images) {
     begin(scene, images.frame_, view.intrinsics.width, view.intrinsics.height, {0, 1});
     glMinSampleShading(1.0F);
     std::vector<bool> visible = objectsInView(scene, view);

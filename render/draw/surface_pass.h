@@ -36,10 +36,10 @@ class SurfacePass {
     /// Draws everything that shading needs, and labels.
     void drawSurfaces(const GpuScene& scene, const View& view, RenderTarget& target);
     /// Draws everything that shading needs, without labels.
-    void drawLook(const GpuScene& scene, const View& view, RenderTarget& target);
+    void drawShading(const GpuScene& scene, const View& view, RenderTarget& target);
     /// Draws the multisampled surface buffer, without the objects that `culling` found hidden.
-    void drawLooks(const GpuScene& scene, const View& view, OcclusionCulling& culling,
-                   const MultisampleBuffer& images);
+    void drawMultisampled(const GpuScene& scene, const View& view, OcclusionCulling& culling,
+                          const MultisampleBuffer& images);
     /// Draws label depth and ids only. Starts the occlusion queries if `culling` is given.
     void drawLabels(const GpuScene& scene, const View& view, OcclusionCulling* culling,
                     RenderTarget& target);

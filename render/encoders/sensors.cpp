@@ -47,12 +47,12 @@ FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame
 }
 
 FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame) {
-    const DepthScene scene = {context.contents.sourceFrame(frame.index),
-                              makeIntrinsics(context.contents.camera),
-                              frame.pose.rotation,
-                              frame.depth_m,
-                              frame.normals_in_world,
-                              frame.albedo};
+    const DepthNoiseInput scene = {context.contents.sourceFrame(frame.index),
+                                   makeIntrinsics(context.contents.camera),
+                                   frame.pose.rotation,
+                                   frame.depth_m,
+                                   frame.normals_in_world,
+                                   frame.albedo};
     return oneFile(
         frameFile("depth_sensor", frame.index),
         io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,

@@ -34,7 +34,7 @@ FrameLights::FrameLights(const Scene& scene, const RayCaster& rays,
     if (!variesByFrame(light)) return;
     LightRig dark = rig_;
     dark.lamp_factor = dark.emission_factor = 0.0F;
-    dark.own_lamps.clear();
+    dark.scene_lamps.clear();
     dark.sky_factor.setZero();
     dark.sun.irradiance.setZero();
     std::vector<std::pair<Source, LightRig>> wanted;
@@ -43,7 +43,7 @@ FrameLights::FrameLights(const Scene& scene, const RayCaster& rays,
     };
     if (rig_.lamp_factor > 0.0F) {
         LightRig& lamps = want(Source::Lamps);
-        lamps.own_lamps = rig_.own_lamps;
+        lamps.scene_lamps = rig_.scene_lamps;
         lamps.lamp_factor = 1.0F;
         lamps.lamp_color.setOnes();
     }

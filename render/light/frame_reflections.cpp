@@ -30,7 +30,7 @@ const TracedReflections* FrameReflections::at(int frame) {
     still->light =
         lights_.vary() ? lights_.volumeAt(context_.contents.sourceFrame(frame)) : lights_.volume();
     still->light.lamps = lights_.volume().lamps;
-    still->light.own_share = lights_.volume().own_share;
+    still->light.scene_lamp_share = lights_.volume().scene_lamp_share;
     still->reflections.emplace(context_.contents.scene, *still->rays, still->light,
                                still->shape ? &*still->shape : nullptr);
     place = std::move(still);

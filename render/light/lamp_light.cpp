@@ -27,7 +27,7 @@ class OwnLampGatherer {
         Random random(18, cell);
         const Eigen::Vector3d from = cells_.center(cell);
         std::vector<std::pair<double, const SceneLamp*>> near;  // sorted by unshadowed strength
-        for (const SceneLamp& lamp : rig_.own_lamps) {
+        for (const SceneLamp& lamp : rig_.scene_lamps) {
             const double squared = (lamp.position - from).squaredNorm();
             if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
         }
@@ -149,9 +149,9 @@ Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
     return sum.cast<float>();
 }
 
-std::vector<Eigen::Vector3f> ownLampsByCell(const LightRig& rig, const RayCaster& rays,
-                                            const IrradianceGrid& cells,
-                                            const LightBounces& bounces, const JobContext& job) {
+std::vector<Eigen::Vector3f> sceneLampsByCell(const LightRig& rig, const RayCaster& rays,
+                                              const IrradianceGrid& cells,
+                                              const LightBounces& bounces, const JobContext& job) {
     std::vector<Eigen::Vector3f> result(cells.count());
     const OwnLampGatherer gatherer(rig, rays, cells, bounces);
     parallelRanges(result.size(), 64, [&](std::size_t begin, std::size_t end) {

@@ -1,7 +1,7 @@
 #include "render/light/light_cache.h"
 
 #include "engine/core/program_file.h"
-#include "engine/io/files/cache_room.h"
+#include "engine/io/files/cache_eviction.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/user_cache.h"
@@ -99,9 +99,9 @@ void visitVolume(Visit& visit, Volume& volume) {
     visit(volume.ambient);
     visit(volume.slope);
     visit(volume.lamps);
-    visit(volume.own_share);
+    visit(volume.scene_lamp_share);
     visit(volume.lamp_color);
-    visit(volume.own_color);
+    visit(volume.scene_lamp_color);
     visit(volume.dimmed);
     visit(volume.exposure);
     visit(volume.lamps_shine);
@@ -118,8 +118,8 @@ void writeRig(Writer& write, const LightRig& rig) {
         write(lamp.radius_m);
         write(lamp.intensity);
     }
-    write(std::uint64_t{rig.own_lamps.size()});
-    for (const SceneLamp& lamp : rig.own_lamps) {
+    write(std::uint64_t{rig.scene_lamps.size()});
+    for (const SceneLamp& lamp : rig.scene_lamps) {
         write(lamp.position);
         write(lamp.radius_m);
         write(lamp.intensity);

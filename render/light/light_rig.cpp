@@ -196,8 +196,8 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
     }
     const std::vector<Lamp> more = lampsForUnlitAreas(scene, rays, boxes, rig.lamps);
     rig.lamps.insert(rig.lamps.end(), more.begin(), more.end());
-    if (light.own_lamps > 0.0F) rig.own_lamps = findSceneLamps(scene, rays, taken);
-    for (SceneLamp& lamp : rig.own_lamps) lamp.intensity *= light.own_lamps;
+    if (light.own_lamps > 0.0F) rig.scene_lamps = findSceneLamps(scene, rays, taken);
+    for (SceneLamp& lamp : rig.scene_lamps) lamp.intensity *= light.own_lamps;
     rig.sun.shades = scene.room_bounds;
     rig.sun.shades.min().array() -= kShadesBeyond;
     rig.sun.shades.max().array() += kShadesBeyond;

@@ -51,7 +51,7 @@ constexpr double kSunRadius = 0.00465;
 /// lights, so rooms are given lamps. Radiance is in units of lamp intensity.
 struct LightRig {
     std::vector<Lamp> lamps;
-    std::vector<SceneLamp> own_lamps;
+    std::vector<SceneLamp> scene_lamps;
     Eigen::Vector3f lamp_color = {1.0F, 0.93F, 0.83F};  // linear; warm
     Eigen::Vector3f sky_color = {0.80F, 0.93F, 1.15F};  // through windows and open sides; cool
     double sky_strength = 0.8;
@@ -74,7 +74,7 @@ struct LightRig {
     /// Colour times strength of the room lamps.
     [[nodiscard]] Eigen::Vector3f lampLight() const { return lamp_color * lamp_factor; }
     /// Colour times strength of the scene's own lamps.
-    [[nodiscard]] Eigen::Vector3f ownLampLight() const {
+    [[nodiscard]] Eigen::Vector3f sceneLampLight() const {
         return lampLight().cwiseProduct(Eigen::Vector3f(kOwnTint[0], kOwnTint[1], kOwnTint[2]));
     }
 
@@ -99,7 +99,7 @@ struct LightRig {
 void setLight(LightRig& rig, const ResolvedLight& light);
 
 /// Places one lamp below the centre of each room's ceiling, several in large rooms; a scene lamp
-/// that hangs nearby determines the position. All other lamps of the scene become own_lamps. Dark
+/// that hangs nearby determines the position. All other lamps of the scene become scene_lamps. Dark
 /// parts get more lamps, see lampsForUnlitAreas(). `rooms` are room boxes; if there are none,
 /// scene.room_bounds is used. Then `light` is applied.
 [[nodiscard]] LightRig makeLightRig(const Scene& scene, const RayCaster& rays,

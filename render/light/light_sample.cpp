@@ -56,8 +56,9 @@ Eigen::Vector3f irradianceAt(const LightVolume& light, const Eigen::Vector3d& po
     const Around cells(light, position + light.cell_m * normal);
     const Eigen::Vector3f n = normal.cast<float>();
     const Eigen::Vector3f lamps = cells.mean(light.lamps);
-    const float own = cells.mean(light.own_share);
-    const Eigen::Vector3f lamp_light = (1.0F - own) * light.lamp_color + own * light.own_color;
+    const float own = cells.mean(light.scene_lamp_share);
+    const Eigen::Vector3f lamp_light =
+        (1.0F - own) * light.lamp_color + own * light.scene_lamp_color;
     return cells.mean(light.ambient) * (1.0F + cells.mean(light.slope).dot(n)) +
            lamp_light * std::max(lamps.dot(n), 0.0F);
 }

@@ -79,7 +79,8 @@ class Baker {
         cells_.closeHoles(volume_.lamps);
         balance();
         gatherSent();
-        if (!rig_.own_lamps.empty()) own_ = ownLampsByCell(rig_, rays_, cells_, bounces_, job);
+        if (!rig_.scene_lamps.empty())
+            scene_lamp_light_ = sceneLampsByCell(rig_, rays_, cells_, bounces_, job);
         double before = 0.0;
         for (int i = 0; i < params_.bounces && !job.cancelled(); ++i) {
             bounce();
@@ -141,13 +142,13 @@ class Baker {
 
     /// Shaders use one irradiance vector for all lamps.
     void joinOwnLamps() {
-        if (own_.empty()) return;
-        volume_.own_share.assign(own_.size(), 0.0F);
-        for (std::size_t i = 0; i < own_.size(); ++i) {
-            const float own = own_[i].norm();
-            if (own == 0.0F) continue;
-            volume_.own_share[i] = own / (own + volume_.lamps[i].norm());
-            volume_.lamps[i] += own_[i];
+        if (scene_lamp_light_.empty()) return;
+        volume_.scene_lamp_share.assign(scene_lamp_light_.size(), 0.0F);
+        for (std::size_t i = 0; i < scene_lamp_light_.size(); ++i) {
+            const float scene_lamp = scene_lamp_light_[i].norm();
+            if (scene_lamp == 0.0F) continue;
+            volume_.scene_lamp_share[i] = scene_lamp / (scene_lamp + volume_.lamps[i].norm());
+            volume_.lamps[i] += scene_lamp_light_[i];
         }
     }
 
@@ -238,8 +239,9 @@ class Baker {
         const float facing = 1.0F + volume_.slope[ray.cell].dot(normal);
         Eigen::Vector3f falls =
             volume_.ambient[ray.cell] * std::max(0.0F, facing) + rig_.lampLight() * lamp;
-        if (!own_.empty()) {
-            falls += rig_.ownLampLight() * std::max(0.0F, normal.dot(own_[ray.cell]));
+        if (!scene_lamp_light_.empty()) {
+            falls +=
+                rig_.sceneLampLight() * std::max(0.0F, normal.dot(scene_lamp_light_[ray.cell]));
         }
         return albedo_[ray.material].cwiseProduct(falls) / kPi;
     }
@@ -324,8 +326,8 @@ class Baker {
     std::optional<SunRays> sun_rays_;  // only with a sun
     std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
     LightVolume volume_;
-    std::vector<Eigen::Vector3f> own_;         // irradiance vectors of the scene's own lamps; empty
-                                               // without any
+    std::vector<Eigen::Vector3f> scene_lamp_light_;  // irradiance vectors of the scene's scene_lamp
+                                                     // lamps; empty without any
     std::vector<float> balanced_;              // by cell: sum of neutral source radiance over its
                                                // rays
     std::vector<char> sees_sky_;               // by cell
@@ -345,7 +347,7 @@ Eigen::Vector3f limited(const Eigen::Vector3f& slope) {
 
 void setStrengths(const LightRig& rig, LightVolume& volume) {
     volume.lamp_color = rig.lampLight();
-    volume.own_color = rig.ownLampLight();
+    volume.scene_lamp_color = rig.sceneLampLight();
     volume.lamps_shine = rig.shineFactor(false);
     volume.outside_shines = rig.shineFactor(true);
     volume.backdrop_factor = rig.backdrop_factor;

@@ -37,8 +37,8 @@ struct LightVolume {
     Eigen::Vector3f lamp_color = Eigen::Vector3f::Ones();
     /// By cell: the share of `lamps` that comes from the scene's own lamps, which have another
     /// colour; empty: none.
-    std::vector<float> own_share;
-    Eigen::Vector3f own_color = Eigen::Vector3f::Ones();
+    std::vector<float> scene_lamp_share;
+    Eigen::Vector3f scene_lamp_color = Eigen::Vector3f::Ones();
     float dimmed = 1.0F;    // dimming of sky, sun and emission relative to the rig; see balanced()
     float exposure = 1.0F;  // a white surface in average light becomes light grey (0.62)
     // Factors of visible emission, besides `dimmed`: of objects that do not show the outside, and

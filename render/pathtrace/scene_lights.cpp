@@ -29,7 +29,7 @@ SceneLights::SceneLights(const Scene& scene, const TracedSurface& surface, const
             const double power = brightness(object.id, t) * areaOf(surface.corners(t));
             if (power <= 0.0) continue;
             sum += power;
-            shining_.push_back({t, object.id});
+            emitters_.push_back({t, object.id});
             power_.push_back(sum);
         }
     }
@@ -99,7 +99,7 @@ LightSample SceneLights::sampleBall(const SceneLamp& lamp, const Eigen::Vector3d
 
 double SceneLights::totalChoice(const Eigen::Vector3d& from) const {
     double sum = 0.0;
-    for (const SceneLamp& lamp : rig_.own_lamps) sum += choice(lamp, from);
+    for (const SceneLamp& lamp : rig_.scene_lamps) sum += choice(lamp, from);
     for (const Lamp& lamp : rig_.lamps) sum += choice(lamp, from);
     return sum;
 }
@@ -118,7 +118,7 @@ std::optional<LightSample> SceneLights::sampleLamp(const Eigen::Vector3d& from, 
         if (left < 0.0) break;
     }
     const SceneLamp* ball = nullptr;
-    for (const SceneLamp& lamp : rig_.own_lamps) {
+    for (const SceneLamp& lamp : rig_.scene_lamps) {
         if (left < 0.0) break;
         const double share = choice(lamp, from);
         if (share <= 0.0) continue;
@@ -147,7 +147,7 @@ std::optional<LightSample> SceneLights::sampleTriangle(const Eigen::Vector3d& fr
     const auto found = std::upper_bound(power_.begin(), power_.end(), which * power_.back());
     const auto index = static_cast<std::size_t>(
         std::min(found - power_.begin(), static_cast<std::ptrdiff_t>(power_.size()) - 1));
-    const auto& [triangle, object_id] = shining_[index];
+    const auto& [triangle, object_id] = emitters_[index];
     const auto [a, b, c] = surface_.corners(triangle);
     const double root = std::sqrt(where[0]);
     const double v = root * (1.0 - where[1]);

@@ -38,7 +38,7 @@ class SceneLights {
     template <class Visit>
     void visitLamps(const Eigen::Vector3d& from, const Eigen::Vector3d& way, double begin,
                     double end, Visit&& visit) const {
-        for (const SceneLamp& lamp : rig_.own_lamps) {
+        for (const SceneLamp& lamp : rig_.scene_lamps) {
             const std::optional<double> distance = toBall(lamp, from, way);
             if (!distance) continue;
             const double free = lamp.shadowedFor(from, way, *distance);
@@ -81,12 +81,12 @@ class SceneLights {
     }
     [[nodiscard]] Eigen::Vector3f lampRadiance(const SceneLamp& lamp,
                                                const Eigen::Vector3d& from) const {
-        return rig_.ownLampLight() * static_cast<float>(lamp.radianceFrom(from));
+        return rig_.sceneLampLight() * static_cast<float>(lamp.radianceFrom(from));
     }
     /// Mean radiance of a triangle, by which triangles are chosen.
     [[nodiscard]] double brightness(int object_id, std::uint32_t triangle) const;
 
-    struct Shining {
+    struct Emitter {
         std::uint32_t triangle;
         int object_id;
     };
@@ -94,7 +94,7 @@ class SceneLights {
     const Scene& scene_;
     const TracedSurface& surface_;
     const LightRig& rig_;
-    std::vector<Shining> shining_;
+    std::vector<Emitter> emitters_;
     std::vector<float> emission_;  // by material: mean emission
     std::vector<float> shines_;    // by id - 1: factor of emission
     std::vector<double> power_;    // cumulative power by triangle, in W/sr up to a factor

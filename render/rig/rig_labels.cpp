@@ -1,6 +1,6 @@
 #include "render/rig/rig_labels.h"
 
-#include "render/draw/seen_normal.h"
+#include "render/draw/shading_normal.h"
 
 #include <limits>
 
@@ -71,7 +71,7 @@ LensImages castLens(const LensModel& lens, const Pose& pose, const FrameContext&
             images.instance[pixel] = static_cast<std::uint16_t>(one.hit.object_id);
             images.depth_m[pixel] = static_cast<float>(one.hit.distance);
             images.normals_in_world[pixel] =
-                seenNormal(context.contents.scene, to_rest, one.hit, one.origin, one.direction)
+                shadingNormal(context.contents.scene, to_rest, one.hit, one.origin, one.direction)
                     .cast<float>();
         }
     }

@@ -17,7 +17,7 @@ constexpr double kDisparityDeviation_px = 0.027778;
 
 /// Whether there is a depth step at the pixel, or a neighbour without depth. On a plane the inverse
 /// depth is linear in the image, however steep the plane.
-bool isEdge(const DepthScene& scene, const DepthLimits& limits, int x, int y) {
+bool isEdge(const DepthNoiseInput& scene, const DepthLimits& limits, int x, int y) {
     const auto depthAt = [&](int at_x, int at_y) -> double {
         return scene.depth_m[static_cast<std::size_t>(at_y) * scene.lens.width + at_x];
     };
@@ -39,7 +39,7 @@ bool isEdge(const DepthScene& scene, const DepthLimits& limits, int x, int y) {
 /// Simulates one depth image.
 class DepthCamera {
   public:
-    DepthCamera(const SensorParams& params, const DepthScene& scene)
+    DepthCamera(const SensorParams& params, const DepthNoiseInput& scene)
         : params_(params), scene_(scene), limits_(depthLimits(params.depth_noise)) {}
 
     [[nodiscard]] float see(int x, int y) const {
@@ -112,7 +112,7 @@ class DepthCamera {
     static constexpr double kLeastLight_per_m2 = 0.05 / (5.46 * 5.46);
 
     const SensorParams& params_;
-    const DepthScene& scene_;
+    const DepthNoiseInput& scene_;
     DepthLimits limits_;
 };
 
@@ -151,7 +151,7 @@ double dimness(double reflectance, double cos_to_normal) {
     return std::clamp(std::sqrt(0.5 / light), 0.5, kMostDim);
 }
 
-std::vector<float> noisyDepth(const SensorParams& params, const DepthScene& scene) {
+std::vector<float> noisyDepth(const SensorParams& params, const DepthNoiseInput& scene) {
     const DepthCamera camera(params, scene);
     std::vector<float> seen(scene.depth_m.size());
     std::size_t i = 0;

@@ -13,7 +13,7 @@ namespace dollytrack::render {
 
 /// Input of the depth camera: planar depth (m, 0: nothing) and the normals and base colours (sRGB,
 /// 3 bytes per pixel) of the same pixels.
-struct DepthScene {
+struct DepthNoiseInput {
     int frame = 0;
     Intrinsics lens;
     Eigen::Quaterniond world_from_camera = Eigen::Quaterniond::Identity();
@@ -57,6 +57,7 @@ inline constexpr double kMostDim = 4.0;
 /// or before it, disparity 35.130 / z with standard deviation 1/36, rounded to steps of 1/8. Their
 /// low-frequency distortion, measured on one device, is left out. Holes: depth below 0.4 m or above
 /// 10 m, and depth steps as above.
-[[nodiscard]] std::vector<float> noisyDepth(const SensorParams& params, const DepthScene& scene);
+[[nodiscard]] std::vector<float> noisyDepth(const SensorParams& params,
+                                            const DepthNoiseInput& scene);
 
 }  // namespace dollytrack::render

@@ -46,7 +46,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
         // The samples must cover the exposures of all rows.
         count = 1 + static_cast<int>(std::ceil(period * exposures - 1e-9));
     }
-    look_step_s_ = row_exposure_s_ / period;
+    sample_step_s_ = row_exposure_s_ / period;
 
     // Additive recurrence in four dimensions, whose segments are all well distributed (Roberts, The
     // Unreasonable Effectiveness of Quasirandom Sequences, 2018).
@@ -54,7 +54,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
     const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame, 0);
     std::array<double, 4> start{};
     for (std::size_t d = 0; d < 4; ++d) start[d] = random.uniform(static_cast<std::uint32_t>(d));
-    std::vector<ExposureLook> points(static_cast<std::size_t>(period));
+    std::vector<ExposureSample> points(static_cast<std::size_t>(period));
     Eigen::Vector2d middle_aperture = Eigen::Vector2d::Zero();
     Eigen::Vector2d middle_aside_px = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -71,17 +71,18 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
     }
     // Offsets average to zero, so that the image is centred on the pixel centres, as labels are.
     for (int i = 0; i < count; ++i) {
-        ExposureLook& look = looks_.emplace_back(points[static_cast<std::size_t>(i % period)]);
-        look.after_s = look_step_s_ * (i - 0.5 * (count - 1));
-        look.aperture -= middle_aperture;
-        look.aside_px -= middle_aside_px;
+        ExposureSample& sample =
+            samples_.emplace_back(points[static_cast<std::size_t>(i % period)]);
+        sample.after_s = sample_step_s_ * (i - 0.5 * (count - 1));
+        sample.aperture -= middle_aperture;
+        sample.aside_px -= middle_aside_px;
     }
 }
 
-double Exposure::weight(const ExposureLook& look, double y) const {
-    if (!rolls()) return 1.0 / static_cast<double>(looks_.size());
-    const double middle = (timeOfRow(y) - look.after_s) / look_step_s_;
-    const double half = 0.5 * row_exposure_s_ / look_step_s_;
+double Exposure::weight(const ExposureSample& sample, double y) const {
+    if (!rolls()) return 1.0 / static_cast<double>(samples_.size());
+    const double middle = (timeOfRow(y) - sample.after_s) / sample_step_s_;
+    const double half = 0.5 * row_exposure_s_ / sample_step_s_;
     return (hatUpTo(middle + half) - hatUpTo(middle - half)) / (2.0 * half);
 }
 

@@ -15,7 +15,7 @@ namespace dollytrack::render {
 [[nodiscard]] double rowExposureSeconds(const SensorParams& params, int height);
 
 /// One exposure sample; a sensor image is the mean of several.
-struct ExposureLook {
+struct ExposureSample {
     double after_s = 0.0;                                // s, relative to the frame's time
     Eigen::Vector2d aperture = Eigen::Vector2d::Zero();  // point of the aperture, in units of its
                                                          // radius
@@ -32,7 +32,7 @@ class Exposure {
     /// `frame` and the sensor's seed vary the pattern of points.
     Exposure(const SensorParams& params, int height, int frame);
 
-    [[nodiscard]] const std::vector<ExposureLook>& looks() const { return looks_; }
+    [[nodiscard]] const std::vector<ExposureSample>& samples() const { return samples_; }
 
     /// Time of a sensor row relative to the frame's, s; the row's centre is y + 0.5.
     [[nodiscard]] double timeOfRow(double y) const { return row_step_s_ * (y - 0.5 * height_); }
@@ -40,18 +40,18 @@ class Exposure {
     [[nodiscard]] bool rolls() const { return row_step_s_ > 0.0; }
 
     /// Weight of a sample in a row; a row's weights sum to 1.
-    [[nodiscard]] double weight(const ExposureLook& look, double y) const;
+    [[nodiscard]] double weight(const ExposureSample& sample, double y) const;
 
     [[nodiscard]] double rowExposureSeconds() const { return row_exposure_s_; }
     /// Time between samples, s.
-    [[nodiscard]] double lookStepSeconds() const { return look_step_s_; }
+    [[nodiscard]] double sampleStepSeconds() const { return sample_step_s_; }
 
   private:
     double height_ = 0.0;
     double row_step_s_ = 0.0;
     double row_exposure_s_ = 0.0;
-    double look_step_s_ = 0.0;
-    std::vector<ExposureLook> looks_;
+    double sample_step_s_ = 0.0;
+    std::vector<ExposureSample> samples_;
 };
 
 }  // namespace dollytrack::render

@@ -22,8 +22,8 @@ std::array<float, 4> cubic(float t) {
 }
 
 /// Position in the extended clean image (px) that the sensor position (x, y) maps to.
-std::optional<Eigen::Vector2d> lookThrough(const Intrinsics& sensor, const LensDistortion& lens,
-                                           double x, double y) {
+std::optional<Eigen::Vector2d> pinholePosition(const Intrinsics& sensor, const LensDistortion& lens,
+                                               double x, double y) {
     const auto straight = lens.straighten(sensor.unproject(x, y).head<2>());
     if (!straight) return std::nullopt;
     const Eigen::Vector2d at = sensor.project({straight->x(), straight->y(), 1.0});
@@ -38,12 +38,12 @@ bool fillsPicture(const CameraParams& camera, const LensDistortion& lens) {
     const Intrinsics sensor = makeIntrinsics(camera);
     for (int x = 0; x < sensor.width; ++x) {
         for (const int y : {0, sensor.height - 1}) {
-            if (!lookThrough(sensor, lens, x + 0.5, y + 0.5)) return false;
+            if (!pinholePosition(sensor, lens, x + 0.5, y + 0.5)) return false;
         }
     }
     for (int y = 0; y < sensor.height; ++y) {
         for (const int x : {0, sensor.width - 1}) {
-            if (!lookThrough(sensor, lens, x + 0.5, y + 0.5)) return false;
+            if (!pinholePosition(sensor, lens, x + 0.5, y + 0.5)) return false;
         }
     }
     return true;
@@ -105,7 +105,7 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
     const auto pixels =
         static_cast<std::size_t>(sensor_.width) * static_cast<std::size_t>(sensor_.height);
     constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
-    looks_.assign(pixels, {kNowhere, kNowhere});
+    sources_.assign(pixels, {kNowhere, kNowhere});
     light_shares_.assign(pixels, 0.0F);
     Eigen::AlignedBox2d reach(Eigen::Vector2d::Zero(),
                               Eigen::Vector2d(sensor_.width, sensor_.height));
@@ -113,9 +113,9 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
     std::size_t pixel = 0;
     for (int y = 0; y < sensor_.height; ++y) {
         for (int x = 0; x < sensor_.width; ++x, ++pixel) {
-            const auto at = lookThrough(sensor_, lens, x + 0.5, y + 0.5);
+            const auto at = pinholePosition(sensor_, lens, x + 0.5, y + 0.5);
             if (!at) continue;
-            looks_[pixel] = at->cast<float>();
+            sources_[pixel] = at->cast<float>();
             if (!straight_) reach.extend(*at);
             largest_shift_px_ =
                 std::max(largest_shift_px_, (*at - Eigen::Vector2d(x + 0.5, y + 0.5)).norm());
@@ -125,7 +125,7 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
         }
     }
     black_count_ = static_cast<std::size_t>(std::ranges::count_if(
-        looks_, [](const Eigen::Vector2f& at) { return std::isnan(at.x()); }));
+        sources_, [](const Eigen::Vector2f& at) { return std::isnan(at.x()); }));
     if (!straight_) {
         const auto border = [](double beyond) {
             return static_cast<int>(std::ceil(std::max(beyond, 0.0))) + kKernelReach_px;
@@ -135,12 +135,12 @@ SensorLens::SensorLens(const CameraParams& camera, const SensorParams& params)
         drawn_.height += top + border(reach.max().y() - size.y());
         drawn_.cx += left;
         drawn_.cy += top;
-        for (Eigen::Vector2f& at : looks_) at += Eigen::Vector2i(left, top).cast<float>();
+        for (Eigen::Vector2f& at : sources_) at += Eigen::Vector2i(left, top).cast<float>();
     }
     for (int y = 0; y < sensor_.height; ++y) {
         std::pair<float, float> row{1e9F, -1e9F};
         for (int x = 0; x < sensor_.width; ++x) {
-            const float at = looks_[static_cast<std::size_t>(y) * sensor_.width + x].y();
+            const float at = sources_[static_cast<std::size_t>(y) * sensor_.width + x].y();
             if (std::isnan(at)) continue;
             row = {std::min(row.first, at), std::max(row.second, at)};
         }
@@ -166,16 +166,16 @@ std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
 }
 
 std::vector<float> SensorLens::take(std::span<const float> drawn) const {
-    std::vector<float> seen(3 * looks_.size(), 0.0F);
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-        if (std::isnan(looks_[i].x())) continue;
+    std::vector<float> seen(3 * sources_.size(), 0.0F);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        if (std::isnan(sources_[i].x())) continue;
         if (straight_) {
             for (std::size_t c = 0; c < 3; ++c) {
                 seen[3 * i + c] = light_shares_[i] * drawn[3 * i + c];
             }
             continue;
         }
-        const float x = looks_[i].x() - 0.5F, y = looks_[i].y() - 0.5F;
+        const float x = sources_[i].x() - 0.5F, y = sources_[i].y() - 0.5F;
         const float left = std::floor(x), top = std::floor(y);
         const std::array<float, 4> across = cubic(x - left);
         const std::array<float, 4> down = cubic(y - top);

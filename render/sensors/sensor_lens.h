@@ -44,7 +44,9 @@ class SensorLens {
 
     /// Position in the drawn image (px) that the centre of a sensor pixel maps to. NaN if the lens
     /// shows nothing there: beyond the model's range, or more than an image's size outside.
-    [[nodiscard]] const Eigen::Vector2f& lookOf(std::size_t pixel) const { return looks_[pixel]; }
+    [[nodiscard]] const Eigen::Vector2f& sourceOf(std::size_t pixel) const {
+        return sources_[pixel];
+    }
 
     /// Vignetting: the share of light that reaches the pixel.
     [[nodiscard]] float lightShare(std::size_t pixel) const { return light_shares_[pixel]; }
@@ -66,7 +68,7 @@ class SensorLens {
   private:
     Intrinsics sensor_;
     Intrinsics drawn_;
-    std::vector<Eigen::Vector2f> looks_;
+    std::vector<Eigen::Vector2f> sources_;
     std::vector<float> light_shares_;
     // By sensor row: smallest and largest y in the drawn image, px.
     std::vector<std::pair<float, float>> drawn_reach_px_;

@@ -38,15 +38,15 @@ Result<SensorPictures> SensorPictures::create(const FrameContext& context,
     return pictures;
 }
 
-View SensorPictures::viewOf(const ExposureLook& look, const FrameRecord& frame,
+View SensorPictures::viewOf(const ExposureSample& sample, const FrameRecord& frame,
                             std::optional<double> focus) const {
     const DatasetContents& contents = context_.contents;
     const auto source = static_cast<std::size_t>(contents.sourceFrame(frame.index));
-    View view = makeView(contents.camera, contents.camera_motion.poseAt(source, look.after_s));
+    View view = makeView(contents.camera, contents.camera_motion.poseAt(source, sample.after_s));
     view.intrinsics = context_.sensor_lens->drawn();
     view.reflections = reflections_;
     if (contents.sensor.aperture_mm > 0.0 && focus) {
-        const Eigen::Vector2d lens = 0.0005 * contents.sensor.aperture_mm * look.aperture;
+        const Eigen::Vector2d lens = 0.0005 * contents.sensor.aperture_mm * sample.aperture;
         view.pose.position = view.pose.toWorld({lens.x(), lens.y(), 0.0});
         view.intrinsics.cx += view.intrinsics.fx * lens.x() / *focus;
         view.intrinsics.cy += view.intrinsics.fy * lens.y() / *focus;
@@ -70,28 +70,28 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
     sum.distortion = distortionOf(contents.sensor);
     const Intrinsics sensor = makeIntrinsics(contents.camera);
     sum.s_per_bent = exposure.rowStepSeconds() * sensor.fy;
-    sum.look_step_s = exposure.lookStepSeconds();
+    sum.sample_step_s = exposure.sampleStepSeconds();
     sum.row_exposure_s = exposure.rowExposureSeconds();
     if (Status status = renderer.beginLight(*target_); !status) return status;
-    for (const ExposureLook& look : exposure.looks()) {
-        View view = viewOf(look, frame, focus);
-        view.intrinsics.cx -= look.aside_px.x();
-        view.intrinsics.cy -= look.aside_px.y();
+    for (const ExposureSample& sample : exposure.samples()) {
+        View view = viewOf(sample, frame, focus);
+        view.intrinsics.cx -= sample.aside_px.x();
+        view.intrinsics.cy -= sample.aside_px.y();
         if (objects_.any()) {
-            for (const ObjectPaths::Placed& one : objects_.at(frame.time_s + look.after_s)) {
+            for (const ObjectPaths::Placed& one : objects_.at(frame.time_s + sample.after_s)) {
                 renderer.place(one.object_id, one.motion);
             }
         }
-        sum.after_s = look.after_s;
+        sum.after_s = sample.after_s;
         sum.first_row = 0;
         sum.last_row = lens.drawn().height;
         if (exposure.rolls()) {
-            const double reach = exposure.lookStepSeconds() + 0.5 * exposure.rowExposureSeconds();
+            const double reach = exposure.sampleStepSeconds() + 0.5 * exposure.rowExposureSeconds();
             const auto rowAt = [&](double time_s) {
                 return time_s / exposure.rowStepSeconds() + 0.5 * sensor.height;
             };
             std::tie(sum.first_row, sum.last_row) =
-                lens.drawnRows(rowAt(look.after_s - reach), rowAt(look.after_s + reach));
+                lens.drawnRows(rowAt(sample.after_s - reach), rowAt(sample.after_s + reach));
         }
         if (Status status = renderer.addLight(view, sum, *target_); !status) return status;
     }
@@ -113,8 +113,8 @@ Status SensorPictures::trace(const FrameRecord& frame, const Exposure& exposure,
     std::vector<float> weights(pixels, 0.0F);
     std::vector<Eigen::Vector3f> seen;
     int number = 0;
-    for (const ExposureLook& look : exposure.looks()) {
-        Status status = reference.takePart(viewOf(look, frame, focus), frame.index, number++,
+    for (const ExposureSample& sample : exposure.samples()) {
+        Status status = reference.takePart(viewOf(sample, frame, focus), frame.index, number++,
                                            contents.sensor.looks, seen);
         if (!status) return status;
         std::size_t i = 0;
@@ -122,7 +122,7 @@ Status SensorPictures::trace(const FrameRecord& frame, const Exposure& exposure,
             for (int x = 0; x < drawn.width; ++x, ++i) {
                 const Eigen::Vector2d straight = drawn.unproject(x + 0.5, y + 0.5).head<2>();
                 const double row = sensor.fy * distortion.bend(straight).y() + sensor.cy;
-                const auto weight = static_cast<float>(exposure.weight(look, row));
+                const auto weight = static_cast<float>(exposure.weight(sample, row));
                 if (weight == 0.0F) continue;
                 sum[i] += weight * seen[i];
                 weights[i] += weight;

@@ -46,7 +46,7 @@ class SensorPictures {
   private:
     SensorPictures(const FrameContext& context, const ObjectPaths& objects, Reflections reflections)
         : context_(context), objects_(objects), reflections_(reflections) {}
-    [[nodiscard]] View viewOf(const ExposureLook& look, const FrameRecord& frame,
+    [[nodiscard]] View viewOf(const ExposureSample& sample, const FrameRecord& frame,
                               std::optional<double> focus) const;
     [[nodiscard]] Status trace(const FrameRecord& frame, const Exposure& exposure,
                                std::optional<double> focus, ReferencePictures& reference,

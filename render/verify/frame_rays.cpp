@@ -10,10 +10,10 @@ namespace {
 constexpr double kRay_px = 1e-3;  // rounding of ray directions in single precision
 
 /// Whether rays around a pixel's centre reach the surface that the pixel shows.
-class PixelVisibility {
+class RayVisibility {
   public:
     /// @param id  object that the pixel shows; 0 if unknown
-    PixelVisibility(int id, double metres) : id_(id), metres_(metres) {}
+    RayVisibility(int id, double metres) : id_(id), metres_(metres) {}
 
     void add(const RayHit& hit) {
         if (hit.object_id == 0 || hit.object_id == id_ || hit.distance >= metres_) {
@@ -134,13 +134,13 @@ bool FrameRays::isBeside(int x, int y, int id, double metres, double slack) cons
 bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) const {
     if (id > static_cast<int>(scene_.objects.size())) return false;
     const double slack = rounding_m + kDrawing * (1.0 + metres);
-    PixelVisibility sight(id, metres - slack);
+    RayVisibility visibility(id, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             const Eigen::Vector3d along =
                 alongWorld(x + 0.5 + kNudge_px * dx, y + 0.5 + kNudge_px * dy);
             const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
-            sight.add(hit);
+            visibility.add(hit);
             if (id == 0 || hit.object_id == 0) {
                 if (id == hit.object_id) return true;
                 continue;
@@ -153,23 +153,23 @@ bool FrameRays::mayShow(int x, int y, int id, double metres, double rounding_m) 
         }
     }
     if (id == 0) return false;
-    return sight.mayPass() && isBeside(x, y, id, metres, slack);
+    return visibility.mayPass() && isBeside(x, y, id, metres, slack);
 }
 
 bool FrameRays::mayShowDepth(int x, int y, double metres, double rounding_m) const {
     if (metres <= 0.0) return mayShow(x, y, 0, metres, rounding_m);
     const double slack = rounding_m + kDrawing * (1.0 + metres);
-    PixelVisibility sight(0, metres - slack);
+    RayVisibility visibility(0, metres - slack);
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             const Eigen::Vector3d along =
                 alongWorld(x + 0.5 + kNudge_px * dx, y + 0.5 + kNudge_px * dy);
             const RayHit hit = rays_.cast(pose_.position, along, kFarthest, dataset_.near_m);
-            sight.add(hit);
+            visibility.add(hit);
             if (hit.object_id != 0 && isDepthOn(hit.triangle, x, y, metres, slack)) return true;
         }
     }
-    return sight.mayPass() && isBeside(x, y, 0, metres, slack);
+    return visibility.mayPass() && isBeside(x, y, 0, metres, slack);
 }
 
 }  // namespace dollytrack::verify

@@ -11,12 +11,12 @@ constexpr double kTolerance_px = 0.01;
 
 }  // namespace
 
-std::vector<Followed> followAll(const StoredDataset& dataset, FrameImages& images,
-                                const FrameImages::Depth& depth, const OtherView& to) {
+std::vector<ReprojectedPixel> reprojectAll(const StoredDataset& dataset, FrameImages& images,
+                                           const FrameImages::Depth& depth, const OtherView& to) {
     const StoredFrame& from = images.stored();
     const Image16* ids = images.image16("instance");
     const bool moves = !from.moving.empty() || !to.frame.moving.empty();
-    std::vector<Followed> followed(depth.metres.values.size());
+    std::vector<ReprojectedPixel> reprojected(depth.metres.values.size());
     std::size_t i = 0;
     for (int y = 0; y < depth.metres.height; ++y) {
         for (int x = 0; x < depth.metres.width; ++x, ++i) {
@@ -24,14 +24,14 @@ std::vector<Followed> followAll(const StoredDataset& dataset, FrameImages& image
             if (!(metres > 0.0)) continue;
             const Eigen::Isometry3d motion =
                 moves && ids ? to.motion(from, ids->values[i]) : Eigen::Isometry3d::Identity();
-            followed[i] = follow(dataset, from, x, y, metres, depth.rounding_m, to, motion);
+            reprojected[i] = reproject(dataset, from, x, y, metres, depth.rounding_m, to, motion);
         }
     }
-    return followed;
+    return reprojected;
 }
 
 void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
-                  const std::vector<Followed>& followed, const MotionFile& file,
+                  const std::vector<ReprojectedPixel>& reprojected, const MotionFile& file,
                   Findings& findings) {
     WrongPixels pixels;
     std::size_t i = 0;
@@ -53,7 +53,7 @@ void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
                 }
                 continue;
             }
-            const Followed& to = followed[i];
+            const ReprojectedPixel& to = reprojected[i];
             // Points behind the other camera have no position in its image.
             if (to.behind) continue;
             const Eigen::Vector2d expected = to.at - Eigen::Vector2d(x + 0.5, y + 0.5);

@@ -20,13 +20,13 @@ struct MotionFile {
                                                                   // unknown
 };
 
-/// Follows all pixels with depth into another frame. Entries of other pixels are meaningless.
-std::vector<Followed> followAll(const StoredDataset& dataset, FrameImages& images,
-                                const FrameImages::Depth& depth, const OtherView& to);
+/// Reprojects all pixels with depth into another frame. Entries of other pixels are meaningless.
+std::vector<ReprojectedPixel> reprojectAll(const StoredDataset& dataset, FrameImages& images,
+                                           const FrameImages::Depth& depth, const OtherView& to);
 
 /// Compares motions (two channels, px right and down) with those computed from depth and poses.
 void checkMotions(const ImageF& motions, const FrameImages::Depth& depth,
-                  const std::vector<Followed>& followed, const MotionFile& file,
+                  const std::vector<ReprojectedPixel>& reprojected, const MotionFile& file,
                   Findings& findings);
 
 /// Problem with reading an image or with its size; empty if none.

@@ -31,7 +31,7 @@ struct Sides {
     bool may_be_inside = false, may_be_outside = false;
 };
 
-Sides sidesOf(const StoredDataset& dataset, const Followed& one) {
+Sides sidesOf(const StoredDataset& dataset, const ReprojectedPixel& one) {
     constexpr double kNear_m = 0.002;  // uncertainty at the near plane
     if (one.behind) return {one.depth_m > dataset.near_m - kNear_m, true};
     const double off = one.off_px + 1e-3;
@@ -83,11 +83,11 @@ std::optional<double> smoothDepthAt(const ImageF& depth, const Eigen::Vector2d& 
 /// Compares by the depth of both images. A surface seen through a slit narrower than a pixel may be
 /// visible although the other image misses the slit; such pixels lie at edges of this image and are
 /// skipped.
-void judgeByDepth(const Image8& mask, const std::vector<Followed>& followed,
-                  const std::vector<int>& inside, const FrameImages::Depth& own,
-                  const FrameImages::Depth& other, WrongPixels& pixels) {
+void compareMaskWithDepth(const Image8& mask, const std::vector<ReprojectedPixel>& reprojected,
+                          const std::vector<int>& inside, const FrameImages::Depth& own,
+                          const FrameImages::Depth& other, WrongPixels& pixels) {
     for (const int i : inside) {
-        const Followed& one = followed[static_cast<std::size_t>(i)];
+        const ReprojectedPixel& one = reprojected[static_cast<std::size_t>(i)];
         const std::optional<double> surface = smoothDepthAt(other.metres, one.at);
         if (!surface) continue;
         const int x = i % mask.width;
@@ -106,17 +106,18 @@ void judgeByDepth(const Image8& mask, const std::vector<Followed>& followed,
 }
 
 /// Compares by ray casts.
-void judgeByRays(const Subject& subject, const Image8& mask, const std::vector<Followed>& followed,
-                 const std::vector<int>& inside, double rounding_m, const OtherView& to,
-                 WrongPixels& pixels) {
+void compareMaskWithRays(const Subject& subject, const Image8& mask,
+                         const std::vector<ReprojectedPixel>& reprojected,
+                         const std::vector<int>& inside, double rounding_m, const OtherView& to,
+                         WrongPixels& pixels) {
     FrameRays rays(subject, to.frame, to.camera);
     std::vector<Eigen::Vector3d> places;
-    for (const int i : inside) places.push_back(followed[static_cast<std::size_t>(i)].place);
+    for (const int i : inside) places.push_back(reprojected[static_cast<std::size_t>(i)].place);
     std::vector<RayHit> hits;
     rays.castTo(places, hits);
     for (std::size_t k = 0; k < inside.size(); ++k) {
         const auto i = static_cast<std::size_t>(inside[k]);
-        const Followed& one = followed[i];
+        const ReprojectedPixel& one = reprojected[i];
         const int found = mask.values[i];
         const double slack = 2.0 * rounding_m + FrameRays::kDrawing * (1.0 + one.depth_m);
         const double same = one.depth_m - kSameSurface_m;
@@ -155,32 +156,35 @@ Eigen::Isometry3d OtherView::motion(const StoredFrame& from, int object_id) cons
     return result;
 }
 
-Followed follow(const StoredDataset& dataset, const StoredFrame& from, int x, int y, double metres,
-                double rounding_m, const OtherView& to, const Eigen::Isometry3d& motion) {
+ReprojectedPixel reproject(const StoredDataset& dataset, const StoredFrame& from, int x, int y,
+                           double metres, double rounding_m, const OtherView& to,
+                           const Eigen::Isometry3d& motion) {
     const Eigen::Vector3d along = dataset.lens.unproject(x + 0.5, y + 0.5);
     const auto in_other = [&](double depth) -> Eigen::Vector3d {
         return to.camera.toCamera(motion * from.pose.toWorld(depth * along));
     };
-    Followed followed;
-    followed.place = motion * from.pose.toWorld(metres * along);
-    const Eigen::Vector3d there = to.camera.toCamera(followed.place);
-    followed.depth_m = there.z();
-    followed.behind = there.z() < dataset.near_m;
-    if (followed.behind) return followed;
-    followed.at = dataset.lens.project(there);
+    ReprojectedPixel reprojected;
+    reprojected.place = motion * from.pose.toWorld(metres * along);
+    const Eigen::Vector3d there = to.camera.toCamera(reprojected.place);
+    reprojected.depth_m = there.z();
+    reprojected.behind = there.z() < dataset.near_m;
+    if (reprojected.behind) return reprojected;
+    reprojected.at = dataset.lens.project(there);
     for (const double depth : {metres - rounding_m, metres + rounding_m}) {
         const Eigen::Vector3d beside = in_other(depth);
-        if (beside.z() < dataset.near_m + 1e-6) followed.may_be_behind = true;
+        if (beside.z() < dataset.near_m + 1e-6) reprojected.may_be_behind = true;
         if (beside.z() <= 1e-6) continue;
-        followed.off_px =
-            std::max(followed.off_px, (dataset.lens.project(beside) - followed.at).norm());
+        reprojected.off_px =
+            std::max(reprojected.off_px, (dataset.lens.project(beside) - reprojected.at).norm());
     }
-    return followed;
+    return reprojected;
 }
 
-void checkSight(const Subject& subject, const Image8& mask, const FrameImages::Depth& depth,
-                const std::vector<Followed>& followed, const OtherView& to,
-                const FrameImages::Depth* other_depth, const SightFile& file, Findings& findings) {
+void checkVisibilityMask(const Subject& subject, const Image8& mask,
+                         const FrameImages::Depth& depth,
+                         const std::vector<ReprojectedPixel>& reprojected, const OtherView& to,
+                         const FrameImages::Depth* other_depth, const VisibilityMaskFile& file,
+                         Findings& findings) {
     WrongPixels pixels;
     std::vector<int> inside;  // pixels that may lie inside the other image
     for (int i = 0; i < static_cast<int>(mask.values.size()); ++i) {
@@ -197,7 +201,7 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
             }
             continue;
         }
-        const Sides sides = sidesOf(subject.dataset, followed[at]);
+        const Sides sides = sidesOf(subject.dataset, reprojected[at]);
         if (found == kOutside ? !sides.may_be_outside : !sides.may_be_inside) {
             pixels.add(x, y, [&] {
                 return wrong(found, found == kOutside ? "inside the other image"
@@ -210,10 +214,10 @@ void checkSight(const Subject& subject, const Image8& mask, const FrameImages::D
         }
     }
     if (subject.rays) {
-        judgeByRays(subject, mask, followed, inside, depth.rounding_m, to, pixels);
+        compareMaskWithRays(subject, mask, reprojected, inside, depth.rounding_m, to, pixels);
     } else if (other_depth) {
         WrongPixels unlikely;
-        judgeByDepth(mask, followed, inside, depth, *other_depth, unlikely);
+        compareMaskWithDepth(mask, reprojected, inside, depth, *other_depth, unlikely);
         // An object thinner than a pixel may hide points without showing up in the depth; whole
         // surfaces may not.
         if (unlikely.count() > 5 + inside.size() / 500) {

@@ -18,7 +18,7 @@ enum PixelVisibility : int {
     kNothing = 255,
 };
 
-/// Another image, into which the pixels of a frame are followed.
+/// Another image, into which the pixels of a frame are reprojected.
 struct OtherView {
     Pose camera;
     const StoredFrame& frame;  // gives the time of the image
@@ -28,7 +28,7 @@ struct OtherView {
 };
 
 /// Position of a pixel's surface point in the other image.
-struct Followed {
+struct ReprojectedPixel {
     bool behind = false;         // nearer than the near plane, or behind the camera
     bool may_be_behind = false;  // may be so within the rounding of the depth
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
@@ -37,20 +37,23 @@ struct Followed {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // world, at the other image's time
 };
 
-/// Follows one pixel of a frame. `motion` is that of the object it shows.
-Followed follow(const StoredDataset& dataset, const StoredFrame& from, int x, int y, double metres,
-                double rounding_m, const OtherView& to, const Eigen::Isometry3d& motion);
+/// Reprojects one pixel of a frame. `motion` is that of the object it shows.
+ReprojectedPixel reproject(const StoredDataset& dataset, const StoredFrame& from, int x, int y,
+                           double metres, double rounding_m, const OtherView& to,
+                           const Eigen::Isometry3d& motion);
 
 /// The mask file to check, for findings.
-struct SightFile {
+struct VisibilityMaskFile {
     std::string name;
     int frame = 0;
 };
 
 /// Compares a visibility mask with ray casts or, without a scene, with the other image's depth (may
-/// be null). `followed` is by pixel; entries of pixels without depth are not read.
-void checkSight(const Subject& subject, const Image8& mask, const FrameImages::Depth& depth,
-                const std::vector<Followed>& followed, const OtherView& to,
-                const FrameImages::Depth* other_depth, const SightFile& file, Findings& findings);
+/// be null). `reprojected` is by pixel; entries of pixels without depth are not read.
+void checkVisibilityMask(const Subject& subject, const Image8& mask,
+                         const FrameImages::Depth& depth,
+                         const std::vector<ReprojectedPixel>& reprojected, const OtherView& to,
+                         const FrameImages::Depth* other_depth, const VisibilityMaskFile& file,
+                         Findings& findings);
 
 }  // namespace dollytrack::verify

@@ -36,12 +36,12 @@ bool isBlank(const Image8& picture) {
     return true;
 }
 
-Outlines outlinesOf(const Image16& ids, bool of_things_alone) {
+Outlines outlinesOf(const Image16& ids, bool objects_only) {
     Outlines outlines;
     outlines.width = ids.width;
     outlines.height = ids.height;
     const auto differ = [&](int a, int b) {
-        return a != b && !(of_things_alone && (a == 0 || b == 0));
+        return a != b && !(objects_only && (a == 0 || b == 0));
     };
     for (int y = 0; y < ids.height; ++y) {
         for (int x = 0; x < ids.width; ++x) {
@@ -70,7 +70,7 @@ Outlines mirrored(const Outlines& outlines, bool left_right, bool upside_down) {
 
 // The change is measured between the pixels just outside the pair, because antialiasing smooths the
 // pair itself.
-ChangeMap::Direction ChangeMap::lookAlong(const Image8& picture, int dx, int dy) {
+GradientMap::Direction GradientMap::changesAlong(const Image8& picture, int dx, int dy) {
     Direction direction;
     direction.change.resize(static_cast<std::size_t>(picture.width) *
                             static_cast<std::size_t>(picture.height));
@@ -96,11 +96,11 @@ ChangeMap::Direction ChangeMap::lookAlong(const Image8& picture, int dx, int dy)
     return direction;
 }
 
-ChangeMap::ChangeMap(const Image8& picture)
+GradientMap::GradientMap(const Image8& picture)
     : width_(picture.width),
       height_(picture.height),
-      across_(lookAlong(picture, 1, 0)),
-      down_(lookAlong(picture, 0, 1)),
+      across_(changesAlong(picture, 1, 0)),
+      down_(changesAlong(picture, 0, 1)),
       blank_(isBlank(picture)) {
     std::size_t strong = 0;
     for (std::size_t i = 0; i < across_.change.size(); ++i) {
@@ -110,7 +110,7 @@ ChangeMap::ChangeMap(const Image8& picture)
                  static_cast<double>(std::max<std::size_t>(across_.change.size(), 1));
 }
 
-Fit ChangeMap::fit(const Outlines& outlines, int dx, int dy) const {
+Fit GradientMap::fit(const Outlines& outlines, int dx, int dy) const {
     double sum = 0.0;
     std::size_t strong = 0;
     Fit fit;
@@ -142,17 +142,17 @@ bool explainsBetter(const Fit& other, const Fit& own) {
            1.0 - other.rank <= kLessUnexplained * (1.0 - own.rank);
 }
 
-OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines) {
-    OwnFit judged;
-    judged.own = picture.fit(outlines);
-    judged.best = judged.own.rank;
-    judged.fit_elsewhere = judged.own;
+OutlineAlignment alignmentOf(const GradientMap& picture, const Outlines& outlines) {
+    OutlineAlignment alignment;
+    alignment.own = picture.fit(outlines);
+    alignment.best = alignment.own.rank;
+    alignment.fit_elsewhere = alignment.own;
     const auto consider = [&](const Fit& fit, const auto& name) {
         if (fit.count < kFewestPlaces / 2) return;
-        judged.best = std::max(judged.best, fit.rank);
-        if (fit.rank <= judged.fit_elsewhere.rank || !explainsBetter(fit, judged.own)) return;
-        judged.fit_elsewhere = fit;
-        judged.elsewhere = name();
+        alignment.best = std::max(alignment.best, fit.rank);
+        if (fit.rank <= alignment.fit_elsewhere.rank || !explainsBetter(fit, alignment.own)) return;
+        alignment.fit_elsewhere = fit;
+        alignment.elsewhere = name();
     };
     for (const auto& [left_right, upside_down, name] :
          {std::tuple(true, false, "mirrored left to right"),
@@ -167,7 +167,7 @@ OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines) {
                      [&] { return fmt::format("moved by about ({}, {}) px", dx, dy); });
         }
     }
-    return judged;
+    return alignment;
 }
 
 std::string textOf(const Fit& own) {
@@ -177,11 +177,11 @@ std::string textOf(const Fit& own) {
         100.0 * own.rank);
 }
 
-std::string textOf(const OwnFit& judged) {
+std::string textOf(const OutlineAlignment& alignment) {
     return fmt::format(
         "at object borders of its instance image, colours change more than in {:.0f} % of the "
         "image; with the instance image {}, in {:.0f} %",
-        100.0 * judged.own.rank, judged.elsewhere, 100.0 * judged.fit_elsewhere.rank);
+        100.0 * alignment.own.rank, alignment.elsewhere, 100.0 * alignment.fit_elsewhere.rank);
 }
 
 }  // namespace dollytrack::verify

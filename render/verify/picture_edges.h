@@ -20,12 +20,12 @@ struct Outlines {
     [[nodiscard]] std::size_t count() const { return across.size() + down.size(); }
 };
 
-/// `of_things_alone` leaves out borders to pixels without object (id 0).
-Outlines outlinesOf(const Image16& ids, bool of_things_alone);
+/// `objects_only` leaves out borders to pixels without object (id 0).
+Outlines outlinesOf(const Image16& ids, bool objects_only);
 /// The outlines of the mirrored image.
 Outlines mirrored(const Outlines& outlines, bool left_right, bool upside_down);
 
-/// Images with fewer border pixels are not judged.
+/// Images with fewer border pixels are not compared.
 constexpr std::size_t kFewestPlaces = 200;
 
 /// How well outlines agree with an image's edges.
@@ -38,11 +38,11 @@ struct Fit {
 
 /// Magnitude of an image's changes between neighbouring pixels. Ranks make dark and low-contrast
 /// images comparable.
-class ChangeMap {
+class GradientMap {
   public:
     static constexpr int kEdge = 8;  // of 255
 
-    explicit ChangeMap(const Image8& picture);
+    explicit GradientMap(const Image8& picture);
 
     /// The fit of outlines shifted by (dx, dy) px.
     [[nodiscard]] Fit fit(const Outlines& outlines, int dx = 0, int dy = 0) const;
@@ -56,7 +56,7 @@ class ChangeMap {
         std::vector<std::uint8_t> change;
         std::array<float, 256> rank = {};  // of each change value
     };
-    [[nodiscard]] static Direction lookAlong(const Image8& picture, int dx, int dy);
+    [[nodiscard]] static Direction changesAlong(const Image8& picture, int dx, int dy);
 
     int width_ = 0;
     int height_ = 0;
@@ -70,15 +70,15 @@ class ChangeMap {
 /// beside a border of low contrast.
 bool explainsBetter(const Fit& other, const Fit& own);
 
-/// Judgement of an image by the outlines of its own frame.
-struct OwnFit {
+/// How well the outlines of its own frame fit an image, and whether transformed ones fit better.
+struct OutlineAlignment {
     Fit own;
     double best = 0.0;      // best rank, including mirrored and shifted outlines
     std::string elsewhere;  // transform that fits better, for example "mirrored left to right"; or
                             // empty
     Fit fit_elsewhere;
 };
-OwnFit judgeByOwn(const ChangeMap& picture, const Outlines& outlines);
+OutlineAlignment alignmentOf(const GradientMap& picture, const Outlines& outlines);
 
 /// Whether the whole image has one colour.
 bool isBlank(const Image8& picture);
@@ -86,6 +86,6 @@ constexpr const char* kBlank = "all of it has one colour";
 
 /// Texts for findings: "where objects meet ...".
 std::string textOf(const Fit& own);
-std::string textOf(const OwnFit& judged);
+std::string textOf(const OutlineAlignment& alignment);
 
 }  // namespace dollytrack::verify

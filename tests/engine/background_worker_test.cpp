@@ -20,7 +20,7 @@ void waitUntil(const std::function<bool()>& condition) {
 
 TEST(BackgroundWorker, RunsWhatItIsGivenAndRests) {
     BackgroundWorker worker;
-    Outbox<int> results;
+    LatestValue<int> results;
     worker.start([&](const JobContext&) { results.put(7); });
     waitUntil([&] { return !worker.state().busy; });
     EXPECT_EQ(results.take(), 7);
@@ -95,10 +95,10 @@ struct SteppedWork {
 
 /// Changes a value every 20 ms for five seconds, while each task takes `piece_ms`. Returns the
 /// number of finished tasks.
-int finishedWhileDragging(int piece_ms, BackgroundWorker::Patience patience) {
+int finishedWhileDragging(int piece_ms, BackgroundWorker::GracePeriod grace_period) {
     FakeTime time;
     SteppedWork work;
-    BackgroundWorker worker({}, patience, time.clock());
+    BackgroundWorker worker({}, grace_period, time.clock());
     const int step_ms = piece_ms / SteppedWork::kSteps;
     for (int now = 0; now <= 5000; now += 20) {
         time.now_ms = now;
@@ -118,7 +118,7 @@ int finishedWhileDragging(int piece_ms, BackgroundWorker::Patience patience) {
 // While a slider is dragged for five seconds, there is a result at least once per second if a task
 // takes less than that, but none if every change cancels.
 TEST(BackgroundWorker, OutdatedWorkFinishesWithinItsGrace) {
-    const BackgroundWorker::Patience patient{std::chrono::milliseconds(900), 0.6};
+    const BackgroundWorker::GracePeriod patient{std::chrono::milliseconds(900), 0.6};
     EXPECT_GE(finishedWhileDragging(600, patient), 5);
     EXPECT_GE(finishedWhileDragging(1000, patient), 4) << "near its end after the grace";
     EXPECT_EQ(finishedWhileDragging(600, {}), 0);

@@ -1,6 +1,6 @@
 #include "engine/io/import/scene_import.h"
 #include "engine/io/orientation/frame_evidence.h"
-#include "engine/io/orientation/up_judgement.h"
+#include "engine/io/orientation/up_axis_scores.h"
 #include "engine/io/settings/import_settings.h"
 #include "engine/math/up_axis.h"
 #include "tests/support/imported_scene.h"
@@ -292,14 +292,14 @@ TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {
 TEST(FrameGuess, RoundThingsStandUpright) {
     FrameEvidence evidence;
     for (int i = 0; i < 6; ++i) {
-        MeasuredThing& thing = evidence.things.emplace_back();
+        MeasuredObject& thing = evidence.objects.emplace_back();
         const Eigen::Vector3d at(i, 0.1 * i * i, 0.3 * i);
         thing.box = Eigen::AlignedBox3d(at, at + Eigen::Vector3d(0.2, 0.3, 0.2));
         thing.area = 0.3;
         thing.facing = {0.02, 0.06, 0.02};
         evidence.core.extend(thing.box);
     }
-    const std::vector<UpEvidence> ranked = judgeUp(evidence);
+    const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     EXPECT_EQ(ranked[0].axis.letter, 'y');
     EXPECT_EQ(ranked[1].axis.letter, 'y');
     EXPECT_GT(ranked[1].score - ranked[2].score, 0.3);

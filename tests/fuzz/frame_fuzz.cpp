@@ -1,6 +1,6 @@
 #include "engine/io/sandbox/cached_inputs.h"
 #include "engine/io/sandbox/input_list.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -12,16 +12,16 @@ namespace {
 /// Prepends a valid header, so that the data behind it is read.
 std::vector<std::uint8_t> withHeader(const std::uint8_t* data, std::size_t size) {
     using namespace dollytrack;
-    const Result<io::ReadScene> empty = io::ReadScene{};
-    std::vector<std::uint8_t> frame(io::frameSize(empty));
-    io::writeFrame(empty, frame);
+    const Result<io::DecodedScene> empty = io::DecodedScene{};
+    std::vector<std::uint8_t> bytes(io::serializedSize(empty));
+    io::serializeScene(empty, bytes);
     constexpr std::size_t kHeaderBytes = 32;
-    frame.resize(kHeaderBytes);
-    frame.insert(frame.end(), data, data + size);
-    const std::uint64_t length = frame.size();
-    std::memcpy(frame.data() + 16, &length, sizeof(length));
-    io::sealFrame(frame);
-    return frame;
+    bytes.resize(kHeaderBytes);
+    bytes.insert(bytes.end(), data, data + size);
+    const std::uint64_t length = bytes.size();
+    std::memcpy(bytes.data() + 16, &length, sizeof(length));
+    io::updateChecksum(bytes);
+    return bytes;
 }
 
 }  // namespace
@@ -32,11 +32,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)io::parseInputList(text);
     (void)io::parseCachedInputs(text);
     bool damaged = false;
-    const auto scene = io::readFrame(withHeader(data, size), damaged);
+    const auto scene = io::deserializeScene(withHeader(data, size), damaged);
     if (!scene) return 0;
-    // A frame that was accepted can be written, and is then accepted again.
-    std::vector<std::uint8_t> again(io::frameSize(scene));
-    io::writeFrame(scene, again);
-    if (!io::readFrame(again, damaged)) std::abort();
+    // A scene that was accepted can be written, and is then accepted again.
+    std::vector<std::uint8_t> again(io::serializedSize(scene));
+    io::serializeScene(scene, again);
+    if (!io::deserializeScene(again, damaged)) std::abort();
     return 0;
 }

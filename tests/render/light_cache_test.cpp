@@ -57,7 +57,7 @@ TEST_F(LightCacheTest, GivesBackWhatWasBakedToTheLastBit) {
     EXPECT_EQ(kept->ambient, volume_.ambient);
     EXPECT_EQ(kept->slope, volume_.slope);
     EXPECT_EQ(kept->lamps, volume_.lamps);
-    EXPECT_EQ(kept->own_share, volume_.own_share);
+    EXPECT_EQ(kept->scene_lamp_share, volume_.scene_lamp_share);
     EXPECT_EQ(kept->exposure, volume_.exposure);
     EXPECT_EQ(kept->dimmed, volume_.dimmed);
     EXPECT_EQ(kept->lamp_color, volume_.lamp_color);
@@ -80,7 +80,7 @@ TEST_F(LightCacheTest, WhateverChangesTheLightHasAnotherName) {
     };
     changedRig([](LightRig& rig) { rig.lamps[0].position.x() += 0.01; });
     changedRig([](LightRig& rig) { rig.lamps.clear(); });
-    changedRig([](LightRig& rig) { rig.own_lamps.emplace_back(); });
+    changedRig([](LightRig& rig) { rig.scene_lamps.emplace_back(); });
     changedRig([](LightRig& rig) { rig.sky_factor.x() *= 0.5F; });
     changedRig([](LightRig& rig) { rig.lamp_factor *= 0.5F; });
     changedRig([](LightRig& rig) { rig.emission_factor *= 0.5F; });

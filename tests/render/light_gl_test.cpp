@@ -244,7 +244,7 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
     const Scene scene = test::lampRoom(0.8F);
     const RayCaster rays(scene);
     const LightRig rig = makeLightRig(scene, rays);
-    ASSERT_EQ(rig.own_lamps.size(), 1U);
+    ASSERT_EQ(rig.scene_lamps.size(), 1U);
     CameraParams camera = squareCamera();
     camera.width_px = 40;
     camera.height_px = 30;
@@ -252,7 +252,7 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
     const LightVolume volume = bakeLightVolume(scene, rays, rig);
     EXPECT_LT(difference(scene, rays, rig, volume, view, 1.0F), 0.06);
     LightRig without = rig;
-    without.own_lamps.clear();
+    without.scene_lamps.clear();
     const LightVolume dim = bakeLightVolume(scene, rays, without);
     EXPECT_GT(difference(scene, rays, rig, dim, view, 1.0F), 0.1);
     // The exposure of the whole room stays about the same.

@@ -68,14 +68,14 @@ Image8 mirroredPicture(const Image8& picture) {
     return result;
 }
 
-OwnFit judged(const Image8& picture, const Image16& ids) {
-    return judgeByOwn(ChangeMap(picture), outlinesOf(ids, false));
+OutlineAlignment alignmentIn(const Image8& picture, const Image16& ids) {
+    return alignmentOf(GradientMap(picture), outlinesOf(ids, false));
 }
 
 TEST(PictureEdges, APictureOfItsLabelsIsExplainedHoweverDark) {
     const Image16 ids = labels(kBoxes);
     for (const int contrast : {1, 3, 10, 60}) {
-        const OwnFit fit = judged(pictureOf(ids, contrast, 0), ids);
+        const OutlineAlignment fit = alignmentIn(pictureOf(ids, contrast, 0), ids);
         EXPECT_GT(fit.own.rank, 0.95) << contrast;
         EXPECT_EQ(fit.elsewhere, "") << contrast;
     }
@@ -84,19 +84,19 @@ TEST(PictureEdges, APictureOfItsLabelsIsExplainedHoweverDark) {
 TEST(PictureEdges, AMovedOrMirroredPictureIsToldWithWhatExplainsIt) {
     const Image16 ids = labels(kBoxes);
     const Image8 picture = pictureOf(ids, 30, 6);
-    EXPECT_EQ(judged(moved(picture, 8, 0), ids).elsewhere, "moved by about (8, 0) px");
-    EXPECT_EQ(judged(moved(picture, -4, 12), ids).elsewhere, "moved by about (-4, 12) px");
-    EXPECT_EQ(judged(mirroredPicture(picture), ids).elsewhere, "mirrored left to right");
-    EXPECT_EQ(judged(picture, ids).elsewhere, "");
+    EXPECT_EQ(alignmentIn(moved(picture, 8, 0), ids).elsewhere, "moved by about (8, 0) px");
+    EXPECT_EQ(alignmentIn(moved(picture, -4, 12), ids).elsewhere, "moved by about (-4, 12) px");
+    EXPECT_EQ(alignmentIn(mirroredPicture(picture), ids).elsewhere, "mirrored left to right");
+    EXPECT_EQ(alignmentIn(picture, ids).elsewhere, "");
 }
 
 TEST(PictureEdges, APictureOfSomethingElseIsNotExplained) {
     const Image16 ids = labels(kBoxes);
     const Image16 other =
         labels({{30, 5, 45, 115, 4}, {60, 30, 75, 118, 5}, {104, 55, 158, 64, 6}});
-    const OwnFit fit = judged(pictureOf(other, 30, 6), ids);
+    const OutlineAlignment fit = alignmentIn(pictureOf(other, 30, 6), ids);
     EXPECT_LT(fit.best, 0.65);
-    const ChangeMap change(pictureOf(other, 30, 6));
+    const GradientMap change(pictureOf(other, 30, 6));
     EXPECT_TRUE(explainsBetter(change.fit(outlinesOf(other, false)), fit.own));
     EXPECT_FALSE(explainsBetter(fit.own, change.fit(outlinesOf(other, false))));
 }
@@ -113,7 +113,7 @@ TEST(PictureEdges, ALineBesideAFaintBorderProvesNothing) {
         }
     }
     const Outlines outlines = outlinesOf(ids, false);
-    EXPECT_EQ(judgeByOwn(ChangeMap(picture), outlines).elsewhere, "");
+    EXPECT_EQ(alignmentOf(GradientMap(picture), outlines).elsewhere, "");
 }
 
 TEST(PictureEdges, ABlankPictureHasOneColour) {

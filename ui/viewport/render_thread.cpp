@@ -6,8 +6,8 @@
 #include "render/gl/picture_texture.h"
 #include "render/light/traced_reflections.h"
 #include "render/overlays/overlay_renderer.h"
+#include "ui/viewport/adaptive_resolution.h"
 #include "ui/viewport/false_color.h"
-#include "ui/viewport/view_pace.h"
 
 #include <algorithm>
 #include <array>
@@ -163,7 +163,7 @@ struct RenderThread::Impl {
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
     std::uint64_t serial = 0;
-    ViewPace pace;
+    AdaptiveResolution resolution;
     std::optional<render::View> last_view;
     std::optional<ViewRequest> owed;  // drawn coarsely, full image due; guarded by `mutex`
 
@@ -216,7 +216,7 @@ void RenderThread::Impl::loop() {
         const auto news = [this] { return stopping || next_scene || next_view || next_preview; };
         bool rests = false;
         if (owed) {
-            rests = !arrived.wait_until(lock, pace.restsAt(), news);
+            rests = !arrived.wait_until(lock, resolution.restsAt(), news);
         } else {
             arrived.wait(lock, news);
         }
@@ -260,7 +260,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     geometry = request.geometry;
     whole.drawn.reset();
     coarse.drawn.reset();
-    if (!same) pace.forget();
+    if (!same) resolution.forget();
     if (renderer) renderer->setReflections(nullptr);
     reflections.reset();
     rays = request.rays;
@@ -304,7 +304,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
         overlays.emplace(std::move(*made));
     }
     const bool same = last_view && samePicture(*last_view, request.view);
-    const int shrink = pace.shrinkFor(same, begin);
+    const int shrink = resolution.shrinkFor(same, begin);
     const Result<bool> drawn = drawOn(shrink == 1 ? whole : coarse, request, shrink);
     if (!drawn) return tl::unexpected(drawn.error());
     last_view = request.view;
@@ -314,7 +314,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
     image.view = request.view;
     image.serial = ++serial;
     image.milliseconds = std::chrono::duration<double, std::milli>(end - begin).count();
-    pace.drew(shrink, same, *drawn, image.milliseconds, end);
+    resolution.drew(shrink, same, *drawn, image.milliseconds, end);
     const std::lock_guard lock(mutex);
     if (shrink > 1) owed = std::move(request);
     std::swap(views.drawn, views.finished);

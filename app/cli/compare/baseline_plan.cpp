@@ -2,8 +2,8 @@
 
 #include "app/cli/plan/metrics_table.h"
 #include "engine/plan/plan_json.h"
-#include "planning/baselines/judge.h"
 #include "planning/baselines/planner.h"
+#include "planning/baselines/planner_metrics.h"
 #include "planning/free_space/free_space.h"
 
 #include <fmt/format.h>
@@ -28,18 +28,19 @@ Result<const planning::Planner*> findPlanner(const std::string& name) {
     return fail(ErrorCode::Usage, refused ? "" : refused.error().message, name);
 }
 
-nlohmann::json judgedJson(const planning::Judgement& judgement, const std::string& planner) {
-    nlohmann::json metrics = captureMetricsJson(judgement.captures);
-    const auto& infos = planning::judgedMetrics();
-    const planning::JudgedRow row = planning::toRow(judgement);
+nlohmann::json plannerMetricsJson(const planning::PlannerMetrics& measured,
+                                  const std::string& planner) {
+    nlohmann::json metrics = captureMetricsJson(measured.captures);
+    const auto& infos = planning::plannerMetricInfos();
+    const planning::MetricsRow row = planning::toRow(measured);
     for (std::size_t i = 0; i < infos.size(); ++i) {
         nlohmann::json value;
         if (row[i]) value = *row[i];
         metrics[std::string(infos[i].name)] = std::move(value);
     }
     // Integers instead of the table's real numbers.
-    metrics["objects"] = judgement.captures.objects;
-    metrics["frames"] = judgement.frames;
+    metrics["objects"] = measured.captures.objects;
+    metrics["frames"] = measured.frames;
     metrics["planner"] = planner;
     return metrics;
 }
@@ -68,22 +69,23 @@ Result<PlannedScene> planWithBaseline(const std::string& name, const OpenedScene
     Result<planning::PlannedMotion> motion =
         (*planner)->plan(*map, opened.params, opened.params.seed, job.stage(0.2, 0.8, "planning"));
     if (!motion) return tl::unexpected<Error>(std::move(motion.error()));
-    const auto judgement = planning::judge(*map, *motion, job.stage(0.8, 1.0, "judging"));
-    if (!judgement) return tl::unexpected<Error>(judgement.error());
+    const auto measured =
+        planning::measurePlannedMotion(*map, *motion, job.stage(0.8, 1.0, "judging"));
+    if (!measured) return tl::unexpected<Error>(measured.error());
     PlannedScene planned;
     planned.scene = opened.scene;
     planned.params = opened.params;
     planned.trajectory = std::move(motion->trajectory);
     for (const planning::Room& room : map->free_space->rooms()) planned.rooms.push_back(room.box);
-    planned.metrics = judgedJson(*judgement, name);
+    planned.metrics = plannerMetricsJson(*measured, name);
     if (const auto share = map->free_space->scannedShare()) {
         planned.metrics["scanned_share"] = *share;
     }
     return planned;
 }
 
-Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
-                                       const JobContext& job) {
+Result<nlohmann::json> evaluateTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
+                                          const JobContext& job) {
     if (Status status = planning::validate(opened.params); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -92,12 +94,13 @@ Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajecto
     if (!map) return tl::unexpected<Error>(map.error());
     planning::PlannedMotion motion;
     motion.trajectory = trajectory;
-    const auto judgement = planning::judge(*map, motion, job.stage(0.4, 1.0, "judging"));
-    if (!judgement) return tl::unexpected<Error>(judgement.error());
-    nlohmann::json metrics = judgedJson(*judgement, "given");
+    const auto measured =
+        planning::measurePlannedMotion(*map, motion, job.stage(0.4, 1.0, "judging"));
+    if (!measured) return tl::unexpected<Error>(measured.error());
+    nlohmann::json metrics = plannerMetricsJson(*measured, "given");
     metrics.erase("planner");
     nlohmann::json& ledger = metrics["ledger"] = nlohmann::json::array();
-    for (const ObjectCapture& one : judgement->objects) {
+    for (const ObjectCapture& one : measured->objects) {
         ledger.push_back({{"object", opened.scene->object(one.object_id).name},
                           {"id", one.object_id},
                           {"captured", one.captured},
@@ -116,7 +119,7 @@ nlohmann::json metricsOf(const std::string& planner) {
         plan.surface.emplace();  // only plans whose objective includes surface have these metrics
         metrics = metricsJson(Scene{}, plan);
     } else {
-        metrics = judgedJson({}, planner);
+        metrics = plannerMetricsJson({}, planner);
         for (nlohmann::json& value : metrics) {
             if (value.is_null()) value = 0.0;
         }
@@ -125,12 +128,12 @@ nlohmann::json metricsOf(const std::string& planner) {
     return metrics;
 }
 
-std::string judgedTable(const nlohmann::json& metrics) {
+std::string plannerMetricsTable(const nlohmann::json& metrics) {
     std::string text;
     if (const std::string scanned = scannedText(metrics); !scanned.empty()) {
         text += fmt::format("  {:<22} {}\n", "scan", scanned);
     }
-    for (const planning::MetricInfo& info : planning::judgedMetrics()) {
+    for (const planning::MetricInfo& info : planning::plannerMetricInfos()) {
         const nlohmann::json& value = metrics.at(std::string(info.name));
         if (value.is_null()) continue;
         const bool rate = info.unit == "%";

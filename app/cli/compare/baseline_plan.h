@@ -28,14 +28,14 @@ Result<PlannedScene> planWithBaseline(const std::string& planner, const OpenedSc
 
 /// Evaluates any trajectory in this scene: the metrics of planWithBaseline() without the planner's
 /// name, and as "ledger" the best frame for each target (-1: none). Errors: Usage, Cancelled.
-Result<nlohmann::json> judgeTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
-                                       const JobContext& job);
+Result<nlohmann::json> evaluateTrajectory(const OpenedScene& opened, const Trajectory& trajectory,
+                                          const JobContext& job);
 
 /// All metric names of `plan --planner`, with placeholder values, to check names before planning.
 /// The planner must be known.
 nlohmann::json metricsOf(const std::string& planner);
 
 /// A baseline's metrics as text, one per line.
-std::string judgedTable(const nlohmann::json& metrics);
+std::string plannerMetricsTable(const nlohmann::json& metrics);
 
 }  // namespace dollytrack::cli

@@ -38,7 +38,7 @@ struct CompareArguments {
 
 nlohmann::ordered_json rowsJson(const ComparedScene& scene) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     for (const ComparedRow& row : scene.rows) {
         nlohmann::ordered_json one = {{"planner", row.planner}};
         for (std::size_t i = 0; i < metrics.size(); ++i) {
@@ -99,9 +99,9 @@ std::vector<std::string> givenNames(const std::vector<std::string>& paths) {
 }
 
 /// Reads the --trajectory files, in world coordinates of the scene.
-Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments,
-                                               const OpenedScene& opened) {
-    std::vector<GivenTrajectory> given;
+Result<std::vector<ExternalTrajectory>> loadGiven(const CompareArguments& arguments,
+                                                  const OpenedScene& opened) {
+    std::vector<ExternalTrajectory> given;
     const std::vector<std::string> names = givenNames(arguments.trajectories);
     for (const std::string& path : arguments.trajectories) {
         io::TrajectoryReading reading;
@@ -133,7 +133,7 @@ Result<std::vector<GivenTrajectory>> loadGiven(const CompareArguments& arguments
 render::Figure comparisonFigure(const ComparedScene& scene) {
     render::Figure figure;
     figure.title = scene.scene;
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     for (std::size_t m = 0; m < metrics.size(); ++m) {
         const planning::MetricInfo& metric = metrics[m];
         if (metric.better == planning::Better::Neither) continue;

@@ -17,9 +17,9 @@ namespace dollytrack::cli {
 namespace {
 
 using planning::BaselineScene;
-using planning::JudgedRow;
-using planning::Judgement;
+using planning::MetricsRow;
 using planning::PlannedMotion;
+using planning::PlannerMetrics;
 
 double millisecondsSince(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
@@ -33,7 +33,7 @@ class SceneComparison {
 
     /// Evaluates one planner. A failed seed is skipped; cancellation ends the comparison.
     Status run(const planning::Planner& planner, int seeds, const JobContext& job) {
-        std::vector<JudgedRow> rows;
+        std::vector<MetricsRow> rows;
         for (int i = 0; i < seeds; ++i) {
             const JobContext part = job.stage(static_cast<double>(i) / seeds,
                                               static_cast<double>(i + 1) / seeds, planner.name);
@@ -52,7 +52,7 @@ class SceneComparison {
                 continue;
             }
             if (!motion->plan_ms) motion->plan_ms = millisecondsSince(begin);
-            Result<JudgedRow> row = judgeOne(*motion, part.stage(0.6, 1.0, planner.name));
+            Result<MetricsRow> row = measureOne(*motion, part.stage(0.6, 1.0, planner.name));
             if (!row) return tl::unexpected<Error>(std::move(row.error()));
             rows.push_back(std::move(*row));
         }
@@ -62,10 +62,10 @@ class SceneComparison {
         return {};
     }
 
-    Status add(const GivenTrajectory& given, const JobContext& job) {
-        Result<JudgedRow> row = judgeOne(given.motion, job);
+    Status add(const ExternalTrajectory& given, const JobContext& job) {
+        Result<MetricsRow> row = measureOne(given.motion, job);
         if (!row) return tl::unexpected<Error>(std::move(row.error()));
-        const auto& metrics = planning::judgedMetrics();
+        const auto& metrics = planning::plannerMetricInfos();
         for (std::size_t i = 0; i < metrics.size(); ++i) {
             if (metrics[i].name != "outside_rate" || !(*row)[i] || *(*row)[i] < 0.9) continue;
             log::warn("compare", given.name +
@@ -83,8 +83,8 @@ class SceneComparison {
         const auto bound = planning::boundCaptures(
             {*scene_.views, *scene_.free_space, *scene_.sphere}, found, params_.seed, job);
         if (!bound) return tl::unexpected<Error>(bound.error());
-        JudgedRow row;
-        for (const planning::MetricInfo& metric : planning::judgedMetrics()) {
+        MetricsRow row;
+        for (const planning::MetricInfo& metric : planning::plannerMetricInfos()) {
             std::optional<double> value;
             if (metric.name == "objects") value = static_cast<double>(best_.size());
             if (metric.name == "capture_rate") value = bound->capturable_rate;
@@ -99,14 +99,15 @@ class SceneComparison {
     ComparedScene take() { return std::move(result_); }
 
   private:
-    Result<JudgedRow> judgeOne(const PlannedMotion& motion, const JobContext& job) {
-        return planning::judge(scene_, motion, job).map([&](const Judgement& judgement) {
-            for (std::size_t i = 0; i < best_.size(); ++i) {
-                best_[i].captured |= judgement.objects[i].captured;
-                best_[i].well_captured |= judgement.objects[i].well_captured;
-            }
-            return planning::toRow(judgement);
-        });
+    Result<MetricsRow> measureOne(const PlannedMotion& motion, const JobContext& job) {
+        return planning::measurePlannedMotion(scene_, motion, job)
+            .map([&](const PlannerMetrics& measured) {
+                for (std::size_t i = 0; i < best_.size(); ++i) {
+                    best_[i].captured |= measured.objects[i].captured;
+                    best_[i].well_captured |= measured.objects[i].well_captured;
+                }
+                return planning::toRow(measured);
+            });
     }
 
     const BaselineScene& scene_;
@@ -119,7 +120,8 @@ class SceneComparison {
 
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
-                                const std::vector<GivenTrajectory>& given, const JobContext& job) {
+                                const std::vector<ExternalTrajectory>& given,
+                                const JobContext& job) {
     if (order.seeds > 1 && params.seed > std::numeric_limits<int>::max() - (order.seeds - 1)) {
         return fail(
             ErrorCode::Usage,
@@ -147,7 +149,7 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
             return tl::unexpected<Error>(std::move(status.error()));
         }
     }
-    for (const GivenTrajectory& one : given) {
+    for (const ExternalTrajectory& one : given) {
         if (Status status = comparison.add(one, next(one.name)); !status) {
             return tl::unexpected<Error>(std::move(status.error()));
         }
@@ -165,7 +167,7 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
 ComparedScene meanOver(const std::vector<ComparedScene>& scenes) {
     ComparedScene mean;
     mean.scene = fmt::format("mean of {} scenes", scenes.size());
-    std::vector<std::vector<JudgedRow>> rows;  // metric rows by planner
+    std::vector<std::vector<MetricsRow>> rows;  // metric rows by planner
     for (const ComparedScene& scene : scenes) {
         mean.map_ms += scene.map_ms / static_cast<double>(scenes.size());
         for (const ComparedRow& row : scene.rows) {

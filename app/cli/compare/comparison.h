@@ -2,8 +2,8 @@
 
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "planning/baselines/judge.h"
 #include "planning/baselines/planner.h"
+#include "planning/baselines/planner_metrics.h"
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 namespace dollytrack::cli {
 
 /// An existing trajectory, evaluated beside the planners.
-struct GivenTrajectory {
+struct ExternalTrajectory {
     std::string name;
     planning::PlannedMotion motion;
 };
@@ -19,7 +19,7 @@ struct GivenTrajectory {
 /// Metrics of one planner in one scene: medians over the seeds.
 struct ComparedRow {
     std::string planner;
-    planning::JudgedRow values;  // in the order of judgedMetrics()
+    planning::MetricsRow values;  // in the order of plannerMetricInfos()
 };
 
 struct ComparedScene {
@@ -41,7 +41,8 @@ struct ComparisonOrder {
 /// if the seeds exceed the largest int; errors of the map; Cancelled.
 Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                 const planning::PlanParams& params, const ComparisonOrder& order,
-                                const std::vector<GivenTrajectory>& given, const JobContext& job);
+                                const std::vector<ExternalTrajectory>& given,
+                                const JobContext& job);
 
 /// Means by planner, over the scenes in which the planner has a row.
 ComparedScene meanOver(const std::vector<ComparedScene>& scenes);

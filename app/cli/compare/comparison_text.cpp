@@ -40,7 +40,7 @@ std::string csvField(const std::string& text) {
 }
 
 std::string comparisonTable(const ComparedScene& scene) {
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     std::vector<std::string> lines(scene.rows.size() + 2);
     std::size_t widest = 7;
     for (const ComparedRow& row : scene.rows) widest = std::max(widest, row.planner.size());
@@ -75,7 +75,7 @@ std::string comparisonTable(const ComparedScene& scene) {
 }
 
 std::string comparisonCsv(const std::vector<ComparedScene>& scenes) {
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     std::string text = "scene,planner";
     for (const planning::MetricInfo& metric : metrics) text += fmt::format(",{}", metric.name);
     text += "\n";

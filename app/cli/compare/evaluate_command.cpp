@@ -3,7 +3,7 @@
 #include "app/cli/export/dataset_scene.h"
 #include "app/cli/plan/metrics_table.h"
 #include "engine/io/pointcloud/ply_points.h"
-#include "render/verify/seen_surface.h"
+#include "render/verify/observed_surface.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -33,7 +33,7 @@ Status addReconstruction(const EvaluateArguments& arguments, const verify::Store
     if (!scene->rays) {
         return fail(ErrorCode::BadInput, "For --cloud " + scene->missing + ".", arguments.folder);
     }
-    const std::vector<Eigen::Vector3d> surface = verify::seenSurface(dataset, kSpacing_m);
+    const std::vector<Eigen::Vector3d> surface = verify::observedSurface(dataset, kSpacing_m);
     for (std::size_t i = 0; i < arguments.clouds.size(); ++i) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "The evaluation was stopped.");
         Result<std::vector<Eigen::Vector3d>> cloud = io::readPlyPoints(arguments.clouds[i]);

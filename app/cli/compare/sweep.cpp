@@ -59,7 +59,7 @@ std::vector<std::string> ofImport(std::vector<std::string> assignments) {
 SweepPoint gapOf(const planning::Planner& planner, const Error& error) {
     SweepPoint point;
     point.planner = planner.name;
-    point.metrics.resize(planning::judgedMetrics().size());
+    point.metrics.resize(planning::plannerMetricInfos().size());
     point.gap = describe(error);
     return point;
 }
@@ -187,10 +187,10 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
             continue;
         }
         if (!motion) return tl::unexpected<Error>(motion.error());
-        const auto judged =
-            planning::judge(*mapped_, *motion, job.stage(share(0.5), share(1.0), "judging"));
-        if (!judged) return tl::unexpected<Error>(judged.error());
-        point.metrics = planning::toRow(*judged);
+        const auto measured = planning::measurePlannedMotion(
+            *mapped_, *motion, job.stage(share(0.5), share(1.0), "judging"));
+        if (!measured) return tl::unexpected<Error>(measured.error());
+        point.metrics = planning::toRow(*measured);
         points.push_back(std::move(point));
     }
     return points;

@@ -3,8 +3,8 @@
 #include "app/cli/scene_arguments.h"
 #include "engine/jobs/job.h"
 #include "engine/plan/plan.h"
-#include "planning/baselines/judge.h"
 #include "planning/baselines/planner.h"
+#include "planning/baselines/planner_metrics.h"
 #include "planning/pipeline/pipeline.h"
 
 #include <memory>
@@ -32,7 +32,7 @@ std::optional<double> finiteNumber(const std::string& text);
 struct SweepPoint {
     std::vector<std::string> values;  // one value per parameter
     std::string planner;
-    planning::JudgedRow metrics;
+    planning::MetricsRow metrics;
     std::vector<StageTime> stages;  // stage times of our planner; empty for others
     std::string gap;                // why there are no metrics; empty if there are
 };

@@ -47,9 +47,9 @@ Result<std::vector<SweptParameter>> parseParameters(const std::vector<std::strin
     return parameters;
 }
 
-/// Indices of the named metrics in judgedMetrics().
+/// Indices of the named metrics in plannerMetricInfos().
 Result<std::vector<int>> findMetrics(const std::vector<std::string>& names) {
-    const auto& metrics = planning::judgedMetrics();
+    const auto& metrics = planning::plannerMetricInfos();
     std::vector<std::string> known;
     for (const planning::MetricInfo& metric : metrics) known.emplace_back(metric.name);
     std::vector<int> found;

@@ -8,7 +8,7 @@ namespace dollytrack::cli {
 namespace {
 
 const planning::MetricInfo& metricAt(int index) {
-    return planning::judgedMetrics()[static_cast<std::size_t>(index)];
+    return planning::plannerMetricInfos()[static_cast<std::size_t>(index)];
 }
 
 std::optional<double> shown(int metric, const SweepPoint& point) {
@@ -50,7 +50,7 @@ std::string sweepCsv(const std::vector<SweptParameter>& parameters,
     std::string text;
     for (const SweptParameter& parameter : parameters) text += parameter.name + ",";
     text += "planner";
-    for (const planning::MetricInfo& metric : planning::judgedMetrics()) {
+    for (const planning::MetricInfo& metric : planning::plannerMetricInfos()) {
         text += fmt::format(",{}", metric.name);
     }
     for (const std::string& stage : stages) text += ",stage_" + stage + "_ms";

@@ -13,7 +13,7 @@ namespace dollytrack::cli {
 std::string sweepCsv(const std::vector<SweptParameter>& parameters,
                      const std::vector<SweepPoint>& points);
 
-/// A text table of the points with the chosen metrics (indices in judgedMetrics()).
+/// A text table of the points with the chosen metrics (indices in plannerMetricInfos()).
 std::string sweepTable(const std::vector<SweptParameter>& parameters,
                        const std::vector<SweepPoint>& points, const std::vector<int>& metrics);
 

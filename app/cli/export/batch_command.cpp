@@ -23,8 +23,8 @@ using batch::BatchList;
 using batch::BatchOrder;
 using batch::Job;
 using batch::Report;
+using batch::ResumeState;
 using batch::Shard;
-using batch::Standing;
 
 struct BatchArguments {
     std::string file;
@@ -77,12 +77,12 @@ ExitCode exitCodeOf(const Report& report) {
 ExitCode listJobs(const std::vector<Job>& jobs, const batch::RunSettings& settings, bool as_json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Job& job : jobs) {
-        const auto standing = batch::standingOf(job, settings);
-        const bool done = standing && standing->step == Standing::Step::Nothing;
-        const bool goes_on = standing && standing->step == Standing::Step::GoOn;
+        const auto resume = batch::resumeStateOf(job, settings);
+        const bool done = resume && resume->action == ResumeState::Action::None;
+        const bool goes_on = resume && resume->action == ResumeState::Action::Resume;
         std::string what = done ? "done" : goes_on ? "go on" : "begin";
-        if (!standing) what = describe(standing.error());
-        if (standing && !standing->why.empty()) what += ": " + standing->why;
+        if (!resume) what = describe(resume.error());
+        if (resume && !resume->why.empty()) what += ": " + resume->why;
         if (!as_json) {
             fmt::print("{:>5}  {:<40} {}\n", job.number, job.name, what);
             continue;
@@ -113,7 +113,7 @@ Result<ExitCode> mergeBatch(const BatchArguments& arguments) {
         results.push_back(batch::resultOf(job, folder));
     }
     const Report report{folder.filename().string(), folder, folder, list->require,
-                        batch::judge(list->jobs, std::move(results), list->require)};
+                        batch::evaluateResults(list->jobs, std::move(results), list->require)};
     if (Status status = batch::writeReport(report); !status) {
         return tl::unexpected<Error>(std::move(status.error()));
     }
@@ -184,7 +184,7 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
     const JobContext job = session.job().stage(0.0, 1.0, "jobs");
     std::vector<batch::JobResult> results = batch::runJobs(jobs, *settings, job);
     Report report{order->file.stem().string(), settings->folder, settings->folder, all.require,
-                  batch::judge(jobs, std::move(results), all.require)};
+                  batch::evaluateResults(jobs, std::move(results), all.require)};
     if (shard.count > 1) {
         report.title += fmt::format(", part {} of {}", shard.index, shard.count);
         report.folder /= fmt::format("{}/{}-of-{}", kShards, shard.index, shard.count);

@@ -4,7 +4,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene_report.h"
 #include "planning/free_space/free_space.h"
-#include "planning/free_space/leak_summary.h"
+#include "planning/free_space/opening_summary.h"
 #include "planning/free_space/surface_coverage.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ nlohmann::json roomsJson(const planning::FreeSpace& map) {
         one["volume_m3"] = room.volume_m3;
         one["floor_area_m2"] = room.floor_area_m2;
         one["openings"] = nlohmann::json::array();
-        for (const planning::Opening& opening : map.leaks().openings) {
+        for (const planning::Opening& opening : map.openingReport().openings) {
             if (opening.component == room.component) {
                 one["openings"].push_back(planning::describe(opening));
             }
@@ -52,7 +52,7 @@ void printRooms(const planning::FreeSpace& map, double coverage) {
     if (const std::string scanned = scannedText(map.scannedShare()); !scanned.empty()) {
         fmt::print("  scan: {}\n", scanned);
     }
-    for (const std::string& line : planning::describeAll(map.leaks())) {
+    for (const std::string& line : planning::describeAll(map.openingReport())) {
         fmt::print("  note: {}\n", line);
     }
 }

@@ -162,7 +162,7 @@ Result<ExitCode> runBaseline(const PlanArguments& arguments,
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(planned->metrics));
     } else {
-        fmt::print("{}", judgedTable(planned->metrics));
+        fmt::print("{}", plannerMetricsTable(planned->metrics));
     }
     return areMet(requirements, planned->metrics) ? kDone : kPartial;
 }

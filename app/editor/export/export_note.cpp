@@ -1,7 +1,7 @@
 #include "app/editor/export/export_note.h"
 
 #include "app/editor/export/owner_mark.h"
-#include "app/editor/project/files_in.h"
+#include "app/editor/project/folder_entries.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/durable_file.h"

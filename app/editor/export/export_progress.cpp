@@ -74,11 +74,11 @@ std::string withLastWords(std::string sentence, const ui::ExportJob& job) {
 
 }  // namespace
 
-void LineCutter::add(std::string_view text) {
+void LineSplitter::add(std::string_view text) {
     waiting_ += text;
 }
 
-bool LineCutter::take(std::string& line) {
+bool LineSplitter::take(std::string& line) {
     const std::size_t end = waiting_.find('\n');
     if (end == std::string::npos) {
         if (waiting_.size() <= kLongestLine) return false;

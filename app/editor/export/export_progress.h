@@ -9,7 +9,7 @@
 namespace dollytrack::editor {
 
 /// Splits a program's output into lines.
-class LineCutter {
+class LineSplitter {
   public:
     /// Appends output of the program.
     void add(std::string_view text);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr auto kLook = std::chrono::milliseconds(50);
 // Time for the program to finish its current frame after a stop request.
-constexpr auto kPatience = std::chrono::seconds(10);
+constexpr auto kGracePeriod = std::chrono::seconds(10);
 constexpr auto kPatienceAtExit = std::chrono::seconds(2);
 // Minimum time between two updates of a note.
 constexpr auto kNoteInterval = std::chrono::seconds(2);
@@ -391,7 +391,7 @@ void ExportQueue::runEntry(int id) {
 }
 
 void ExportQueue::follow(int id, ChildProcess& process) {
-    LineCutter lines;
+    LineSplitter lines;
     std::optional<Clock::time_point> asked_at;
     bool closing = false;
     const auto listen = [&](std::chrono::milliseconds wait) {
@@ -426,7 +426,7 @@ void ExportQueue::follow(int id, ChildProcess& process) {
             asked_at = Clock::now();
             process.send(SIGTERM);
         }
-        if (asked_at && Clock::now() - *asked_at > (closing ? kPatienceAtExit : kPatience)) {
+        if (asked_at && Clock::now() - *asked_at > (closing ? kPatienceAtExit : kGracePeriod)) {
             process.send(SIGKILL);
         }
     }

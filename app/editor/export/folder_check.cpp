@@ -48,7 +48,7 @@ const FolderFinding& FolderCheck::of(const fs::path& folder) {
         asked_ = folder;
         asked_at_ = now;
         looker_.start(
-            [folder, outbox = answer_](const JobContext&) { outbox->put(lookAtFolder(folder)); });
+            [folder, latest = answer_](const JobContext&) { latest->put(lookAtFolder(folder)); });
     }
     if (found_.folder != folder) found_ = {folder, FindingKind::Unknown};
     return found_;

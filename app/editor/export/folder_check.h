@@ -40,7 +40,8 @@ class FolderCheck {
     FolderFinding found_;
     std::filesystem::path asked_;
     std::chrono::steady_clock::time_point asked_at_;
-    std::shared_ptr<Outbox<FolderFinding>> answer_ = std::make_shared<Outbox<FolderFinding>>();
+    std::shared_ptr<LatestValue<FolderFinding>> answer_ =
+        std::make_shared<LatestValue<FolderFinding>>();
     BackgroundWorker looker_;
 };
 

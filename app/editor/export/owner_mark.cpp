@@ -1,6 +1,6 @@
 #include "app/editor/export/owner_mark.h"
 
-#include "app/editor/project/files_in.h"
+#include "app/editor/project/folder_entries.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -12,8 +12,8 @@ const std::vector<double>* PieceCount::of(const std::shared_ptr<const Scene>& sc
     if (scene != asked_scene_ || object != asked_object_) {
         asked_scene_ = scene;
         asked_object_ = object;
-        counter_.start([scene, object, outbox = answer_](const JobContext&) {
-            outbox->put({scene, object, pieceSizes(*scene, scene->object(object))});
+        counter_.start([scene, object, latest = answer_](const JobContext&) {
+            latest->put({scene, object, pieceSizes(*scene, scene->object(object))});
         });
     }
     if (!counted_ || counted_->scene != scene || counted_->object != object) return nullptr;

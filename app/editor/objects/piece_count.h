@@ -30,7 +30,7 @@ class PieceCount {
     std::shared_ptr<const Scene> asked_scene_;
     int asked_object_ = 0;
     std::optional<Counted> counted_;
-    std::shared_ptr<Outbox<Counted>> answer_ = std::make_shared<Outbox<Counted>>();
+    std::shared_ptr<LatestValue<Counted>> answer_ = std::make_shared<LatestValue<Counted>>();
     BackgroundWorker counter_;
 };
 

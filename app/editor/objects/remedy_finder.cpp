@@ -20,12 +20,12 @@ void RemedyFinder::find(const PlanOutcome& shown, int object_id) {
     answer_.reset();
     searching_ = true;
     worker_.start([question = ++question_, plan = plan_, scene = scene_, edits = shown.edits,
-                   params = shown.params, asked = *row, outbox = answers_](const JobContext& job) {
+                   params = shown.params, asked = *row, latest = answers_](const JobContext& job) {
         auto rows = planning::findRemedies(scene, params, edits, *plan, {asked}, job);
         if (rows) {
-            outbox->put({question, std::move(rows->front())});
+            latest->put({question, std::move(rows->front())});
         } else {
-            outbox->put({question, tl::unexpected<Error>(std::move(rows.error()))});
+            latest->put({question, tl::unexpected<Error>(std::move(rows.error()))});
         }
     });
 }

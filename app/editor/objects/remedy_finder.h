@@ -42,7 +42,7 @@ class RemedyFinder {
     std::uint64_t question_ = 0;
     bool searching_ = false;
     std::optional<Answer> answer_;
-    std::shared_ptr<Outbox<Answer>> answers_ = std::make_shared<Outbox<Answer>>();
+    std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
     BackgroundWorker worker_;
 };
 

@@ -1,6 +1,6 @@
 #include "app/editor/project/autosave.h"
 
-#include "app/editor/project/files_in.h"
+#include "app/editor/project/folder_entries.h"
 #include "app/editor/shell/local_time.h"
 #include "app/editor/shell/settings.h"
 #include "engine/core/log.h"
@@ -20,8 +20,8 @@ std::filesystem::path folder() {
     return stateFolder() / "autosave";
 }
 
-std::vector<LostWork> findLost() {
-    std::vector<std::pair<std::filesystem::file_time_type, LostWork>> found;
+std::vector<RecoveredWork> findRecoveredWork() {
+    std::vector<std::pair<std::filesystem::file_time_type, RecoveredWork>> found;
     for (const auto& entry : filesIn(folder())) {
         if (entry.path().extension() != ".dolly" ||
             OwnerMark::isHeld(folder(), entry.path().stem().string())) {
@@ -29,7 +29,7 @@ std::vector<LostWork> findLost() {
         }
         const Result<io::ProjectFile> file = io::loadProject(entry.path());
         if (!file) continue;
-        LostWork work;
+        RecoveredWork work;
         work.file = entry.path();
         nlohmann::json others = file->others;
         work.project = Autosave::takeOrigin(others).project;
@@ -41,9 +41,9 @@ std::vector<LostWork> findLost() {
     }
     OwnerMark::tidy(folder());
     std::ranges::sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<LostWork> lost;
-    for (auto& [written, work] : found) lost.push_back(std::move(work));
-    return lost;
+    std::vector<RecoveredWork> recovered;
+    for (auto& [written, work] : found) recovered.push_back(std::move(work));
+    return recovered;
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void Autosave::store(const CommandStack::History& history, io::ProjectFile snaps
     snapshot.others[kSection] = {{"project", origin.project.string()},
                                  {"project_sha256", origin.sha256}};
     writer_.start([snapshot = std::move(snapshot), history, file = file_, old = restored_from_,
-                   mark = mark_, outbox = written_](const JobContext&) {
+                   mark = mark_, latest = written_](const JobContext&) {
         std::error_code ignored;
         std::filesystem::create_directories(file.parent_path(), ignored);
         mark->hold();
@@ -100,7 +100,7 @@ void Autosave::store(const CommandStack::History& history, io::ProjectFile snaps
             status = fail(ErrorCode::Failed, failure.what(), file.string());
         }
         if (status && !old.empty()) std::filesystem::remove(old, ignored);
-        outbox->put({old, status});
+        latest->put({old, status});
     });
 }
 
@@ -117,14 +117,14 @@ void Autosave::discard() {
 }
 
 void Autosave::lookForLostWork() {
-    finder_.start([outbox = found_](const JobContext&) { outbox->put(findLost()); });
+    finder_.start([latest = found_](const JobContext&) { latest->put(findRecoveredWork()); });
 }
 
-std::vector<LostWork> Autosave::takeLostWork() {
-    return found_->take().value_or(std::vector<LostWork>());
+std::vector<RecoveredWork> Autosave::takeRecoveredWork() {
+    return found_->take().value_or(std::vector<RecoveredWork>());
 }
 
-void Autosave::forget(const LostWork& work) {
+void Autosave::forget(const RecoveredWork& work) {
     std::error_code ignored;
     std::filesystem::remove(work.file, ignored);
 }

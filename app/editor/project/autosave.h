@@ -15,7 +15,7 @@
 namespace dollytrack::editor {
 
 /// Unsaved work of an editor that ended unexpectedly.
-struct LostWork {
+struct RecoveredWork {
     std::filesystem::path file;     // the autosave copy, a project file
     std::filesystem::path project;  // the project's own file; empty: never saved
     std::string scene;              // path of its scene file
@@ -55,8 +55,8 @@ class Autosave {
     void lookForLostWork();
     [[nodiscard]] bool looking() const { return finder_.state().busy; }
     /// The found work, newest first, once.
-    [[nodiscard]] std::vector<LostWork> takeLostWork();
-    static void forget(const LostWork& work);
+    [[nodiscard]] std::vector<RecoveredWork> takeRecoveredWork();
+    static void forget(const RecoveredWork& work);
     /// Removes the autosave section from a copy's other sections and returns its content.
     [[nodiscard]] static Origin takeOrigin(nlohmann::json& others);
 
@@ -77,9 +77,9 @@ class Autosave {
     CommandStack::State stored_;  // the state in the copy, written or being written; null: none
     bool failing_ = false;        // the latest write failed and is repeated after kRetry
     int count_ = 0;
-    std::shared_ptr<Outbox<Written>> written_ = std::make_shared<Outbox<Written>>();
-    std::shared_ptr<Outbox<std::vector<LostWork>>> found_ =
-        std::make_shared<Outbox<std::vector<LostWork>>>();
+    std::shared_ptr<LatestValue<Written>> written_ = std::make_shared<LatestValue<Written>>();
+    std::shared_ptr<LatestValue<std::vector<RecoveredWork>>> found_ =
+        std::make_shared<LatestValue<std::vector<RecoveredWork>>>();
     BackgroundWorker writer_;
     BackgroundWorker finder_;
 };

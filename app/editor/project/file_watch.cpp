@@ -26,7 +26,7 @@ void FileWatch::look(const std::filesystem::path& file) {
     if (file.empty() || worker_.state().busy || now - last_look_ < kInterval) return;
     last_look_ = now;
     worker_.start([file, known = known_, round = round_, before = stamp_, was_changed = changed_,
-                   outbox = seen_, wake = wake_](const JobContext&) {
+                   latest = seen_, wake = wake_](const JobContext&) {
         std::error_code error;
         Stamp stamp;
         stamp.written = std::filesystem::last_write_time(file, error);
@@ -34,7 +34,7 @@ void FileWatch::look(const std::filesystem::path& file) {
         if (error) return;  // missing, or being replaced
         const bool same = before && *before == stamp;
         const bool changed = same ? was_changed : known->changedElsewhere(file);
-        outbox->put({round, stamp, changed});
+        latest->put({round, stamp, changed});
         if (changed && !same) wake();  // otherwise the window can keep sleeping
     });
 }

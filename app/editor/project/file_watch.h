@@ -49,7 +49,7 @@ class FileWatch {
     std::optional<Stamp> stamp_;
     bool changed_ = false;
     bool dismissed_ = false;
-    std::shared_ptr<Outbox<Seen>> seen_ = std::make_shared<Outbox<Seen>>();
+    std::shared_ptr<LatestValue<Seen>> seen_ = std::make_shared<LatestValue<Seen>>();
     BackgroundWorker worker_;
 };
 

@@ -14,12 +14,12 @@ namespace dollytrack::editor {
 namespace {
 
 // Grace of an outdated run. A longer one would delay the plan for the final value of a drag.
-constexpr BackgroundWorker::Patience kPatience{std::chrono::milliseconds(900), 0.6};
+constexpr BackgroundWorker::GracePeriod kPlanGracePeriod{std::chrono::milliseconds(900), 0.6};
 
 }  // namespace
 
 /// Used by the worker's thread only.
-struct LivePlanner::Desk {
+struct LivePlanner::WorkerState {
     std::shared_ptr<const Scene> imported;
     SceneEdits scene_edits;
     SizeRules size_rules;
@@ -33,8 +33,8 @@ struct LivePlanner::Desk {
     Status prepareScene(const PlanRequest& request, const planning::PlanParams& params);
 };
 
-Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
-                                       const planning::PlanParams& params) {
+Status LivePlanner::WorkerState::prepareScene(const PlanRequest& request,
+                                              const planning::PlanParams& params) {
     const SceneEdits& edits = request.state->edits.scene;
     const bool same_file = imported == request.imported;
     const SizeRules rules{params.targets.small_volume_m3, params.targets.size_ratio};
@@ -71,16 +71,16 @@ Status LivePlanner::Desk::prepareScene(const PlanRequest& request,
 }
 
 LivePlanner::LivePlanner(std::function<void()> wake, BackgroundWorker::Clock clock)
-    : outcomes_(std::make_shared<Outbox<PlanOutcome>>()),
-      desk_(std::make_shared<Desk>()),
+    : outcomes_(std::make_shared<LatestValue<PlanOutcome>>()),
+      worker_state_(std::make_shared<WorkerState>()),
       wake_(std::move(wake)),
-      worker_(wake_, kPatience, std::move(clock)) {}
+      worker_(wake_, kPlanGracePeriod, std::move(clock)) {}
 
 LivePlanner::~LivePlanner() = default;
 
 void LivePlanner::start(PlanRequest request) {
-    worker_.start([this, request = std::move(request), desk = desk_, outbox = outcomes_,
-                   wake = wake_](const JobContext& job) {
+    worker_.start([this, request = std::move(request), worker_state = worker_state_,
+                   latest = outcomes_, wake = wake_](const JobContext& job) {
         const auto begin = std::chrono::steady_clock::now();
         PlanOutcome outcome;
         outcome.serial = request.serial;
@@ -89,7 +89,7 @@ void LivePlanner::start(PlanRequest request) {
             outcome.milliseconds =
                 std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
                     .count();
-            outbox->put(outcome);
+            latest->put(outcome);
             wake();
         };
         const auto refuse = [&](Error error) {
@@ -102,38 +102,39 @@ void LivePlanner::start(PlanRequest request) {
                 !status) {
                 return refuse(std::move(status.error()));
             }
-            if (Status status = desk->prepareScene(request, outcome.params); !status) {
+            if (Status status = worker_state->prepareScene(request, outcome.params); !status) {
                 return refuse(std::move(status.error()));
             }
-            outcome.scene = desk->scene;
-            outcome.objects = desk->objects;
-            outcome.geometry = desk->geometry;
-            outcome.objects_since = desk->objects_since;
-            outcome.warnings = desk->warnings;
-            outcome.edits = findObjects(request.state->edits.plan, *desk->scene, outcome.warnings);
+            outcome.scene = worker_state->scene;
+            outcome.objects = worker_state->objects;
+            outcome.geometry = worker_state->geometry;
+            outcome.objects_since = worker_state->objects_since;
+            outcome.warnings = worker_state->warnings;
+            outcome.edits =
+                findObjects(request.state->edits.plan, *worker_state->scene, outcome.warnings);
             const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
-                outcome.rays = desk->pipeline->rays();
-                outcome.free_space = desk->pipeline->freeSpace();
+                outcome.rays = worker_state->pipeline->rays();
+                outcome.free_space = worker_state->pipeline->freeSpace();
                 outcome.plan = std::move(plan);
                 outcome.measured = measured;
                 publish();
             };
-            auto plan = desk->pipeline->run(outcome.params, outcome.edits, job,
-                                            [&](std::shared_ptr<const Plan> moving) {
-                                                collect(std::move(moving), false);
-                                                worker_.cancelOutdated();
-                                            });
+            auto plan = worker_state->pipeline->run(outcome.params, outcome.edits, job,
+                                                    [&](std::shared_ptr<const Plan> moving) {
+                                                        collect(std::move(moving), false);
+                                                        worker_.cancelOutdated();
+                                                    });
             if (plan) return collect(std::move(*plan), true);
             if (plan.error().code == ErrorCode::Cancelled) return;  // a newer request is waiting
             outcome.error = std::move(plan.error());
             collect(nullptr, false);
         } catch (const std::exception& error) {
-            desk->scene.reset();  // incomplete data is rebuilt next time
+            worker_state->scene.reset();  // incomplete data is rebuilt next time
             outcome.plan = nullptr;
             outcome.measured = false;
             if (outcome.scene) {
-                outcome.rays = desk->pipeline->rays();
-                outcome.free_space = desk->pipeline->freeSpace();
+                outcome.rays = worker_state->pipeline->rays();
+                outcome.free_space = worker_state->pipeline->freeSpace();
             }
             refuse({ErrorCode::Failed,
                     std::string("Planning failed: ") + error.what() +

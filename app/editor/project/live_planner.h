@@ -72,9 +72,9 @@ class LivePlanner {
     [[nodiscard]] BackgroundWorker::State state() const { return worker_.state(); }
 
   private:
-    struct Desk;
-    std::shared_ptr<Outbox<PlanOutcome>> outcomes_;
-    std::shared_ptr<Desk> desk_;  // data that the worker keeps between runs
+    struct WorkerState;
+    std::shared_ptr<LatestValue<PlanOutcome>> outcomes_;
+    std::shared_ptr<WorkerState> worker_state_;  // data that the worker keeps between runs
     std::function<void()> wake_;
     BackgroundWorker worker_;  // last member: stops before the others are destroyed
 };

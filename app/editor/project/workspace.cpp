@@ -83,7 +83,7 @@ void Workspace::takeBackImport() {
 
 void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectContent>()> read) {
     loader_.start([outcome = std::move(outcome), read = std::move(read),
-                   outbox = loaded_](const JobContext& job) mutable {
+                   latest = loaded_](const JobContext& job) mutable {
         try {
             Result<ProjectContent> content = read();
             if (content && sceneIsGone(*content)) outcome.missing_scene = content->scene_file;
@@ -96,7 +96,7 @@ void Workspace::startLoading(LoadOutcome outcome, std::function<Result<ProjectCo
                                   std::string("The scene cannot be loaded: ") + error.what() + ".",
                                   outcome.path.string());
         }
-        outbox->put(std::move(outcome));
+        latest->put(std::move(outcome));
     });
 }
 
@@ -211,10 +211,10 @@ io::ProjectFile Workspace::snapshot(bool with_plan) const {
     return file;
 }
 
-void Workspace::save(const std::filesystem::path& path, IfChanged if_changed) {
+void Workspace::save(const std::filesystem::path& path, OnConflict on_conflict) {
     if (!isOpen()) return;
     const bool planned = planIsCurrent() && shown_.plan;
-    const bool asks = if_changed == IfChanged::Ask;
+    const bool asks = on_conflict == OnConflict::Ask;
     const bool nothing_new =
         asks && !unsaved() && path == this->path() && (file_has_plan_ || !planned);
     SaveOrder order;
@@ -368,10 +368,10 @@ void Workspace::updateLight() {
     lit_params_ = light;
     lighter_.start([scene = shown_.scene, rays = shown_.rays, rooms = lit_rooms_,
                     light_made = resolved(light), number = ++light_number_,
-                    outbox = lit_](const JobContext& job) {
+                    latest = baked_light_](const JobContext& job) {
         render::LightVolume baked = render::lightVolumeOf(
             *scene, *rays, render::makeLightRig(*scene, *rays, rooms, light_made), {}, job);
-        if (!job.cancelled()) outbox->put({number, std::move(baked)});
+        if (!job.cancelled()) latest->put({number, std::move(baked)});
     });
 }
 
@@ -409,9 +409,10 @@ void Workspace::poll() {
         outcome && isOpen() && isWanted(*outcome)) {
         take(std::move(*outcome));
     }
-    if (std::optional<Lit> lit = lit_->take();
-        lit && lit->number == light_number_ && isOpen() && lit_geometry_ == shown_.geometry) {
-        light_ = std::make_shared<const render::LightVolume>(std::move(lit->light));
+    if (std::optional<BakedLight> baked_light = baked_light_->take();
+        baked_light && baked_light->number == light_number_ && isOpen() &&
+        lit_geometry_ == shown_.geometry) {
+        light_ = std::make_shared<const render::LightVolume>(std::move(baked_light->light));
         has_their_light_ = true;
     }
     for (SaveOutcome& outcome : saved_->takeAll()) finishSaving(std::move(outcome));

@@ -48,11 +48,11 @@ class Workspace {
     void cancelOpening() { loader_.cancel(); }
     void close();
     /// What save() does if another program has changed the file since it was read or written here.
-    enum class IfChanged { Ask, Overwrite };
+    enum class OnConflict { Ask, Overwrite };
     /// Saves the project in the background, with the plan if it is current. Errors arrive as
     /// notices; with Ask, a file changed by another program arrives with takeChangedFile(), and an
     /// up-to-date file is not written again.
-    void save(const std::filesystem::path& path, IfChanged if_changed);
+    void save(const std::filesystem::path& path, OnConflict on_conflict);
     /// The file that save() did not overwrite because another program has changed it, once.
     [[nodiscard]] std::optional<std::filesystem::path> takeChangedFile() {
         return std::exchange(changed_file_, std::nullopt);
@@ -203,14 +203,18 @@ class Workspace {
     bool has_their_light_ = false;  // light_ is for lit_rooms_, lit_geometry_ and lit_params_
     std::vector<Notice> notices_;
     bool newly_opened_ = false;
-    std::shared_ptr<Outbox<LoadOutcome>> loaded_ = std::make_shared<Outbox<LoadOutcome>>();
-    std::shared_ptr<Tray<SaveOrder>> save_orders_ = std::make_shared<Tray<SaveOrder>>();
-    std::shared_ptr<Tray<SaveOutcome>> saved_ = std::make_shared<Tray<SaveOutcome>>();
-    struct Lit {
+    std::shared_ptr<LatestValue<LoadOutcome>> loaded_ =
+        std::make_shared<LatestValue<LoadOutcome>>();
+    std::shared_ptr<ConcurrentQueue<SaveOrder>> save_orders_ =
+        std::make_shared<ConcurrentQueue<SaveOrder>>();
+    std::shared_ptr<ConcurrentQueue<SaveOutcome>> saved_ =
+        std::make_shared<ConcurrentQueue<SaveOutcome>>();
+    struct BakedLight {
         int number = 0;  // number of the request, see updateLight()
         render::LightVolume light;
     };
-    std::shared_ptr<Outbox<Lit>> lit_ = std::make_shared<Outbox<Lit>>();
+    std::shared_ptr<LatestValue<BakedLight>> baked_light_ =
+        std::make_shared<LatestValue<BakedLight>>();
     BackgroundWorker loader_;
     BackgroundWorker saver_;
     BackgroundWorker lighter_;

@@ -43,8 +43,8 @@ std::string textOf(const std::vector<ExportQueue::Found>& found) {
 
 }  // namespace
 
-Questions::Questions(Workspace& workspace, Doors doors)
-    : workspace_(workspace), doors_(std::move(doors)) {}
+Questions::Questions(Workspace& workspace, Callbacks callbacks)
+    : workspace_(workspace), callbacks_(std::move(callbacks)) {}
 
 void Questions::tell(Workspace::Notice notice) {
     // An error that occurs for every image is shown once.
@@ -54,8 +54,8 @@ void Questions::tell(Workspace::Notice notice) {
     if (std::ranges::none_of(notices_, same)) notices_.push_back(std::move(notice));
 }
 
-void Questions::offer(std::vector<LostWork> lost) {
-    lost_ = std::move(lost);
+void Questions::offer(std::vector<RecoveredWork> recovered) {
+    recovered_ = std::move(recovered);
 }
 
 void Questions::offerExports(std::vector<ExportQueue::Found> found) {
@@ -69,22 +69,22 @@ void Questions::afterUnsaved(std::function<void()> then, const std::string& what
 }
 
 void Questions::afterExports(std::function<void()> then) {
-    stopped_exports_ = doors_.unfinished_exports();
+    stopped_exports_ = callbacks_.unfinished_exports();
     if (stopped_exports_ == 0) return then();
     after_exports_ = std::move(then);
 }
 
 bool Questions::waiting() const {
-    return !notices_.empty() || !lost_.empty() || !changed_file_.empty() || after_unsaved_ ||
-           after_exports_ || !found_exports_.empty() || doubt_;
+    return !notices_.empty() || !recovered_.empty() || !changed_file_.empty() || after_unsaved_ ||
+           after_exports_ || !found_exports_.empty() || confirmation_;
 }
 
 bool Questions::pending(Kind kind) const {
     switch (kind) {
         case Kind::None:
             return false;
-        case Kind::LostWork:
-            return !lost_.empty();
+        case Kind::RecoveredWork:
+            return !recovered_.empty();
         case Kind::ChangedFile:
             return !changed_file_.empty();
         case Kind::Unsaved:
@@ -93,8 +93,8 @@ bool Questions::pending(Kind kind) const {
             return after_exports_ != nullptr;
         case Kind::FoundExports:
             return !found_exports_.empty();
-        case Kind::Doubt:
-            return doubt_.has_value();
+        case Kind::Confirmation:
+            return confirmation_.has_value();
         case Kind::Notice:
             return !notices_.empty();
     }
@@ -110,13 +110,13 @@ void Questions::draw(bool choosing_file) {
     if (!pending(shown_)) {
         shown_ = Kind::None;
         // Consequences of user actions come before messages from start-up.
-        for (const Kind kind : {Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Doubt,
-                                Kind::Notice, Kind::LostWork, Kind::FoundExports}) {
+        for (const Kind kind : {Kind::ChangedFile, Kind::Unsaved, Kind::Exports, Kind::Confirmation,
+                                Kind::Notice, Kind::RecoveredWork, Kind::FoundExports}) {
             if (shown_ == Kind::None && pending(kind)) shown_ = kind;
         }
     }
     switch (shown_) {
-        case Kind::LostWork:
+        case Kind::RecoveredWork:
             return drawLostWork();
         case Kind::ChangedFile:
             return drawChangedFile();
@@ -126,7 +126,7 @@ void Questions::draw(bool choosing_file) {
             return drawExports();
         case Kind::FoundExports:
             return drawFoundExports();
-        case Kind::Doubt:
+        case Kind::Confirmation:
             return drawDoubt();
         case Kind::Notice:
             return drawNotice();
@@ -144,7 +144,7 @@ void Questions::answerUnsaved(bool choosing_file) {
 }
 
 void Questions::drawLostWork() {
-    const LostWork work = lost_.front();
+    const RecoveredWork work = recovered_.front();
     ui::MessageBox box;
     box.title = "Unsaved work was found";
     box.text = fmt::format(
@@ -154,11 +154,11 @@ void Questions::drawLostWork() {
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
     if (pressed == 0) {
-        lost_.clear();  // one per start; the others are offered again next time
-        return doors_.restore(work);
+        recovered_.clear();  // one per start; the others are offered again next time
+        return callbacks_.restore(work);
     }
     if (pressed == 1) Autosave::forget(work);
-    lost_.erase(lost_.begin());
+    recovered_.erase(recovered_.begin());
 }
 
 void Questions::drawChangedFile() {
@@ -171,9 +171,9 @@ void Questions::drawChangedFile() {
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
     const std::filesystem::path file = std::exchange(changed_file_, {});
-    if (pressed == 0) doors_.save_as();
+    if (pressed == 0) callbacks_.save_as();
     if (pressed == 1) workspace_.open(file);
-    if (pressed == 2) workspace_.save(file, Workspace::IfChanged::Overwrite);
+    if (pressed == 2) workspace_.save(file, Workspace::OnConflict::Overwrite);
 }
 
 void Questions::drawUnsaved() {
@@ -182,7 +182,7 @@ void Questions::drawUnsaved() {
     switch (ui::askUnsaved(name, what_next_)) {
         case ui::UnsavedAnswer::Save:
             saving_ = true;
-            doors_.save();
+            callbacks_.save();
             break;
         case ui::UnsavedAnswer::Discard: {
             const std::function<void()> then = std::exchange(after_unsaved_, nullptr);
@@ -225,25 +225,26 @@ void Questions::drawFoundExports() {
     std::vector<int> jobs;
     for (const ExportQueue::Found& found : found_exports_) jobs.push_back(found.job.id);
     found_exports_.clear();
-    if (pressed == 0) doors_.continue_exports(jobs);
-    if (pressed == 2) doors_.forget_exports(jobs);
+    if (pressed == 0) callbacks_.continue_exports(jobs);
+    if (pressed == 2) callbacks_.forget_exports(jobs);
 }
 
 void Questions::drawDoubt() {
     ui::MessageBox box;
-    box.title = doubt_->title;
-    box.text = doubt_->text;
+    box.title = confirmation_->title;
+    box.text = confirmation_->text;
     // Enter presses the first button.
     box.buttons.clear();
-    if (doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
-    for (const Doubt::Answer& answer : doubt_->answers) box.buttons.push_back(answer.label);
-    if (!doubt_->enter_cancels) box.buttons.emplace_back("Cancel");
-    const int first = doubt_->enter_cancels ? 1 : 0;
-    const int last = first + static_cast<int>(doubt_->answers.size());
-    box.escape = doubt_->enter_cancels ? 0 : last;
+    if (confirmation_->enter_cancels) box.buttons.emplace_back("Cancel");
+    for (const Confirmation::Answer& answer : confirmation_->answers)
+        box.buttons.push_back(answer.label);
+    if (!confirmation_->enter_cancels) box.buttons.emplace_back("Cancel");
+    const int first = confirmation_->enter_cancels ? 1 : 0;
+    const int last = first + static_cast<int>(confirmation_->answers.size());
+    box.escape = confirmation_->enter_cancels ? 0 : last;
     const int pressed = ui::drawMessageBox(box);
     if (pressed < 0) return;
-    const Doubt answered = *std::exchange(doubt_, std::nullopt);
+    const Confirmation answered = *std::exchange(confirmation_, std::nullopt);
     if (pressed >= first && pressed < last) {
         answered.answers[static_cast<std::size_t>(pressed - first)].then();
     }
@@ -261,7 +262,7 @@ void Questions::drawNotice() {
     if (pressed < 0) return;
     const Workspace::Notice read = std::move(notices_.front());
     notices_.pop_front();
-    if (locate && pressed == 0) doors_.find_scene(read.missing_scene_of, read.restores);
+    if (locate && pressed == 0) callbacks_.find_scene(read.missing_scene_of, read.restores);
 }
 
 void Questions::addTo(nlohmann::json& state) const {
@@ -270,12 +271,12 @@ void Questions::addTo(nlohmann::json& state) const {
         notices_.empty() ? std::string() : notices_.front().title + ": " + notices_.front().text;
     nlohmann::json& dialogs = state["dialogs"];
     dialogs["unsaved"] = pending(Kind::Unsaved);
-    dialogs["lost_work"] = pending(Kind::LostWork);
+    dialogs["lost_work"] = pending(Kind::RecoveredWork);
     dialogs["changed_file"] = pending(Kind::ChangedFile);
     dialogs["exports"] = pending(Kind::Exports);
     dialogs["found_exports"] = pending(Kind::FoundExports);
-    dialogs["doubt"] = pending(Kind::Doubt);
-    state["asked"] = pending(Kind::Doubt) ? doubt_->title + ": " + doubt_->text
+    dialogs["doubt"] = pending(Kind::Confirmation);
+    state["asked"] = pending(Kind::Confirmation) ? confirmation_->title + ": " + confirmation_->text
                      : pending(Kind::FoundExports)
                          ? titleOf(found_exports_) + ": " + textOf(found_exports_)
                          : std::string();

@@ -19,22 +19,22 @@ namespace dollytrack::editor {
 class Questions {
   public:
     /// Functions of the window that are called after the user's answers.
-    struct Doors {
+    struct Callbacks {
         std::function<void()> save;     // the save command
         std::function<void()> save_as;  // asks for a file
-        std::function<void(const LostWork&)> restore;
+        std::function<void(const RecoveredWork&)> restore;
         std::function<void(const std::filesystem::path& project, bool restores)> find_scene;
         std::function<int()> unfinished_exports;
         std::function<void(const std::vector<int>& jobs)> continue_exports;
         std::function<void(const std::vector<int>& jobs)> forget_exports;
     };
 
-    Questions(Workspace& workspace, Doors doors);
+    Questions(Workspace& workspace, Callbacks callbacks);
 
     /// Shows a message with an OK button.
     void tell(Workspace::Notice notice);
     /// Asks what to do with each autosave copy.
-    void offer(std::vector<LostWork> lost);
+    void offer(std::vector<RecoveredWork> recovered);
     /// Runs `then` when there is no unsaved work, or the user discards it. `what_next` names the
     /// reason: "before you leave".
     void afterUnsaved(std::function<void()> then, const std::string& what_next);
@@ -43,7 +43,7 @@ class Questions {
     /// Asks whether to resume exports that ended with an earlier editor.
     void offerExports(std::vector<ExportQueue::Found> found);
     /// A confirmation or choice.
-    struct Doubt {
+    struct Confirmation {
         struct Answer {
             std::string label;
             std::function<void()> then;
@@ -53,7 +53,7 @@ class Questions {
         std::vector<Answer> answers;  // in addition to Cancel
         bool enter_cancels = true;    // false: Enter takes the first answer (harmless)
     };
-    void ask(Doubt doubt) { doubt_ = std::move(doubt); }
+    void ask(Confirmation confirmation) { confirmation_ = std::move(confirmation); }
     /// Drops the question about the previous project's file.
     void forgetProject() { changed_file_.clear(); }
 
@@ -66,7 +66,16 @@ class Questions {
     void addTo(nlohmann::json& state) const;
 
   private:
-    enum class Kind { None, LostWork, ChangedFile, Unsaved, Exports, FoundExports, Doubt, Notice };
+    enum class Kind {
+        None,
+        RecoveredWork,
+        ChangedFile,
+        Unsaved,
+        Exports,
+        FoundExports,
+        Confirmation,
+        Notice
+    };
     [[nodiscard]] bool pending(Kind kind) const;
     void answerUnsaved(bool choosing_file);
     void drawLostWork();
@@ -78,17 +87,17 @@ class Questions {
     void drawNotice();
 
     Workspace& workspace_;
-    Doors doors_;
+    Callbacks callbacks_;
     Kind shown_ = Kind::None;
     std::deque<Workspace::Notice> notices_;
-    std::vector<LostWork> lost_;
+    std::vector<RecoveredWork> recovered_;
     std::filesystem::path changed_file_;  // changed by another program: overwrite it?
     std::function<void()> after_unsaved_;
     std::string what_next_;
     bool saving_ = false;  // saving was chosen as answer; after_unsaved_ waits for it
     std::function<void()> after_exports_;
     std::vector<ExportQueue::Found> found_exports_;
-    std::optional<Doubt> doubt_;
+    std::optional<Confirmation> confirmation_;
     int stopped_exports_ = 0;  // number of exports mentioned in the question
 };
 

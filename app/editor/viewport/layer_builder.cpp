@@ -195,7 +195,7 @@ bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
 }
 
 /// Used by the worker's thread only: each layer with its input.
-struct LayerBuilder::Desk {
+struct LayerBuilder::WorkerState {
     struct Made {
         std::any of;
         std::shared_ptr<const PlanLayer> layer;
@@ -215,7 +215,7 @@ struct LayerBuilder::Desk {
     Layers build(const LayersRequest& request);
 };
 
-Layers LayerBuilder::Desk::build(const LayersRequest& request) {
+Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
     Layers layers;
     layers.plan = request.plan;
     if (!request.scene) return layers;
@@ -288,15 +288,15 @@ std::optional<ui::PickedElement> Layers::pick(const render::View& view,
 }
 
 LayerBuilder::LayerBuilder(std::function<void()> wake)
-    : desk_(std::make_shared<Desk>()), worker_(std::move(wake)) {}
+    : worker_state_(std::make_shared<WorkerState>()), worker_(std::move(wake)) {}
 
 LayerBuilder::~LayerBuilder() = default;
 
 void LayerBuilder::request(const LayersRequest& request) {
     if (last_ && *last_ == request) return;
     last_ = request;
-    worker_.start([request, desk = desk_, outbox = made_](const JobContext&) {
-        outbox->put(desk->build(request));
+    worker_.start([request, worker_state = worker_state_, latest = made_](const JobContext&) {
+        latest->put(worker_state->build(request));
     });
 }
 

@@ -68,11 +68,11 @@ class LayerBuilder {
     [[nodiscard]] bool busy() const { return worker_.state().busy; }
 
   private:
-    struct Desk;
+    struct WorkerState;
     std::optional<LayersRequest> last_;
     Layers layers_;
-    std::shared_ptr<Outbox<Layers>> made_ = std::make_shared<Outbox<Layers>>();
-    std::shared_ptr<Desk> desk_;
+    std::shared_ptr<LatestValue<Layers>> made_ = std::make_shared<LatestValue<Layers>>();
+    std::shared_ptr<WorkerState> worker_state_;
     BackgroundWorker worker_;
 };
 

@@ -16,7 +16,7 @@ void PictureFile::show(const std::filesystem::path& file) {
     file_ = file;
     texture_.reset();
     message_ = "reading …";
-    reader_.start([file, outbox = read_](const JobContext&) {
+    reader_.start([file, latest = read_](const JobContext&) {
         Pixels pixels;
         try {
             cv::Mat picture = render::readPictureFile(file, cv::IMREAD_COLOR);
@@ -34,7 +34,7 @@ void PictureFile::show(const std::filesystem::path& file) {
         } catch (const cv::Exception&) {
             pixels = {};
         }
-        outbox->put(std::move(pixels));
+        latest->put(std::move(pixels));
     });
 }
 

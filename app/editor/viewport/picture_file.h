@@ -34,7 +34,7 @@ class PictureFile {
     std::filesystem::path file_;
     gl::PictureTexture texture_;
     std::string message_;
-    std::shared_ptr<Outbox<Pixels>> read_ = std::make_shared<Outbox<Pixels>>();
+    std::shared_ptr<LatestValue<Pixels>> read_ = std::make_shared<LatestValue<Pixels>>();
     BackgroundWorker reader_;
 };
 

@@ -30,8 +30,8 @@ class PictureSaver {
         std::filesystem::path file;
         ui::PreviewImage image;
     };
-    std::shared_ptr<Tray<Order>> orders_ = std::make_shared<Tray<Order>>();
-    std::shared_ptr<Tray<Error>> failed_ = std::make_shared<Tray<Error>>();
+    std::shared_ptr<ConcurrentQueue<Order>> orders_ = std::make_shared<ConcurrentQueue<Order>>();
+    std::shared_ptr<ConcurrentQueue<Error>> failed_ = std::make_shared<ConcurrentQueue<Error>>();
     std::vector<Error> errors_;
     BackgroundWorker writer_;
 };

@@ -131,7 +131,7 @@ std::string OpenScene::judge(const py::array& poses, const py::array& times_s,
     waitFor(progress, [&](const JobContext& job) -> Status {
         Result<cli::OpenedScene> opened = cli::openedWith(opened_, arguments);
         if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
-        return put(cli::judgeTrajectory(*opened, *trajectory, job), metrics);
+        return put(cli::evaluateTrajectory(*opened, *trajectory, job), metrics);
     });
     return cli::jsonText(metrics);
 }

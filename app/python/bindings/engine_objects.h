@@ -3,7 +3,7 @@
 #include "app/cli/export/dataset_export.h"
 #include "app/cli/plan/planned_scene.h"
 #include "app/cli/scene_arguments.h"
-#include "app/python/bindings/waiting.h"
+#include "app/python/bindings/work_thread.h"
 #include "planning/pipeline/pipeline.h"
 
 #include <pybind11/numpy.h>

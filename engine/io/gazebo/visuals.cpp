@@ -108,7 +108,7 @@ class SceneOfLinks {
         scene_.nodes.push_back({"", -1, 0});
     }
 
-    Result<RawScene> build(const std::vector<LinkObject>& links, const LeftOut& left_out) {
+    Result<RawScene> build(const std::vector<LinkObject>& links, const OmittedParts& left_out) {
         missing_ = left_out.models;
         unknown_shapes_ = left_out.shapes;
         addDoubts(left_out.doubts);
@@ -400,7 +400,7 @@ std::vector<fs::path> foldersOfWorld(const fs::path& scene, const ImportOptions&
 }
 
 Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links, const ModelPath& files,
-                              const LeftOut& left_out, const std::string& where,
+                              const OmittedParts& left_out, const std::string& where,
                               const JobContext& job) {
     return SceneOfLinks(files, where, job).build(links, left_out);
 }

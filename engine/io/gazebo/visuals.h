@@ -36,7 +36,7 @@ struct Visual {
 using UnknownShapes = std::map<std::string, std::size_t>;
 
 /// The parts of a scene that are left out.
-struct LeftOut {
+struct OmittedParts {
     std::vector<std::string> models;  // that were not found
     UnknownShapes shapes;
     std::vector<std::string> doubts;  // warnings, each with file and line
@@ -83,7 +83,7 @@ class ModelPath {
 /// `left_out`, become warnings; nothing replaces them. `where` is the file in errors. Errors:
 /// BadInput if there is nothing to draw or too many triangles; Cancelled.
 [[nodiscard]] Result<RawScene> sceneOfLinks(const std::vector<LinkObject>& links,
-                                            const ModelPath& files, const LeftOut& left_out,
+                                            const ModelPath& files, const OmittedParts& left_out,
                                             const std::string& where, const JobContext& job);
 
 }  // namespace dollytrack::gazebo

@@ -1,7 +1,7 @@
 #include "engine/io/homes/room_builder.h"
 
 #include "engine/geometry/flat_region.h"
-#include "engine/io/homes/cut_out_shape.h"
+#include "engine/io/homes/svg_path.h"
 #include "engine/io/homes/wall_builder.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #include "engine/io/homes/wall_builder.h"
 
 #include "engine/geometry/flat_region.h"
-#include "engine/io/homes/cut_out_shape.h"
+#include "engine/io/homes/svg_path.h"
 
 #include <Eigen/Geometry>
 
@@ -21,19 +21,19 @@ Vector3d lifted(const Vector2d& in_plan, double height) {
     return {in_plan.x(), height, in_plan.y()};
 }
 
-/// Builds one stretch of a wall, in coordinates along the stretch (s) and elevation (z).
-class StretchBuilder {
+/// Builds one segment of a wall, in coordinates along the segment (s) and elevation (z).
+class WallSegmentBuilder {
   public:
-    StretchBuilder(const HomeWall& wall, const WallStretch& stretch, double bottom, double floor,
-                   HomeMaterials& materials, SurfaceMesh& mesh)
+    WallSegmentBuilder(const HomeWall& wall, const WallSegment& segment, double bottom,
+                       double floor, HomeMaterials& materials, SurfaceMesh& mesh)
         : wall_(wall),
-          stretch_(stretch),
-          along_(stretch.along()),
-          left_(stretch.leftward()),
-          origin_(0.5 * (stretch.left_start + stretch.right_start)),
+          segment_(segment),
+          along_(segment.along()),
+          left_(segment.leftward()),
+          origin_(0.5 * (segment.left_start + segment.right_start)),
           bottom_(bottom),
-          top_start_(floor + heightAt(stretch.from)),
-          top_end_(floor + heightAt(stretch.to)),
+          top_start_(floor + heightAt(segment.from)),
+          top_end_(floor + heightAt(segment.to)),
           floor_(floor),
           left_material_(materials.of(wall.left, kPlaster)),
           right_material_(materials.of(wall.right, kPlaster)),
@@ -61,26 +61,26 @@ class StretchBuilder {
     }
 
     void build(bool cap_start, bool cap_end) {
-        addSide(stretch_.left_start, stretch_.left_end, left_, left_material_, wall_.left);
-        addSide(stretch_.right_start, stretch_.right_end, -left_, right_material_, wall_.right);
+        addSide(segment_.left_start, segment_.left_end, left_, left_material_, wall_.left);
+        addSide(segment_.right_start, segment_.right_end, -left_, right_material_, wall_.right);
         for (const Outline& hole : holes_) addReveal(hole);
         mesh_.quad(top_material_,
-                   {lifted(stretch_.left_start, top_start_), lifted(stretch_.left_end, top_end_),
-                    lifted(stretch_.right_end, top_end_), lifted(stretch_.right_start, top_start_)},
+                   {lifted(segment_.left_start, top_start_), lifted(segment_.left_end, top_end_),
+                    lifted(segment_.right_end, top_end_), lifted(segment_.right_start, top_start_)},
                    Vector3d::UnitY());
         mesh_.quad(top_material_,
-                   {lifted(stretch_.left_start, bottom_), lifted(stretch_.left_end, bottom_),
-                    lifted(stretch_.right_end, bottom_), lifted(stretch_.right_start, bottom_)},
+                   {lifted(segment_.left_start, bottom_), lifted(segment_.left_end, bottom_),
+                    lifted(segment_.right_end, bottom_), lifted(segment_.right_start, bottom_)},
                    -Vector3d::UnitY());
         if (cap_start) {
-            addCap(stretch_.left_start, stretch_.right_start, top_start_, -along_);
+            addCap(segment_.left_start, segment_.right_start, top_start_, -along_);
         }
-        if (cap_end) addCap(stretch_.left_end, stretch_.right_end, top_end_, along_);
+        if (cap_end) addCap(segment_.left_end, segment_.right_end, top_end_, along_);
         if (wall_.left_baseboard) {
-            addBaseboard(*wall_.left_baseboard, stretch_.left_start, stretch_.left_end, left_);
+            addBaseboard(*wall_.left_baseboard, segment_.left_start, segment_.left_end, left_);
         }
         if (wall_.right_baseboard) {
-            addBaseboard(*wall_.right_baseboard, stretch_.right_start, stretch_.right_end, -left_);
+            addBaseboard(*wall_.right_baseboard, segment_.right_start, segment_.right_end, -left_);
         }
     }
 
@@ -90,10 +90,10 @@ class StretchBuilder {
     }
     [[nodiscard]] double sOf(const Vector2d& p) const { return (p - origin_).dot(along_); }
     [[nodiscard]] double lowestS() const {
-        return std::min(sOf(stretch_.left_start), sOf(stretch_.right_start));
+        return std::min(sOf(segment_.left_start), sOf(segment_.right_start));
     }
     [[nodiscard]] double highestS() const {
-        return std::max(sOf(stretch_.left_end), sOf(stretch_.right_end));
+        return std::max(sOf(segment_.left_end), sOf(segment_.right_end));
     }
 
     void addSide(const Vector2d& start, const Vector2d& end, const Vector2d& outward,
@@ -123,8 +123,8 @@ class StretchBuilder {
         Vector2d middle = Vector2d::Zero();
         for (const Vector2d& p : hole) middle += p / static_cast<double>(hole.size());
         const double top = std::max(top_start_, top_end_);
-        const double from = std::max(sOf(stretch_.left_start), sOf(stretch_.right_start));
-        const double to = std::min(sOf(stretch_.left_end), sOf(stretch_.right_end));
+        const double from = std::max(sOf(segment_.left_start), sOf(segment_.right_start));
+        const double to = std::min(sOf(segment_.left_end), sOf(segment_.right_end));
         for (std::size_t i = 0; i < hole.size(); ++i) {
             Vector2d a = hole[i];
             Vector2d b = hole[(i + 1) % hole.size()];
@@ -205,7 +205,7 @@ class StretchBuilder {
     }
 
     const HomeWall& wall_;
-    const WallStretch& stretch_;
+    const WallSegment& segment_;
     Vector2d along_;
     Vector2d left_;
     Vector2d origin_;
@@ -238,18 +238,18 @@ double levelElevation(const Home& home, int level) {
 }
 
 SurfaceMesh buildWall(const Home& home, const HomeWall& wall,
-                      const std::vector<WallStretch>& outline, HomeMaterials& materials) {
+                      const std::vector<WallSegment>& outline, HomeMaterials& materials) {
     SurfaceMesh mesh;
     const double floor = levelElevation(home, wall.level);
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        StretchBuilder stretch(wall, outline[i], wallBottom(home, wall.level), floor, materials,
-                               mesh);
+        WallSegmentBuilder segment(wall, outline[i], wallBottom(home, wall.level), floor, materials,
+                                   mesh);
         for (const HomePiece& piece : home.pieces) {
             if (piece.kind != PieceKind::Opening) continue;
-            stretch.addHole(piece, levelElevation(home, piece.level) + piece.elevation,
+            segment.addHole(piece, levelElevation(home, piece.level) + piece.elevation,
                             outline.size() > 1);
         }
-        stretch.build(i == 0, i + 1 == outline.size());
+        segment.build(i == 0, i + 1 == outline.size());
     }
     return mesh;
 }

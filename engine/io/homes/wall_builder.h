@@ -13,6 +13,6 @@ double levelElevation(const Home& home, int level);
 /// Builds a wall with its top, ends and baseboards, and with a hole through its whole thickness for
 /// every door and window in it. The holes have the openings' shapes and closed sides.
 SurfaceMesh buildWall(const Home& home, const HomeWall& wall,
-                      const std::vector<WallStretch>& outline, HomeMaterials& materials);
+                      const std::vector<WallSegment>& outline, HomeMaterials& materials);
 
 }  // namespace dollytrack::homes

@@ -50,22 +50,22 @@ std::vector<LinePoint> middleLine(const HomeWall& wall) {
     return points;
 }
 
-std::vector<WallStretch> unjoined(const HomeWall& wall) {
+std::vector<WallSegment> unjoined(const HomeWall& wall) {
     const std::vector<LinePoint> line = middleLine(wall);
-    std::vector<WallStretch> stretches;
+    std::vector<WallSegment> segments;
     const double half = 0.5 * wall.thickness;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        WallStretch stretch;
-        stretch.left_start = line[i].at + half * line[i].left;
-        stretch.right_start = line[i].at - half * line[i].left;
-        stretch.left_end = line[i + 1].at + half * line[i + 1].left;
-        stretch.right_end = line[i + 1].at - half * line[i + 1].left;
+        WallSegment segment;
+        segment.left_start = line[i].at + half * line[i].left;
+        segment.right_start = line[i].at - half * line[i].left;
+        segment.left_end = line[i + 1].at + half * line[i + 1].left;
+        segment.right_end = line[i + 1].at - half * line[i + 1].left;
         const double count = static_cast<double>(line.size() - 1);
-        stretch.from = static_cast<double>(i) / count;
-        stretch.to = static_cast<double>(i + 1) / count;
-        stretches.push_back(stretch);
+        segment.from = static_cast<double>(i) / count;
+        segment.to = static_cast<double>(i + 1) / count;
+        segments.push_back(segment);
     }
-    return stretches;
+    return segments;
 }
 
 std::optional<Vector2d> meet(const Vector2d& a, const Vector2d& a_along, const Vector2d& b,
@@ -77,12 +77,12 @@ std::optional<Vector2d> meet(const Vector2d& a, const Vector2d& a_along, const V
 
 /// An end of a wall, for its neighbour.
 struct WallEnd {
-    const WallStretch* stretch = nullptr;
+    const WallSegment* segment = nullptr;
     bool is_start = false;
 };
 
 std::optional<WallEnd> otherEnd(const std::vector<HomeWall>& walls,
-                                const std::vector<std::vector<WallStretch>>& outlines,
+                                const std::vector<std::vector<WallSegment>>& outlines,
                                 std::size_t self, int neighbour, const Vector2d& corner) {
     if (neighbour < 0 || static_cast<std::size_t>(neighbour) == self) return std::nullopt;
     const HomeWall& other = walls[static_cast<std::size_t>(neighbour)];
@@ -97,9 +97,9 @@ std::optional<WallEnd> otherEnd(const std::vector<HomeWall>& walls,
 }
 
 /// Moves a corner to the intersection of its side with the neighbour's side.
-void join(const WallStretch& mine, bool at_start, const WallEnd& other, double reach,
+void join(const WallSegment& mine, bool at_start, const WallEnd& other, double reach,
           Vector2d& left, Vector2d& right) {
-    const WallStretch& theirs = *other.stretch;
+    const WallSegment& theirs = *other.segment;
     // If both walls start (or both end) at the corner, left and right are swapped.
     const bool crossed = at_start == other.is_start;
     const Vector2d& their_left = crossed ? theirs.right_start : theirs.left_start;
@@ -112,19 +112,19 @@ void join(const WallStretch& mine, bool at_start, const WallEnd& other, double r
 
 }  // namespace
 
-Vector2d WallStretch::along() const {
+Vector2d WallSegment::along() const {
     return (0.5 * (left_end + right_end) - 0.5 * (left_start + right_start)).normalized();
 }
 
-Vector2d WallStretch::leftward() const {
+Vector2d WallSegment::leftward() const {
     return leftOf(along());
 }
 
-std::vector<std::vector<WallStretch>> wallOutlines(const std::vector<HomeWall>& walls) {
-    std::vector<std::vector<WallStretch>> plain;
+std::vector<std::vector<WallSegment>> wallOutlines(const std::vector<HomeWall>& walls) {
+    std::vector<std::vector<WallSegment>> plain;
     plain.reserve(walls.size());
     for (const HomeWall& wall : walls) plain.push_back(unjoined(wall));
-    std::vector<std::vector<WallStretch>> joined = plain;
+    std::vector<std::vector<WallSegment>> joined = plain;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const HomeWall& wall = walls[i];
         if (plain[i].empty()) continue;
@@ -133,12 +133,12 @@ std::vector<std::vector<WallStretch>> wallOutlines(const std::vector<HomeWall>& 
             return 2.0 * std::max(wall.thickness, other.thickness);
         };
         if (const auto other = otherEnd(walls, plain, i, wall.at_start, wall.start)) {
-            WallStretch& first = joined[i].front();
+            WallSegment& first = joined[i].front();
             join(plain[i].front(), true, *other, reach(wall.at_start), first.left_start,
                  first.right_start);
         }
         if (const auto other = otherEnd(walls, plain, i, wall.at_end, wall.end)) {
-            WallStretch& last = joined[i].back();
+            WallSegment& last = joined[i].back();
             join(plain[i].back(), false, *other, reach(wall.at_end), last.left_end, last.right_end);
         }
     }

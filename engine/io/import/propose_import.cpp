@@ -1,8 +1,8 @@
 #include "engine/io/import/propose_import.h"
 
 #include "engine/io/orientation/frame_evidence.h"
-#include "engine/io/orientation/unit_judgement.h"
-#include "engine/io/orientation/up_judgement.h"
+#include "engine/io/orientation/unit_estimate.h"
+#include "engine/io/orientation/up_axis_scores.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ std::string upDoubt(UpAxis likelier, const Scene& scene) {
 }
 
 void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
-    const std::vector<UpEvidence> ranked = judgeUp(evidence);
+    const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     if (!contradicts(evidence, ranked, kWorldUp)) return;
     proposal.up_axis = inFile(ranked.front().axis, scene);
     proposal.up_doubt = upDoubt(*proposal.up_axis, scene);
@@ -38,7 +38,7 @@ void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal
 void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const double unit_m = scene.report.unit_m;
     // With a wrong up axis, measured heights are not heights.
-    const UpAxis up = proposal.up_axis ? judgeUp(evidence).front().axis : kWorldUp;
+    const UpAxis up = proposal.up_axis ? scoreUpAxes(evidence).front().axis : kWorldUp;
     const UnitEvidence sizes = measureForUnit(evidence, up, unit_m);
     if (!isUnitDoubtful(sizes, unit_m)) return;
     const double likelier = likeliestUnit(sizes);

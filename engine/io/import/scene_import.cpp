@@ -7,11 +7,11 @@
 #include "engine/io/import/import_notes.h"
 #include "engine/io/import/oddity_notes.h"
 #include "engine/io/import/propose_import.h"
+#include "engine/io/import/redundant_parts.h"
 #include "engine/io/import/scene_assembly.h"
 #include "engine/io/import/scene_format.h"
-#include "engine/io/import/size_doubts.h"
+#include "engine/io/import/size_warnings.h"
 #include "engine/io/import/structure_finder.h"
-#include "engine/io/import/unseen_parts.h"
 #include "engine/io/object_parts/material_meshes.h"
 #include "engine/io/object_parts/material_split.h"
 #include "engine/io/object_parts/object_grouping.h"
@@ -21,7 +21,7 @@
 #include "engine/io/sandbox/scene_reading.h"
 #include "engine/io/settings/annotation_file.h"
 #include "engine/io/settings/input_check.h"
-#include "engine/scene/facing.h"
+#include "engine/scene/front_directions.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/object_size.h"
@@ -211,7 +211,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     if (!reading.up_axis) reading.up_axis = said->up_axis;
 
     job.report(0.0);
-    Result<io::SceneReading> read =
+    Result<io::SceneFileContent> read =
         io::readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
     if (!read) return tl::unexpected(read.error());
     RawScene& raw = read->scene.raw;

@@ -28,7 +28,7 @@ constexpr float kTouch_m = 0.003F;  // largest gap of touching pieces
 constexpr float kFloat_m = 0.03F;   // largest gap to the object of a piece that touches nothing
 constexpr float kCrumb_m = 0.05F;   // smaller pieces are no objects
 constexpr float kCrumbGap_m = 0.1F;
-constexpr float kThing_m = 0.3F;    // smaller objects are no evidence
+constexpr float kLeastObject_m = 0.3F;  // smaller objects are no evidence
 constexpr float kUnsized_m = 2.0F;  // longest side of objects of classes without a typical size
 constexpr float kRoom_m = 3.0F;     // smallest extent in two directions of a draft across a room
 constexpr float kAir = 0.25F;       // largest share of such a draft's box that its objects fill
@@ -318,7 +318,7 @@ class MaterialMeshSearch {
 
     /// Evidence that a draft contains parts of several objects.
     struct Evidence {
-        std::size_t things = 0;         // number of objects with pieces of the draft
+        std::size_t objects = 0;        // number of objects with pieces of the draft
         std::size_t fitting = 0;        // of these, with a typical size of the draft's class
         double area = 0.0;              // total area of the objects
         double alike_area = 0.0;        // area of the objects that occur several times
@@ -332,8 +332,8 @@ class MaterialMeshSearch {
         for (const FoundObject& object : wholes_) {
             if (!isOf(object, draft)) continue;
             evidence.area += object.area;
-            if (object.longest() < kThing_m) continue;
-            ++evidence.things;
+            if (object.longest() < kLeastObject_m) continue;
+            ++evidence.objects;
             const auto longest = static_cast<double>(object.longest());
             evidence.fitting +=
                 size != nullptr && longest >= 0.5 * size->low && longest <= 1.5 * size->high;
@@ -345,14 +345,14 @@ class MaterialMeshSearch {
     }
 
     [[nodiscard]] bool holdsSeveral(std::size_t draft, const Evidence& evidence) const {
-        if (evidence.things < kLeastAlike) return false;
+        if (evidence.objects < kLeastAlike) return false;
         if (evidence.alike_mixed_area >= 0.5 * evidence.area) return true;
         const Label& label = drafts_[draft].label;
         const Eigen::Vector3f reach = boxes_[draft].sizes();
         if (const FurnitureSize* size = furnitureSizeOf(label)) {
             return size->nyu40 != kBooks &&
                    static_cast<double>(reach.maxCoeff()) > 1.5 * size->high &&
-                   2 * evidence.fitting >= evidence.things;
+                   2 * evidence.fitting >= evidence.objects;
         }
         return label.kind == LabelKind::Target && std::min(reach.x(), reach.y()) > kRoom_m &&
                evidence.filled < kAir * static_cast<double>(boxes_[draft].volume());
@@ -361,7 +361,7 @@ class MaterialMeshSearch {
     /// Whether a draft may contain several objects. Equal objects alone are not conclusive, since
     /// they may also be the slats of one object.
     [[nodiscard]] bool mayHoldSeveral(std::size_t draft, const Evidence& evidence) const {
-        return evidence.things >= kLeastAlike && evidence.alike_area >= 0.5 * evidence.area &&
+        return evidence.objects >= kLeastAlike && evidence.alike_area >= 0.5 * evidence.area &&
                drafts_[draft].label.nyu40 != kBooks;
     }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr float kNearGap = 0.03F;      // m: largest gap to the object of an unattached piece
 constexpr float kCrumb = 0.05F;        // m: smaller pieces of a split mesh are no objects
 constexpr float kBothLarge = 1.2F;     // m: smallest diagonal of furniture side by side
-constexpr float kLargestThing = 3.5F;  // m: largest diagonal of a merged object
+constexpr float kLargestObject = 3.5F;  // m: largest diagonal of a merged object
 
 struct Piece {
     Eigen::AlignedBox3f box;
@@ -63,8 +63,8 @@ bool isBoard(const Piece& piece, const ObjectDraft& draft) {
                kBuiltOfBoards.end();
 }
 
-bool areBoardsOfOneThing(const Piece& a, const ObjectDraft& draft_a, const Piece& b,
-                         const ObjectDraft& draft_b) {
+bool areBoardsOfOneObject(const Piece& a, const ObjectDraft& draft_a, const Piece& b,
+                          const ObjectDraft& draft_b) {
     if (!isBoard(a, draft_a) || !isBoard(b, draft_b)) return false;
     if (draft_a.label.nyu40 != draft_b.label.nyu40) return false;
     const std::string stem_a = stemOf(draft_a.name);
@@ -109,7 +109,7 @@ class Groups {
         if (!certain && (standSideBySide(boxes_[a], boxes_[b]) || areOfTwoObjects(a, b))) return;
         const Eigen::AlignedBox3f together = boxes_[a].merged(boxes_[b]);
         const float largest = std::max(boxes_[a].diagonal().norm(), boxes_[b].diagonal().norm());
-        if (together.diagonal().norm() > std::max(kLargestThing, 1.05F * largest)) return;
+        if (together.diagonal().norm() > std::max(kLargestObject, 1.05F * largest)) return;
         const auto [first, second] = std::minmax(a, b);
         groups_.join(first, second);
         boxes_[first] = together;
@@ -324,7 +324,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
             if (pieces[i].box.exteriorDistance(pieces[j].box) > kContactGap) continue;
             // Including walls, because a piece that touches one does not float.
             if (!pieces[i].loose && !pieces[j].loose &&
-                !areBoardsOfOneThing(pieces[i], drafts[i], pieces[j], drafts[j])) {
+                !areBoardsOfOneObject(pieces[i], drafts[i], pieces[j], drafts[j])) {
                 continue;
             }
             candidates.push_back(
@@ -343,7 +343,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         candidate.b_stands = standsOn(b.box, a.box, contact);
         const ObjectDraft& draft_a = drafts[candidate.a];
         const ObjectDraft& draft_b = drafts[candidate.b];
-        candidate.boards = areBoardsOfOneThing(a, draft_a, b, draft_b);
+        candidate.boards = areBoardsOfOneObject(a, draft_a, b, draft_b);
         if (!candidate.boards && !mayJoin(a, draft_a, b, draft_b)) return;
         const bool crumb = a.loose && b.loose &&
                            std::min(a.box.sizes().maxCoeff(), b.box.sizes().maxCoeff()) < kCrumb;

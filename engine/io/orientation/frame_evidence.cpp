@@ -21,7 +21,7 @@ struct Faces {
 };
 
 struct Source {
-    MeasuredThing thing;  // class and kind; other members are measured
+    MeasuredObject object;  // class and kind; other members are measured
     std::vector<Faces> meshes;
 };
 
@@ -37,81 +37,81 @@ void visitFaces(const Faces& mesh, Visit&& visit) {
     }
 }
 
-MeasuredThing measureThing(const Source& source) {
-    MeasuredThing thing = source.thing;
+MeasuredObject measureSource(const Source& source) {
+    MeasuredObject object = source.object;
     for (const Faces& mesh : source.meshes) {
         for (const Triangle& triangle : mesh.triangles) {
             for (const std::uint32_t v : triangle) {
-                thing.box.extend((*mesh.positions)[v].cast<double>());
+                object.box.extend((*mesh.positions)[v].cast<double>());
             }
         }
         visitFaces(mesh, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c, double share) {
             const Eigen::Vector3d across = (b - a).cross(c - a);
             const double area = 0.5 * across.norm() * share;
-            thing.area += area;
-            thing.centroid += area / 3.0 * (a + b + c);
+            object.area += area;
+            object.centroid += area / 3.0 * (a + b + c);
             Eigen::Index axis = 0;
             if (across.cwiseAbs().maxCoeff(&axis) > kAcross * across.norm()) {
-                thing.facing[static_cast<std::size_t>(axis)] += area;
+                object.facing[static_cast<std::size_t>(axis)] += area;
             }
         });
     }
-    if (thing.area > 0.0) thing.centroid /= thing.area;
-    return thing;
+    if (object.area > 0.0) object.centroid /= object.area;
+    return object;
 }
 
 /// Extends the core to floors, walls and ceilings that the outlier cut removed: thin objects about
 /// as wide as the core, within twice its extent.
-void includeRoomSides(const std::vector<MeasuredThing>& things, Eigen::AlignedBox3d& core) {
+void includeRoomSides(const std::vector<MeasuredObject>& objects, Eigen::AlignedBox3d& core) {
     constexpr double kLeastCover = 0.6;
     constexpr double kMostCover = 1.3;
     constexpr double kNear = 2.0;  // times the extent of the core
     const Eigen::AlignedBox3d left = core;
-    for (const MeasuredThing& thing : things) {
-        const Eigen::Array3d cover = thing.box.sizes().array() / left.sizes().array().max(1e-12);
+    for (const MeasuredObject& object : objects) {
+        const Eigen::Array3d cover = object.box.sizes().array() / left.sizes().array().max(1e-12);
         for (int axis = 0; axis < 3; ++axis) {
             const double reach = kNear * left.sizes()[axis];
             const bool is_side =
                 cover[axis] < kLeastCover &&
                 std::min(cover[(axis + 1) % 3], cover[(axis + 2) % 3]) > kLeastCover &&
                 std::max(cover[(axis + 1) % 3], cover[(axis + 2) % 3]) < kMostCover;
-            if (!is_side || thing.box.min()[axis] < left.min()[axis] - reach ||
-                thing.box.max()[axis] > left.max()[axis] + reach) {
+            if (!is_side || object.box.min()[axis] < left.min()[axis] - reach ||
+                object.box.max()[axis] > left.max()[axis] + reach) {
                 continue;
             }
-            core.min()[axis] = std::min(core.min()[axis], thing.box.min()[axis]);
-            core.max()[axis] = std::max(core.max()[axis], thing.box.max()[axis]);
+            core.min()[axis] = std::min(core.min()[axis], object.box.min()[axis]);
+            core.max()[axis] = std::max(core.max()[axis], object.box.max()[axis]);
         }
     }
 }
 
-Eigen::AlignedBox3d coreOfThings(const std::vector<MeasuredThing>& things) {
+Eigen::AlignedBox3d coreOfObjects(const std::vector<MeasuredObject>& objects) {
     Eigen::AlignedBox3d core;
-    if (things.size() < 8) {
-        for (const MeasuredThing& thing : things) core.extend(thing.box);
+    if (objects.size() < 8) {
+        for (const MeasuredObject& object : objects) core.extend(object.box);
         return core;
     }
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> lows;
         std::vector<double> highs;
-        for (const MeasuredThing& thing : things) {
-            lows.push_back(thing.box.min()[axis]);
-            highs.push_back(thing.box.max()[axis]);
+        for (const MeasuredObject& object : objects) {
+            lows.push_back(object.box.min()[axis]);
+            highs.push_back(object.box.max()[axis]);
         }
         std::sort(lows.begin(), lows.end());
         std::sort(highs.begin(), highs.end());
-        const std::size_t cut = std::max<std::size_t>(1, things.size() / 20);
+        const std::size_t cut = std::max<std::size_t>(1, objects.size() / 20);
         core.min()[axis] = lows[cut];
         core.max()[axis] = highs[highs.size() - 1 - cut];
     }
-    includeRoomSides(things, core);
+    includeRoomSides(objects, core);
     return core;
 }
 
 void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
                std::array<LevelAreas, 3>& levels) {
-    const bool floor = source.thing.nyu40 == kNyuFloor || source.thing.nyu40 == kNyuCeiling;
+    const bool floor = source.object.nyu40 == kNyuFloor || source.object.nyu40 == kNyuCeiling;
     for (const Faces& mesh : source.meshes) {
         visitFaces(mesh, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c, double share) {
@@ -129,7 +129,7 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
             LevelAreas& level = levels[static_cast<std::size_t>(axis)];
             const double area = 0.5 * along * share;
             level.all[at] += area;
-            if (!source.thing.building || source.thing.by_shape) level.furniture[at] += area;
+            if (!source.object.building || source.object.by_shape) level.furniture[at] += area;
             if (floor) level.floors[at] += area;
         });
     }
@@ -137,22 +137,22 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
 
 /// `scene` has one object per source.
 FrameEvidence collect(const std::vector<Source>& sources, const Scene& scene) {
-    std::vector<MeasuredThing> measured(sources.size());
-    parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureThing(sources[i]); });
+    std::vector<MeasuredObject> measured(sources.size());
+    parallelFor(sources.size(), [&](std::size_t i) { measured[i] = measureSource(sources[i]); });
     FrameEvidence evidence;
     std::vector<std::size_t> source_of;
     for (std::size_t i = 0; i < measured.size(); ++i) {
         if (measured[i].box.isEmpty()) continue;
-        evidence.things.push_back(std::move(measured[i]));
+        evidence.objects.push_back(std::move(measured[i]));
         source_of.push_back(i);
     }
-    evidence.core = coreOfThings(evidence.things);
+    evidence.core = coreOfObjects(evidence.objects);
     if (evidence.core.isEmpty()) return evidence;
     for (const Source& source : sources) addLevels(source, evidence.core, evidence.levels);
     const std::vector<SideSupport> support =
         measureSupport(scene, kSupportGap * evidence.core.sizes().maxCoeff());
     for (std::size_t i = 0; i < source_of.size(); ++i) {
-        evidence.things[i].support = support[source_of[i]];
+        evidence.objects[i].support = support[source_of[i]];
     }
     return evidence;
 }
@@ -188,8 +188,8 @@ FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft
     std::vector<Source> sources;
     for (const ObjectDraft& draft : drafts) {
         Source& source = sources.emplace_back();
-        source.thing.nyu40 = draft.label.nyu40;
-        source.thing.building = draft.label.kind == LabelKind::Structure;
+        source.object.nyu40 = draft.label.nyu40;
+        source.object.building = draft.label.kind == LabelKind::Structure;
         for (const std::size_t part : draft.parts) {
             source.meshes.push_back({&raw.parts[part].positions, raw.parts[part].triangles});
         }
@@ -201,9 +201,9 @@ FrameEvidence collectEvidence(const Scene& scene, bool classes_by_shape) {
     std::vector<Source> sources;
     for (const Object& object : scene.objects) {
         Source& source = sources.emplace_back();
-        source.thing.nyu40 = object.nyu40;
-        source.thing.building = object.structure;
-        source.thing.by_shape = classes_by_shape && object.structure;
+        source.object.nyu40 = object.nyu40;
+        source.object.building = object.structure;
+        source.object.by_shape = classes_by_shape && object.structure;
         source.meshes.push_back(
             {&scene.positions,
              std::span(scene.triangles).subspan(object.first_triangle, object.triangle_count)});

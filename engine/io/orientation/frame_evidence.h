@@ -13,7 +13,7 @@
 namespace dollytrack {
 
 /// Measurements of one object, as evidence for the up axis and the unit.
-struct MeasuredThing {
+struct MeasuredObject {
     Eigen::AlignedBox3d box;
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  // of its surface
     std::array<double, 3> facing{};                      // area facing along x, y, z
@@ -34,7 +34,7 @@ struct LevelAreas {
 };
 
 struct FrameEvidence {
-    std::vector<MeasuredThing> things;
+    std::vector<MeasuredObject> objects;
     /// The box of nearly all objects, without up to 5 % of outliers at each end of each axis.
     Eigen::AlignedBox3d core;
     std::array<LevelAreas, 3> levels;  // for x, y, z

@@ -1,8 +1,8 @@
 #include "engine/io/orientation/frame_guess.h"
 
 #include "engine/io/orientation/frame_evidence.h"
-#include "engine/io/orientation/unit_judgement.h"
-#include "engine/io/orientation/up_judgement.h"
+#include "engine/io/orientation/unit_estimate.h"
+#include "engine/io/orientation/up_axis_scores.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ double habit(UpAxis axis) {
 
 /// The six axes by decreasing score, including the prior.
 std::vector<UpEvidence> rankAxes(const FrameEvidence& evidence) {
-    std::vector<UpEvidence> ranked = judgeUp(evidence);
+    std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     for (UpEvidence& one : ranked) one.score += habit(one.axis);
     std::ranges::stable_sort(ranked, std::greater(), &UpEvidence::score);
     return ranked;
@@ -37,7 +37,7 @@ void weighFileAxis(const RawScene& raw, const FrameEvidence& evidence, FrameChoi
     choice.up_axis = raw.file_up_axis;
     choice.up_source = "file";
     if (!raw.objects.empty()) return;
-    const std::vector<UpEvidence> ranked = judgeUp(evidence);
+    const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
     if (!contradicts(evidence, ranked, raw.file_up_axis, kOverwhelming)) {
         if (contradicts(evidence, ranked, raw.file_up_axis, kDoubtfulLead)) {
             choice.likelier_up = ranked.front().axis;

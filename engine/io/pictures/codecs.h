@@ -9,7 +9,7 @@ namespace dollytrack::io {
 
 /// An image as a codec unpacks it: rows from the top without gaps; grey, grey and alpha, RGB or
 /// RGBA.
-struct UnpackedPicture {
+struct DecodedPicture {
     int width = 0;
     int height = 0;
     int channels = 0;  // 1 to 4
@@ -20,16 +20,16 @@ struct UnpackedPicture {
 /// Allocates the pixel data for the size in a file's header; false if a side is invalid or there
 /// are too many pixels.
 bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
-              UnpackedPicture& picture);
+              DecodedPicture& picture);
 
 using PictureBytes = std::span<const std::uint8_t>;
 
 /// One function a library; each only for bytes that begin like its format. Nothing when they are
 /// no whole image.
-std::optional<UnpackedPicture> unpackPng(PictureBytes bytes);
-std::optional<UnpackedPicture> unpackJpeg(PictureBytes bytes);
-std::optional<UnpackedPicture> unpackWebp(PictureBytes bytes);
-std::optional<UnpackedPicture> unpackTiff(PictureBytes bytes);
-std::optional<UnpackedPicture> unpackOther(PictureBytes bytes);  // TGA, BMP, PSD, GIF, PNM, HDR
+std::optional<DecodedPicture> unpackPng(PictureBytes bytes);
+std::optional<DecodedPicture> unpackJpeg(PictureBytes bytes);
+std::optional<DecodedPicture> unpackWebp(PictureBytes bytes);
+std::optional<DecodedPicture> unpackTiff(PictureBytes bytes);
+std::optional<DecodedPicture> unpackOther(PictureBytes bytes);  // TGA, BMP, PSD, GIF, PNM, HDR
 
 }  // namespace dollytrack::io

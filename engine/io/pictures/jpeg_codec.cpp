@@ -29,7 +29,7 @@ void fromCmyk(std::vector<std::uint8_t>& row, std::uint8_t* out) {
 }
 
 /// Contains all calls that libjpeg may leave by longjmp(), and no objects with destructors.
-bool read(jpeg_decompress_struct& info, Watch& watch, PictureBytes bytes, UnpackedPicture& picture,
+bool read(jpeg_decompress_struct& info, Watch& watch, PictureBytes bytes, DecodedPicture& picture,
           std::vector<std::uint8_t>& row) {
     if (setjmp(watch.leave) != 0) return false;
     jpeg_create_decompress(&info);
@@ -55,13 +55,13 @@ bool read(jpeg_decompress_struct& info, Watch& watch, PictureBytes bytes, Unpack
 
 }  // namespace
 
-std::optional<UnpackedPicture> unpackJpeg(PictureBytes bytes) {
+std::optional<DecodedPicture> unpackJpeg(PictureBytes bytes) {
     jpeg_decompress_struct info{};
     Watch watch{};
     info.err = jpeg_std_error(&watch.manager);
     watch.manager.error_exit = onError;
     watch.manager.output_message = onMessage;
-    UnpackedPicture picture;
+    DecodedPicture picture;
     std::vector<std::uint8_t> row;
     const bool whole = read(info, watch, bytes, picture, row);
     jpeg_destroy_decompress(&info);

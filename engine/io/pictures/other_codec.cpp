@@ -20,7 +20,7 @@
 
 namespace dollytrack::io {
 
-std::optional<UnpackedPicture> unpackOther(PictureBytes bytes) {
+std::optional<DecodedPicture> unpackOther(PictureBytes bytes) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         return std::nullopt;
     }
@@ -28,7 +28,7 @@ std::optional<UnpackedPicture> unpackOther(PictureBytes bytes) {
     int width = 0;
     int height = 0;
     int channels = 0;
-    UnpackedPicture picture;
+    DecodedPicture picture;
     if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0 ||
         !makeRoom(width, height, channels, 8, picture)) {
         return std::nullopt;

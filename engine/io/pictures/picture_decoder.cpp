@@ -11,7 +11,7 @@
 namespace dollytrack::io {
 namespace {
 
-std::optional<UnpackedPicture> unpack(PictureBytes bytes) {
+std::optional<DecodedPicture> unpack(PictureBytes bytes) {
     const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
                                 std::min<std::size_t>(bytes.size(), 16));
     if (head.starts_with("\x89PNG")) return unpackPng(bytes);
@@ -24,7 +24,7 @@ std::optional<UnpackedPicture> unpack(PictureBytes bytes) {
 }  // namespace
 
 bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
-              UnpackedPicture& picture) {
+              DecodedPicture& picture) {
     if (width <= 0 || height <= 0 || width > kMostPicturePixels || height > kMostPicturePixels ||
         width * height > kMostPicturePixels || channels < 1 || channels > 4) {
         return false;
@@ -42,7 +42,7 @@ bool decodePicture(std::span<const std::uint8_t> bytes, int longest_side, bool o
                    Texture& texture) {
     if (bytes.empty()) return false;
     try {
-        std::optional<UnpackedPicture> picture = unpack(bytes);
+        std::optional<DecodedPicture> picture = unpack(bytes);
         if (!picture) return false;
         cv::Mat image(picture->height, picture->width,
                       CV_MAKETYPE(picture->bits == 16 ? CV_16U : CV_8U, picture->channels),

@@ -11,7 +11,7 @@ namespace {
 
 struct PngSource {
     PictureBytes bytes;
-    UnpackedPicture picture;
+    DecodedPicture picture;
     std::vector<png_bytep> rows;
 };
 
@@ -38,7 +38,7 @@ bool read(png_structp png, png_infop info, PngSource& source) {
     if (deep && std::endian::native == std::endian::little) png_set_swap(png);
     png_set_interlace_handling(png);
     png_read_update_info(png, info);
-    UnpackedPicture& picture = source.picture;
+    DecodedPicture& picture = source.picture;
     if (!makeRoom(png_get_image_width(png, info), png_get_image_height(png, info),
                   png_get_channels(png, info), deep ? 16 : 8, picture)) {
         return false;
@@ -55,7 +55,7 @@ bool read(png_structp png, png_infop info, PngSource& source) {
 
 }  // namespace
 
-std::optional<UnpackedPicture> unpackPng(PictureBytes bytes) {
+std::optional<DecodedPicture> unpackPng(PictureBytes bytes) {
     PngSource source{bytes, {}, {}};
     png_structp png =
         png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leaveOnPngError, ignorePngWarning);

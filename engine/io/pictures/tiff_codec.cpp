@@ -46,7 +46,7 @@ toff_t sizeOf(thandle_t handle) {
 
 }  // namespace
 
-std::optional<UnpackedPicture> unpackTiff(PictureBytes bytes) {
+std::optional<DecodedPicture> unpackTiff(PictureBytes bytes) {
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
     TiffSource source{bytes};
@@ -60,7 +60,7 @@ std::optional<UnpackedPicture> unpackTiff(PictureBytes bytes) {
         TIFFGetField(file.get(), TIFFTAG_IMAGELENGTH, &height) != 1) {
         return std::nullopt;
     }
-    UnpackedPicture picture;
+    DecodedPicture picture;
     if (!makeRoom(width, height, 4, 8, picture)) return std::nullopt;
     std::vector<std::uint32_t> raster(picture.data.size() / 4);
     if (TIFFReadRGBAImageOriented(file.get(), width, height, raster.data(), ORIENTATION_TOPLEFT,

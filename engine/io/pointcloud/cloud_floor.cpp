@@ -30,9 +30,9 @@ double floorHeight(const CloudSamples& samples, const CloudLabels& labels, UpAxi
     std::vector<double> floor;
     std::vector<double> all;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-        const CloudThing& thing = labels.things[static_cast<std::size_t>(labels.thing_of[i])];
+        const CloudObject& object = labels.objects[static_cast<std::size_t>(labels.object_of[i])];
         all.push_back(up.direction().dot(samples.points[i]));
-        if (thing.nyu40 == kNyuFloor) floor.push_back(up.direction().dot(samples.points[i]));
+        if (object.nyu40 == kNyuFloor) floor.push_back(up.direction().dot(samples.points[i]));
     }
     return lowest(floor.empty() ? std::move(all) : std::move(floor)) - kBelow;
 }

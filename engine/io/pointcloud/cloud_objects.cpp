@@ -121,7 +121,7 @@ class Labeller {
           up_(up),
           params_(params),
           reach_(std::max(2.5 * samples.voxel_m, 0.04)) {
-        labels_.thing_of.assign(samples.points.size(), -1);
+        labels_.object_of.assign(samples.points.size(), -1);
     }
 
     void addStructure(const std::vector<CloudPlane>& planes) {
@@ -133,37 +133,37 @@ class Labeller {
             auto [found, is_new] = thing_of_class.try_emplace(nyu40, -1);
             // Each wall is an object of its own; all floor planes form one, as do ceilings.
             if (is_new || nyu40 == kNyuWall) {
-                found->second = static_cast<int>(labels_.things.size());
+                found->second = static_cast<int>(labels_.objects.size());
                 std::string name(nyu40Name(nyu40));
                 if (nyu40 == kNyuWall) name = fmt::format("{}_{}", name, ++walls_);
-                labels_.things.push_back({std::move(name), nyu40, true});
+                labels_.objects.push_back({std::move(name), nyu40, true});
             }
             // Noise and flat objects on a plane belong to it as well.
             for (std::size_t i = 0; i < samples_.points.size(); ++i) {
                 const bool on =
                     std::abs(plane.height(samples_.points[i])) < 1.5 * params_.plane_m &&
                     plane.normal.dot(samples_.normals[i]) > 0.5;
-                if (on && labels_.thing_of[i] < 0) {
-                    labels_.thing_of[i] = found->second;
+                if (on && labels_.object_of[i] < 0) {
+                    labels_.object_of[i] = found->second;
                 }
             }
         }
     }
 
-    void addThings() {
+    void addObjects() {
         std::vector<std::uint32_t> rest;
-        for (std::uint32_t i = 0; i < labels_.thing_of.size(); ++i) {
-            if (labels_.thing_of[i] < 0) rest.push_back(i);
+        for (std::uint32_t i = 0; i < labels_.object_of.size(); ++i) {
+            if (labels_.object_of[i] < 0) rest.push_back(i);
         }
         for (const auto& piece : piecesOf(samples_, rest, reach_)) addPiece(piece);
-        for (const int thing : labels_.thing_of) labels_.specks += thing < 0 ? 1U : 0U;
+        for (const int object : labels_.object_of) labels_.specks += object < 0 ? 1U : 0U;
     }
 
     [[nodiscard]] CloudLabels take() { return std::move(labels_); }
 
   private:
     void addPiece(const std::vector<std::uint32_t>& piece) {
-        if (!isThing(piece)) return;
+        if (!isObject(piece)) return;
         const double step = params_.plane_m;
         const double top = topOf(samples_, piece, up_, step) + 1.5 * step;
         std::vector<std::uint32_t> above;
@@ -173,7 +173,7 @@ class Labeller {
         }
         std::vector<std::vector<std::uint32_t>> standing;
         for (auto& on_top : piecesOf(samples_, above, reach_)) {
-            if (isThing(on_top)) {
+            if (isObject(on_top)) {
                 standing.push_back(std::move(on_top));
             } else {
                 below.insert(below.end(), on_top.begin(), on_top.end());
@@ -183,14 +183,14 @@ class Labeller {
         for (const auto& one : standing) add(one);
     }
 
-    [[nodiscard]] bool isThing(const std::vector<std::uint32_t>& piece) const {
+    [[nodiscard]] bool isObject(const std::vector<std::uint32_t>& piece) const {
         return piece.size() >= 12 && diagonalOf(samples_, piece) >= params_.object_m;
     }
 
     void add(const std::vector<std::uint32_t>& piece) {
-        const int thing = static_cast<int>(labels_.things.size());
-        labels_.things.push_back({fmt::format("furniture_{}", ++things_), 0, false});
-        for (const std::uint32_t i : piece) labels_.thing_of[i] = thing;
+        const int object = static_cast<int>(labels_.objects.size());
+        labels_.objects.push_back({fmt::format("furniture_{}", ++furniture_count_), 0, false});
+        for (const std::uint32_t i : piece) labels_.object_of[i] = object;
     }
 
     const CloudSamples& samples_;
@@ -198,7 +198,7 @@ class Labeller {
     CloudParams params_;
     double reach_;  // m; largest distance between connected points
     int walls_ = 0;
-    int things_ = 0;
+    int furniture_count_ = 0;
     CloudLabels labels_;
 };
 
@@ -208,7 +208,7 @@ CloudLabels labelCloud(const CloudSamples& samples, const std::vector<CloudPlane
                        const Eigen::Vector3d& up, const CloudParams& params) {
     Labeller labeller(samples, up, params);
     labeller.addStructure(planes);
-    labeller.addThings();
+    labeller.addObjects();
     return labeller.take();
 }
 

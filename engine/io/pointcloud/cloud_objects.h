@@ -13,7 +13,7 @@
 namespace dollytrack::io {
 
 /// An object or structure in a cloud.
-struct CloudThing {
+struct CloudObject {
     std::string name;
     int nyu40 = 0;
     bool structure = false;
@@ -21,8 +21,8 @@ struct CloudThing {
 
 /// The object of every sample.
 struct CloudLabels {
-    std::vector<CloudThing> things;
-    std::vector<int> thing_of;  // index into `things` by sample; -1: too small a piece
+    std::vector<CloudObject> objects;
+    std::vector<int> object_of;  // index into `objects` by sample; -1: too small a piece
     std::size_t specks = 0;     // number of samples with -1
 };
 

@@ -117,21 +117,21 @@ void turn(const Eigen::Matrix3d& rotation, PointCloud& cloud, CloudSamples& samp
 void dropSpecks(CloudSamples& samples, CloudLabels& labels) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-        if (labels.thing_of[i] < 0) continue;
+        if (labels.object_of[i] < 0) continue;
         samples.points[kept] = samples.points[i];
         samples.normals[kept] = samples.normals[i];
-        labels.thing_of[kept++] = labels.thing_of[i];
+        labels.object_of[kept++] = labels.object_of[i];
     }
     samples.points.resize(kept);
     samples.normals.resize(kept);
-    labels.thing_of.resize(kept);
+    labels.object_of.resize(kept);
 }
 
 /// The object of a triangle: that of two of its corners, otherwise its first corner's.
-int thingOf(const CloudLabels& labels, const Triangle& t) {
-    const int a = labels.thing_of[t[0]];
-    const int b = labels.thing_of[t[1]];
-    const int c = labels.thing_of[t[2]];
+int objectOf(const CloudLabels& labels, const Triangle& t) {
+    const int a = labels.object_of[t[0]];
+    const int b = labels.object_of[t[1]];
+    const int c = labels.object_of[t[2]];
     return b == c ? b : a;
 }
 
@@ -150,9 +150,9 @@ CloudError measure(const std::vector<Eigen::Vector3d>& points, const CloudSample
     return cloudError(judged, RayCaster(scene));
 }
 
-Material plainMaterial(const CloudThing& thing) {
+Material plainMaterial(const CloudObject& object) {
     Material material;
-    material.name = thing.name;
+    material.name = object.name;
     return material;
 }
 
@@ -175,7 +175,7 @@ void buildParts(const CloudSamples& samples, const CloudLabels& labels,
     }
     raw.nodes.push_back({"", -1, 0});
     for (std::size_t first = 0; first < sorted.size();) {
-        const auto thing = static_cast<std::size_t>(thingOf(labels, sorted[first]));
+        const auto object = static_cast<std::size_t>(objectOf(labels, sorted[first]));
         const auto pictureOf = [&](std::size_t t) { return coloured ? texture.pictureOf(t) : 0; };
         std::vector<Eigen::Vector3f> positions;
         std::vector<Eigen::Vector3f> normals;
@@ -183,7 +183,7 @@ void buildParts(const CloudSamples& samples, const CloudLabels& labels,
         std::vector<std::uint32_t> indices;
         std::size_t end = first;
         for (; end < sorted.size() && pictureOf(end) == pictureOf(first) &&
-               static_cast<std::size_t>(thingOf(labels, sorted[end])) == thing;
+               static_cast<std::size_t>(objectOf(labels, sorted[end])) == object;
              ++end) {
             for (std::size_t corner = 0; corner < 3; ++corner) {
                 const std::uint32_t v = sorted[end][corner];
@@ -195,20 +195,20 @@ void buildParts(const CloudSamples& samples, const CloudLabels& labels,
                 uvs.emplace_back(uv.x(), uv.y(), 0.0F);
             }
         }
-        if (raw.objects[thing].parts.empty()) {
-            raw.nodes.push_back({labels.things[thing].name, 0, 0});
+        if (raw.objects[object].parts.empty()) {
+            raw.nodes.push_back({labels.objects[object].name, 0, 0});
             ++raw.nodes.front().children;
         }
         MeshPart part;
-        part.name = labels.things[thing].name;
+        part.name = labels.objects[object].name;
         part.node = static_cast<int>(raw.nodes.size()) - 1;
         part.material =
             static_cast<std::uint32_t>(coloured ? pictureOf(first) : raw.materials.size());
-        if (!coloured) raw.materials.push_back(plainMaterial(labels.things[thing]));
+        if (!coloured) raw.materials.push_back(plainMaterial(labels.objects[object]));
         const std::vector<std::uint32_t> sizes(end - first, 3);
         raw.repairs.add(buildMeshPart({positions, normals, uvs, sizes, indices},
                                       Eigen::Affine3d::Identity(), part));
-        raw.objects[thing].parts.push_back(raw.parts.size());
+        raw.objects[object].parts.push_back(raw.parts.size());
         raw.parts.push_back(std::move(part));
         first = end;
     }
@@ -256,13 +256,13 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
 
     std::stable_sort(surface->triangles.begin(), surface->triangles.end(),
                      [&](const Triangle& a, const Triangle& b) {
-                         return thingOf(labels, a) < thingOf(labels, b);
+                         return objectOf(labels, a) < objectOf(labels, b);
                      });
-    for (const CloudThing& thing : labels.things) {
-        SourceObject& object = raw.objects.emplace_back();
-        object.name = thing.name;
-        object.nyu40 = thing.nyu40;
-        object.structure = thing.structure;
+    for (const CloudObject& object : labels.objects) {
+        SourceObject& source = raw.objects.emplace_back();
+        source.name = object.name;
+        source.nyu40 = object.nyu40;
+        source.structure = object.structure;
     }
     buildParts(samples, labels, surface->triangles, cloud, raw);
     addFloor(samples, labels, cloud.viewpoint, axis, raw);

@@ -1,8 +1,8 @@
 #include "engine/io/sandbox/cached_inputs.h"
 
 #include "engine/io/files/sha256.h"
+#include "engine/io/sandbox/binary_archive.h"
 #include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sandbox/frame_archive.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>

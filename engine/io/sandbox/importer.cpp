@@ -8,7 +8,7 @@
 #include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/isolation.h"
 #include "engine/io/sandbox/read_scene.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 #include "engine/io/settings/import_settings.h"
 #include "engine/io/settings/input_check.h"
 #include "engine/jobs/parallel.h"
@@ -51,14 +51,15 @@ struct Task {
 
 std::optional<Task> taskOf(int count, char** arguments) {
     constexpr int kFewest = 6;
-    if (count < kFewest || arguments[1] != std::to_string(kFrameVersion)) return std::nullopt;
+    if (count < kFewest || arguments[1] != std::to_string(kSerializationVersion))
+        return std::nullopt;
     const std::string parent = arguments[2];
     pid_t id = 0;
     std::from_chars(parent.data(), parent.data() + parent.size(), id);
     // The parent may have died before PR_SET_PDEATHSIG was set.
     if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != id) return std::nullopt;
     struct stat status {};
-    if (::fstat(kFrameDescriptor, &status) != 0 || ::fstat(kMessageDescriptor, &status) != 0) {
+    if (::fstat(kMemoryDescriptor, &status) != 0 || ::fstat(kMessageDescriptor, &status) != 0) {
         return std::nullopt;
     }
     const nlohmann::json settings =
@@ -118,12 +119,13 @@ Error outOfMemory(const std::string& where) {
             where};
 }
 
-Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const JobContext& job) {
+Result<DecodedScene> readGuarded(const Task& task, const InputRecord& record,
+                                 const JobContext& job) {
     const std::string where = task.scene.string();
     try {
         const Result<const SceneFormat*> format = checkSceneFile(task.scene);
         if (!format) return tl::unexpected(format.error());
-        Result<ReadScene> scene = readScene(**format, task.scene, task.options, job);
+        Result<DecodedScene> scene = readScene(**format, task.scene, task.options, job);
         std::vector<std::string> refused;
         noteRefused(record, refused);
         if (!scene) {
@@ -150,38 +152,38 @@ Result<ReadScene> readGuarded(const Task& task, const InputRecord& record, const
     }
 }
 
-/// Writes the frame, followed by the list of inputs, into the memory from the parent. Returns false
-/// if they do not fit.
-bool handBack(const Result<ReadScene>& outcome, const std::vector<InputUse>& uses) {
+/// Writes the serialized scene, followed by the list of inputs, into the memory from the parent.
+/// Returns false if they do not fit.
+bool handBack(const Result<DecodedScene>& outcome, const std::vector<InputUse>& uses) {
     struct stat status {};
-    if (::fstat(kFrameDescriptor, &status) != 0) return false;
-    const std::size_t frame = frameSize(outcome);
+    if (::fstat(kMemoryDescriptor, &status) != 0) return false;
+    const std::size_t scene_bytes = serializedSize(outcome);
     const std::string list = inputListText(uses);
-    const std::size_t size = frame + list.size();
+    const std::size_t size = scene_bytes + list.size();
     if (size > static_cast<std::size_t>(status.st_size)) return false;
-    void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, kFrameDescriptor, 0);
+    void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, kMemoryDescriptor, 0);
     if (memory == MAP_FAILED) return false;
     const std::span out(static_cast<std::uint8_t*>(memory), size);
-    writeFrame(outcome, out.first(frame));
-    std::copy(list.begin(), list.end(), out.begin() + static_cast<std::ptrdiff_t>(frame));
+    serializeScene(outcome, out.first(scene_bytes));
+    std::copy(list.begin(), list.end(), out.begin() + static_cast<std::ptrdiff_t>(scene_bytes));
     ::munmap(memory, size);
     tell(ImporterMessage::Depends, list.size());
-    tell(ImporterMessage::Done, frame);
+    tell(ImporterMessage::Done, scene_bytes);
     return true;
 }
 
-/// Largest size of a frame; the rest of the memory is for the list of inputs.
-std::uint64_t mostFrameBytes() {
+/// Largest size of a serialized scene; the rest of the memory is for the list of inputs.
+std::uint64_t mostSerializedBytes() {
     struct stat status {};
-    const auto all = ::fstat(kFrameDescriptor, &status) == 0
+    const auto all = ::fstat(kMemoryDescriptor, &status) == 0
                          ? static_cast<std::uint64_t>(status.st_size)
                          : std::uint64_t{0};
     return all - all / 12;
 }
 
 tl::unexpected<Error> tooLarge(const std::string& where) {
-    const std::string size = std::to_string(mostFrameBytes() >> 20U) + " MiB";
-    if (mostFrameBytes() < kMostFrameBytes / 2) {
+    const std::string size = std::to_string(mostSerializedBytes() >> 20U) + " MiB";
+    if (mostSerializedBytes() < kMostSerializedBytes / 2) {
         return fail(ErrorCode::Failed,
                     "its contents need more than the " + size +
                         " that the file size limit allows; raise it (ulimit -f)",
@@ -206,8 +208,9 @@ int runImporter(int count, char** arguments) {
         tell(ImporterMessage::Progress,
              static_cast<std::uint64_t>(std::clamp(fraction, 0.0, 1.0) * 1e6));
     });
-    Result<ReadScene> outcome = readGuarded(*task, record, job);
-    if (outcome && frameSize(outcome) > mostFrameBytes()) outcome = tooLarge(task->scene.string());
+    Result<DecodedScene> outcome = readGuarded(*task, record, job);
+    if (outcome && serializedSize(outcome) > mostSerializedBytes())
+        outcome = tooLarge(task->scene.string());
     // Without cleanup: the memory ends with the process.
     ::_exit(handBack(outcome, record.uses()) ? 0 : 1);
 }

@@ -6,7 +6,7 @@
 #include "engine/io/sandbox/isolation.h"
 #include "engine/io/sandbox/processor_wait.h"
 #include "engine/io/sandbox/reading_clock.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 #include "engine/io/sandbox/spawned_importer.h"
 #include "engine/io/settings/import_settings.h"
 
@@ -39,7 +39,7 @@ std::vector<std::string> commandFor(const fs::path& scene, const ImportOptions& 
     using Json = nlohmann::json;
     std::vector<std::string> command = {
         importerProgram().string(),
-        std::to_string(kFrameVersion),
+        std::to_string(kSerializationVersion),
         std::to_string(::getpid()),
         options.read_textures ? "1" : "0",
         importOptionsToJson(options).dump(-1, ' ', false, Json::error_handler_t::replace),
@@ -58,7 +58,7 @@ void tellMissingLayers(std::uint64_t layers) {
 
 /// State from the messages received so far.
 struct Heard {
-    std::optional<std::uint64_t> frame_bytes;
+    std::optional<std::uint64_t> scene_bytes;
     std::uint64_t list_bytes = 0;
     bool sound = true;
 };
@@ -79,7 +79,7 @@ void hear(const ImporterMessage& message, const JobContext& job, ReadingClock& c
             heard.list_bytes = message.value;
             return;
         case ImporterMessage::Done:
-            heard.frame_bytes = message.value;
+            heard.scene_bytes = message.value;
             return;
         default:
             heard.sound = false;
@@ -101,7 +101,7 @@ tl::unexpected<Error> tookTooLong(const ReadingClock& clock, const std::string& 
                 where);
 }
 
-tl::unexpected<Error> damagedHandBack(const std::string& reason, const std::string& where) {
+tl::unexpected<Error> damagedResult(const std::string& reason, const std::string& where) {
     return fail(ErrorCode::BadInput,
                 "the importer returned invalid data (" + reason + ")" + kExportAgain, where);
 }
@@ -131,18 +131,20 @@ std::optional<Error> whyItEnded(int status, const ReadingClock& clock, const fs:
                  where};
 }
 
-Result<HandBack> takeHandBack(FrameMemory memory, const Heard& heard, const std::string& where) {
-    const std::uint64_t frame = heard.frame_bytes.value_or(0);
-    const bool fits = frame > 0 && frame <= kMostFrameBytes && heard.list_bytes <= kMostFrameBytes;
-    if (!heard.sound || !fits) return damagedHandBack("its messages", where);
-    const auto bytes = memory.close(frame + heard.list_bytes);
+Result<ImporterResult> takeResult(SharedMemory memory, const Heard& heard,
+                                  const std::string& where) {
+    const std::uint64_t scene_bytes = heard.scene_bytes.value_or(0);
+    const bool fits = scene_bytes > 0 && scene_bytes <= kMostSerializedBytes &&
+                      heard.list_bytes <= kMostSerializedBytes;
+    if (!heard.sound || !fits) return damagedResult("its messages", where);
+    const auto bytes = memory.close(scene_bytes + heard.list_bytes);
     if (!bytes && bytes.error().code == ErrorCode::Failed) return tl::unexpected(bytes.error());
-    if (!bytes) return damagedHandBack(bytes.error().message, where);
-    const auto list = bytes->subspan(frame);
-    HandBack back{std::move(memory), bytes->first(frame), std::nullopt};
+    if (!bytes) return damagedResult(bytes.error().message, where);
+    const auto list = bytes->subspan(scene_bytes);
+    ImporterResult back{std::move(memory), bytes->first(scene_bytes), std::nullopt};
     if (!list.empty()) {
         back.inputs = parseInputList({reinterpret_cast<const char*>(list.data()), list.size()});
-        if (!back.inputs) return damagedHandBack("its list of files", where);
+        if (!back.inputs) return damagedResult("its list of files", where);
     }
     return back;
 }
@@ -153,11 +155,11 @@ fs::path importerProgram() {
     return siblingProgram("dollytrack-import");
 }
 
-Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& options,
-                                    const JobContext& job, const std::vector<fs::path>& more_inputs,
-                                    double work) {
+Result<ImporterResult> runImporterProcess(const fs::path& scene, const ImportOptions& options,
+                                          const JobContext& job,
+                                          const std::vector<fs::path>& more_inputs, double work) {
     const std::string where = scene.string();
-    Result<FrameMemory> memory = FrameMemory::make(kMostFrameBytes);
+    Result<SharedMemory> memory = SharedMemory::make(kMostSerializedBytes);
     if (!memory) return tl::unexpected(memory.error());
     Result<SpawnedImporter> importer =
         SpawnedImporter::start(commandFor(scene, options, more_inputs), memory->descriptor());
@@ -189,7 +191,7 @@ Result<HandBack> runImporterProcess(const fs::path& scene, const ImportOptions& 
     if (std::optional<Error> why = whyItEnded(*importer->end(), clock, scene)) {
         return tl::unexpected(std::move(*why));
     }
-    return takeHandBack(std::move(*memory), heard, where);
+    return takeResult(std::move(*memory), heard, where);
 }
 
 }  // namespace dollytrack::io

@@ -2,8 +2,8 @@
 
 #include "engine/core/result.h"
 #include "engine/io/import/scene_import.h"
-#include "engine/io/sandbox/frame_memory.h"
 #include "engine/io/sandbox/input_record.h"
+#include "engine/io/sandbox/shared_memory.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
@@ -14,9 +14,9 @@
 namespace dollytrack::io {
 
 /// What an importer handed back, unchecked.
-struct HandBack {
-    FrameMemory memory;
-    std::span<const std::uint8_t> frame;  // within the memory
+struct ImporterResult {
+    SharedMemory memory;
+    std::span<const std::uint8_t> serialized;  // within the memory
     // As reported by the importer; empty if there are more than the cache keeps.
     std::optional<std::vector<InputUse>> inputs;
 };
@@ -29,7 +29,7 @@ struct HandBack {
 /// `work` is that of the scene's format. Cancelling kills the process. Errors: BadInput if it
 /// crashes, takes too long or returns nothing; Cancelled; Failed if the importer is missing or
 /// cannot be started.
-[[nodiscard]] Result<HandBack> runImporterProcess(
+[[nodiscard]] Result<ImporterResult> runImporterProcess(
     const std::filesystem::path& scene, const ImportOptions& options, const JobContext& job,
     const std::vector<std::filesystem::path>& more_inputs = {}, double work = 1.0);
 

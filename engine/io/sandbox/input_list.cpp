@@ -1,6 +1,6 @@
 #include "engine/io/sandbox/input_list.h"
 
-#include "engine/io/sandbox/frame_archive.h"
+#include "engine/io/sandbox/binary_archive.h"
 
 #include <algorithm>
 #include <utility>

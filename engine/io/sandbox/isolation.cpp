@@ -1,7 +1,7 @@
 #include "engine/io/sandbox/isolation.h"
 
-#include "engine/io/sandbox/call_filter.h"
 #include "engine/io/sandbox/folder_rules.h"
+#include "engine/io/sandbox/syscall_filter.h"
 
 #include <malloc.h>
 #include <sys/prctl.h>
@@ -37,7 +37,7 @@ bool setLimits() {
     all = limit(RLIMIT_CORE, 0) && all;
     all = limit(RLIMIT_FSIZE, 0) && all;
     all = limit(RLIMIT_NOFILE, kMostOpenFiles) && all;
-    if (!kSanitized) all = limit(RLIMIT_AS, kMostAddressSpace + kMostFrameBytes) && all;
+    if (!kSanitized) all = limit(RLIMIT_AS, kMostAddressSpace + kMostSerializedBytes) && all;
     // The returned data is in shared memory, which RLIMIT_DATA does not count.
     if (!kSanitized) all = limit(RLIMIT_DATA, kMostAddressSpace) && all;
     return all;

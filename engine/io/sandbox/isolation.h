@@ -8,8 +8,8 @@
 namespace dollytrack::io {
 
 /// Limits of an importer; sizes in bytes.
-inline constexpr std::uint64_t kMostAddressSpace = std::uint64_t{4} << 30U;  // without the frame
-inline constexpr std::uint64_t kMostFrameBytes = std::uint64_t{3} << 30U;
+inline constexpr std::uint64_t kMostAddressSpace = std::uint64_t{4} << 30U;  // without the scene
+inline constexpr std::uint64_t kMostSerializedBytes = std::uint64_t{3} << 30U;
 inline constexpr int kMostOpenFiles = 64;
 inline constexpr int kMostThreads = 4;
 

@@ -4,11 +4,11 @@
 
 namespace dollytrack::io {
 
-Result<ReadScene> readScene(const SceneFormat& format, const std::filesystem::path& path,
-                            const ImportOptions& options, const JobContext& job) {
+Result<DecodedScene> readScene(const SceneFormat& format, const std::filesystem::path& path,
+                               const ImportOptions& options, const JobContext& job) {
     Result<RawScene> raw = format.read(path, options, job.stage(0.0, 0.7, "reading"));
     if (!raw) return tl::unexpected(raw.error());
-    ReadScene scene{std::move(*raw), {}};
+    DecodedScene scene{std::move(*raw), {}};
     if (options.read_textures) scene.textures = loadTextures(path, scene.raw.textures, job);
     return scene;
 }

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/import/scene_format.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace dollytrack::io {
 
 /// Reads a file by its format's reader, and decodes the textures that it refers to if the options
 /// ask for them. The result is unchecked.
-[[nodiscard]] Result<ReadScene> readScene(const SceneFormat& format,
-                                          const std::filesystem::path& path,
-                                          const ImportOptions& options, const JobContext& job);
+[[nodiscard]] Result<DecodedScene> readScene(const SceneFormat& format,
+                                             const std::filesystem::path& path,
+                                             const ImportOptions& options, const JobContext& job);
 
 }  // namespace dollytrack::io

@@ -1,12 +1,12 @@
 #include "engine/io/sandbox/scene_cache.h"
 
-#include "engine/io/files/cache_room.h"
+#include "engine/io/files/cache_eviction.h"
 #include "engine/io/files/file_descriptor.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/user_cache.h"
 #include "engine/io/import/scene_format.h"
-#include "engine/io/sandbox/frame_archive.h"
+#include "engine/io/sandbox/binary_archive.h"
 #include "engine/io/sandbox/importer_process.h"
 #include "engine/io/sandbox/input_file.h"
 #include "engine/io/settings/import_settings.h"
@@ -41,7 +41,7 @@ struct EntryHead {
     std::uint64_t magic = kMagic;
     std::uint64_t list_bytes = 0;  // size of the list of inputs, which follows this header
     std::uint64_t list_sum = 0;
-    std::uint64_t frame_bytes = 0;  // size of the frame, which follows the list
+    std::uint64_t scene_bytes = 0;  // size of the serialized scene, which follows the list
 };
 
 std::span<const std::uint8_t> bytesOf(std::string_view text) {
@@ -83,7 +83,7 @@ class MappedEntry {
 
 struct Entry {
     std::vector<CachedInput> inputs;
-    std::span<const std::uint8_t> frame;
+    std::span<const std::uint8_t> serialized;
 };
 
 std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
@@ -92,11 +92,11 @@ std::optional<Entry> entryIn(std::span<const std::uint8_t> bytes) {
     std::memcpy(&head, bytes.data(), sizeof(head));
     const auto rest = bytes.subspan(sizeof(head));
     if (head.magic != kMagic || head.list_bytes > rest.size() ||
-        head.frame_bytes != rest.size() - head.list_bytes) {
+        head.scene_bytes != rest.size() - head.list_bytes) {
         return std::nullopt;
     }
     const auto list = rest.first(head.list_bytes);
-    if (head.list_sum != frameSum(list)) return std::nullopt;
+    if (head.list_sum != checksumOf(list)) return std::nullopt;
     auto inputs = parseCachedInputs({reinterpret_cast<const char*>(list.data()), list.size()});
     if (!inputs) return std::nullopt;
     return Entry{std::move(*inputs), rest.subspan(head.list_bytes)};
@@ -144,7 +144,7 @@ std::string SceneCache::keyOf(const fs::path& scene, const std::string& sha256,
     if (options.labels) labels = sha256OfFile(*options.labels).value_or("");
     std::string more;
     for (std::size_t i = 1; i < roots.size(); ++i) more += roots[i].string() + '\0';
-    return sha256Of(fmt::format("{} {} {} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kFrameVersion,
+    return sha256Of(fmt::format("{} {} {} {} {}\n{}\n{}\n{}\n{}\n{}\n{}", kSerializationVersion,
                                 importer.size, importer.modified_ns, assimp.size,
                                 assimp.modified_ns, lowerExtension(scene), sha256,
                                 options.read_textures, settings, labels, more));
@@ -179,12 +179,13 @@ Result<std::string> SceneCache::digestOf(const fs::path& scene, const JobContext
     return digest;
 }
 
-std::optional<ReadScene> SceneCache::find(const std::string& key, const InputRoots& roots) const {
+std::optional<DecodedScene> SceneCache::find(const std::string& key,
+                                             const InputRoots& roots) const {
     const MappedEntry file(folder_, key + kExtension);
     const std::optional<Entry> entry = entryIn(file.bytes());
     if (!entry || !areUnchanged(roots, entry->inputs)) return std::nullopt;
     bool damaged = false;
-    Result<ReadScene> read = readFrame(entry->frame, damaged);
+    Result<DecodedScene> read = deserializeScene(entry->serialized, damaged);
     if (!read) return std::nullopt;
     file.touch();
     return std::move(*read);
@@ -192,12 +193,12 @@ std::optional<ReadScene> SceneCache::find(const std::string& key, const InputRoo
 
 bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::string& sha256,
                       const InputRoots& roots, const std::vector<InputUse>& inputs,
-                      std::span<const std::uint8_t> frame) const {
+                      std::span<const std::uint8_t> serialized) const {
     const auto kept = cachedInputs(scene, sha256, roots, inputs);
     if (!kept) return false;
     const std::string list = cachedInputsText(*kept);
-    const EntryHead head{kMagic, list.size(), frameSum(bytesOf(list)), frame.size()};
-    const std::size_t size = sizeof(head) + list.size() + frame.size();
+    const EntryHead head{kMagic, list.size(), checksumOf(bytesOf(list)), serialized.size()};
+    const std::size_t size = sizeof(head) + list.size() + serialized.size();
     if (size > most_bytes_) return false;
     makeCacheRoom(folder_, {kExtension, kDigestExtension}, most_bytes_ - size);
     std::vector<std::uint8_t> bytes;
@@ -205,7 +206,7 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     const auto* first = reinterpret_cast<const std::uint8_t*>(&head);
     bytes.insert(bytes.end(), first, first + sizeof(head));
     bytes.insert(bytes.end(), list.begin(), list.end());
-    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    bytes.insert(bytes.end(), serialized.begin(), serialized.end());
     return folder_.write(key + kExtension, bytes).has_value();
 }
 

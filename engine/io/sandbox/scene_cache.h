@@ -5,7 +5,7 @@
 #include "engine/io/import/scene_import.h"
 #include "engine/io/sandbox/cached_inputs.h"
 #include "engine/io/sandbox/input_record.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 
 #include <chrono>
 #include <cstdint>
@@ -43,21 +43,21 @@ class SceneCache {
 
     /// The name of an entry. It depends on everything that decides a reading: the scene file's
     /// content and extension, the options that matter to readers, the roots besides the scene's
-    /// folder, the frame version and the importer's program file.
+    /// folder, the serialization version and the importer's program file.
     [[nodiscard]] static std::string keyOf(const std::filesystem::path& scene,
                                            const std::string& sha256, const ImportOptions& options,
                                            const InputRoots& roots);
 
     /// The cached reading, checked like one that an importer hands back.
-    [[nodiscard]] std::optional<ReadScene> find(const std::string& key,
-                                                const InputRoots& roots) const;
+    [[nodiscard]] std::optional<DecodedScene> find(const std::string& key,
+                                                   const InputRoots& roots) const;
 
-    /// Stores a frame, durably and completely or not at all; the oldest entries are removed to make
-    /// room. Returns false if it was not stored: it is too large, the disk is full, or an input was
-    /// changed since it was read or lies below none of the roots.
+    /// Stores a serialized scene, durably and completely or not at all; the oldest entries are
+    /// removed to make room. Returns false if it was not stored: it is too large, the disk is full,
+    /// or an input was changed since it was read or lies below none of the roots.
     bool keep(const std::string& key, const std::filesystem::path& scene, const std::string& sha256,
               const InputRoots& roots, const std::vector<InputUse>& inputs,
-              std::span<const std::uint8_t> frame) const;
+              std::span<const std::uint8_t> serialized) const;
 
   private:
     GuardedFolder folder_;

@@ -139,7 +139,7 @@ Status checkObjects(RawScene& raw) {
     return {};
 }
 
-Status checkTextures(ReadScene& scene) {
+Status checkTextures(DecodedScene& scene) {
     TextureSet& set = scene.textures;
     const std::size_t asked = scene.raw.textures.size();
     const bool counted = set.found >= 0 && set.missing.size() + set.broken.size() +
@@ -161,7 +161,7 @@ Status checkTextures(ReadScene& scene) {
 
 }  // namespace
 
-Status checkScene(ReadScene& scene) {
+Status checkScene(DecodedScene& scene) {
     RawScene& raw = scene.raw;
     if (raw.file_unit_m && !(*raw.file_unit_m > 0.0 && *raw.file_unit_m < 1e9)) {
         return wrong("the file's unit is not a valid length");

@@ -17,9 +17,9 @@
 namespace dollytrack::io {
 namespace {
 
-Result<ReadScene> readHere(const SceneFormat& format, const std::filesystem::path& path,
-                           const ImportOptions& options, const JobContext& job) {
-    Result<ReadScene> scene = readScene(format, path, options, job);
+Result<DecodedScene> readHere(const SceneFormat& format, const std::filesystem::path& path,
+                              const ImportOptions& options, const JobContext& job) {
+    Result<DecodedScene> scene = readScene(format, path, options, job);
     if (!scene) return scene;
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", path.string());
     if (Status sound = checkScene(*scene); !sound) {
@@ -42,14 +42,14 @@ class Keeper {
     ~Keeper() {
         if (worker_.joinable()) worker_.join();
     }
-    void keep(CachePlace place, std::filesystem::path scene, HandBack back) {
+    void keep(CachePlace place, std::filesystem::path scene, ImporterResult back) {
         const std::lock_guard lock(mutex_);
         if (worker_.joinable()) worker_.join();
         worker_ = std::thread(
             [place = std::move(place), scene = std::move(scene), back = std::move(back)] {
                 try {
                     place.cache.keep(place.key, scene, place.sha256, place.roots, *back.inputs,
-                                     back.frame);
+                                     back.serialized);
                 } catch (const std::exception&) {
                     // A failed write is ignored: the file is read again next time.
                 }
@@ -71,14 +71,14 @@ std::vector<std::filesystem::path> moreInputs(const SceneFormat& format,
     return inputs;
 }
 
-Result<ReadScene> readApart(const std::filesystem::path& path, const ImportOptions& options,
-                            const JobContext& job,
-                            const std::vector<std::filesystem::path>& more_inputs, double work,
-                            const std::optional<CachePlace>& place) {
-    Result<HandBack> back = runImporterProcess(path, options, job, more_inputs, work);
+Result<DecodedScene> readApart(const std::filesystem::path& path, const ImportOptions& options,
+                               const JobContext& job,
+                               const std::vector<std::filesystem::path>& more_inputs, double work,
+                               const std::optional<CachePlace>& place) {
+    Result<ImporterResult> back = runImporterProcess(path, options, job, more_inputs, work);
     if (!back) return tl::unexpected(back.error());
     bool damaged = false;
-    Result<ReadScene> scene = readFrame(back->frame, damaged);
+    Result<DecodedScene> scene = deserializeScene(back->serialized, damaged);
     if (!scene && damaged) {
         return fail(ErrorCode::BadInput,
                     "the importer returned invalid data (" + scene.error().message +
@@ -92,27 +92,27 @@ Result<ReadScene> readApart(const std::filesystem::path& path, const ImportOptio
     return scene;
 }
 
-Result<SceneReading> readThroughCache(const std::filesystem::path& path,
-                                      const ImportOptions& options, const JobContext& job,
-                                      const std::vector<std::filesystem::path>& more_inputs,
-                                      double work, SceneCache cache) {
+Result<SceneFileContent> readThroughCache(const std::filesystem::path& path,
+                                          const ImportOptions& options, const JobContext& job,
+                                          const std::vector<std::filesystem::path>& more_inputs,
+                                          double work, SceneCache cache) {
     Result<std::string> digest = cache.digestOf(path, job);
     if (!digest) return tl::unexpected(digest.error());
     const InputRoots roots = inputRoots(path, more_inputs);
     const std::string key = SceneCache::keyOf(path, *digest, options, roots);
-    if (std::optional<ReadScene> kept = cache.find(key, roots)) {
-        return SceneReading{std::move(*kept), std::move(*digest)};
+    if (std::optional<DecodedScene> kept = cache.find(key, roots)) {
+        return SceneFileContent{std::move(*kept), std::move(*digest)};
     }
-    Result<ReadScene> scene = readApart(path, options, job, more_inputs, work,
-                                        CachePlace{std::move(cache), key, *digest, roots});
+    Result<DecodedScene> scene = readApart(path, options, job, more_inputs, work,
+                                           CachePlace{std::move(cache), key, *digest, roots});
     if (!scene) return tl::unexpected(scene.error());
-    return SceneReading{std::move(*scene), std::move(*digest)};
+    return SceneFileContent{std::move(*scene), std::move(*digest)};
 }
 
 }  // namespace
 
-Result<SceneReading> readSceneFile(const SceneFormat& format, const std::filesystem::path& path,
-                                   const ImportOptions& options, const JobContext& job) {
+Result<SceneFileContent> readSceneFile(const SceneFormat& format, const std::filesystem::path& path,
+                                       const ImportOptions& options, const JobContext& job) {
     const std::vector<std::filesystem::path> more_inputs = moreInputs(format, path, options);
     if (options.use_cache && !options.in_process) {
         if (std::optional<SceneCache> cache = SceneCache::ofUser()) {
@@ -123,13 +123,13 @@ Result<SceneReading> readSceneFile(const SceneFormat& format, const std::filesys
     // The file is hashed while it is read.
     std::future<Result<std::string>> hash =
         std::async(std::launch::async, [path, job] { return sha256OfFile(path, job); });
-    Result<ReadScene> scene =
+    Result<DecodedScene> scene =
         options.in_process ? readHere(format, path, options, job)
                            : readApart(path, options, job, more_inputs, format.work, std::nullopt);
     if (!scene) return tl::unexpected(scene.error());
     Result<std::string> digest = hash.get();
     if (!digest) return tl::unexpected(digest.error());
-    return SceneReading{std::move(*scene), std::move(*digest)};
+    return SceneFileContent{std::move(*scene), std::move(*digest)};
 }
 
 }  // namespace dollytrack::io

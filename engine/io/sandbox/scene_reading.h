@@ -3,7 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/io/import/scene_format.h"
 #include "engine/io/import/scene_import.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
@@ -12,16 +12,16 @@
 namespace dollytrack::io {
 
 /// A scene file's content and digest.
-struct SceneReading {
-    ReadScene scene;
+struct SceneFileContent {
+    DecodedScene scene;
     std::string sha256;  // of the scene file
 };
 
 /// Reads a scene file of this format: in a separate process (importer_process.h), from the cache
 /// (scene_cache.h) or in this process, as the options say. The result is always checked.
-[[nodiscard]] Result<SceneReading> readSceneFile(const SceneFormat& format,
-                                                 const std::filesystem::path& path,
-                                                 const ImportOptions& options,
-                                                 const JobContext& job);
+[[nodiscard]] Result<SceneFileContent> readSceneFile(const SceneFormat& format,
+                                                     const std::filesystem::path& path,
+                                                     const ImportOptions& options,
+                                                     const JobContext& job);
 
 }  // namespace dollytrack::io

@@ -61,13 +61,13 @@ std::vector<char*> pointersTo(std::vector<std::string>& lines) {
 
 /// Starts the importer with only the two descriptors open, in a process group of its own and
 /// without the parent's signal mask.
-int spawn(std::vector<std::string> arguments, int frame, int pipe, pid_t& process) {
+int spawn(std::vector<std::string> arguments, int memory, int pipe, pid_t& process) {
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDWR, 0);
     posix_spawn_file_actions_adddup2(&files, STDIN_FILENO, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&files, STDIN_FILENO, STDERR_FILENO);
-    posix_spawn_file_actions_adddup2(&files, frame, kFrameDescriptor);
+    posix_spawn_file_actions_adddup2(&files, memory, kMemoryDescriptor);
     posix_spawn_file_actions_adddup2(&files, pipe, kMessageDescriptor);
     posix_spawn_file_actions_addclosefrom_np(&files, kMessageDescriptor + 1);
     posix_spawnattr_t look;
@@ -94,12 +94,12 @@ int spawn(std::vector<std::string> arguments, int frame, int pipe, pid_t& proces
 }  // namespace
 
 Result<SpawnedImporter> SpawnedImporter::start(const std::vector<std::string>& arguments,
-                                               int frame_descriptor) {
+                                               int memory_descriptor) {
     FileDescriptor read_end;
     FileDescriptor write_end;
     int error = makePipe(read_end, write_end) ? 0 : errno;
     pid_t process = -1;
-    if (error == 0) error = spawn(arguments, frame_descriptor, write_end.get(), process);
+    if (error == 0) error = spawn(arguments, memory_descriptor, write_end.get(), process);
     (void)write_end.close();  // otherwise the end of the messages would not be noticed
     if (error == 0) {
         ::fcntl(read_end.get(), F_SETFL, O_NONBLOCK);

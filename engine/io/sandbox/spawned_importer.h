@@ -19,7 +19,7 @@ class SpawnedImporter {
   public:
     /// `arguments[0]` is the program. Error: Failed.
     [[nodiscard]] static Result<SpawnedImporter> start(const std::vector<std::string>& arguments,
-                                                       int frame_descriptor);
+                                                       int memory_descriptor);
     ~SpawnedImporter();
     SpawnedImporter(SpawnedImporter&& other) noexcept;
     SpawnedImporter& operator=(SpawnedImporter&&) = delete;

@@ -37,7 +37,7 @@ std::optional<double> hfovBeside(const std::filesystem::path& images) {
 // the order of capture.
 Result<PoseList> readColmap(const PoseFile& file) {
     const std::filesystem::path& path = file.path;
-    std::vector<std::pair<std::string, ReadPose>> images;
+    std::vector<std::pair<std::string, FilePose>> images;
     bool points_follow = false;
     int number = 0;
     for (const std::string_view line : splitLines(file.text)) {
@@ -66,7 +66,7 @@ Result<PoseList> readColmap(const PoseFile& file) {
         const Eigen::Vector3d translation(v[4], v[5], v[6]);
         const auto name_at = static_cast<std::size_t>(words[9].data() - line.data());
         images.emplace_back(std::string(line.substr(name_at)),
-                            ReadPose{-(world_from_camera * translation), world_from_camera,
+                            FilePose{-(world_from_camera * translation), world_from_camera,
                                      std::nullopt, 0, number});
         points_follow = true;
     }

@@ -31,7 +31,7 @@ Result<PoseList> readFront3d(const PoseFile& file) {
                 one.contains("up") ? vectorFrom(one["up"]) : Eigen::Vector3d(0, 1, 0);
             auto rotation = rotationAlong(forward, up, where());
             if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
-            ReadPose pose{position, *rotation, std::nullopt};
+            FilePose pose{position, *rotation, std::nullopt};
             if (one.contains("time")) pose.time_s = one["time"].get<double>();
             const nlohmann::json in_room = one.value("room", nlohmann::json());
             const bool carried = !pose.time_s || (view > 0 && in_room != room);

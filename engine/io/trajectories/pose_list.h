@@ -12,7 +12,7 @@ namespace dollytrack::io {
 
 /// A pose of a file, in the file's world, with the camera's axes converted to x right, y down, z
 /// forward.
-struct ReadPose {
+struct FilePose {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file's world from camera
     std::optional<double> time_s;
@@ -21,7 +21,7 @@ struct ReadPose {
 };
 
 struct PoseList {
-    std::vector<ReadPose> poses;
+    std::vector<FilePose> poses;
     std::optional<double> hfov_deg;  // horizontal field of view, if the file contains it
 };
 

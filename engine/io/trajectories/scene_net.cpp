@@ -44,11 +44,11 @@ Result<PoseList> readSceneNet(const PoseFile& file) {
     }
     // Some programs write the same time in every line; then the trajectory has no times.
     const bool rising = std::adjacent_find(list.poses.begin(), list.poses.end(),
-                                           [](const ReadPose& a, const ReadPose& b) {
+                                           [](const FilePose& a, const FilePose& b) {
                                                return *b.time_s <= *a.time_s;
                                            }) == list.poses.end();
     if (!rising) {
-        for (ReadPose& pose : list.poses) pose.time_s.reset();
+        for (FilePose& pose : list.poses) pose.time_s.reset();
     }
     return list;
 }

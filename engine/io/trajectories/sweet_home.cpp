@@ -12,8 +12,8 @@ namespace {
 
 /// Home axes are the plan's x, up, and the plan's y (down the page); a camera with yaw 0 looks down
 /// the page, and turns clockwise on it.
-ReadPose poseOf(const homes::HomeCamera& camera) {
-    ReadPose pose;
+FilePose poseOf(const homes::HomeCamera& camera) {
+    FilePose pose;
     pose.position = {camera.position.x(), camera.height, camera.position.y()};
     const double flat = std::cos(camera.pitch);
     const Eigen::Vector3d forward(-std::sin(camera.yaw) * flat, -std::sin(camera.pitch),
@@ -35,7 +35,7 @@ Result<PoseList> readSweetHome(const PoseFile& file) {
     PoseList list;
     int motion = 0;
     for (const homes::HomeCamera& camera : home->cameras) {
-        ReadPose pose = poseOf(camera);
+        FilePose pose = poseOf(camera);
         // The visitor's view is often equal to a stored one.
         const bool known = std::any_of(list.poses.begin(), list.poses.end(), [&](const auto& p) {
             return (p.position - pose.position).norm() < 1e-3 &&

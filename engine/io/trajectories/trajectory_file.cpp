@@ -168,7 +168,7 @@ Eigen::Affine3d worldFromFile(FileWorld world, const TrajectoryReading& reading)
 
 /// The camera's rotation by its forward and down directions, so that mirrored and scaled files also
 /// give a rotation.
-Pose placed(const ReadPose& read, const Eigen::Affine3d& world_from_file) {
+Pose placed(const FilePose& read, const Eigen::Affine3d& world_from_file) {
     const Eigen::Vector3d forward = (world_from_file.linear() * read.rotation.col(2)).normalized();
     const Eigen::Vector3d down = world_from_file.linear() * read.rotation.col(1);
     Eigen::Matrix3d rotation;
@@ -225,9 +225,9 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
     loaded.format = format->name;
     loaded.hfov_deg = read->hfov_deg;
     loaded.timed = std::all_of(read->poses.begin(), read->poses.end(),
-                               [](const ReadPose& pose) { return pose.time_s.has_value(); });
+                               [](const FilePose& pose) { return pose.time_s.has_value(); });
     const Eigen::Affine3d world_from_file = worldFromFile(world.value_or(format->world), reading);
-    for (const ReadPose& pose : read->poses) {
+    for (const FilePose& pose : read->poses) {
         TrajectoryFrame frame;
         const auto count = static_cast<double>(loaded.trajectory.frames.size());
         frame.time_s = loaded.timed ? *pose.time_s : count * reading.interval_s;

@@ -1,8 +1,8 @@
 // Checks the rig's images: their consistency, the objects' boxes, and ray casts into the scene.
 #include "render/verify/check/check_cameras.h"
-#include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
-#include "render/verify/picture_judge.h"
+#include "render/verify/interpolated_normal.h"
+#include "render/verify/label_alignment_check.h"
 #include "render/verify/read/stored_rig.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ constexpr double kRounding = 0.0005 + 1e-6;  // of depth in millimetres, m
 constexpr double kFarthest = 65.5355;        // m, limit of a depth image
 // In smaller or wide-angle images objects are a few pixels wide; there only blank images are
 // reported.
-constexpr int kJudgedPixels = 160 * 120;
+constexpr int kLeastPixelsToCompare = 160 * 120;
 constexpr double kNudge = 1e-3;  // px: different ways to compute a ray differ by far less
 
 using Rays = std::vector<std::optional<StoredRay>>;
@@ -29,7 +29,7 @@ using Rays = std::vector<std::optional<StoredRay>>;
 struct CameraRays {
     StoredCamera camera;
     Rays rays;
-    std::unique_ptr<PictureJudge> pictures;
+    std::unique_ptr<LabelAlignmentCheck> pictures;
 };
 
 std::string text(const Eigen::Vector3d& v) {
@@ -116,22 +116,22 @@ class CameraFrame {
         circle.report(file("instance"), index_, findings);
         boxes.report(file("depth"), index_, findings);
         normals.report(file("normal_world"), index_, findings);
-        if (camera_.width * camera_.height < kJudgedPixels && isBlank(rgb_) &&
+        if (camera_.width * camera_.height < kLeastPixelsToCompare && isBlank(rgb_) &&
             outlinesOf(ids_, true).count() >= kFewestPlaces) {
             findings.add({file("rgb"), index_, {}, kBlank, "edges at the object borders"});
         }
     }
 
-    void showTo(PictureJudge& judge) const {
-        if (camera_.width * camera_.height < kJudgedPixels) return;
-        judge.look(static_cast<std::size_t>(index_), rgb_, ids_);
+    void showTo(LabelAlignmentCheck& alignment) const {
+        if (camera_.width * camera_.height < kLeastPixelsToCompare) return;
+        alignment.addFrame(static_cast<std::size_t>(index_), rgb_, ids_);
     }
 
     void checkScene(const Subject& subject, Findings& findings) {
         const FrameRays frame_rays(subject, frame_, pose_);
         const RayCaster& caster = frame_rays.rays();
         WrongPixels labels, normals;
-        std::size_t judged = 0;
+        std::size_t compared = 0;
         forPixels([&](int x, int y, const std::optional<StoredRay>& ray) {
             if (!ray) return;
             const RayHit hit = cast(caster, *ray);
@@ -144,11 +144,11 @@ class CameraFrame {
             if (hit.object_id == 0 || hit.object_id != ids_.at(x, y)) return;
             // The scene holds vertex normals of unmoved objects only.
             if (frame_.movement(hit.object_id)) return;
-            ++judged;
+            ++compared;
             const Eigen::Vector3d along = (pose_.rotation * ray->direction).normalized();
             const Eigen::Vector3d place =
                 pose_.toWorld(ray->origin + hit.distance * ray->direction);
-            const Eigen::Vector3d expected = cornersNormal(*subject.scene, hit, place, along);
+            const Eigen::Vector3d expected = interpolatedNormal(*subject.scene, hit, place, along);
             if (expected.norm() < 0.5) return;
             if (normalAt(x, y).dot(expected) >= std::cos(3.0 * std::numbers::pi / 180.0)) return;
             normals.add(x, y, [&] {
@@ -157,7 +157,7 @@ class CameraFrame {
         });
         labels.report(file("instance"), index_, findings);
         // On shared surfaces the ray may hit either of two triangles.
-        if (normals.count() > 10 + judged / 50) {
+        if (normals.count() > 10 + compared / 50) {
             normals.report(file("normal_world"), index_, findings);
         }
     }
@@ -310,7 +310,7 @@ class CameraFrame {
 };
 
 CameraRays withRays(StoredCamera camera, std::size_t frames) {
-    CameraRays result{std::move(camera), {}, std::make_unique<PictureJudge>(frames, true)};
+    CameraRays result{std::move(camera), {}, std::make_unique<LabelAlignmentCheck>(frames, true)};
     const StoredCamera& of = result.camera;
     for (int y = 0; y < of.height; ++y) {
         for (int x = 0; x < of.width; ++x) {
@@ -348,7 +348,7 @@ CheckWork beginCameras(const Subject& subject, Findings& findings) {
             const auto path = [&](const char* image, int frame) {
                 return subject.dataset.folder / camera.file(image, frame);
             };
-            one.pictures->judge(
+            one.pictures->report(
                 {[&](int frame) { return camera.file("rgb", frame); },
                  [&](int frame) { return readImage8(path("rgb", frame), 3).value_or(Image8()); },
                  [&](int frame) {

@@ -29,8 +29,8 @@ struct Point {
 };
 
 /// A frame's view of the points.
-struct Sighting {
-    std::size_t judged = 0;
+struct DepthComparison {
+    std::size_t compared = 0;
     std::size_t before = 0;  // points in front of the surface that the frame shows
     std::string example;
 };
@@ -185,10 +185,11 @@ bool isOfMoving(const StoredDataset& dataset, const StoredFrame& frame,
     return false;
 }
 
-Sighting look(const StoredDataset& dataset, const std::vector<Point>& points, FrameImages& images) {
-    Sighting sighting;
+DepthComparison compareWithDepth(const StoredDataset& dataset, const std::vector<Point>& points,
+                                 FrameImages& images) {
+    DepthComparison comparison;
     const FrameImages::Depth* depth = images.depth();
-    if (!depth) return sighting;
+    if (!depth) return comparison;
     for (const Point& point : points) {
         const auto seen = seenBy(dataset, images.stored(), point.place, 1.0);
         if (!seen || isOfMoving(dataset, images.stored(), point.place)) continue;
@@ -202,27 +203,27 @@ Sighting look(const StoredDataset& dataset, const std::vector<Point>& points, Fr
                 if (metres > 0.0) nearest = std::min(nearest, metres);
             }
         }
-        ++sighting.judged;
+        ++comparison.compared;
         if (seen->depth_m >= nearest - kBefore_m - kBeforeShare * nearest) continue;
-        if (sighting.before++ > 0) continue;
-        sighting.example =
+        if (comparison.before++ > 0) continue;
+        comparison.example =
             fmt::format("{}:{} at {:.3f} m, where {} shows {:.3f} m", kPoints, point.line,
                         seen->depth_m, imageFile(depth->modality, images.frame()), nearest);
     }
-    return sighting;
+    return comparison;
 }
 
 /// With the scene each point must lie on it. Without, objects thinner than a pixel may stand in
 /// front of the pixels' surface, but only few points may.
-void judgeByDepth(const std::vector<Sighting>& sightings, Findings& findings) {
-    for (std::size_t frame = 0; frame < sightings.size(); ++frame) {
-        const Sighting& one = sightings[frame];
-        if (one.before <= 5 + one.judged / 50) continue;
+void reportPoints(const std::vector<DepthComparison>& comparisons, Findings& findings) {
+    for (std::size_t frame = 0; frame < comparisons.size(); ++frame) {
+        const DepthComparison& one = comparisons[frame];
+        if (one.before <= 5 + one.compared / 50) continue;
         findings.add({kPoints,
                       static_cast<int>(frame),
                       {},
                       fmt::format("{} of {} points are in front of the visible surfaces ({})",
-                                  one.before, one.judged, one.example),
+                                  one.before, one.compared, one.example),
                       "points of surfaces"});
     }
 }
@@ -234,15 +235,16 @@ CheckWork beginColmap(const Subject& subject, Findings& findings) {
     checkCameras(dataset, findings);
     checkNames(dataset, findings);
     const auto points = std::make_shared<std::vector<Point>>(readPoints(dataset, findings));
-    const auto sightings = std::make_shared<std::vector<Sighting>>(dataset.frames.size());
+    const auto comparisons = std::make_shared<std::vector<DepthComparison>>(dataset.frames.size());
     CheckWork work;
     if (!subject.rays) {
-        work.frame = [&dataset, points, sightings](FrameImages& images, Findings& /*findings*/) {
-            (*sightings)[static_cast<std::size_t>(images.frame())] = look(dataset, *points, images);
+        work.frame = [&dataset, points, comparisons](FrameImages& images, Findings& /*findings*/) {
+            (*comparisons)[static_cast<std::size_t>(images.frame())] =
+                compareWithDepth(dataset, *points, images);
         };
     }
-    work.finish = [&subject, points, sightings](Findings& found, const JobContext&) {
-        judgeByDepth(*sightings, found);
+    work.finish = [&subject, points, comparisons](Findings& found, const JobContext&) {
+        reportPoints(*comparisons, found);
         for (const Point& point : *points) {
             const auto wrong = [&](std::string what, std::string expected) {
                 found.add({fmt::format("{}:{}", kPoints, point.line),

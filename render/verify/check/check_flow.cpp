@@ -26,11 +26,12 @@ class FlowPair {
         const bool mask_fits = isUsable(mask, dataset, stem_ + "_mask.png", frame, findings);
         const FrameImages::Depth* depth = images_.depth();
         if (!depth) return;
-        const std::vector<Followed> followed = followAll(dataset, images_, *depth, to_);
-        if (flow_fits) checkMotions(*flow, *depth, followed, {stem_ + ".flo", frame}, findings);
+        const std::vector<ReprojectedPixel> reprojected =
+            reprojectAll(dataset, images_, *depth, to_);
+        if (flow_fits) checkMotions(*flow, *depth, reprojected, {stem_ + ".flo", frame}, findings);
         if (!mask_fits) return;
-        checkSight(subject_, *mask, *depth, followed, to_, other_.depth(),
-                   {stem_ + "_mask.png", frame}, findings);
+        checkVisibilityMask(subject_, *mask, *depth, reprojected, to_, other_.depth(),
+                            {stem_ + "_mask.png", frame}, findings);
     }
 
   private:

@@ -3,7 +3,7 @@
 #include "engine/io/trajectories/number_lines.h"
 #include "render/verify/check_list.h"
 #include "render/verify/motion_check.h"
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 
@@ -119,7 +119,7 @@ void compareMotions(const StoredDataset& dataset, FrameImages& images, Findings&
     const StoredFrame& next = dataset.frames[static_cast<std::size_t>(frame) + 1];
     const OtherView to{next.pose, next};
     const double half_step = 0.5 * std::sqrt(2.0) / kStepsPerPixel;
-    checkMotions(motionsFrom(*flow), *depth, followAll(dataset, images, *depth, to),
+    checkMotions(motionsFrom(*flow), *depth, reprojectAll(dataset, images, *depth, to),
                  {file, frame, half_step, (65535.0 - kMiddle) / kStepsPerPixel - 0.1}, findings);
 }
 

@@ -1,6 +1,6 @@
 #include "render/verify/check_list.h"
-#include "render/verify/corners_normal.h"
 #include "render/verify/frame_rays.h"
+#include "render/verify/interpolated_normal.h"
 
 #include <fmt/format.h>
 
@@ -154,10 +154,10 @@ class NormalImages {
         const char* modality = in_world_ ? "normal_world" : "normal_camera";
         const Image16& image = in_world_ ? *in_world_ : *in_camera_;
         WrongPixels pixels;
-        std::size_t judged = 0;
-        const auto judge = [&](int x, int y, const Eigen::Vector3d& expected, double degrees,
-                               const char* by) {
-            ++judged;
+        std::size_t compared = 0;
+        const auto compare = [&](int x, int y, const Eigen::Vector3d& expected, double degrees,
+                                 const char* by) {
+            ++compared;
             const Eigen::Vector3d found = worldNormal(x, y);
             if (found.dot(expected) >= std::cos(degrees * kDegree)) return;
             pixels.add(x, y, [&] {
@@ -166,17 +166,17 @@ class NormalImages {
             });
         };
         if (subject_.rays && images_.stored().moving.empty()) {
-            judgeByScene(image, judge);
-            if (pixels.count() <= 10 + judged / 50) return;
+            compareWithScene(image, compare);
+            if (pixels.count() <= 10 + compared / 50) return;
         } else {
-            judgeByDepth(image, judge);
-            if (pixels.count() <= 10 + judged / 4) return;
+            compareWithDepths(image, compare);
+            if (pixels.count() <= 10 + compared / 4) return;
         }
         pixels.report(file(modality), images_.frame(), findings);
     }
 
-    template <class Judge>
-    void judgeByScene(const Image16& image, Judge&& judge) const {
+    template <class Compare>
+    void compareWithScene(const Image16& image, Compare&& compare) const {
         const Pose& pose = images_.stored().pose;
         FrameRays rays(subject_, images_.stored(), pose);
         std::vector<RayHit> hits;
@@ -188,15 +188,15 @@ class NormalImages {
                 if (ids_ && ids_->at(x, y) != hit.object_id) continue;
                 const Eigen::Vector3d ahead = subject_.dataset.lens.unproject(x + 0.5, y + 0.5);
                 const Eigen::Vector3d expected =
-                    cornersNormal(*subject_.scene, hit, pose.toWorld(hit.distance * ahead),
-                                  (pose.rotation * ahead).normalized());
-                if (expected.norm() > 0.5) judge(x, y, expected, 3.0, "the scene");
+                    interpolatedNormal(*subject_.scene, hit, pose.toWorld(hit.distance * ahead),
+                                       (pose.rotation * ahead).normalized());
+                if (expected.norm() > 0.5) compare(x, y, expected, 3.0, "the scene");
             }
         }
     }
 
-    template <class Judge>
-    void judgeByDepth(const Image16& image, Judge&& judge) const {
+    template <class Compare>
+    void compareWithDepths(const Image16& image, Compare&& compare) const {
         const FrameImages::Depth* depth = images_.depth();
         if (!depth || !ids_) return;
         const Eigen::Quaterniond& rotation = images_.stored().pose.rotation;
@@ -205,7 +205,7 @@ class NormalImages {
             for (int x = 0; x < image.width; x += kStep) {
                 if (isNone(image.pixel(x, y))) continue;
                 const auto flat = flatNormal(subject_.dataset, *depth, *ids_, x, y);
-                if (flat) judge(x, y, rotation * *flat, 75.0, "the depth around it");
+                if (flat) compare(x, y, rotation * *flat, 75.0, "the depth around it");
             }
         }
     }

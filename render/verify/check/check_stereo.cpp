@@ -1,6 +1,6 @@
 #include "render/verify/check_list.h"
 #include "render/verify/other_view.h"
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ class StereoPair {
     void check(Findings& findings) {
         const FrameImages::Depth* depth = images_.depth();
         if (depth) {
-            followAll(*depth);
+            reprojectAll(*depth);
             if (const Image16* disparity = images_.image16("disparity")) {
                 checkDisparity(*disparity, *depth, findings);
             }
@@ -37,15 +37,16 @@ class StereoPair {
         return imageFile(modality, images_.frame());
     }
 
-    void followAll(const FrameImages::Depth& depth) {
-        followed_.resize(depth.metres.values.size());
+    void reprojectAll(const FrameImages::Depth& depth) {
+        reprojected_.resize(depth.metres.values.size());
         std::size_t i = 0;
         for (int y = 0; y < depth.metres.height; ++y) {
             for (int x = 0; x < depth.metres.width; ++x, ++i) {
                 const double metres = depth.metres.values[i];
                 if (!(metres > 0.0)) continue;
-                followed_[i] = follow(subject_.dataset, images_.stored(), x, y, metres,
-                                      depth.rounding_m, right_, Eigen::Isometry3d::Identity());
+                reprojected_[i] =
+                    reproject(subject_.dataset, images_.stored(), x, y, metres, depth.rounding_m,
+                              right_, Eigen::Isometry3d::Identity());
             }
         }
     }
@@ -90,10 +91,10 @@ class StereoPair {
             }
             right.rounding_m = 0.0005 + 1e-6;
         }
-        checkSight(subject_, *mask, depth, followed_, right_,
-                   right.metres.values.empty() ? nullptr : &right,
-                   {fmt::format("disparity/{:06}_mask.png", images_.frame()), images_.frame()},
-                   findings);
+        checkVisibilityMask(
+            subject_, *mask, depth, reprojected_, right_,
+            right.metres.values.empty() ? nullptr : &right,
+            {fmt::format("disparity/{:06}_mask.png", images_.frame()), images_.frame()}, findings);
     }
 
     /// Surfaces visible in both images have the same colour in most pixels. Highlights, and
@@ -107,7 +108,7 @@ class StereoPair {
         std::size_t seen = 0;
         for (std::size_t i = 0; i < depth.metres.values.size(); ++i) {
             if (!(depth.metres.values[i] > 0.0F) || mask->values[i] != kSeen) continue;
-            const Followed& to = followed_[i];
+            const ReprojectedPixel& to = reprojected_[i];
             const int x = static_cast<int>(std::floor(to.at.x()));
             const int y = static_cast<int>(std::floor(to.at.y()));
             if (to.behind || !right->holds(x - 1, y - 1) || !right->holds(x + 1, y + 1)) continue;
@@ -170,7 +171,7 @@ class StereoPair {
     FrameImages& images_;
     double focal_times_baseline_;
     OtherView right_;
-    std::vector<Followed> followed_;
+    std::vector<ReprojectedPixel> reprojected_;
 };
 
 }  // namespace

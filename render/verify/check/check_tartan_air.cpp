@@ -5,7 +5,7 @@
 #include "render/verify/check_list.h"
 #include "render/verify/motion_check.h"
 #include "render/verify/read/numpy_array.h"
-#include "render/verify/right_camera.h"
+#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 
@@ -160,16 +160,16 @@ class FrameCheck {
         if (!depth) return;
         FrameImages& next = images_.other(frame_ + 1);
         const OtherView to{next.stored().pose, next.stored()};
-        const auto followed = followAll(dataset_, images_, *depth, to);
-        if (flow_fits) checkMotions(*flow, *depth, followed, {flow_file, frame_}, findings_);
+        const auto reprojected = reprojectAll(dataset_, images_, *depth, to);
+        if (flow_fits) checkMotions(*flow, *depth, reprojected, {flow_file, frame_}, findings_);
         if (!mask_fits) return;
-        toSight(*depth, *mask);
-        checkSight(subject_, *mask, *depth, followed, to, next.depth(), {mask_file, frame_},
-                   findings_);
+        toVisibility(*depth, *mask);
+        checkVisibilityMask(subject_, *mask, *depth, reprojected, to, next.depth(),
+                            {mask_file, frame_}, findings_);
     }
 
     /// TartanAir's 100 means outside the image as well as no surface.
-    static void toSight(const FrameImages::Depth& depth, Image8& mask) {
+    static void toVisibility(const FrameImages::Depth& depth, Image8& mask) {
         for (std::size_t i = 0; i < mask.values.size(); ++i) {
             std::uint8_t& value = mask.values[i];
             const bool nothing = !(depth.metres.values[i] > 0.0F);
@@ -184,12 +184,12 @@ class FrameCheck {
                     value = nothing ? kNothing : kOutside;
                     break;
                 default:
-                    value = kNoSight;
+                    value = kUnknownVisibility;
             }
         }
     }
 
-    static constexpr std::uint8_t kNoSight = 254;  // not a mask value
+    static constexpr std::uint8_t kUnknownVisibility = 254;  // not a mask value
 
     const Subject& subject_;
     const StoredDataset& dataset_;

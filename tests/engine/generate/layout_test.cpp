@@ -1,5 +1,5 @@
-#include "engine/generate/carrier_surface.h"
 #include "engine/generate/room_layout.h"
+#include "engine/generate/support_surface.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -90,15 +90,15 @@ std::set<int> restingHeights(bool closed) {
     const homes::FurnitureModel model = cupboard(closed);
     const CatalogPiece shelf = pieceOf(100, 40, 100);
     const CatalogPiece cup = pieceOf(10, 10, 12);
-    PlacedPiece carrier = placedAt(shelf, {200, 100});
-    carrier.angle = 0.5 * std::numbers::pi;
-    const CarrierSurface surface(model, carrier);
+    PlacedPiece supporter = placedAt(shelf, {200, 100});
+    supporter.angle = 0.5 * std::numbers::pi;
+    const SupportSurface surface(model, supporter);
     std::set<int> heights;
     Random random(1);
     for (int i = 0; i < 50; ++i) {
         PlacedPiece thing = placedAt(cup, {200, 100 + random.uniform(-30.0, 30.0)});
         thing.angle = random.uniform(0.0, 6.0);
-        const auto rest = surface.restFor(thing, random);
+        const auto rest = surface.placementFor(thing, random);
         heights.insert(rest ? static_cast<int>(std::lround(rest->height)) : -1);
     }
     return heights;
@@ -181,22 +181,22 @@ TEST(RoomLayout, KeepsTheEntranceReachable) {
     EXPECT_TRUE(layout.add(placedAt(block, {150, 250})));
 }
 
-TEST(CarrierSurface, PutsThingsOntoAndIntoAnOpenCupboard) {
+TEST(SupportSurface, PutsThingsOntoAndIntoAnOpenCupboard) {
     EXPECT_EQ(restingHeights(false), (std::set<int>{2, 100}));
 }
 
-TEST(CarrierSurface, PutsNothingIntoAClosedCupboard) {
+TEST(SupportSurface, PutsNothingIntoAClosedCupboard) {
     EXPECT_EQ(restingHeights(true), std::set<int>{100});
 }
 
-TEST(CarrierSurface, LetsNothingHangOverAnEdge) {
+TEST(SupportSurface, LetsNothingHangOverAnEdge) {
     const homes::FurnitureModel model = cupboard(true);
     const CatalogPiece shelf = pieceOf(100, 40, 100);
     const CatalogPiece tray = pieceOf(30, 30, 5);
-    const CarrierSurface surface(model, placedAt(shelf, {200, 100}));
+    const SupportSurface surface(model, placedAt(shelf, {200, 100}));
     Random random(1);
-    EXPECT_TRUE(surface.restFor(placedAt(tray, {200, 100}), random));
-    EXPECT_FALSE(surface.restFor(placedAt(tray, {245, 100}), random));
+    EXPECT_TRUE(surface.placementFor(placedAt(tray, {200, 100}), random));
+    EXPECT_FALSE(surface.placementFor(placedAt(tray, {245, 100}), random));
 }
 
 }  // namespace dollytrack::generate

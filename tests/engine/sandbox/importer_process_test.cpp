@@ -1,5 +1,5 @@
 #include "engine/io/sandbox/importer_process.h"
-#include "engine/io/sandbox/scene_frame.h"
+#include "engine/io/sandbox/scene_serialization.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(ImporterProcess, HandsASceneBackWithWhatItRead) {
     const auto back = io::runImporterProcess(path, {}, {});
     ASSERT_TRUE(back) << back.error().message;
     bool damaged = true;
-    const auto scene = io::readFrame(back->frame, damaged);
+    const auto scene = io::deserializeScene(back->serialized, damaged);
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->raw.parts.size(), 1U);
     EXPECT_EQ(scene->textures.missing, std::vector<std::string>{"gone.png"});

@@ -1,7 +1,7 @@
 #include "engine/io/sandbox/scene_cache.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/sandbox/confined_folder.h"
-#include "tests/engine/sandbox/frames.h"
+#include "tests/engine/sandbox/serialized_scenes.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,8 @@ class SceneCacheTest : public testing::Test {
         if (lists_) {
             EXPECT_EQ(folder.list().size(), 2U);
         }
-        return cache.keep(key, scene_, *io::sha256OfFile(scene_), roots_, record.uses(), frame_);
+        return cache.keep(key, scene_, *io::sha256OfFile(scene_), roots_, record.uses(),
+                          serialized_);
     }
     [[nodiscard]] bool found(const std::string& key = "key") const {
         return cache_.find(key, roots_).has_value();
@@ -53,7 +54,7 @@ class SceneCacheTest : public testing::Test {
     const fs::path scene_ = folder_.path() / "scene" / "room.obj";
     const io::InputRoots roots_ = io::inputRoots(scene_, {folder_.path() / "models"});
     const fs::path cache_folder_ = folder_.path() / "cache";
-    const std::vector<std::uint8_t> frame_ = test::frameOf(test::smallReadScene());
+    const std::vector<std::uint8_t> serialized_ = test::serialized(test::smallDecodedScene());
     const SceneCache cache_{*io::GuardedFolder::make(cache_folder_), 1 << 20};
     bool lists_ = false;
 };
@@ -63,7 +64,7 @@ TEST_F(SceneCacheTest, FindsWhatIsKept) {
     ASSERT_TRUE(keep(cache_));
     const auto scene = cache_.find("key", roots_);
     ASSERT_TRUE(scene);
-    EXPECT_EQ(test::frameOf(*scene), frame_);
+    EXPECT_EQ(test::serialized(*scene), serialized_);
     EXPECT_FALSE(found("other"));
 }
 
@@ -146,9 +147,9 @@ TEST_F(SceneCacheTest, KeepsNothingThatChangedMeanwhile) {
     ASSERT_TRUE(folder.open("oak.png"));
     put("scene/oak.png", "another");
     const std::string digest = *io::sha256OfFile(scene_);
-    EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_, record.uses(), frame_));
-    EXPECT_FALSE(cache_.keep("key", scene_, std::string(64, '0'), roots_, {}, frame_));
-    EXPECT_TRUE(cache_.keep("key", scene_, digest, roots_, {}, frame_));
+    EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_, record.uses(), serialized_));
+    EXPECT_FALSE(cache_.keep("key", scene_, std::string(64, '0'), roots_, {}, serialized_));
+    EXPECT_TRUE(cache_.keep("key", scene_, digest, roots_, {}, serialized_));
 }
 
 // A compromised importer could name any file; such files are not read, not even for a digest.
@@ -160,7 +161,7 @@ TEST_F(SceneCacheTest, KeepsNothingFromElsewhere) {
     for (const fs::path& path :
          {folder_.path() / "secret.txt", scene_.parent_path() / ".." / "secret.txt"}) {
         EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_,
-                                 {{io::InputUse::File, path, secret->identity()}}, frame_));
+                                 {{io::InputUse::File, path, secret->identity()}}, serialized_));
     }
 }
 
@@ -212,8 +213,8 @@ TEST_F(SceneCacheTest, NoticesWhatChangesInFoldersOfModels) {
     EXPECT_FALSE(models.has("table.obj"));
     EXPECT_TRUE(io::openNamedFile(folder_.path() / "models.json"));
     const std::string digest = *io::sha256OfFile(scene_);
-    EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_, record.uses(), frame_));
-    ASSERT_TRUE(cache_.keep("key", scene_, digest, roots, record.uses(), frame_));
+    EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_, record.uses(), serialized_));
+    ASSERT_TRUE(cache_.keep("key", scene_, digest, roots, record.uses(), serialized_));
     const auto holds = [&] { return cache_.find("key", roots).has_value(); };
     EXPECT_TRUE(holds());
     EXPECT_FALSE(cache_.find("key", {roots[0]}));

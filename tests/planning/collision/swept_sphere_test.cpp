@@ -30,7 +30,7 @@ TEST(SweptSphere, MeetsAThinCord) {
     builder.object("cord").box({2.013, 1.5, 2.0}, {0.002, 0.002, 1.2});
     const World world(builder.build());
     const SweptSphere sphere(world.rays, world.free_space, 0.1);
-    const Sweep hit = sphere.segment({0.5, 1.5, 1.9}, {3.5, 1.5, 1.9});
+    const SweepResult hit = sphere.segment({0.5, 1.5, 1.9}, {3.5, 1.5, 1.9});
     EXPECT_FALSE(hit.free);
     ASSERT_NE(hit.object_id, 0);
     EXPECT_EQ(world.scene.object(hit.object_id).name, "cord");
@@ -77,7 +77,7 @@ TEST(SweptSphere, AgreesWithDenseSamplingOfCurves) {
             smallest = std::min(smallest,
                                 world.rays.closest(u * u * a + 2 * u * t * b + t * t * c).distance);
         }
-        const Sweep sweep = sphere.bezier(a, b, c);
+        const SweepResult sweep = sphere.bezier(a, b, c);
         if (sweep.free) {
             ++free;
             EXPECT_GE(smallest, 0.1);

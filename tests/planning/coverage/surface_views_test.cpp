@@ -122,16 +122,16 @@ TEST(ReachablePatches, CoverABoxRoomOnceFromTheInside) {
     EXPECT_GE(coarse.size(), 59U);
 }
 
-TEST(SpreadDirections, CountOnlyWhatIsFifteenDegreesApart) {
+TEST(DistinctDirections, CountOnlyWhatIsFifteenDegreesApart) {
     const auto at = [](double degrees) {
         return Eigen::Vector3d(std::cos(degrees * kRadian), std::sin(degrees * kRadian), 0.0);
     };
-    SpreadDirections seen;
+    DistinctDirections seen;
     for (const double degrees : {0.0, 14.9, 15.1, -14.9, 30.0, 30.3, 90.0}) {
         seen.add(at(degrees), 8);
     }
     EXPECT_EQ(seen.count(), 4);  // 0, 15.1, 30.3 and 90
-    SpreadDirections two;
+    DistinctDirections two;
     for (const double degrees : {0.0, 40.0, 80.0}) two.add(at(degrees), 2);
     EXPECT_EQ(two.count(), 2);
     EXPECT_FALSE(two.adds(at(80.0), 2));
@@ -140,9 +140,9 @@ TEST(SpreadDirections, CountOnlyWhatIsFifteenDegreesApart) {
 
 TEST(SurfaceProgress, GainsFallAndReachWhatIsPossible) {
     SurfaceProgress progress({2, 0});
-    const PatchSighting front{0, true, {1, 0, 0}};
-    const PatchSighting side{0, true, {0, 1, 0}};
-    const PatchSighting far{1, false, {1, 0, 0}};
+    const PatchObservation front{0, true, {1, 0, 0}};
+    const PatchObservation side{0, true, {0, 1, 0}};
+    const PatchObservation far{1, false, {1, 0, 0}};
     EXPECT_DOUBLE_EQ(progress.gain(front), 2.0);
     progress.add(front);
     EXPECT_DOUBLE_EQ(progress.gain(front), 0.0);

@@ -16,7 +16,7 @@ using test_support::map;
 namespace {
 
 bool hasOpening(const FreeSpace& space, OpeningKind kind, const Vector3d& outwards) {
-    for (const Opening& opening : space.leaks().openings) {
+    for (const Opening& opening : space.openingReport().openings) {
         if (opening.kind == kind && opening.outwards.dot(outwards) > 0.9) return true;
     }
     return false;
@@ -24,7 +24,7 @@ bool hasOpening(const FreeSpace& space, OpeningKind kind, const Vector3d& outwar
 
 std::string allOpenings(const FreeSpace& space) {
     std::string text;
-    for (const Opening& opening : space.leaks().openings) text += describe(opening) + "\n";
+    for (const Opening& opening : space.openingReport().openings) text += describe(opening) + "\n";
     return text;
 }
 
@@ -79,8 +79,8 @@ TEST(FreeSpaceRooms, ARoomWithoutCeilingEndsAtTheSceneBox) {
     EXPECT_EQ(space.stateAt({2, 2, 2.4}), CellState::Free);
     EXPECT_EQ(space.stateAt({1, 1, 0.4}), CellState::Unknown);
     EXPECT_EQ(space.stateAt({2, 2, 2.7}), CellState::Unknown);
-    ASSERT_EQ(space.leaks().openings.size(), 1U) << allOpenings(space);
-    const Opening& opening = space.leaks().openings[0];
+    ASSERT_EQ(space.openingReport().openings.size(), 1U) << allOpenings(space);
+    const Opening& opening = space.openingReport().openings[0];
     EXPECT_EQ(opening.kind, OpeningKind::NoCeiling);
     EXPECT_TRUE(opening.at_scene_box);
     EXPECT_NEAR(opening.area_m2, 12.0, 1.0);
@@ -148,7 +148,7 @@ TEST(FreeSpaceRooms, ClosedDoorsMakeRoomsOfTheirOwn) {
     EXPECT_GT(space.rooms()[0].volume_m3, space.rooms()[1].volume_m3);
     EXPECT_EQ(space.componentAt({2, 1.5, 1}), 0);
     EXPECT_EQ(space.componentAt({5, 1.5, 1}), 1);
-    EXPECT_TRUE(space.leaks().isClosed()) << allOpenings(space);
+    EXPECT_TRUE(space.openingReport().isClosed()) << allOpenings(space);
 }
 
 TEST(FreeSpaceRooms, HollowFurnitureIsSealedAndOpenFurnitureIsNot) {
@@ -305,8 +305,8 @@ TEST(FreeSpaceRooms, AWindowWithoutGlassIsReportedWhereItIs) {
     addWall(builder, {5, 4, 0}, {0, 4, 0}, 2.5);
     addWall(builder, {0, 4, 0}, {0, 0, 0}, 2.5);
     const FreeSpace space = map(builder.build());
-    ASSERT_EQ(space.leaks().openings.size(), 1U) << allOpenings(space);
-    const Opening& hole = space.leaks().openings[0];
+    ASSERT_EQ(space.openingReport().openings.size(), 1U) << allOpenings(space);
+    const Opening& hole = space.openingReport().openings[0];
     EXPECT_EQ(hole.kind, OpeningKind::Hole);
     EXPECT_EQ(hole.outwards, Vector3d(0, -1, 0));
     EXPECT_NEAR(hole.area_m2, 1.5 * 1.2, 0.3);
@@ -371,7 +371,7 @@ TEST(FreeSpaceRooms, AirOverACupboardAtAnOuterWallIsTheRooms) {
     EXPECT_EQ(space.componentAt({2.5, 0.4, 2.1}), 0);
     EXPECT_EQ(space.stateAt({2.5, 0.4, 0.9}), CellState::Unknown);
     EXPECT_NE(space.stateAt({2.5, -0.5, 1.0}), CellState::Free);
-    EXPECT_TRUE(space.leaks().isClosed()) << allOpenings(space);
+    EXPECT_TRUE(space.openingReport().isClosed()) << allOpenings(space);
 }
 
 // A scene that is one unnamed mesh: its shell must not be taken for furniture.

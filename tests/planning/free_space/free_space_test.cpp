@@ -29,7 +29,7 @@ TEST(FreeSpace, AClosedRoomIsFreeInsideAndUnknownInFurniture) {
     EXPECT_EQ(space.stateAt({0.9, 1.5, 0.35}), CellState::Occupied) << "the sofa's side";
     EXPECT_EQ(space.stateAt({3.3, 1.5, 0.3}), CellState::Free) << "under the table";
     EXPECT_EQ(space.stateAt({-0.5, 1.5, 1.2}), CellState::Unknown) << "outside";
-    EXPECT_TRUE(space.leaks().isClosed());
+    EXPECT_TRUE(space.openingReport().isClosed());
     // 4 x 3 x 2.6 m minus the camera's radius on all sides, the sofa and the table top.
     const double expected = 3.8 * 2.8 * 2.4 - 0.9 * 2.0 * 0.7 - 0.9 * 1.6 * 0.24;
     EXPECT_NEAR(space.rooms()[0].volume_m3, expected, 0.05 * expected);

@@ -61,7 +61,7 @@ void expectSameRooms(const FreeSpace& a, const FreeSpace& b) {
         EXPECT_EQ(room.floor_area_m2, other.floor_area_m2);
         EXPECT_EQ(a.cells(room.component), b.cells(room.component));
     }
-    EXPECT_EQ(a.leaks().openings.size(), b.leaks().openings.size());
+    EXPECT_EQ(a.openingReport().openings.size(), b.openingReport().openings.size());
 }
 
 /// Compares every cell of the two maps with every query.

@@ -36,8 +36,8 @@ TEST(SurfaceSampler, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
     const Fixture f;
     const Trajectory twice = twiceAround(6);
     for (const auto detail : {SurfaceSampler::Detail::Full, SurfaceSampler::Detail::Coarse}) {
-        SurfaceSampler looks(f.views, detail);
-        const auto shown = looks.look(twice, JobContext{});
+        SurfaceSampler sampler(f.views, detail);
+        const auto shown = sampler.sample(twice, JobContext{});
         ASSERT_TRUE(shown);
         EXPECT_EQ(shown->repeats(), 6);
         EXPECT_EQ(shown->repeats({0, 6, 1, 7, 2}), 2);
@@ -46,9 +46,9 @@ TEST(SurfaceSampler, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
 
 TEST(SurfaceSampler, WhatIsRememberedChangesNoAnswer) {
     const Fixture f;
-    SurfaceSampler looks(f.views);
-    ASSERT_TRUE(looks.look(twiceAround(5), JobContext{}));
-    const auto later = looks.look(twiceAround(40), JobContext{});
+    SurfaceSampler sampler(f.views);
+    ASSERT_TRUE(sampler.sample(twiceAround(5), JobContext{}));
+    const auto later = sampler.sample(twiceAround(40), JobContext{});
     const auto fresh = measureShownSurface(f.views, twiceAround(40), JobContext{});
     ASSERT_TRUE(later && fresh);
     EXPECT_DOUBLE_EQ(later->repeats() / 80.0, fresh->repeat_rate);

@@ -19,7 +19,7 @@ namespace {
 
 using test_support::planOf;
 
-/// A long hall with small objects far apart: on its path the camera passes long stretches of bare
+/// A long hall with small objects far apart: on its path the camera passes long segments of bare
 /// wall.
 Scene longHall() {
     test::SceneBuilder builder;
@@ -42,7 +42,7 @@ PlanParams repaired(int rounds) {
     PlanParams params;
     params.repair.repair_rounds = rounds;
     params.repair.score_threshold = 0.9;
-    params.gaze.view_mix = 0.0;  // context views change with the path, beside the repaired stretch
+    params.gaze.view_mix = 0.0;  // context views change with the path, beside the repaired segment
     return params;
 }
 
@@ -64,9 +64,8 @@ TEST(LowRuns, EndAtKeyFramesAndWhereAPathEnds) {
     }
     const auto runs = lowRuns(trajectory, {0, 0, 0, 0, 0, 2, 0, 0, 0}, 1.0);
     ASSERT_EQ(runs.size(), 3U);
-    const auto expect = [&](std::size_t i, StretchName stretch, std::size_t first,
-                            std::size_t last) {
-        EXPECT_EQ(runs[i].stretch, stretch) << i;
+    const auto expect = [&](std::size_t i, SegmentId segment, std::size_t first, std::size_t last) {
+        EXPECT_EQ(runs[i].segment, segment) << i;
         EXPECT_EQ(runs[i].first, first) << i;
         EXPECT_EQ(runs[i].last, last) << i;
     };

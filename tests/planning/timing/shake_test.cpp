@@ -36,8 +36,8 @@ double furthest(const Trajectory& a, const Trajectory& b) {
 
 }  // namespace
 
-// A sway of 30 cm in a door of 80 cm and between furniture must be reduced, all along the camera's
-// path and not only at its frames.
+// A shake of 30 cm in a door of 80 cm and between furniture must be reduced, all along the
+// camera's path and not only at its frames.
 TEST(Shake, TouchesNothing) {
     for (const Scene& scene : {test::twoRoomsWithDoor(0.8), test::furnishedRoom()}) {
         const test_support::SlowChecker checker(scene);
@@ -119,7 +119,7 @@ TEST(Shake, RepeatsBySeedWhateverTheThreads) {
     };
     EXPECT_EQ(text(1), text(4));
     const ShakeParams params = shakenBy(ShakeKind::Handheld, 0.05).shake;
-    EXPECT_NE(Sway(params, 1).at(2.0), Sway(params, 2).at(2.0));
+    EXPECT_NE(CameraShake(params, 1).at(2.0), CameraShake(params, 2).at(2.0));
 }
 
 TEST(Shake, SwaysWithinItsAmplitudeAtItsFrequency) {
@@ -127,14 +127,14 @@ TEST(Shake, SwaysWithinItsAmplitudeAtItsFrequency) {
         ShakeParams params;
         params.shake = kind;
         params.shake_hz = 2.0;
-        const Sway sway(params, 5);
+        const CameraShake camera_shake(params, 5);
         for (int channel = 0; channel < 6; ++channel) {
             int turns = 0;
             double most = 0.0;
-            double last = sway.at(0.0)[channel];
+            double last = camera_shake.at(0.0)[channel];
             constexpr int kSamples = 60'000;  // of 1 ms
             for (int i = 1; i <= kSamples; ++i) {
-                const double now = sway.at(i * 0.001)[channel];
+                const double now = camera_shake.at(i * 0.001)[channel];
                 most = std::max(most, std::abs(now));
                 turns += (now > 0.0) != (last > 0.0) ? 1 : 0;
                 last = now;

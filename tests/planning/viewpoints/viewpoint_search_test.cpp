@@ -59,13 +59,13 @@ struct Fixture {
         ObservationPoint point;
         point.objects = {id};
         point.position = scene.object(id).box.center;
-        const auto found = searchViewpoints(around(), {point}, ViewpointParams{}, seed, {});
+        const auto found = searchViewpoints(environment(), {point}, ViewpointParams{}, seed, {});
         EXPECT_TRUE(found.has_value());
         FoundView view;
         if (!found->position_points.empty()) view.best = found->position_points.front();
         return view;
     }
-    [[nodiscard]] Surroundings around() const { return {views, space, sphere}; }
+    [[nodiscard]] PlanningEnvironment environment() const { return {views, space, sphere}; }
 
     Scene scene;
     CameraParams camera;
@@ -167,10 +167,10 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
     ObservationPoint point;
     point.objects = {id};
     point.position = thing;
-    const Surroundings around = f.around();
-    const CandidateJudge judge(around, point, ViewpointParams{}.fill);
+    const PlanningEnvironment environment = f.environment();
+    const CandidateEvaluator evaluator(environment, point, ViewpointParams{}.fill);
     const auto shownFrom = [&](const Eigen::Vector3d& place) {
-        return f.views.estimate(aim(place, thing, around.pitch), id, 400);
+        return f.views.estimate(aim(place, thing, environment.pitch), id, 400);
     };
     int found = 0;
     for (double off = 0.22; off < 0.32; off += 0.001) {
@@ -180,7 +180,8 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
         const bool close = shown > 0.76 && shown < 0.795;
         if (!close && shown > 0.7) continue;  // too near the threshold to predict
         Random random(7, 1);
-        const ExactSearchResult climbed = searchExactViewpoint(around, judge, id, {start}, random);
+        const ExactSearchResult climbed =
+            searchExactViewpoint(environment, evaluator, id, {start}, random);
         const auto& place = climbed.place;
         EXPECT_EQ(place.has_value(), close) << off << ", shown " << shown;
         if (!place) continue;

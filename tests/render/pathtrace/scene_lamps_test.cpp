@@ -67,27 +67,28 @@ TEST(OwnLamps, AreWhereTheShadesAre) {
     scene.room_bounds = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(6, 3, 2.6)};
     const RayCaster rays(scene);
     const LightRig rig = makeLightRig(scene, rays);
-    ASSERT_EQ(rig.own_lamps.size(), 4U);
-    EXPECT_NEAR(rig.own_lamps[3].position.z(), 2.5, 0.02);
-    const SceneLamp& stands = rig.own_lamps[0];
+    ASSERT_EQ(rig.scene_lamps.size(), 4U);
+    EXPECT_NEAR(rig.scene_lamps[3].position.z(), 2.5, 0.02);
+    const SceneLamp& stands = rig.scene_lamps[0];
     EXPECT_LT((stands.position - Eigen::Vector3d(0.5, 0.5, 1.25)).norm(), 1e-6);
     EXPECT_NEAR(stands.radius_m, 0.12, 1e-6);
-    EXPECT_LT((rig.own_lamps[1].position - Eigen::Vector3d(5.5, 2.5, 2.2 - 0.8 / 3)).norm(), 1e-6);
-    const SceneLamp& sconce = rig.own_lamps[2];
+    EXPECT_LT((rig.scene_lamps[1].position - Eigen::Vector3d(5.5, 2.5, 2.2 - 0.8 / 3)).norm(),
+              1e-6);
+    const SceneLamp& sconce = rig.scene_lamps[2];
     EXPECT_NEAR(sconce.position.z(), 1.7, 1e-6);
     const double back = sconce.shade.center.y() - sconce.shade.half_size.y();
     EXPECT_GT(back, 0.0);  // not into the wall
     EXPECT_LT(back, 0.01);
-    for (const SceneLamp& one : rig.own_lamps) {
+    for (const SceneLamp& one : rig.scene_lamps) {
         EXPECT_TRUE(one.shade.contains(one.position));
         EXPECT_EQ(one.intensity, kSceneLampIntensity);
     }
     ResolvedLight none;
     none.own_lamps = 0.0F;
-    EXPECT_TRUE(makeLightRig(scene, rays, {}, none).own_lamps.empty());
+    EXPECT_TRUE(makeLightRig(scene, rays, {}, none).scene_lamps.empty());
     ResolvedLight twice;
     twice.own_lamps = 2.0F;
-    EXPECT_NEAR(makeLightRig(scene, rays, {}, twice).own_lamps[0].intensity,
+    EXPECT_NEAR(makeLightRig(scene, rays, {}, twice).scene_lamps[0].intensity,
                 2 * kSceneLampIntensity, 1e-9);
 }
 
@@ -141,7 +142,7 @@ TEST(OwnLamps, LightTheWallBesideThem) {
                                    static_cast<std::uint32_t>(k))
                            .y();
             }
-            return sum / paths * kPi / (0.5 * rig.ownLampLight().y());
+            return sum / paths * kPi / (0.5 * rig.sceneLampLight().y());
         };
         const double sampled = traced(tracer, 400);
         EXPECT_NEAR(sampled, expected, 0.15 * expected) << place.at.transpose();
@@ -154,8 +155,8 @@ TEST(OwnLamps, DoNotLightTheNextRoom) {
     const Scene scene = lampRoom(0.8F, true);
     const RayCaster rays(scene);
     LightRig rig = ownAlone(scene, rays);
-    ASSERT_EQ(rig.own_lamps.size(), 1U);
-    EXPECT_GT(rig.own_lamps[0].shade.center.x() - rig.own_lamps[0].shade.half_size.x(), 0.0);
+    ASSERT_EQ(rig.scene_lamps.size(), 1U);
+    EXPECT_GT(rig.scene_lamps[0].shade.center.x() - rig.scene_lamps[0].shade.half_size.x(), 0.0);
     const auto ambientAt = [&](const LightVolume& volume, double x) {
         const Eigen::Vector3d at = (Eigen::Vector3d(x, 1.5, 1.3) - volume.low) / volume.cell_m;
         return volume

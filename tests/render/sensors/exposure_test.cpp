@@ -34,21 +34,21 @@ struct RowMeans {
 RowMeans meansOf(const Exposure& exposure, double y) {
     RowMeans means;
     double squares = 0.0;
-    for (const ExposureLook& look : exposure.looks()) {
-        const double weight = exposure.weight(look, y);
+    for (const ExposureSample& sample : exposure.samples()) {
+        const double weight = exposure.weight(sample, y);
         means.weight += weight;
-        means.time_s += weight * look.after_s;
-        squares += weight * look.after_s * look.after_s;
-        means.aperture += weight * look.aperture;
-        means.aside_px += weight * look.aside_px;
+        means.time_s += weight * sample.after_s;
+        squares += weight * sample.after_s * sample.after_s;
+        means.aperture += weight * sample.aperture;
+        means.aside_px += weight * sample.aside_px;
     }
     means.deviation_s = std::sqrt(std::max(0.0, squares - means.time_s * means.time_s));
     return means;
 }
 
-TEST(Exposure, LooksAreSpreadOverTheShutter) {
+TEST(Exposure, SamplesAreSpreadOverTheShutter) {
     const Exposure exposure(timed(0.02, 0.0), kHeight, 3);
-    ASSERT_EQ(exposure.looks().size(), 16U);
+    ASSERT_EQ(exposure.samples().size(), 16U);
     const RowMeans first = meansOf(exposure, 0.5);
     EXPECT_NEAR(first.time_s, 0.0, 1e-12);
     // A uniform distribution has the deviation shutter / sqrt(12).
@@ -62,7 +62,7 @@ TEST(Exposure, RowsOfARollingShutterHaveTheirOwnTimeAndTheSamePointsExactly) {
          {std::pair(1.0 / 60.0, 0.015), {0.002, 0.02}, {0.03, 0.005}, {0.0, 0.02}}) {
         for (const int looks : {1, 2, 5, 16}) {
             const Exposure exposure(timed(shutter, readout, looks), kHeight, 0);
-            EXPECT_LE(static_cast<int>(exposure.looks().size()), 4 * looks);
+            EXPECT_LE(static_cast<int>(exposure.samples().size()), 4 * looks);
             const double row_s = std::max(shutter, readout / looks);
             EXPECT_EQ(exposure.rowExposureSeconds(), row_s);
             for (int row = 0; row < kHeight; ++row) {
@@ -71,7 +71,7 @@ TEST(Exposure, RowsOfARollingShutterHaveTheirOwnTimeAndTheSamePointsExactly) {
                 ASSERT_NEAR(means.weight, 1.0, 1e-12) << row;
                 ASSERT_NEAR(means.time_s, expected_s, 1e-12) << row << " of " << looks;
                 // Evenly over the exposure, with straight lines between consecutive samples.
-                const double step_s = exposure.lookStepSeconds();
+                const double step_s = exposure.sampleStepSeconds();
                 ASSERT_NEAR(means.deviation_s,
                             std::sqrt(row_s * row_s / 12.0 + step_s * step_s / 6.0), 1e-9);
                 ASSERT_LT(means.aperture.norm(), 1e-12) << row << " of " << looks;
@@ -81,16 +81,16 @@ TEST(Exposure, RowsOfARollingShutterHaveTheirOwnTimeAndTheSamePointsExactly) {
     }
 }
 
-TEST(Exposure, LooksMeetInTheMiddleOfPixelAndAperture) {
+TEST(Exposure, SamplesMeetInTheMiddleOfPixelAndAperture) {
     SensorParams params = timed(0.01, 0.0, 32);
     const Exposure exposure(params, kHeight, 7);
     Eigen::Vector2d lens = Eigen::Vector2d::Zero(), aside = lens;
     double farthest = 0.0, moment = 0.0;
-    for (const ExposureLook& look : exposure.looks()) {
-        lens += look.aperture;
-        aside += look.aside_px;
-        farthest = std::max(farthest, look.aperture.norm());
-        moment += look.aperture.squaredNorm() / 32.0;
+    for (const ExposureSample& sample : exposure.samples()) {
+        lens += sample.aperture;
+        aside += sample.aside_px;
+        farthest = std::max(farthest, sample.aperture.norm());
+        moment += sample.aperture.squaredNorm() / 32.0;
     }
     EXPECT_NEAR(lens.norm(), 0.0, 1e-12);
     EXPECT_NEAR(aside.norm(), 0.0, 1e-12);
@@ -98,13 +98,13 @@ TEST(Exposure, LooksMeetInTheMiddleOfPixelAndAperture) {
     EXPECT_NEAR(moment, 0.5, 0.05) << "the mean square of an evenly covered disc";
 
     const auto first = [](const SensorParams& of, int frame) {
-        return Exposure(of, kHeight, frame).looks().front().aperture;
+        return Exposure(of, kHeight, frame).samples().front().aperture;
     };
     EXPECT_NE(first(params, 7), first(params, 8));
     SensorParams other = params;
     other.sensor_seed = 2;
     EXPECT_NE(first(params, 7), first(other, 7));
-    EXPECT_EQ(first(params, 7), Exposure(params, kHeight, 7).looks().front().aperture);
+    EXPECT_EQ(first(params, 7), Exposure(params, kHeight, 7).samples().front().aperture);
 }
 
 Trajectory turning() {

@@ -49,11 +49,11 @@ TEST(SensorLens, PixelsLookWhereOpenCvUndistortsThemTo) {
                 std::vector<cv::Point2d> straight;
                 cv::undistortPoints(at, straight, matrix, coefficients, cv::noArray(), matrix,
                                     cv::TermCriteria(cv::TermCriteria::COUNT, 200, 0));
-                const Eigen::Vector2f look =
-                    sensor.lookOf(static_cast<std::size_t>(y) * 320 + static_cast<std::size_t>(x));
+                const Eigen::Vector2f source = sensor.sourceOf(static_cast<std::size_t>(y) * 320 +
+                                                               static_cast<std::size_t>(x));
                 const Eigen::Vector2d drawn_from(sensor.drawn().cx - lens.cx,
                                                  sensor.drawn().cy - lens.cy);
-                const Eigen::Vector2d ours = look.cast<double>() - drawn_from;
+                const Eigen::Vector2d ours = source.cast<double>() - drawn_from;
                 const Eigen::Vector2d theirs(straight[0].x + 0.5, straight[0].y + 0.5);
                 largest = std::max(largest, (ours - theirs).norm());
                 moved = std::max(moved, (ours - Eigen::Vector2d(x + 0.5, y + 0.5)).norm());
@@ -295,7 +295,7 @@ TEST(SensorLens, DrawnRowsHoldWhatRowsLookAt) {
     const auto [begin, end] = sensor.drawnRows(100.0, 110.0);
     for (int y = 100; y < 110; ++y) {
         for (int x = 0; x < 320; ++x) {
-            const float at = sensor.lookOf(static_cast<std::size_t>(y) * 320 + x).y();
+            const float at = sensor.sourceOf(static_cast<std::size_t>(y) * 320 + x).y();
             EXPECT_GE(at - 2.0F, static_cast<float>(begin));
             EXPECT_LE(at + 2.0F, static_cast<float>(end));
         }

@@ -37,7 +37,7 @@ std::string asText(const log::Record& record) {
 
 }  // namespace
 
-void LogBook::add(const log::Record& record) {
+void LogBuffer::add(const log::Record& record) {
     const std::lock_guard lock(mutex_);
     ++version_;
     // Compares several recent lines, so that alternating messages fold as well.
@@ -54,23 +54,23 @@ void LogBook::add(const log::Record& record) {
     if (records_.size() > kKept) records_.pop_front();
 }
 
-std::deque<log::Record> LogBook::records() const {
+std::deque<log::Record> LogBuffer::records() const {
     const std::lock_guard lock(mutex_);
     return records_;
 }
 
-void LogBook::clear() {
+void LogBuffer::clear() {
     const std::lock_guard lock(mutex_);
     records_.clear();
 }
 
-unsigned LogBook::version() const {
+unsigned LogBuffer::version() const {
     const std::lock_guard lock(mutex_);
     return version_;
 }
 
-void drawLogPanel(LogBook& book, LogPanelState& state) {
-    const std::deque<log::Record> all = book.records();
+void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
+    const std::deque<log::Record> all = buffer.records();
     std::vector<const log::Record*> rows;
     for (const log::Record& record : all) {
         if (matches(record, state)) rows.push_back(&record);
@@ -91,7 +91,7 @@ void drawLogPanel(LogBook& book, LogPanelState& state) {
     nameItem("log.copy");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Copy the messages shown");
     ImGui::SameLine();
-    if (ImGui::Button("Clear")) book.clear();
+    if (ImGui::Button("Clear")) buffer.clear();
     nameItem("log.clear");
     ImGui::SameLine();
     ImGui::TextDisabled("%zu of %zu", rows.size(), all.size());
@@ -117,8 +117,8 @@ void drawLogPanel(LogBook& book, LogPanelState& state) {
             }
         }
     }
-    if (state.seen_version != book.version()) {
-        state.seen_version = book.version();
+    if (state.seen_version != buffer.version()) {
+        state.seen_version = buffer.version();
         // Keeps the position if the user has scrolled up.
         if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - scaled(4)) ImGui::SetScrollHereY(1.0F);
     }

@@ -10,7 +10,7 @@ namespace dollytrack::ui {
 
 /// The last 5000 log records, added from any thread; repeated messages are folded into one line
 /// with a count.
-class LogBook {
+class LogBuffer {
   public:
     void add(const log::Record& record);
     [[nodiscard]] std::deque<log::Record> records() const;
@@ -32,6 +32,6 @@ struct LogPanelState {
 };
 
 /// Draws the log with text filter, level filter, copy and clear.
-void drawLogPanel(LogBook& book, LogPanelState& state);
+void drawLogPanel(LogBuffer& buffer, LogPanelState& state);
 
 }  // namespace dollytrack::ui

@@ -117,7 +117,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
             "Share of the images' pixels on targets");
         if (plan.surface) drawSurface(*plan.surface);
         drawScores(plan.repair);
-        const auto spread = [](const Spread& of, const char* unit) {
+        const auto spread = [](const SampleStatistics& of, const char* unit) {
             return fmt::format("{:.2f} {}, {:.2f} at most", of.median, unit, of.max);
         };
         const MotionMetrics& motion = metrics.motion;

@@ -31,7 +31,7 @@ enum class Intent { None, Enter, Accept };
 
 struct FileBrowser::Impl {
     explicit Impl(const std::function<void()>& wake)
-        : reader(wake), arranger(wake), path_line(wake) {}
+        : reader(wake), sorter(wake), path_line(wake) {}
 
     void begin(FileRequest new_request);
     void collect();
@@ -62,11 +62,11 @@ struct FileBrowser::Impl {
     std::optional<FileAnswer> answer;
 
     FolderReader reader;
-    FolderArranger arranger;
+    FolderSorter sorter;
     Intent intent = Intent::None;
     fs::path folder;
     std::shared_ptr<const FolderListing> listing;
-    std::shared_ptr<const FolderListing> arranged;  // the listing that `rows` refers to
+    std::shared_ptr<const FolderListing> sorted;  // the listing that `rows` refers to
     std::vector<std::uint32_t> rows;
     std::string problem;
     std::string select_name;  // entry to select when its folder has been read
@@ -98,7 +98,7 @@ void FileBrowser::Impl::begin(FileRequest new_request) {
     problem.clear();
     overwrite.clear();
     listing.reset();
-    arranged.reset();
+    sorted.reset();
     rows.clear();
     list = {};
     order.folders_only = request.purpose == Purpose::ChooseFolder;
@@ -115,16 +115,16 @@ void FileBrowser::Impl::look(const fs::path& path, Intent why) {
 }
 
 const FolderEntry* FileBrowser::Impl::selectedEntry() const {
-    if (!arranged || list.selected < 0 || list.selected >= static_cast<int>(rows.size())) {
+    if (!sorted || list.selected < 0 || list.selected >= static_cast<int>(rows.size())) {
         return nullptr;
     }
-    return &arranged->entries[rows[static_cast<std::size_t>(list.selected)]];
+    return &sorted->entries[rows[static_cast<std::size_t>(list.selected)]];
 }
 
 void FileBrowser::Impl::selectByName(const std::string& wanted) {
     list.selected = -1;
-    for (std::size_t row = 0; arranged && row < rows.size(); ++row) {
-        if (arranged->entries[rows[row]].name != wanted) continue;
+    for (std::size_t row = 0; sorted && row < rows.size(); ++row) {
+        if (sorted->entries[rows[row]].name != wanted) continue;
         list.selected = static_cast<int>(row);
         list.scroll = true;
     }
@@ -133,7 +133,7 @@ void FileBrowser::Impl::selectByName(const std::string& wanted) {
 void FileBrowser::Impl::rearrange() {
     order.extensions = request.filters[static_cast<std::size_t>(filter)].extensions;
     shown_order = order;
-    if (listing) arranger.arrange(listing, order);
+    if (listing) sorter.arrange(listing, order);
 }
 
 void FileBrowser::Impl::receive(const PathAnswer& found) {
@@ -149,7 +149,7 @@ void FileBrowser::Impl::receive(const PathAnswer& found) {
     } else if (folder_found) {
         folder = found.path;
         listing = found.listing;
-        arranged.reset();
+        sorted.reset();
         rows.clear();
         list = {};
         path_line.show(folder / "");
@@ -175,11 +175,11 @@ void FileBrowser::Impl::receive(const PathAnswer& found) {
 void FileBrowser::Impl::collect() {
     if (auto found = reader.take()) receive(*found);
     if (!(order == shown_order)) rearrange();
-    if (auto done = arranger.take(); done && done->listing == listing) {
+    if (auto done = sorter.take(); done && done->listing == listing) {
         const FolderEntry* entry = selectedEntry();
         std::string keep = entry != nullptr ? entry->name : std::string();
         if (!select_name.empty()) keep = std::exchange(select_name, {});
-        arranged = std::move(done->listing);
+        sorted = std::move(done->listing);
         rows = std::move(done->rows);
         selectByName(keep);
     }
@@ -292,7 +292,7 @@ void FileBrowser::Impl::drawList(float height) {
     const bool typing = ImGui::GetIO().WantTextInput || path_line.isTyping() || name_has_keys;
     const bool alone = overwrite.empty() && !ImGui::IsPopupOpen("new_folder");
     const FileListActions actions =
-        drawFileList({arranged.get(), &rows, !typing && alone && !begins}, order, list);
+        drawFileList({sorted.get(), &rows, !typing && alone && !begins}, order, list);
     const FolderEntry* entry = selectedEntry();
     if (actions.selected && entry != nullptr) {
         problem.clear();
@@ -341,10 +341,10 @@ std::string FileBrowser::Impl::noteText() const {
                    ", because its name must end in " + request.extension + ".";
         }
     }
-    if (!arranged) return "Reading the folder \u2026";
-    if (arranged->entries.empty()) return "This folder is empty.";
+    if (!sorted) return "Reading the folder \u2026";
+    if (sorted->entries.empty()) return "This folder is empty.";
     if (rows.empty()) return "No files of this type.";
-    return std::to_string(rows.size()) + " of " + std::to_string(arranged->entries.size()) +
+    return std::to_string(rows.size()) + " of " + std::to_string(sorted->entries.size()) +
            " entries";
 }
 
@@ -417,7 +417,7 @@ void FileBrowser::Impl::drawContent() {
     ImGui::SameLine();
     drawList(height);
     const bool entered = has_name && drawName();
-    if (arranged && !has_name) awaits_keys = false;
+    if (sorted && !has_name) awaits_keys = false;
     if (!problem.empty() || path_line.isTyping()) awaits_keys = false;
     // Users may type before the dialog is ready; these keys are kept.
     if (awaits_keys) awaitKeyboard();

@@ -173,11 +173,10 @@ void FolderReader::makeFolder(const fs::path& path) {
     });
 }
 
-void FolderArranger::arrange(std::shared_ptr<const FolderListing> listing,
-                             const FolderOrder& order) {
+void FolderSorter::arrange(std::shared_ptr<const FolderListing> listing, const FolderOrder& order) {
     worker_.start([answer = answer_, listing = std::move(listing), order](const JobContext& job) {
-        Answer arranged{listing, ui::arrange(*listing, order)};
-        if (!job.cancelled()) answer->put(std::move(arranged));
+        Answer sorted{listing, ui::arrange(*listing, order)};
+        if (!job.cancelled()) answer->put(std::move(sorted));
     });
 }
 

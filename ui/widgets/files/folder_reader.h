@@ -65,24 +65,24 @@ class FolderReader {
     [[nodiscard]] bool busy() const { return worker_.state().busy; }
 
   private:
-    std::shared_ptr<Outbox<PathAnswer>> answer_ = std::make_shared<Outbox<PathAnswer>>();
+    std::shared_ptr<LatestValue<PathAnswer>> answer_ = std::make_shared<LatestValue<PathAnswer>>();
     BackgroundWorker worker_;
 };
 
 /// Sorts the entries of a folder on a background thread, since 100,000 of them take a while.
-class FolderArranger {
+class FolderSorter {
   public:
     struct Answer {
         std::shared_ptr<const FolderListing> listing;
         std::vector<std::uint32_t> rows;
     };
-    explicit FolderArranger(std::function<void()> wake = {}) : worker_(std::move(wake)) {}
+    explicit FolderSorter(std::function<void()> wake = {}) : worker_(std::move(wake)) {}
 
     void arrange(std::shared_ptr<const FolderListing> listing, const FolderOrder& order);
     [[nodiscard]] std::optional<Answer> take() { return answer_->take(); }
 
   private:
-    std::shared_ptr<Outbox<Answer>> answer_ = std::make_shared<Outbox<Answer>>();
+    std::shared_ptr<LatestValue<Answer>> answer_ = std::make_shared<LatestValue<Answer>>();
     BackgroundWorker worker_;
 };
 

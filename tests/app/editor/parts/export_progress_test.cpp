@@ -7,16 +7,16 @@
 
 namespace dollytrack::editor {
 
-TEST(LineCutter, CutsHoweverTheTextArrives) {
-    LineCutter cutter;
+TEST(LineSplitter, CutsHoweverTheTextArrives) {
+    LineSplitter splitter;
     std::vector<std::string> lines;
     std::string line;
     for (const char* part : {"a", "b\n", "\nc\nd", "e", "\n", "rest"}) {
-        cutter.add(part);
-        while (cutter.take(line)) lines.push_back(line);
+        splitter.add(part);
+        while (splitter.take(line)) lines.push_back(line);
     }
     EXPECT_EQ(lines, (std::vector<std::string>{"ab", "", "c", "de"}));
-    EXPECT_EQ(cutter.rest(), "rest");
+    EXPECT_EQ(splitter.rest(), "rest");
 }
 
 }  // namespace dollytrack::editor

@@ -1,0 +1,23 @@
+#include "app/editor/viewport/render_scene_sync.h"
+
+namespace dollytrack::editor {
+
+void RenderSceneSync::forget() {
+    sent_ = false;
+    looked_at_ = false;
+    scene_.reset();
+    light_.reset();
+}
+
+void RenderSceneSync::send(const PlanOutcome& shown,
+                           const std::shared_ptr<const render::LightVolume>& light) {
+    const int anisotropy = shown.params.picture.anisotropy;
+    if (sent_ && scene_ == shown.scene && light_ == light && anisotropy_ == anisotropy) return;
+    drawing_.setScene({shown.scene, shown.rays, light, anisotropy, shown.geometry});
+    anisotropy_ = anisotropy;
+    scene_ = shown.scene;
+    light_ = light;
+    sent_ = true;
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,99 @@
+#include "app/gather/opened_source.h"
+
+#include "engine/io/files/bounded_json.h"
+#include "engine/io/files/sha256.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::gather {
+namespace {
+
+using nlohmann::json;
+
+/// The frame index of a COCO annotation. Throws nlohmann's exceptions.
+std::size_t frameOf(const json& one, std::size_t frames) {
+    const auto image = one.at("image_id").get<std::size_t>();
+    return image >= 1 && image <= frames ? image - 1 : frames;
+}
+
+/// Throws nlohmann's exceptions.
+Annotation annotationOf(const json& one, const ClassTable& table, const ClassUnion& classes,
+                        bool& known) {
+    Annotation read;
+    const DatasetClass* of = table.find(one.at("category_id").get<int>());
+    known = of != nullptr && of != &table.voidClass();
+    if (known) read.class_index = classes.indexOf(*of);
+    read.object_id = one.at("object_id").get<int>();
+    read.box = one.at("bbox").get<std::array<int, 4>>();
+    read.area = one.at("area").get<long>();
+    read.segmentation = one.at("segmentation").dump();
+    read.segmentation.shrink_to_fit();  // all annotations of a dataset are in memory at once
+    return read;
+}
+
+/// Parses annotations one by one, so that the JSON of only one annotation is in memory.
+Status readAnnotations(const std::string& text, const std::string& where, const ClassUnion& classes,
+                       OpenedSource& opened) {
+    constexpr int kInList = 2;  // nesting depth of an annotation
+    std::string section;
+    bool damaged = false;
+    const auto take = [&](int depth, json::parse_event_t event, json& value) {
+        if (depth == 1 && event == json::parse_event_t::key) section = value.get<std::string>();
+        if (depth != kInList || event != json::parse_event_t::object_end) return true;
+        if (section != "annotations") return false;
+        try {
+            bool known = false;
+            const std::size_t frame = frameOf(value, opened.annotations.size());
+            Annotation one = annotationOf(value, opened.source.classes(), classes, known);
+            damaged = damaged || !known || frame == opened.annotations.size();
+            if (!damaged) opened.annotations[frame].push_back(std::move(one));
+        } catch (const json::exception&) {
+            damaged = true;
+        }
+        return false;
+    };
+    const Result<json> parsed = io::parseBoundedJson<json>(text, where, take);
+    if (!parsed) return tl::unexpected(parsed.error());
+    if (!damaged) return {};
+    return fail(ErrorCode::BadInput,
+                "An annotation lacks a field, or names a class or image that does not exist; "
+                "export the dataset again.",
+                where);
+}
+
+}  // namespace
+
+std::string OpenedSource::frameName(std::size_t frame) const {
+    return fmt::format("{}_{:06}", source.name, frame);
+}
+
+SourceFile OpenedSource::file(std::string_view modality, std::size_t frame) const {
+    const std::string name = frameFileOf(modality, frame);
+    const auto listed = dataset.sha256s.find(name);
+    return {source.folder / name, listed == dataset.sha256s.end() ? "" : listed->second};
+}
+
+Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
+    Result<verify::StoredDataset> dataset = verify::readStoredDataset(source.folder);
+    if (!dataset) return tl::unexpected(dataset.error());
+    const Result<std::string> card = io::sha256OfFile(source.folder / "dataset.json");
+    if (!card) return tl::unexpected(card.error());
+    if (*card != source.card_sha256) {
+        return fail(ErrorCode::BadInput,
+                    "The dataset was changed while it was read; gather it again.",
+                    source.folder.string());
+    }
+    dataset->card = nullptr;  // freed before annotations.json is read, because it is large
+    const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
+    if (!file) return tl::unexpected(file.error());
+    const Result<std::string> text = readProven(*file);
+    if (!text) return tl::unexpected(text.error());
+    OpenedSource opened{source, std::move(*dataset), {}};
+    opened.annotations.resize(source.frames);
+    if (Status read = readAnnotations(*text, file->path.string(), classes, opened); !read) {
+        return tl::unexpected(read.error());
+    }
+    return opened;
+}
+
+}  // namespace dollytrack::gather

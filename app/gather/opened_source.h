@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/gather/class_union.h"
+#include "app/gather/source.h"
+#include "engine/core/result.h"
+#include "render/verify/read/stored_dataset.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dollytrack::gather {
+
+/// A box and mask of annotations.json.
+struct Annotation {
+    std::size_t class_index = 0;  // in the gathered classes
+    int object_id = 0;            // in the instance image
+    std::array<int, 4> box = {};  // x, y, width, height, px
+    long area = 0;                // px
+    std::string segmentation;     // JSON, COCO's compressed run lengths
+};
+
+/// A dataset while its frames are written.
+struct OpenedSource {
+    const Source& source;
+    verify::StoredDataset dataset;
+    std::vector<std::vector<Annotation>> annotations;  // of each frame
+
+    /// "kitchen_000012": what the frame is called in the gathered dataset.
+    [[nodiscard]] std::string frameName(std::size_t frame) const;
+    /// The frame's file of a modality, which dataset.json lists.
+    [[nodiscard]] SourceFile file(std::string_view modality, std::size_t frame) const;
+};
+
+/// Reads dataset.json and annotations.json. Error: BadInput where a file is damaged, or has changed
+/// since the dataset was looked at.
+[[nodiscard]] Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes);
+
+}  // namespace dollytrack::gather

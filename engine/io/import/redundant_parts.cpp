@@ -1,0 +1,137 @@
+#include "engine/io/import/redundant_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstring>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace dollytrack {
+namespace {
+
+enum class Proxy { No, Maybe, Yes };
+
+std::string lowerCase(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// A name in lower case without trailing numbers: "ucx_sofa" for "UCX_sofa_01".
+std::string plainName(const std::string& name) {
+    std::string plain = lowerCase(name);
+    const std::size_t end = plain.find_last_not_of("0123456789_.- ");
+    plain.resize(end == std::string::npos ? 0 : end + 1);
+    return plain;
+}
+
+Proxy judge(const std::string& name) {
+    static constexpr std::array<std::string_view, 4> kPrefixes = {"ucx_", "ubx_", "usp_", "ucp_"};
+    static constexpr std::array<std::string_view, 5> kSuffixes = {
+        "_collision", "_collider", "_colonly", "-colonly", "-convcolonly"};
+    // These may also be real objects (a boat's hull), so they must coincide with another part.
+    static constexpr std::array<std::string_view, 3> kDoubtful = {"_col", "_hull", "_physics"};
+    const std::string plain = plainName(name);
+    const auto begins = [&](std::string_view part) { return plain.starts_with(part); };
+    const auto ends = [&](std::string_view part) { return plain.ends_with(part); };
+    if (plain == "collision" || plain == "collisions" || plain == "collider" ||
+        plain == "colliders") {
+        return Proxy::Yes;
+    }
+    if (std::any_of(kPrefixes.begin(), kPrefixes.end(), begins)) return Proxy::Yes;
+    if (std::any_of(kSuffixes.begin(), kSuffixes.end(), ends)) return Proxy::Yes;
+    return std::any_of(kDoubtful.begin(), kDoubtful.end(), ends) ? Proxy::Maybe : Proxy::No;
+}
+
+/// Intersection over union of two boxes.
+float overlap(const Eigen::AlignedBox3f& a, const Eigen::AlignedBox3f& b) {
+    const Eigen::Array3f flat = Eigen::Array3f::Constant(1e-3F * (a.sizes().norm() + 1e-9F));
+    const auto volume = [&](const Eigen::AlignedBox3f& box) {
+        return box.isEmpty() ? 0.0F : (box.sizes().array() + flat).prod();
+    };
+    const float common = volume(a.intersection(b));
+    return common / std::max(1e-30F, volume(a) + volume(b) - common);
+}
+
+void empty(MeshPart& part) {
+    MeshPart nothing;
+    nothing.name = part.name;
+    nothing.node = part.node;
+    part = std::move(nothing);
+}
+
+bool sameShape(const MeshPart& a, const MeshPart& b) {
+    const auto same = [](const auto& one, const auto& other) {
+        return one.size() == other.size() &&
+               (one.empty() ||
+                std::memcmp(one.data(), other.data(), one.size() * sizeof(one[0])) == 0);
+    };
+    return same(a.positions, b.positions) && same(a.triangles, b.triangles);
+}
+
+}  // namespace
+
+std::vector<std::string> dropProxies(RawScene& raw) {
+    // All nodes below "Colliders" are collision meshes, whatever their names.
+    std::vector<Proxy> by_node;
+    for (const SourceNode& node : raw.nodes) {
+        const bool inherits =
+            node.parent > 0 && by_node[static_cast<std::size_t>(node.parent)] == Proxy::Yes;
+        by_node.push_back(inherits ? Proxy::Yes : judge(node.name));
+    }
+    std::vector<Proxy> verdicts;
+    for (const MeshPart& part : raw.parts) {
+        const Proxy node = by_node[static_cast<std::size_t>(part.node)];
+        verdicts.push_back(node == Proxy::No ? judge(part.name) : node);
+    }
+    Eigen::AlignedBox3f whole;
+    for (std::size_t i = 0; i < raw.parts.size(); ++i) {
+        if (verdicts[i] == Proxy::No) whole.extend(raw.parts[i].bounds);
+    }
+    for (std::size_t i = 0; i < raw.parts.size(); ++i) {
+        if (verdicts[i] != Proxy::Maybe) continue;
+        bool about_another = overlap(raw.parts[i].bounds, whole) > 0.3F;
+        for (std::size_t j = 0; j < raw.parts.size() && !about_another; ++j) {
+            about_another = verdicts[j] == Proxy::No && !raw.parts[j].triangles.empty() &&
+                            overlap(raw.parts[i].bounds, raw.parts[j].bounds) > 0.3F;
+        }
+        if (about_another) verdicts[i] = Proxy::Yes;
+    }
+    bool any_left = false;
+    for (std::size_t i = 0; i < raw.parts.size(); ++i) {
+        any_left |= verdicts[i] != Proxy::Yes && !raw.parts[i].triangles.empty();
+    }
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < raw.parts.size() && any_left; ++i) {
+        if (verdicts[i] != Proxy::Yes || raw.parts[i].triangles.empty()) continue;
+        const std::string& node = raw.nodes[static_cast<std::size_t>(raw.parts[i].node)].name;
+        names.push_back(node.empty() ? raw.parts[i].name : node);
+        empty(raw.parts[i]);
+    }
+    return names;
+}
+
+std::size_t dropDuplicates(RawScene& raw) {
+    std::map<std::array<float, 7>, std::vector<std::size_t>> alike;
+    std::size_t dropped = 0;
+    for (std::size_t i = 0; i < raw.parts.size(); ++i) {
+        MeshPart& part = raw.parts[i];
+        if (part.triangles.empty()) continue;
+        const Eigen::Vector3f low = part.bounds.min();
+        const Eigen::Vector3f high = part.bounds.max();
+        auto& same = alike[{low.x(), low.y(), low.z(), high.x(), high.y(), high.z(),
+                            static_cast<float>(part.triangles.size())}];
+        const bool again = std::any_of(
+            same.begin(), same.end(), [&](std::size_t j) { return sameShape(raw.parts[j], part); });
+        if (!again) {
+            same.push_back(i);
+            continue;
+        }
+        ++dropped;
+        empty(part);
+    }
+    return dropped;
+}
+
+}  // namespace dollytrack

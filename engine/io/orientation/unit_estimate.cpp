@@ -1,0 +1,159 @@
+#include "engine/io/orientation/unit_estimate.h"
+
+#include "engine/scene/furniture_sizes.h"
+#include "engine/scene/labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kLowestRoom_m = 1.8;
+constexpr double kHighestRoom_m = 6.0;
+constexpr double kUsualRoomLow_m = 2.2;
+constexpr double kUsualRoomHigh_m = 3.4;
+constexpr double kFactor = 1.6;   // largest deviation of furniture and room sizes from usual ones
+constexpr double kAllFit = 0.95;  // UnitScore::furniture if all kinds have about their usual sizes
+constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
+constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
+
+/// 1 inside the range; outside it, the inverse square of the ratio to the nearer end.
+double believable(double length, double low, double high) {
+    if (!(length > 0.0)) return 0.0;
+    const double off = length < low ? low / length : length > high ? length / high : 1.0;
+    return 1.0 / (off * off);
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// The median distance from one storey's floor to the next; the whole height where there are no two
+/// of them. Floor and ceiling of a single room are two levels and one distance.
+double storeyHeight(const LevelAreas& levels, double height) {
+    const double largest = *std::ranges::max_element(levels.floors);
+    std::vector<double> gaps;
+    double last = -1.0;
+    for (std::size_t i = 0; i < levels.floors.size(); ++i) {
+        if (!(levels.floors[i] > kFloorShare * largest)) continue;
+        const double at = height * (static_cast<double>(i) + 0.5) / LevelAreas::kSteps;
+        // Nearby levels are the two sides of a slab.
+        if (last >= 0.0 && at - last > 0.15 * height) gaps.push_back(at - last);
+        last = at;
+    }
+    return gaps.size() < 2 ? height : median(std::move(gaps));
+}
+
+struct Vote {
+    double unit_m;
+    double weight;
+};
+
+double weightedMedian(std::vector<Vote> votes) {
+    std::ranges::sort(votes, std::less(), &Vote::unit_m);
+    double total = 0.0;
+    for (const Vote& vote : votes) total += vote.weight;
+    double sum = 0.0;
+    for (const Vote& vote : votes) {
+        sum += vote.weight;
+        if (sum >= 0.5 * total) return vote.unit_m;
+    }
+    return 1.0;
+}
+
+/// The geometric centre of the units that bring a size into its usual range; narrow ranges have
+/// more weight.
+Vote voteOf(double size, double low_m, double high_m) {
+    return {std::sqrt(low_m * high_m) / size, 1.0 / std::log(high_m / low_m)};
+}
+
+/// Weighted median of all votes, in metres per unit.
+double medianVote(const UnitEvidence& evidence, bool with_room) {
+    std::vector<Vote> votes;
+    for (const auto& kind : evidence.kinds) {
+        votes.push_back(voteOf(kind.size, kind.low_m, kind.high_m));
+    }
+    if (with_room && evidence.storey_height > 0.0) {
+        votes.push_back(voteOf(evidence.storey_height, kUsualRoomLow_m, kUsualRoomHigh_m));
+    }
+    return weightedMedian(std::move(votes));
+}
+
+}  // namespace
+
+double UnitEvidence::Kind::fitIn(double unit_m) const {
+    return believable(size * unit_m, low_m, high_m);
+}
+
+UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evidence_m) {
+    UnitEvidence result;
+    for (const FurnitureSize& usual : kFurnitureSizes) {
+        std::vector<double> sizes;
+        for (const MeasuredObject& object : evidence.objects) {
+            if (object.nyu40 != usual.nyu40) continue;
+            if (object.building && usual.nyu40 != kNyuDoor) continue;
+            sizes.push_back(object.box.sizes().maxCoeff() / evidence_m);
+        }
+        if (sizes.empty()) continue;
+        const double size = median(std::move(sizes));
+        if (size > 0.0) result.kinds.push_back({usual.nyu40, size, usual.low, usual.high});
+    }
+    result.height = evidence.core.sizes()[up.index()] / evidence_m;
+    result.length = evidence.core.sizes().maxCoeff() / evidence_m;
+    result.storey_height =
+        storeyHeight(evidence.levels[static_cast<std::size_t>(up.index())], result.height);
+    return result;
+}
+
+UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m) {
+    UnitScore result;
+    const double height = evidence.height * unit_m;
+    result.score =
+        (2.0 * believable(height, 2.0, 4.0) + believable(evidence.length * unit_m, 2.5, 25.0)) /
+        3.0;
+    result.evidence = fmt::format("room height {:.3g} m", height);
+    if (evidence.kinds.empty()) return result;
+    const auto kinds = static_cast<double>(evidence.kinds.size());
+    for (const auto& kind : evidence.kinds) result.furniture += kind.fitIn(unit_m) / kinds;
+    // A single kind is unreliable (an unusual model, or all lamps in one node); several kinds are
+    // reliable.
+    const double weight = 2.0 * kinds / (kinds + 2.0);
+    result.score = (result.score + weight * result.furniture) / (1.0 + weight);
+    result.evidence += fmt::format(", {} {} of furniture", kinds, kinds == 1 ? "kind" : "kinds");
+    return result;
+}
+
+bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
+    const auto near = [&](double likelier) {
+        return likelier < kFactor * unit_m && unit_m < kFactor * likelier;
+    };
+    const double storey_m = evidence.storey_height * unit_m;
+    if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
+        scoreUnit(evidence, unit_m).furniture >= kAllFit) {
+        return false;
+    }
+    if (!near(medianVote(evidence, true))) return true;
+    if (evidence.kinds.size() >= 3 && near(medianVote(evidence, false))) return false;
+    return evidence.height * unit_m < kLowestRoom_m ||
+           evidence.storey_height * unit_m > kHighestRoom_m;
+}
+
+double likeliestUnit(const UnitEvidence& evidence) {
+    const double unit = medianVote(evidence, true);
+    for (const double usual : kUsualUnits) {
+        if (std::abs(std::log(unit / usual)) < std::log(1.25) && !isUnitDoubtful(evidence, usual)) {
+            return usual;
+        }
+    }
+    const double digits = std::pow(10.0, std::floor(std::log10(unit)) - 1.0);
+    return std::round(unit / digits) * digits;
+}
+
+}  // namespace dollytrack

@@ -1,0 +1,69 @@
+#include "engine/io/sandbox/shared_memory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace dollytrack::io {
+namespace {
+
+/// Above the descriptors with a fixed meaning in the child.
+constexpr int kLowestDescriptor = 10;
+
+Error noMemory(int error) {
+    // EINVAL: the requested descriptor is above the limit.
+    if (error == EMFILE || error == ENFILE || error == EINVAL) {
+        return {
+            ErrorCode::Failed,
+            "the limit on open files is too low to read scenes; raise it (ulimit -n) to 64 or more",
+            {}};
+    }
+    return {ErrorCode::Failed,
+            std::string("there is not enough memory for the imported scene (") +
+                std::strerror(error) + ")",
+            {}};
+}
+
+}  // namespace
+
+Result<SharedMemory> SharedMemory::make(std::size_t size) {
+    // The file size limit also applies to memory files; most scenes need little.
+    rlimit files{};
+    if (::getrlimit(RLIMIT_FSIZE, &files) == 0) size = std::min<std::size_t>(size, files.rlim_cur);
+    const FileDescriptor low(::memfd_create("dollytrack-frame", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+    FileDescriptor high(low.valid() ? ::fcntl(low.get(), F_DUPFD_CLOEXEC, kLowestDescriptor) : -1);
+    if (!high.valid() || ::ftruncate(high.get(), static_cast<off_t>(size)) != 0 ||
+        ::fcntl(high.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW) != 0) {
+        return tl::unexpected(noMemory(errno));
+    }
+    return SharedMemory(std::move(high), size);
+}
+
+void SharedMemory::Unmap::operator()(const std::uint8_t* view) const {
+    ::munmap(const_cast<std::uint8_t*>(view), size);
+}
+
+Result<std::span<const std::uint8_t>> SharedMemory::close(std::size_t used) {
+    if (used == 0 || used > size_) {
+        return fail(ErrorCode::BadInput, "its length is none");
+    }
+    if (view_ || ::fcntl(memory_.get(), F_ADD_SEALS, F_SEAL_WRITE) != 0) {
+        return fail(ErrorCode::BadInput, "the returned data can still be modified");
+    }
+    void* view = ::mmap(nullptr, used, PROT_READ, MAP_SHARED | MAP_POPULATE, memory_.get(), 0);
+    if (view == MAP_FAILED) {
+        return fail(ErrorCode::Failed,
+                    std::string("there is not enough memory for the imported scene (") +
+                        std::strerror(errno) + ")");
+    }
+    view_ = {static_cast<const std::uint8_t*>(view), Unmap{used}};
+    return std::span(view_.get(), used);
+}
+
+}  // namespace dollytrack::io

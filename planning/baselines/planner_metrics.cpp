@@ -1,0 +1,156 @@
+#include "planning/baselines/planner_metrics.h"
+
+#include "engine/geometry/ray_caster.h"
+#include "engine/jobs/parallel.h"
+#include "planning/baselines/median.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+#include "planning/metrics/estimate_captures.h"
+#include "planning/metrics/shown_surface.h"
+#include "planning/visibility/view_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dollytrack::planning {
+namespace {
+
+// Longest step along a motion, so that the minimum clearance is found, and shortest step, so that
+// it gets past a contact.
+constexpr double kLongestStep = 0.02;
+constexpr double kShortestStep = 0.0005;
+// Clearance beyond which a step may be as long as the free distance.
+constexpr double kFar = 10.0;
+
+/// Minimum clearance along a motion, to 1 cm where it is below kFar. Ends early when cancelled.
+/// Steps are at most as long as the free distance around the camera sphere, so only contacts
+/// shorter than kShortestStep can be missed. Deliberately independent of the planner's collision
+/// proof: it uses the triangles only.
+double smallestClearance(const RayCaster& rays, const std::vector<Eigen::Vector3d>& way,
+                         double radius, const JobContext& job) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const Eigen::Vector3d move = way[i + 1] - way[i];
+        const double length = move.norm();
+        double walked = 0.0;
+        while (!job.cancelled()) {
+            const double share = length > 0.0 ? walked / length : 0.0;
+            const double distance = clearanceAt(rays, way[i] + share * move);
+            smallest = std::min(smallest, distance);
+            if (walked >= length) break;
+            const double step = distance < radius ? kLongestStep : distance - radius;
+            const double longest = std::max(kLongestStep, distance - kFar);
+            walked = std::min(length, walked + std::clamp(step, kShortestStep, longest));
+        }
+    }
+    return smallest;
+}
+
+double lengthOf(const std::vector<Eigen::Vector3d>& way) {
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) length += (way[i + 1] - way[i]).norm();
+    return length;
+}
+
+void setMedianAndMax(std::vector<double> values, std::optional<double>& middle,
+                     std::optional<double>& max) {
+    if (values.empty()) return;
+    max = *std::max_element(values.begin(), values.end());
+    middle = median(std::move(values));
+}
+
+void measureMotion(const PlannedMotion& motion, const std::vector<double>& lengths,
+                   PlannerMetrics& result) {
+    const auto& frames = motion.trajectory.frames;
+    std::vector<double> speeds;
+    std::vector<double> turns;
+    std::vector<double> jerks;
+    const auto joined = [&](std::size_t from, std::size_t to) {
+        return to < frames.size() && frames[from].path == frames[to].path &&
+               frames[to].time_s > frames[from].time_s;
+    };
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        if (!joined(i, i + 1)) continue;
+        const double seconds = frames[i + 1].time_s - frames[i].time_s;
+        const double turn = angleBetween(frames[i].pose.rotation, frames[i + 1].pose.rotation);
+        speeds.push_back(lengths[i] / seconds);
+        turns.push_back(turn * 180.0 / std::numbers::pi / seconds);
+        if (!joined(i, i + 3)) continue;
+        const double third = (frames[i + 3].time_s - frames[i].time_s) / 3.0;
+        const Eigen::Vector3d change = frames[i + 3].pose.position -
+                                       3.0 * frames[i + 2].pose.position +
+                                       3.0 * frames[i + 1].pose.position - frames[i].pose.position;
+        jerks.push_back(change.norm() / (third * third * third));
+    }
+    setMedianAndMax(std::move(speeds), result.speed_median_mps, result.speed_max_mps);
+    setMedianAndMax(std::move(turns), result.turn_median_dps, result.turn_max_dps);
+    setMedianAndMax(std::move(jerks), result.jerk_median_mps3, result.jerk_max_mps3);
+}
+
+void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
+                       const JobContext& job, std::vector<double>& lengths,
+                       PlannerMetrics& result) {
+    const auto& frames = motion.trajectory.frames;
+    const double radius = scene.sphere->radius();
+    std::vector<double> at_frame(frames.size());
+    std::vector<double> on_way(frames.size(), std::numeric_limits<double>::infinity());
+    std::vector<char> moves(frames.size(), 0);
+    lengths.assign(frames.size(), 0.0);
+    parallelFor(frames.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
+        at_frame[i] = clearanceAt(*scene.rays, frames[i].pose.position);
+        const auto way = wayToNext(motion, i);
+        if (way.empty()) return;
+        moves[i] = 1;
+        lengths[i] = lengthOf(way);
+        on_way[i] = smallestClearance(*scene.rays, way, radius, job);
+    });
+    const auto hits = [&](const std::vector<double>& clearances) {
+        return static_cast<double>(std::count_if(clearances.begin(), clearances.end(),
+                                                 [&](double c) { return c < radius; }));
+    };
+    const auto outside = std::count_if(frames.begin(), frames.end(), [&](const auto& frame) {
+        return scene.free_space->stateAt(frame.pose.position) != CellState::Free;
+    });
+    const auto count = static_cast<double>(frames.size());
+    result.frame_collision_rate = hits(at_frame) / count;
+    result.outside_rate = static_cast<double>(outside) / count;
+    result.min_clearance_m = std::min(*std::min_element(at_frame.begin(), at_frame.end()),
+                                      *std::min_element(on_way.begin(), on_way.end()));
+    const auto moving = std::count(moves.begin(), moves.end(), 1);
+    if (moving == 0) return;
+    result.move_collision_rate = hits(on_way) / static_cast<double>(moving);
+    double length = 0.0;
+    for (const double one : lengths) length += one;
+    result.path_length_m = length;
+}
+
+}  // namespace
+
+Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
+                                            const JobContext& job) {
+    PlannerMetrics result;
+    result.frames = static_cast<int>(motion.trajectory.frames.size());
+    result.corner_collision_rate = motion.corner_collision_rate;
+    result.plan_ms = motion.plan_ms;
+    auto estimate = estimateCaptures(*scene.views, motion.trajectory, job);
+    if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+    result.captures = summarize(*scene.scene, estimate->captures);
+    result.objects = std::move(estimate->captures);
+    if (motion.trajectory.frames.empty()) return result;
+    std::vector<double> lengths;
+    measureCollisions(scene, motion, job, lengths, result);
+    if (job.cancelled())
+        return fail(ErrorCode::Cancelled, "Measuring the trajectory was cancelled.");
+    measureMotion(motion, lengths, result);
+    return measureShownSurface(*scene.views, motion.trajectory, job)
+        .map([&](const ShownSurface& shown) {
+            result.repeat_rate = shown.repeat_rate;
+            result.object_pixels = shown.object_pixels;
+            return result;
+        });
+}
+
+}  // namespace dollytrack::planning
