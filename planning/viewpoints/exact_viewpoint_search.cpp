@@ -1,6 +1,7 @@
 #include "planning/viewpoints/exact_viewpoint_search.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
 
 #include <algorithm>
 
