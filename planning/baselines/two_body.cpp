@@ -20,8 +20,8 @@ constexpr double kDrag = 0.1;       // 1/m: deceleration over squared speed
 constexpr double kLeastMove = 1.0;  // m
 constexpr int kLeastObjects = 10;
 constexpr int kTries = 8;
-constexpr int kColumns = 16;  // rays that determine which objects a frame sees
-constexpr int kRows = 12;
+constexpr int kRayColumns = 16;  // rays that determine which objects a frame sees
+constexpr int kRayRows = 12;
 
 class Body {
   public:
@@ -106,10 +106,10 @@ bool counts(const BaselineScene& scene, const Run& run, const JobContext& job) {
         if (job.cancelled()) return false;
         const Pose& pose = frame.pose;
         furthest = std::max(furthest, (pose.position - run.frames.front().pose.position).norm());
-        for (int i = 0; i < kColumns * kRows; ++i) {
+        for (int i = 0; i < kRayColumns * kRayRows; ++i) {
             const Eigen::Vector3d ray =
-                pose.rotation * k.unproject((i % kColumns + 0.5) * k.width / kColumns,
-                                            (i / kColumns + 0.5) * k.height / kRows);
+                pose.rotation * k.unproject((i % kRayColumns + 0.5) * k.width / kRayColumns,
+                                            (i / kRayColumns + 0.5) * k.height / kRayRows);
             const int id = scene.rays->cast(pose.position, ray).object_id;
             if (id != 0 && scene.scene->object(id).role == Role::Target) seen.insert(id);
         }
