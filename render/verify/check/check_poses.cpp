@@ -69,7 +69,7 @@ std::string positionText(const Eigen::Vector3d& p) {
     return fmt::format("({:.7f}, {:.7f}, {:.7f})", p.x(), p.y(), p.z());
 }
 
-void comparePose(const PoseFormat& format, const io::ReadPose& read, const StoredFrame& frame,
+void comparePose(const PoseFormat& format, const io::FilePose& read, const StoredFrame& frame,
                  int index, const Eigen::Isometry3d& file_from_world, Findings& findings) {
     const std::string file =
         read.line > 0 ? fmt::format("{}:{}", format.file, read.line) : std::string(format.file);

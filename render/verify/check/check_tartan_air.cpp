@@ -37,7 +37,7 @@ void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
     std::optional<double> baseline = baselineOf(dataset);
     const Eigen::Vector3d world_from_ned(1.0, -1.0, -1.0);
     for (std::size_t i = 0; i < list->poses.size(); ++i) {
-        const io::ReadPose& read = list->poses[i];
+        const io::FilePose& read = list->poses[i];
         const Pose& left = dataset.frames[i].pose;
         const Eigen::Vector3d offset = left.toCamera(world_from_ned.cwiseProduct(read.position));
         if (!baseline) baseline = std::max(offset.x(), 0.0);  // only the sign can be checked
