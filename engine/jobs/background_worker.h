@@ -16,7 +16,7 @@ namespace dollytrack {
 
 /// Runs one piece of work at a time on a thread of its own, for a window that must not wait. A
 /// newer piece cancels the one that runs and replaces the one that waits, so a dragged slider never
-/// builds a queue. Work sees copies or constant data and leaves its result in an LatestValue.
+/// builds a queue. Work sees copies or constant data and leaves its result in a LatestValue.
 class BackgroundWorker {
   public:
     using Work = std::function<void(const JobContext&)>;

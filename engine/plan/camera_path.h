@@ -46,7 +46,7 @@ struct SmoothPath {
     };
     struct Key {
         double arc_m = 0.0;  // where on the path
-        int position_point = -1;  // -1: no key frame, only a glance aside, see looks_at
+        int position_point = -1;  // -1: no key frame, only a view towards looks_at
         Eigen::Vector3d position = Eigen::Vector3d::Zero();  // on the curve
         Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // world; without a position point
         // Of the way from the key before:

@@ -41,8 +41,7 @@ class SurfaceProgress {
     /// `wanted`: directions per patch from which it can be seen sharply, and shall be.
     explicit SurfaceProgress(std::vector<int> wanted);
 
-    /// What a observation would add: 1 for a patch not seen before, and 1 / n for its nth
-    /// direction.
+    /// Gain of an observation: 1 for a patch not seen before, and 1 / n for its nth direction.
     [[nodiscard]] double gain(const PatchObservation& observation) const;
     void add(const PatchObservation& observation);
 

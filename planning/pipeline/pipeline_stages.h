@@ -33,7 +33,8 @@ std::vector<int> structureClasses(const Scene& scene);
 
 /// The stages of a pipeline, with the inputs and output of each. Internal to this folder.
 struct Pipeline::Stages {
-    /// What the frames show of must-see regions and, if the objective includes it, of all surface.
+    /// Coverage by the frames: of must-see regions and, if the objective includes it, of all
+    /// surface.
     struct Coverages {
         std::vector<RegionCoverage> must_see;
         std::optional<SurfaceShare> surface;

@@ -16,8 +16,8 @@ namespace dollytrack::planning {
 /// budget of frames is too small.
 class TrajectoryBuilder {
   public:
-    /// `around` is where the camera may look from, `moves` where it may move: the same, unless each
-    /// room has a trajectory of its own.
+    /// `environment` limits where the camera may look from, `moves` where it may move. They are the
+    /// same, unless each room has a trajectory of its own.
     TrajectoryBuilder(const PlanningEnvironment& environment, const PlanningEnvironment& moves,
                       const Viewpoints& viewpoints, const PlanParams& params,
                       const JobContext& job);
@@ -26,8 +26,8 @@ class TrajectoryBuilder {
     [[nodiscard]] Result<std::vector<SmoothPath>> smooth(
         const std::vector<CameraPath>& paths) const;
 
-    /// Inserts context views. `path` is one of `all`, which share the budget of frames by their
-    /// numbers of keys.
+    /// Inserts context views into `path`, one of `all`. The paths share the budget of frames in
+    /// proportion to their numbers of keys.
     [[nodiscard]] SmoothPath withContext(const SmoothPath& path,
                                          const std::vector<SmoothPath>& all) const;
     [[nodiscard]] std::vector<SmoothPath> withContext(const std::vector<SmoothPath>& all) const;
@@ -38,7 +38,7 @@ class TrajectoryBuilder {
     /// The number of frames of complete paths at the limits of motion.
     [[nodiscard]] Result<std::size_t> countFrames(const std::vector<CameraPath>& paths) const;
 
-    /// These functions for the repair of a trajectory made from `paths`.
+    /// The functions that repair needs, for a trajectory made from `paths`.
     [[nodiscard]] TrajectoryMaker maker(const std::vector<SmoothPath>& paths) const;
 
   private:

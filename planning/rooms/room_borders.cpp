@@ -23,7 +23,7 @@ Eigen::Vector2d placeOf(std::size_t column, const VoxelGrid& plane) {
     return {i % plane.count[0], i / plane.count[0]};
 }
 
-/// Splits the borders of a plan into connected stretches.
+/// Splits the borders of a plan into connected parts.
 class Borders {
   public:
     Borders(const VoxelGrid& plane, const std::vector<int>& parts, const FreeColumns& free_columns)

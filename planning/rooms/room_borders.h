@@ -22,7 +22,7 @@ struct FreeColumns {
 FreeColumns freeColumnsOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
                             const FreeSpace& free_space, const FloorHeights& floors);
 
-/// A connected stretch along which two parts of the plan touch and the camera can move across.
+/// A connected part of the border between two parts of the plan that the camera can move across.
 struct RoomBorder {
     int a = 0;
     int b = 0;

@@ -20,8 +20,8 @@ class SweptSphere;
 class ViewEstimator;
 struct ViewpointParams;
 
-/// What planning searches share: visibility estimates, free space, collision tests, and limits of
-/// the viewing direction. Keeps references.
+/// Shared input of the planning searches: visibility estimates, free space, collision tests, and
+/// limits of the viewing direction. Keeps references.
 struct PlanningEnvironment {
     const ViewEstimator& views;
     const FreeSpace& free_space;

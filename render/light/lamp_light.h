@@ -13,15 +13,14 @@
 
 namespace dollytrack::render {
 
-/// Direct light at a point from the rig's room lamps (without scene_lamps), with soft shadows by
-/// random sampling. Returns the irradiance vector: the sum of strength * direction to the lamp, in
-/// units of lamp intensity.
+/// Direct light at a point from the rig's room lamps, with soft shadows by random sampling. Returns
+/// the irradiance vector: the sum of strength * direction to the lamp, in units of lamp intensity.
 [[nodiscard]] Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
                                             const RayCaster& rays, Random& random);
 
-/// The same for the rig's scene_lamps (the scene's lamps), by cell. Their light falls off so
-/// steeply that cells next to a surface, found with `bounces`, store the light at that surface
-/// instead of at their centre. Incomplete if the job is cancelled.
+/// The same for the rig's scene lamps, by cell. Their light falls off so steeply that cells next to
+/// a surface, found with `bounces`, store the light at that surface instead of at their centre.
+/// Incomplete if the job is cancelled.
 [[nodiscard]] std::vector<Eigen::Vector3f> sceneLampsByCell(const LightRig& rig,
                                                             const RayCaster& rays,
                                                             const IrradianceGrid& cells,

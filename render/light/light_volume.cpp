@@ -326,8 +326,8 @@ class Baker {
     std::optional<SunRays> sun_rays_;  // only with a sun
     std::vector<float> sunny_;         // by ray, see sunOn(); empty without a sun
     LightVolume volume_;
-    std::vector<Eigen::Vector3f> scene_lamp_light_;  // irradiance vectors of the scene's scene_lamp
-                                                     // lamps; empty without any
+    std::vector<Eigen::Vector3f> scene_lamp_light_;  // irradiance vectors of the scene lamps, by
+                                                     // cell; empty if there are none
     std::vector<float> balanced_;              // by cell: sum of neutral source radiance over its
                                                // rays
     std::vector<char> sees_sky_;               // by cell

@@ -34,7 +34,7 @@ struct SceneLamp {
 /// wall 0.3 m away gets about twice as bright, the room hardly.
 constexpr double kSceneLampIntensity = 0.04;
 
-/// Largest number of own lamps; if a scene has more, the largest lamps are used.
+/// Largest number of scene lamps; if a scene has more, the largest ones are used.
 constexpr std::size_t kMaxSceneLamps = 64;
 
 /// Finds the lamps among the scene's objects except those `taken` (by id - 1), largest first. The

@@ -24,8 +24,8 @@ bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
 
 using PictureBytes = std::span<const std::uint8_t>;
 
-/// One function a library; each only for bytes that begin like its format. Nothing when they are
-/// no whole image.
+/// One function per library. Call it only for bytes that begin like its format. Empty if the bytes
+/// are not a complete image.
 std::optional<DecodedPicture> unpackPng(PictureBytes bytes);
 std::optional<DecodedPicture> unpackJpeg(PictureBytes bytes);
 std::optional<DecodedPicture> unpackWebp(PictureBytes bytes);

@@ -13,7 +13,7 @@
 
 namespace dollytrack::io {
 
-/// What an importer handed back, unchecked.
+/// The result of an importer process, not yet checked.
 struct ImporterResult {
     SharedMemory memory;
     std::span<const std::uint8_t> serialized;  // within the memory
