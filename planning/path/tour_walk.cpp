@@ -23,7 +23,7 @@ constexpr double kMostCut = 1.4;  // relative to the allowed length: smoothing m
 /// A tour of one part: shortest paths between its key frames, and their order.
 struct TourOfPart {
     std::vector<ShortestPaths> shortest;  // from each vertex
-    std::vector<int> vertices;  // by stop; a closed tour contains its first vertex twice
+    std::vector<int> vertices;            // by stop; a closed tour contains its first vertex twice
     BudgetedTour plan;
 };
 

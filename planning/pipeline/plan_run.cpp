@@ -327,17 +327,17 @@ Status Pipeline::Stages::PlanRun::timePaths() {
 Status Pipeline::Stages::PlanRun::repairFrames() {
     const bool wanted = asksForRepair(params_.repair);
     const JobContext job = job_.stage(0.91, wanted ? 0.97 : 0.92, "repair");
-    return stages_.run(
-        "repair", stages_.repair,
-        RepairInputs{stages_.timing.version(), stages_.views.version(), params_.repair,
-                     params_.seed},
-        job, [&]() -> Result<RepairedTrajectory> {
-            const RepairedTrajectory as_timed{
-                stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
-            if (!wanted) return as_timed;
-            return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing), moves(),
-                                    params_.repair, params_.seed, job, &stages_.memory.seen);
-        });
+    return stages_.run("repair", stages_.repair,
+                       RepairInputs{stages_.timing.version(), stages_.views.version(),
+                                    params_.repair, params_.seed},
+                       job, [&]() -> Result<RepairedTrajectory> {
+                           const RepairedTrajectory as_timed{
+                               stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
+                           if (!wanted) return as_timed;
+                           return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing),
+                                                   moves(), params_.repair, params_.seed, job,
+                                                   &stages_.memory.seen);
+                       });
 }
 
 Status Pipeline::Stages::PlanRun::measure() {

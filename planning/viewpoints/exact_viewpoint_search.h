@@ -13,8 +13,8 @@ namespace dollytrack::planning {
 constexpr double kPromisingNearness = 1.86;
 
 struct ExactSearchResult {
-    std::optional<Eigen::Vector3d> place;  // legal position that captures the object well, without
-                                           // margins; empty if none was found
+    std::optional<Eigen::Vector3d> place;   // legal position that captures the object well, without
+                                            // margins; empty if none was found
     std::vector<EvaluatedCandidate> tried;  // all candidates sampled, apart from the given ones
 };
 

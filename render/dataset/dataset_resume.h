@@ -20,7 +20,7 @@ struct RecordedResults {
 
 /// State of the folder in which an export is to be resumed.
 struct EarlierExport {
-    JournalContents journal;          // only entries of frames whose files are intact
+    JournalContents journal;                  // only entries of frames whose files are intact
     std::optional<RecordedResults> complete;  // set if the dataset is complete already
 };
 

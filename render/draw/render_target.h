@@ -70,7 +70,7 @@ class RenderTarget {
     gl::Texture picture_;
     gl::Framebuffer surfaces_frame_;
     gl::Framebuffer shading_frame_;  // colour, normal and surface depth only
-    gl::Framebuffer labels_frame_;  // label depth and ids only
+    gl::Framebuffer labels_frame_;   // label depth and ids only
     gl::Framebuffer occlusion_frame_;
     gl::Framebuffer soft_frame_;
     gl::Framebuffer lit_frame_;

@@ -14,9 +14,9 @@
 namespace dollytrack {
 namespace {
 
-constexpr float kNearGap = 0.03F;      // m: largest gap to the object of an unattached piece
-constexpr float kCrumb = 0.05F;        // m: smaller pieces of a split mesh are no objects
-constexpr float kBothLarge = 1.2F;     // m: smallest diagonal of furniture side by side
+constexpr float kNearGap = 0.03F;       // m: largest gap to the object of an unattached piece
+constexpr float kCrumb = 0.05F;         // m: smaller pieces of a split mesh are no objects
+constexpr float kBothLarge = 1.2F;      // m: smallest diagonal of furniture side by side
 constexpr float kLargestObject = 3.5F;  // m: largest diagonal of a merged object
 
 struct Piece {

@@ -23,7 +23,7 @@ struct CloudObject {
 struct CloudLabels {
     std::vector<CloudObject> objects;
     std::vector<int> object_of;  // index into `objects` by sample; -1: too small a piece
-    std::size_t specks = 0;     // number of samples with -1
+    std::size_t specks = 0;      // number of samples with -1
 };
 
 /// Segments a cloud. Floor, ceiling and walls are planes at its border, with hardly any points

@@ -62,8 +62,7 @@ TEST(ImporterProcess, ItsCrashIsAnError) {
 #else
     constexpr const char* kEnd = "crashed (signal 11)";
 #endif
-    EXPECT_NE(back.error().message.find(kEnd), std::string::npos)
-        << back.error().message;
+    EXPECT_NE(back.error().message.find(kEnd), std::string::npos) << back.error().message;
     EXPECT_TRUE(back.error().where.ends_with("chain.dae")) << back.error().where;
 }
 

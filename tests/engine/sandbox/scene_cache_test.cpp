@@ -102,7 +102,8 @@ TEST_F(SceneCacheTest, NoticesNewNamesWhereNamesWereLookedFor) {
 }
 
 TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
-    const SceneCache at_once(*io::GuardedFolder::open(cache_folder_), 1 << 20, std::chrono::seconds(0));
+    const SceneCache at_once(*io::GuardedFolder::open(cache_folder_), 1 << 20,
+                             std::chrono::seconds(0));
     const auto digests = [&] {
         std::vector<fs::path> files;
         for (const auto& file : fs::directory_iterator(cache_folder_)) {
