@@ -112,9 +112,11 @@ class Editor {
     void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
     [[nodiscard]] ui::ExportView exportView();
     [[nodiscard]] std::filesystem::path exportFolder() const;
+
+    // editor_state.cpp
     [[nodiscard]] nlohmann::json exportsJson() const;
-    /// Adds the displayed objects, points and plan.
-    void addShownTo(nlohmann::json& state);
+    /// Adds the objects, points and plan on display.
+    void addSceneAndPlanTo(nlohmann::json& state);
 
     // editor_viewport.cpp
     void drawCentre();

@@ -46,7 +46,7 @@ nlohmann::json Editor::exportsJson() const {
     return jobs;
 }
 
-void Editor::addShownTo(nlohmann::json& state) {
+void Editor::addSceneAndPlanTo(nlohmann::json& state) {
     const PlanOutcome& shown = workspace_.shown();
     if (shown.scene) {
         const render::View view = viewportView(panels_.viewport.camera);
@@ -160,7 +160,7 @@ nlohmann::json Editor::stateJson() {
         {"items", std::move(items)},
     };
     questions_.addTo(state);
-    addShownTo(state);
+    addSceneAndPlanTo(state);
     window_.resetLongestFrame();
     return state;
 }
