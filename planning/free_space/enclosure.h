@@ -11,7 +11,7 @@ namespace dollytrack::planning {
 ///
 /// From its walls, floor and ceiling (see castEnclosureRays) a cell is inside for certain or
 /// possibly: possibly before a missing wall or at a window without glass, but also in the notch of
-/// an L-shaped house. The cells of each part of the floor plan vote at each height (see
+/// an L-shaped house. The cells of each part of the floor plan are counted at each height (see
 /// EnclosureClassifier), so that a room is inside as a whole. A part with much furniture is inside
 /// even with few walls.
 class Enclosure {

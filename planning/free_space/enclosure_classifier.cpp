@@ -26,9 +26,9 @@ constexpr double kOpenHeight_m = 1.6;
 
 constexpr unsigned kFloorAndCeiling = kFloorBelow | kCeilingAbove;
 
-enum class EnclosureVote { Outside, Possible, Certain };
+enum class CellEnclosure { Outside, Possible, Certain };
 
-EnclosureVote classify(EnclosureRule rule, bool roofed, std::uint8_t sight) {
+CellEnclosure classify(EnclosureRule rule, bool roofed, std::uint8_t sight) {
     const int hits = sight & kEnclosureHitsMask;
     const bool floor = (sight & kFloorBelow) != 0;
     const bool ceiling = (sight & kCeilingAbove) != 0;
@@ -47,9 +47,9 @@ EnclosureVote classify(EnclosureRule rule, bool roofed, std::uint8_t sight) {
             certain = floor;
             break;
     }
-    return certain    ? EnclosureVote::Certain
-           : possible ? EnclosureVote::Possible
-                      : EnclosureVote::Outside;
+    return certain    ? CellEnclosure::Certain
+           : possible ? CellEnclosure::Possible
+                      : CellEnclosure::Outside;
 }
 
 void closeGaps(std::vector<std::uint8_t>& inside, std::size_t most) {
@@ -74,7 +74,7 @@ EnclosureClassifier::EnclosureClassifier(const EnclosureInput& seen, const Floor
       furniture_(plan.part_of_column.size(), 0) {
     const CellBox everywhere = wholeGrid(seen.grid);
     countRoof(seen, everywhere, 1);
-    roofed_ = judgeRoof();
+    roofed_ = hasRoof();
     countCells(seen, plan, everywhere, 1);
     findFurnitureColumns(seen, everywhere);
     decide(seen.grid, plan);
@@ -86,7 +86,7 @@ bool EnclosureClassifier::recount(const EnclosureInput& before, const EnclosureI
         countRoof(before, box, -1);
         countRoof(now, box, 1);
     }
-    if (judgeRoof() != roofed_) return false;
+    if (hasRoof() != roofed_) return false;
     for (const CellBox& box : boxes) {
         countCells(before, plan, box, -1);
         countCells(now, plan, box, 1);
@@ -101,7 +101,7 @@ void EnclosureClassifier::countRoof(const EnclosureInput& seen, const CellBox& b
         const int z = box.begin[2] + static_cast<int>(slice);
         auto& count = roof_[static_cast<std::size_t>(z)];
         seen.visitAir(box, z, [&](std::size_t i) {
-            if (classify(EnclosureRule::Walls, false, seen.sight[i]) != EnclosureVote::Certain)
+            if (classify(EnclosureRule::Walls, false, seen.sight[i]) != CellEnclosure::Certain)
                 return;
             count[0] += sign;
             if ((seen.sight[i] & kFloorAndCeiling) == kFloorAndCeiling) count[1] += sign;
@@ -109,7 +109,7 @@ void EnclosureClassifier::countRoof(const EnclosureInput& seen, const CellBox& b
     });
 }
 
-bool EnclosureClassifier::judgeRoof() const {
+bool EnclosureClassifier::hasRoof() const {
     std::int64_t certain = 0;
     std::int64_t between = 0;
     for (const auto& slice : roof_) {
@@ -124,16 +124,16 @@ void EnclosureClassifier::countCells(const EnclosureInput& seen, const FloorPlan
     const std::size_t columns = seen.grid.rowOf(0, 1);
     parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t slice) {
         const int z = box.begin[2] + static_cast<int>(slice);
-        std::vector<EnclosureCounts>& votes = counts_[static_cast<std::size_t>(z)];
+        std::vector<EnclosureCounts>& counts = counts_[static_cast<std::size_t>(z)];
         const std::size_t first = static_cast<std::size_t>(z) * columns;
         seen.visitAir(box, z, [&](std::size_t i) {
             const int part = plan.part_of_column[i - first];
             if (part == kNoPart) return;
-            const EnclosureVote vote = classify(rule_, roofed_, seen.sight[i]);
-            EnclosureCounts& count = votes[static_cast<std::size_t>(part)];
+            const CellEnclosure enclosure = classify(rule_, roofed_, seen.sight[i]);
+            EnclosureCounts& count = counts[static_cast<std::size_t>(part)];
             count.air += sign;
-            count.possible += vote != EnclosureVote::Outside ? sign : 0;
-            count.certain += vote == EnclosureVote::Certain ? sign : 0;
+            count.possible += enclosure != CellEnclosure::Outside ? sign : 0;
+            count.certain += enclosure == CellEnclosure::Certain ? sign : 0;
             count.covered += (seen.sight[i] & kFloorAndCeiling) != 0 ? sign : 0;
             count.hits += sign * (seen.sight[i] & kEnclosureHitsMask);
         });

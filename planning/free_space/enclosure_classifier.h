@@ -42,15 +42,15 @@ struct EnclosureInput {
     }
 };
 
-/// Classifies each part of the floor plan as inside or outside, separately at each height, by the
-/// vote of its cells.
+/// Classifies each part of the floor plan as inside or outside, separately at each height, by
+/// counts of its cells.
 class EnclosureClassifier {
   public:
     EnclosureClassifier(const EnclosureInput& seen, const FloorPlan& plan, EnclosureRule rule);
 
-    /// Incremental update: recounts the votes of the cells in `boxes`, which must be disjoint and
-    /// hold all differences between `before` and `now`. The floor plan must be the same. Returns
-    /// false if the change is too large for an incremental update; the object must then be rebuilt.
+    /// Incremental update: recounts the cells in `boxes`, which must be disjoint and hold all
+    /// differences between `before` and `now`. The floor plan must be the same. Returns false if
+    /// the change is too large for an incremental update; the object must then be rebuilt.
     bool recount(const EnclosureInput& before, const EnclosureInput& now, const FloorPlan& plan,
                  const std::vector<CellBox>& boxes);
 
@@ -74,7 +74,7 @@ class EnclosureClassifier {
     void countCells(const EnclosureInput& seen, const FloorPlan& plan, const CellBox& box,
                     int sign);
     void findFurnitureColumns(const EnclosureInput& seen, const CellBox& box);
-    [[nodiscard]] bool judgeRoof() const;
+    [[nodiscard]] bool hasRoof() const;
     [[nodiscard]] std::vector<std::uint8_t> findFurnished(const VoxelGrid& grid,
                                                           const FloorPlan& plan) const;
     void decide(const VoxelGrid& grid, const FloorPlan& plan);
