@@ -16,23 +16,23 @@ constexpr std::uint8_t kOpen = 4;
 
 /// Whether a cell has floor, ceiling and walls nearly all round. Such a cell may be inside although
 /// its column belongs to an outside part, for example in a bay window.
-bool isSurrounded(std::uint8_t sight) {
+bool isSurrounded(std::uint8_t ray_bits) {
     constexpr unsigned kBoth = kFloorBelow | kCeilingAbove;
-    return (sight & kEnclosureHitsMask) >= 12 && (sight & kBoth) == kBoth;
+    return (ray_bits & kEnclosureHitsMask) >= 12 && (ray_bits & kBoth) == kBoth;
 }
 
 /// Labels of cells before open cells are assigned.
 class Sides {
   public:
-    Sides(const EnclosureInput& seen, const FloorPlan& plan, const EnclosureClassifier& election)
-        : seen_(seen), plan_(plan), election_(election), columns_(seen.grid.rowOf(0, 1)) {}
+    Sides(const EnclosureInput& seen, const FloorPlan& plan, const EnclosureClassifier& classifier)
+        : seen_(seen), plan_(plan), classifier_(classifier), columns_(seen.grid.rowOf(0, 1)) {}
 
     /// Label of a cell without surface within the room bounds.
     [[nodiscard]] std::uint8_t ofAir(std::size_t i, std::size_t column, std::size_t z) const {
         const int part = plan_.part_of_column[column];
         if (part == kNoPart) return kOpen;
-        if (election_.inside()[static_cast<std::size_t>(part)][z] != 0) return kIn;
-        return election_.isRoofed() && isSurrounded(seen_.sight[i]) ? kOpen : kOut;
+        if (classifier_.inside()[static_cast<std::size_t>(part)][z] != 0) return kIn;
+        return classifier_.isRoofed() && isSurrounded(seen_.ray_bits[i]) ? kOpen : kOut;
     }
     /// Label of any cell.
     [[nodiscard]] std::uint8_t operator()(std::size_t i) const {
@@ -48,7 +48,7 @@ class Sides {
   private:
     const EnclosureInput& seen_;
     const FloorPlan& plan_;
-    const EnclosureClassifier& election_;
+    const EnclosureClassifier& classifier_;
     std::size_t columns_;
 };
 
@@ -139,31 +139,32 @@ void shareOutAgain(const std::vector<std::size_t>& among, const Sides& side, con
 }  // namespace
 
 Enclosure::Enclosure(const EnclosureInput& seen, const FloorPlan& plan, EnclosureRule rule)
-    : rule_(rule), election_(seen, plan, rule) {
+    : rule_(rule), classifier_(seen, plan, rule) {
     fill(seen, plan);
 }
 
 Enclosure::Enclosure(const Enclosure& other, const EnclosureInput& before,
                      const EnclosureInput& now, const FloorPlan& plan,
                      const std::vector<CellBox>& changed)
-    : rule_(other.rule_), election_(other.election_) {
-    if (!election_.recount(before, now, plan, changed)) {
-        election_ = EnclosureClassifier(now, plan, rule_);
+    : rule_(other.rule_), classifier_(other.classifier_) {
+    if (!classifier_.recount(before, now, plan, changed)) {
+        classifier_ = EnclosureClassifier(now, plan, rule_);
         fill(now, plan);
         return;
     }
-    if (election_.inside() != other.election_.inside()) {
+    if (classifier_.inside() != other.classifier_.inside()) {
         fill(now, plan);
         return;
     }
     cells_ = other.cells_;
-    const Sides was(before, plan, election_);
-    const Sides is(now, plan, election_);
+    const Sides was(before, plan, classifier_);
+    const Sides is(now, plan, classifier_);
     std::vector<std::size_t> open;
     for (const CellBox& box : changed) {
         visitRows(box, now.grid, [&](std::size_t begin, std::size_t end, int, int, int) {
             for (std::size_t i = begin; i < end; ++i) {
-                if (now.surfaces[i] == before.surfaces[i] && now.sight[i] == before.sight[i]) {
+                if (now.surfaces[i] == before.surfaces[i] &&
+                    now.ray_bits[i] == before.ray_bits[i]) {
                     continue;
                 }
                 const std::uint8_t side = is(i);
@@ -184,7 +185,7 @@ void Enclosure::fill(const EnclosureInput& seen, const FloorPlan& plan) {
     const VoxelGrid& grid = seen.grid;
     const std::size_t columns = grid.rowOf(0, 1);
     cells_.assign(grid.size(), 0);
-    const Sides side(seen, plan, election_);
+    const Sides side(seen, plan, classifier_);
     parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
         seen.visitAir(wholeGrid(grid), static_cast<int>(z),
                       [&](std::size_t i) { cells_[i] = side.ofAir(i, i - z * columns, z); });

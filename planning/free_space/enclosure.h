@@ -31,7 +31,7 @@ class Enclosure {
     void fill(const EnclosureInput& seen, const FloorPlan& plan);
 
     EnclosureRule rule_;
-    EnclosureClassifier election_;
+    EnclosureClassifier classifier_;
     std::vector<std::uint8_t> cells_;
 };
 

@@ -28,10 +28,10 @@ constexpr unsigned kFloorAndCeiling = kFloorBelow | kCeilingAbove;
 
 enum class CellEnclosure { Outside, Possible, Certain };
 
-CellEnclosure classify(EnclosureRule rule, bool roofed, std::uint8_t sight) {
-    const int hits = sight & kEnclosureHitsMask;
-    const bool floor = (sight & kFloorBelow) != 0;
-    const bool ceiling = (sight & kCeilingAbove) != 0;
+CellEnclosure classify(EnclosureRule rule, bool roofed, std::uint8_t ray_bits) {
+    const int hits = ray_bits & kEnclosureHitsMask;
+    const bool floor = (ray_bits & kFloorBelow) != 0;
+    const bool ceiling = (ray_bits & kCeilingAbove) != 0;
     bool certain = false;
     bool possible = false;
     switch (rule) {
@@ -101,10 +101,10 @@ void EnclosureClassifier::countRoof(const EnclosureInput& seen, const CellBox& b
         const int z = box.begin[2] + static_cast<int>(slice);
         auto& count = roof_[static_cast<std::size_t>(z)];
         seen.visitAir(box, z, [&](std::size_t i) {
-            if (classify(EnclosureRule::Walls, false, seen.sight[i]) != CellEnclosure::Certain)
+            if (classify(EnclosureRule::Walls, false, seen.ray_bits[i]) != CellEnclosure::Certain)
                 return;
             count[0] += sign;
-            if ((seen.sight[i] & kFloorAndCeiling) == kFloorAndCeiling) count[1] += sign;
+            if ((seen.ray_bits[i] & kFloorAndCeiling) == kFloorAndCeiling) count[1] += sign;
         });
     });
 }
@@ -129,13 +129,13 @@ void EnclosureClassifier::countCells(const EnclosureInput& seen, const FloorPlan
         seen.visitAir(box, z, [&](std::size_t i) {
             const int part = plan.part_of_column[i - first];
             if (part == kNoPart) return;
-            const CellEnclosure enclosure = classify(rule_, roofed_, seen.sight[i]);
+            const CellEnclosure enclosure = classify(rule_, roofed_, seen.ray_bits[i]);
             EnclosureCounts& count = counts[static_cast<std::size_t>(part)];
             count.air += sign;
             count.possible += enclosure != CellEnclosure::Outside ? sign : 0;
             count.certain += enclosure == CellEnclosure::Certain ? sign : 0;
-            count.covered += (seen.sight[i] & kFloorAndCeiling) != 0 ? sign : 0;
-            count.hits += sign * (seen.sight[i] & kEnclosureHitsMask);
+            count.covered += (seen.ray_bits[i] & kFloorAndCeiling) != 0 ? sign : 0;
+            count.hits += sign * (seen.ray_bits[i] & kEnclosureHitsMask);
         });
     });
 }

@@ -22,7 +22,7 @@ enum class EnclosureRule {
 struct EnclosureInput {
     const VoxelGrid& grid;
     const std::vector<std::uint8_t>& surfaces;  // CellSurface bits, by cell
-    const std::vector<std::uint8_t>& sight;     // result of castEnclosureRays(), by cell
+    const std::vector<std::uint8_t>& ray_bits;  // result of castEnclosureRays(), by cell
 
     /// Calls visit(index) for the cells without surface in one slice of the box, within the room
     /// bounds.

@@ -109,14 +109,14 @@ class Slice {
 /// Sets the bits for surfaces below and above: one pass up and one down through the columns of the
 /// box. The two bits must be 0 there.
 void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces,
-                   const CellBox& box, std::vector<std::uint8_t>& sight) {
+                   const CellBox& box, std::vector<std::uint8_t>& ray_bits) {
     parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
         const int y = box.begin[1] + static_cast<int>(row_in_box);
         std::vector<std::uint8_t> seen(static_cast<std::size_t>(box.size(0)));
         const auto pass = [&](int z, std::uint8_t bit) {
             const std::size_t row = grid.indexOf(box.begin[0], y, z);
             for (std::size_t x = 0; x < seen.size(); ++x) {
-                sight[row + x] = static_cast<std::uint8_t>(sight[row + x] | (seen[x] * bit));
+                ray_bits[row + x] = static_cast<std::uint8_t>(ray_bits[row + x] | (seen[x] * bit));
                 seen[x] |= static_cast<std::uint8_t>((surfaces[row + x] & kBuilding) / kBuilding);
             }
         };
@@ -153,7 +153,7 @@ std::uint8_t wallBits(const std::vector<std::uint8_t>& surfaces) {
 
 /// Counts the directions with walls in these slices. The bits of the count must be 0.
 void lookLevel(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces, std::uint8_t wall,
-               const std::vector<int>& slices, std::vector<std::uint8_t>& sight,
+               const std::vector<int>& slices, std::vector<std::uint8_t>& ray_bits,
                const JobContext& job) {
     parallelRanges(slices.size(), 1, [&](std::size_t begin, std::size_t end) {
         Slice slice(grid.count[0], grid.count[1]);
@@ -170,7 +170,7 @@ void lookLevel(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces,
             }
             slice.countHits();
             for (int y = 0; y < grid.count[1]; ++y) {
-                std::uint8_t* row = sight.data() + grid.rowOf(y, z);
+                std::uint8_t* row = ray_bits.data() + grid.rowOf(y, z);
                 const std::uint8_t* hits = slice.hits(y);
                 for (int x = 0; x < grid.count[0]; ++x) row[x] |= hits[x];
             }
@@ -214,12 +214,12 @@ std::vector<int> slicesAfter(const std::vector<CellBox>& changed, const VoxelGri
 std::vector<std::uint8_t> castEnclosureRays(const VoxelGrid& grid,
                                             const std::vector<std::uint8_t>& surfaces,
                                             const JobContext& job) {
-    std::vector<std::uint8_t> sight(grid.size(), 0);
-    lookUpAndDown(grid, surfaces, wholeGrid(grid), sight);
+    std::vector<std::uint8_t> ray_bits(grid.size(), 0);
+    lookUpAndDown(grid, surfaces, wholeGrid(grid), ray_bits);
     std::vector<int> slices(static_cast<std::size_t>(grid.count[2]));
     std::iota(slices.begin(), slices.end(), 0);
-    lookLevel(grid, surfaces, wallBits(surfaces), slices, sight, job);
-    return sight;
+    lookLevel(grid, surfaces, wallBits(surfaces), slices, ray_bits, job);
+    return ray_bits;
 }
 
 std::vector<std::uint8_t> updateEnclosureRays(const std::vector<std::uint8_t>& before,
@@ -228,8 +228,8 @@ std::vector<std::uint8_t> updateEnclosureRays(const std::vector<std::uint8_t>& b
                                               const std::vector<std::uint8_t>& surfaces,
                                               std::vector<CellBox>& changed,
                                               const JobContext& job) {
-    std::vector<std::uint8_t> sight = before;
-    if (changed.empty()) return sight;
+    std::vector<std::uint8_t> ray_bits = before;
+    if (changed.empty()) return ray_bits;
     const std::uint8_t wall = wallBits(surfaces);
     const std::vector<int> slices =
         slicesAfter(changed, grid, surfaces_before, wallBits(surfaces_before), surfaces, wall);
@@ -241,17 +241,17 @@ std::vector<std::uint8_t> updateEnclosureRays(const std::vector<std::uint8_t>& b
     }
     looked = apart(looked);
     for (const CellBox& columns : looked) {
-        clearBits(kFloorBelow | kCeilingAbove, columns, grid, sight);
-        lookUpAndDown(grid, surfaces, columns, sight);
+        clearBits(kFloorBelow | kCeilingAbove, columns, grid, ray_bits);
+        lookUpAndDown(grid, surfaces, columns, ray_bits);
     }
     for (const int z : slices) {
         const CellBox slice = {{0, 0, z}, {grid.count[0], grid.count[1], z + 1}};
-        clearBits(kEnclosureHitsMask, slice, grid, sight);
+        clearBits(kEnclosureHitsMask, slice, grid, ray_bits);
         looked.push_back(slice);
     }
-    lookLevel(grid, surfaces, wall, slices, sight, job);
+    lookLevel(grid, surfaces, wall, slices, ray_bits, job);
     changed = apart(looked);
-    return sight;
+    return ray_bits;
 }
 
 }  // namespace dollytrack::planning

@@ -25,14 +25,14 @@ struct SurfaceMap::Impl {
     VoxelGrid grid;
     SurfaceCells surfaces;
     std::vector<std::uint16_t> gaps;
-    std::vector<std::uint8_t> sight;
+    std::vector<std::uint8_t> ray_bits;
     FloorPlan plan;
     std::int64_t air = 0;
     std::mutex asked;
     std::array<std::unique_ptr<const Enclosure>, kEnclosureRules>
         enclosures;  // by rule; null until asked for
 
-    [[nodiscard]] EnclosureInput seen() const { return {grid, surfaces.cells, sight}; }
+    [[nodiscard]] EnclosureInput seen() const { return {grid, surfaces.cells, ray_bits}; }
 };
 
 SurfaceMap::SurfaceMap(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -82,7 +82,7 @@ Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& 
     impl->gaps = squaredGaps(grid, impl->surfaces.cells, job);
     if (job.cancelled()) return mappingCancelled();
     job.report(0.7);
-    impl->sight = castEnclosureRays(grid, impl->surfaces.cells, job);
+    impl->ray_bits = castEnclosureRays(grid, impl->surfaces.cells, job);
     if (job.cancelled()) return mappingCancelled();
     impl->plan = drawFloorPlan(grid, impl->surfaces.cells);
     impl->air = std::ranges::count(impl->surfaces.cells, std::uint8_t{0});
@@ -106,7 +106,8 @@ Result<SurfaceMap> SurfaceMap::afterMoves(const SurfaceMap& before, const Scene&
     impl->gaps = squaredGapsAfter(old.gaps, changed, grid, cells, job);
     if (job.cancelled()) return mappingCancelled();
     job.report(0.5);
-    impl->sight = updateEnclosureRays(old.sight, old.surfaces.cells, grid, cells, changed, job);
+    impl->ray_bits =
+        updateEnclosureRays(old.ray_bits, old.surfaces.cells, grid, cells, changed, job);
     if (job.cancelled()) return mappingCancelled();
     impl->plan = drawFloorPlan(grid, cells);
     impl->air = std::ranges::count(cells, std::uint8_t{0});
