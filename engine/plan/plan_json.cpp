@@ -120,7 +120,7 @@ json repairJson(const RepairReport& report) {
             {"threshold", report.threshold},
             {"before", tallyJson(report.before)},
             {"after", tallyJson(report.after)},
-            {"glances", report.glances},
+            {"glances", report.look_asides},
             {"replanned", report.replanned},
             {"dropped", report.dropped}};
 }

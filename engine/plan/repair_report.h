@@ -16,9 +16,9 @@ struct RepairReport {
     double threshold = 0.0;  // a frame below it is low
     ScoreTally before;
     ScoreTally after;
-    int glances = 0;    // segments with a look-aside view
-    int replanned = 0;  // segments that take a detour
-    int dropped = 0;    // frames left out
+    int look_asides = 0;  // segments with a look-aside view
+    int replanned = 0;    // segments that take a detour
+    int dropped = 0;      // frames left out
     bool operator==(const RepairReport&) const = default;
 };
 

@@ -316,7 +316,7 @@ Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
         best.scores = imageScores(best.trajectory, best.estimate.frame_boxes, context.weights);
     }
     report.after = tally(best.scores, context.threshold);
-    report.glances = countSegments(design.look_asides);
+    report.look_asides = countSegments(design.look_asides);
     report.replanned = static_cast<int>(rerouted.size());
     result.paths = std::move(design.paths);
     result.smooth_paths = std::move(best.smooth);

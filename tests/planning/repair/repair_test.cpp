@@ -83,7 +83,7 @@ TEST(Repair, LeavesFewerLowFramesAndLosesNothing) {
     EXPECT_EQ(after->repair.before, before->repair.after);
     EXPECT_LT(after->repair.after.low, after->repair.before.low);
     EXPECT_GE(after->repair.after.mean, after->repair.before.mean);
-    EXPECT_GT(after->repair.glances + after->repair.replanned, 0);
+    EXPECT_GT(after->repair.look_asides + after->repair.replanned, 0);
     // The reported count matches the frames' scores.
     EXPECT_EQ(after->repair.after.low, countLow(after->series.score, after->repair.threshold));
     ASSERT_EQ(before->captures.size(), after->captures.size());

@@ -74,8 +74,8 @@ void drawScores(const RepairReport& repair) {
     }
     row("Image score", text(repair.before) + " before repair", kMeaning);
     row("  repaired", text(repair.after),
-        fmt::format("{} look-aside views, {} detours, {} frames dropped, {} rounds", repair.glances,
-                    repair.replanned, repair.dropped, repair.rounds)
+        fmt::format("{} look-aside views, {} detours, {} frames dropped, {} rounds",
+                    repair.look_asides, repair.replanned, repair.dropped, repair.rounds)
             .c_str());
 }
 
