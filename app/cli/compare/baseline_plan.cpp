@@ -70,7 +70,7 @@ Result<PlannedScene> planWithBaseline(const std::string& name, const OpenedScene
         (*planner)->plan(*map, opened.params, opened.params.seed, job.stage(0.2, 0.8, "planning"));
     if (!motion) return tl::unexpected<Error>(std::move(motion.error()));
     const auto measured =
-        planning::measurePlannedMotion(*map, *motion, job.stage(0.8, 1.0, "judging"));
+        planning::measurePlannedMotion(*map, *motion, job.stage(0.8, 1.0, "metrics"));
     if (!measured) return tl::unexpected<Error>(measured.error());
     PlannedScene planned;
     planned.scene = opened.scene;
@@ -95,7 +95,7 @@ Result<nlohmann::json> evaluateTrajectory(const OpenedScene& opened, const Traje
     planning::PlannedMotion motion;
     motion.trajectory = trajectory;
     const auto measured =
-        planning::measurePlannedMotion(*map, motion, job.stage(0.4, 1.0, "judging"));
+        planning::measurePlannedMotion(*map, motion, job.stage(0.4, 1.0, "metrics"));
     if (!measured) return tl::unexpected<Error>(measured.error());
     nlohmann::json metrics = plannerMetricsJson(*measured, "given");
     metrics.erase("planner");

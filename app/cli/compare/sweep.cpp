@@ -188,7 +188,7 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
         }
         if (!motion) return tl::unexpected<Error>(motion.error());
         const auto measured = planning::measurePlannedMotion(
-            *mapped_, *motion, job.stage(share(0.5), share(1.0), "judging"));
+            *mapped_, *motion, job.stage(share(0.5), share(1.0), "metrics"));
         if (!measured) return tl::unexpected<Error>(measured.error());
         point.metrics = planning::toRow(*measured);
         points.push_back(std::move(point));
