@@ -300,7 +300,7 @@ json resultJson(const Scene& scene, const Plan& plan) {
                                                 {"position", vectorJson(point.position)},
                                                 {"direction", vectorJson(point.direction)},
                                                 {"objects", names(scene, point.objects)},
-                                                {"carrier", point.carrier}});
+                                                {"carrier", point.supporter}});
     }
     for (const PositionPoint& point : plan.position_points) {
         json one = poseJson(point.pose);

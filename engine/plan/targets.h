@@ -10,7 +10,7 @@ namespace dollytrack {
 /// How an observation point came about (paper, 3.2.1 and 3.2.2).
 enum class TargetKind {
     Single,      // one object by itself, seen from its front
-    Support,     // small objects standing on a larger one, seen from above their carrier
+    Support,     // small objects standing on a larger one, seen from above
     Suspension,  // a small object hanging on a wall or on a larger object
     Shelf,       // small objects inside a larger one, seen through its open side
 };
@@ -23,7 +23,7 @@ struct ObservationPoint {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();    // m, world
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  // unit, from the target to the camera
     std::vector<int> objects;                              // ids of those it stands for
-    int carrier = 0;  // id of what they stand on or hang at; 0: none or structure
+    int supporter = 0;  // id of the object that they stand on or hang on; 0: none or structure
 
     bool operator==(const ObservationPoint&) const = default;
 };

@@ -31,29 +31,29 @@ Eigen::Vector3d turned(const Eigen::Vector3d& direction, const ViewpointParams& 
     return {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
 }
 
-/// Direction R before the offsets: mean direction from the carrier to its objects, the carrier's
-/// normal, or the object's front.
-Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<SupportRelation>& carriages,
+/// Direction R before the offsets: mean direction from the supporter to its objects, the
+/// supporter's normal, or the object's front.
+Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<SupportRelation>& supports,
                                  const std::vector<int>& objects) {
-    const SupportRelation& first = carriages[static_cast<std::size_t>(objects.front()) - 1];
+    const SupportRelation& first = supports[static_cast<std::size_t>(objects.front()) - 1];
     if (first.kind == TargetKind::Suspension || first.kind == TargetKind::Shelf) {
         return first.outward;
     }
     if (first.kind == TargetKind::Single) return scene.object(objects.front()).front;
-    const Object& carrier = scene.object(first.carrier);
+    const Object& supporter = scene.object(first.supporter);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int id : objects) sum += scene.object(id).box.center - carrier.box.center;
-    // Add the front of the carrier, so that objects at the back edge of one at a wall do not turn
+    for (const int id : objects) sum += scene.object(id).box.center - supporter.box.center;
+    // Add the front of the supporter, so that objects at the back edge of one at a wall do not turn
     // the view into the wall.
     const Eigen::Vector3d mean = sum / static_cast<double>(objects.size());
-    return mean + mean.norm() * carrier.front;
+    return mean + mean.norm() * supporter.front;
 }
 
 class Grouping {
   public:
-    Grouping(const ViewEstimator& views, const std::vector<SupportRelation>& carriages,
+    Grouping(const ViewEstimator& views, const std::vector<SupportRelation>& supports,
              const ViewpointParams& params)
-        : views_(views), carriages_(carriages), params_(params) {}
+        : views_(views), supports_(supports), params_(params) {}
 
     /// Adds the objects as one observation point if one view can hold them, else in halves.
     void add(std::vector<int> objects) {
@@ -79,13 +79,13 @@ class Grouping {
 
   private:
     [[nodiscard]] ObservationPoint make(const std::vector<int>& objects) const {
-        const SupportRelation& carriage = carriages_[static_cast<std::size_t>(objects.front()) - 1];
+        const SupportRelation& support = supports_[static_cast<std::size_t>(objects.front()) - 1];
         ObservationPoint point;
-        point.kind = carriage.kind;
-        point.carrier = carriage.carrier;
+        point.kind = support.kind;
+        point.supporter = support.supporter;
         point.objects = objects;
         point.position = makeSubject(views_, objects).center;
-        point.direction = turned(viewingDirection(views_.scene(), carriages_, objects), params_);
+        point.direction = turned(viewingDirection(views_.scene(), supports_, objects), params_);
         return point;
     }
 
@@ -109,7 +109,7 @@ class Grouping {
     }
 
     const ViewEstimator& views_;
-    const std::vector<SupportRelation>& carriages_;
+    const std::vector<SupportRelation>& supports_;
     const ViewpointParams& params_;
 };
 
@@ -119,27 +119,27 @@ std::vector<ObservationPoint> setObservationPoints(const ViewEstimator& views,
                                                    const TargetParams& targets,
                                                    const ViewpointParams& viewpoints) {
     const Scene& scene = views.scene();
-    const std::vector<SupportRelation> carriages = findSupports(scene, views.rays(), targets);
+    const std::vector<SupportRelation> supports = findSupports(scene, views.rays(), targets);
 
-    // Members of a group share carrier and kind; in a shelf also the open side and the board.
+    // Members of a group share supporter and kind; in a shelf also the open side and the board.
     std::map<std::tuple<int, TargetKind, int, int, int>, std::vector<int>> groups;
     for (const Object& object : scene.objects) {
         if (object.role != Role::Target) continue;
-        const SupportRelation& carriage = carriages[static_cast<std::size_t>(object.id) - 1];
+        const SupportRelation& support = supports[static_cast<std::size_t>(object.id) - 1];
         int side = 0;
         int board = 0;
-        if (carriage.kind == TargetKind::Shelf) {
-            const double angle = std::atan2(carriage.outward.y(), carriage.outward.x());
+        if (support.kind == TargetKind::Shelf) {
+            const double angle = std::atan2(support.outward.y(), support.outward.x());
             side = static_cast<int>(std::lround(angle / (0.5 * std::numbers::pi)));
             const double bottom = object.box.center.z() - object.box.half_size.z();
             board = static_cast<int>(std::lround(bottom / 0.1));
         }
         const bool shares =
-            carriage.kind == TargetKind::Support || carriage.kind == TargetKind::Shelf;
-        groups[{carriage.carrier, carriage.kind, shares ? 0 : object.id, side, board}].push_back(
+            support.kind == TargetKind::Support || support.kind == TargetKind::Shelf;
+        groups[{support.supporter, support.kind, shares ? 0 : object.id, side, board}].push_back(
             object.id);
     }
-    Grouping grouping(views, carriages, viewpoints);
+    Grouping grouping(views, supports, viewpoints);
     for (auto& [key, objects] : groups) grouping.add(std::move(objects));
     return std::move(grouping.points);
 }

@@ -74,26 +74,26 @@ int restsOn(const Scene& scene, const RayCaster& rays, const Object& object) {
     return best;
 }
 
-/// Whether the carrier also covers the object from above, as the next board of a shelf does.
+/// Whether the supporter also covers the object from above, as the next board of a shelf does.
 bool isCovered(const Scene& scene, const RayCaster& rays, const Object& object,
-               const Object& carrier) {
-    const double top = carrier.box.center.z() + carrier.box.half_size.z();
+               const Object& supporter) {
+    const double top = supporter.box.center.z() + supporter.box.half_size.z();
     if (object.centroid.z() >= top) return false;
     const auto hit = castPast(scene, rays, object.id, object.box.center, Eigen::Vector3d::UnitZ(),
                               top - object.box.center.z() + kTouch);
-    return hit && hit->object_id == carrier.id;
+    return hit && hit->object_id == supporter.id;
 }
 
-/// The horizontal direction with the longest free view out of the carrier.
+/// The horizontal direction with the longest free view out of the supporter.
 Eigen::Vector3d openSide(const Scene& scene, const RayCaster& rays, const Object& object,
-                         const Object& carrier) {
+                         const Object& supporter) {
     double longest = -1.0;
-    Eigen::Vector3d best = carrier.front;
+    Eigen::Vector3d best = supporter.front;
     for (int i = 0; i < 4; ++i) {
-        const double angle = carrier.box.yaw + i * 0.5 * std::numbers::pi;
+        const double angle = supporter.box.yaw + i * 0.5 * std::numbers::pi;
         const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
         const auto hit = castPast(scene, rays, object.id, object.box.center, direction, 10.0);
-        const double reach = (hit ? hit->distance : 10.0) + 0.2 * direction.dot(carrier.front);
+        const double reach = (hit ? hit->distance : 10.0) + 0.2 * direction.dot(supporter.front);
         if (reach <= longest) continue;
         longest = reach;
         best = direction;
@@ -131,47 +131,47 @@ int hangsFrom(const Scene& scene, const RayCaster& rays, const Object& object) {
     return hit ? hit->object_id : 0;
 }
 
-SupportRelation findCarrier(const Scene& scene, const RayCaster& rays, const TargetParams& params,
+SupportRelation findSupport(const Scene& scene, const RayCaster& rays, const TargetParams& params,
                             const Object& object) {
-    SupportRelation carriage;
-    carriage.small =
+    SupportRelation support;
+    support.small =
         object.size_given ? !object.large : object.box.volume() < params.small_volume_m3;
     if (const int below = restsOn(scene, rays, object); below != 0) {
-        carriage.holder = below;
-        const Object& carrier = scene.object(below);
-        if (carrier.structure) return carriage;  // stands on the floor
+        support.holder = below;
+        const Object& supporter = scene.object(below);
+        if (supporter.structure) return support;  // stands on the floor
         const bool much_smaller =
-            !object.size_given && carrier.box.volume() > params.size_ratio * object.box.volume();
-        if (!carriage.small && !much_smaller) return carriage;
-        carriage.small = true;
-        carriage.carrier = below;
-        carriage.kind =
-            isCovered(scene, rays, object, carrier) ? TargetKind::Shelf : TargetKind::Support;
-        if (carriage.kind == TargetKind::Shelf)
-            carriage.outward = openSide(scene, rays, object, carrier);
-        return carriage;
+            !object.size_given && supporter.box.volume() > params.size_ratio * object.box.volume();
+        if (!support.small && !much_smaller) return support;
+        support.small = true;
+        support.supporter = below;
+        support.kind =
+            isCovered(scene, rays, object, supporter) ? TargetKind::Shelf : TargetKind::Support;
+        if (support.kind == TargetKind::Shelf)
+            support.outward = openSide(scene, rays, object, supporter);
+        return support;
     }
     const auto side = hangsAt(scene, rays, object);
-    carriage.holder = side ? side->first : hangsFrom(scene, rays, object);
-    carriage.hangs = carriage.holder != 0;
-    if (side && carriage.small) {
-        carriage.kind = TargetKind::Suspension;
-        carriage.carrier = side->first;
-        carriage.outward = side->second;
+    support.holder = side ? side->first : hangsFrom(scene, rays, object);
+    support.hangs = support.holder != 0;
+    if (side && support.small) {
+        support.kind = TargetKind::Suspension;
+        support.supporter = side->first;
+        support.outward = side->second;
     }
-    return carriage;
+    return support;
 }
 
 }  // namespace
 
 std::vector<SupportRelation> findSupports(const Scene& scene, const RayCaster& rays,
                                           const TargetParams& params) {
-    std::vector<SupportRelation> carriages(scene.objects.size());
+    std::vector<SupportRelation> supports(scene.objects.size());
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         if (scene.objects[i].role != Role::Target) return;
-        carriages[i] = findCarrier(scene, rays, params, scene.objects[i]);
+        supports[i] = findSupport(scene, rays, params, scene.objects[i]);
     });
-    return carriages;
+    return supports;
 }
 
 }  // namespace dollytrack::planning

@@ -18,9 +18,9 @@ struct TargetParams;
 /// The supporting surface of an object, and how it supports it.
 struct SupportRelation {
     TargetKind kind = TargetKind::Single;
-    int carrier = 0;  // id of the supporting object; structure only with Suspension; 0: none
-    Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // Suspension: away from the carrier; Shelf:
-                                                        // towards the open side; else zero
+    int supporter = 0;  // id of the supporting object; structure only with Suspension; 0: none
+    Eigen::Vector3d outward = Eigen::Vector3d::Zero();  // Suspension: away from the supporter;
+                                                        // Shelf: towards the open side; else zero
     bool small = false;
     /// Id of the object that it stands on or hangs from, whatever its size, structure included; 0:
     /// none within 6 cm.

@@ -47,7 +47,7 @@ class SelectionPanelTest : public testing::Test {
         on_table.kind = TargetKind::Support;
         on_table.position = scene.object(mug).box.center;
         on_table.objects = {mug, book};
-        on_table.carrier = table;
+        on_table.supporter = table;
         plan.observation_points = {on_sofa, on_table};
         plan.searches.resize(2);
         plan.searches[0].candidates = {candidate(Verdict::Legal, 0.95)};

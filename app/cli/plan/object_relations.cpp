@@ -9,9 +9,9 @@
 namespace dollytrack::cli {
 namespace {
 
-const char* wordFor(const planning::SupportRelation& carriage) {
-    if (carriage.hangs) return "hangs_on";
-    return carriage.kind == TargetKind::Shelf ? "in" : "on";
+const char* wordFor(const planning::SupportRelation& support) {
+    if (support.hangs) return "hangs_on";
+    return support.kind == TargetKind::Shelf ? "in" : "on";
 }
 
 const char* wordFor(const std::string& relation) {
@@ -23,12 +23,12 @@ const char* wordFor(const std::string& relation) {
 
 std::vector<render::ObjectRelation> relationsOf(const Scene& scene, const RayCaster& rays,
                                                 const planning::TargetParams& params) {
-    const std::vector<planning::SupportRelation> carriages =
+    const std::vector<planning::SupportRelation> supports =
         planning::findSupports(scene, rays, params);
     std::vector<render::ObjectRelation> relations;
-    for (std::size_t i = 0; i < carriages.size(); ++i) {
-        if (carriages[i].holder == 0) continue;
-        relations.push_back({scene.objects[i].id, wordFor(carriages[i]), carriages[i].holder});
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+        if (supports[i].holder == 0) continue;
+        relations.push_back({scene.objects[i].id, wordFor(supports[i]), supports[i].holder});
     }
     return relations;
 }

@@ -12,11 +12,11 @@
 namespace dollytrack::planning {
 namespace {
 
-SupportRelation carriageOf(const Scene& scene, const std::string& name) {
+SupportRelation supportOf(const Scene& scene, const std::string& name) {
     const RayCaster rays(scene);
-    const auto carriages = findSupports(scene, rays, {});
+    const auto supports = findSupports(scene, rays, {});
     for (const Object& object : scene.objects) {
-        if (object.name == name) return carriages[static_cast<std::size_t>(object.id) - 1];
+        if (object.name == name) return supports[static_cast<std::size_t>(object.id) - 1];
     }
     ADD_FAILURE() << "no object " << name;
     return {};
@@ -24,40 +24,40 @@ SupportRelation carriageOf(const Scene& scene, const std::string& name) {
 
 }  // namespace
 
-TEST(Carriers, AMugOnATableIsSupportedByIt) {
+TEST(Supports, AMugOnATableIsSupportedByIt) {
     const Scene scene = test::furnishedRoom();
-    const SupportRelation mug = carriageOf(scene, "mug");
+    const SupportRelation mug = supportOf(scene, "mug");
     EXPECT_EQ(mug.kind, TargetKind::Support);
-    EXPECT_EQ(scene.object(mug.carrier).name, "table");
-    EXPECT_EQ(carriageOf(scene, "sofa").kind, TargetKind::Single);
+    EXPECT_EQ(scene.object(mug.supporter).name, "table");
+    EXPECT_EQ(supportOf(scene, "sofa").kind, TargetKind::Single);
 }
 
-TEST(Carriers, APictureHangsAtItsWallAndFacesTheRoom) {
+TEST(Supports, APictureHangsAtItsWallAndFacesTheRoom) {
     const Scene scene = test::furnishedRoom();
-    const SupportRelation picture = carriageOf(scene, "picture");
+    const SupportRelation picture = supportOf(scene, "picture");
     EXPECT_EQ(picture.kind, TargetKind::Suspension);
-    EXPECT_EQ(scene.object(picture.carrier).name, "wall_north");
+    EXPECT_EQ(scene.object(picture.supporter).name, "wall_north");
     EXPECT_LT(picture.outward.y(), -0.99);
 }
 
-TEST(Carriers, WhatIsCarriedByTheBuildingIsHeldByItAllTheSame) {
+TEST(Supports, WhatIsCarriedByTheBuildingIsHeldByItAllTheSame) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});
     builder.object("sofa").box({1, 1, 0.4}, {1.8, 0.9, 0.8});
     builder.object("lamp").box({2, 2, 2.3}, {0.2, 0.2, 0.58});  // below the ceiling
     builder.object("balloon").box({3, 1, 1.2}, {0.3, 0.3, 0.3});
     const Scene scene = builder.build();
-    const SupportRelation sofa = carriageOf(scene, "sofa");
+    const SupportRelation sofa = supportOf(scene, "sofa");
     EXPECT_EQ(scene.object(sofa.holder).name, "floor");
     EXPECT_FALSE(sofa.hangs);
-    EXPECT_EQ(sofa.carrier, 0) << "the floor makes no point of its own";
-    const SupportRelation lamp = carriageOf(scene, "lamp");
+    EXPECT_EQ(sofa.supporter, 0) << "the floor makes no point of its own";
+    const SupportRelation lamp = supportOf(scene, "lamp");
     EXPECT_EQ(scene.object(lamp.holder).name, "ceiling");
     EXPECT_TRUE(lamp.hangs);
-    EXPECT_EQ(carriageOf(scene, "balloon").holder, 0);
+    EXPECT_EQ(supportOf(scene, "balloon").holder, 0);
 }
 
-TEST(Carriers, AThingBetweenBoardsIsSeenThroughTheOpenSide) {
+TEST(Supports, AThingBetweenBoardsIsSeenThroughTheOpenSide) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});
     builder.object("shelf")
@@ -68,22 +68,22 @@ TEST(Carriers, AThingBetweenBoardsIsSeenThroughTheOpenSide) {
         .box({2.5, 2.80, 1.0}, {0.02, 0.36, 2.0});
     builder.object("vase").box({2.0, 2.80, 0.61}, {0.1, 0.1, 0.2});
     const Scene scene = builder.build();
-    const SupportRelation vase = carriageOf(scene, "vase");
+    const SupportRelation vase = supportOf(scene, "vase");
     EXPECT_EQ(vase.kind, TargetKind::Shelf);
-    EXPECT_EQ(scene.object(vase.carrier).name, "shelf");
+    EXPECT_EQ(scene.object(vase.supporter).name, "shelf");
     EXPECT_LT(vase.outward.y(), -0.99);
 }
 
 // A cup in a small cupboard on the wall: the cup must not be taken for a wall.
-TEST(Carriers, WhatLiesInsideHoldsNothingUp) {
+TEST(Supports, WhatLiesInsideHoldsNothingUp) {
     test::SceneBuilder builder;
     builder.room({0, 0, 0}, {4, 3, 2.6});
     builder.object("cupboard").box({2.0, 2.88, 1.6}, {0.4, 0.22, 0.4});
     builder.object("cup").box({2.0, 2.88, 1.6}, {0.08, 0.08, 0.1});
     const Scene scene = builder.build();
-    const SupportRelation cupboard = carriageOf(scene, "cupboard");
+    const SupportRelation cupboard = supportOf(scene, "cupboard");
     EXPECT_EQ(cupboard.kind, TargetKind::Suspension);
-    EXPECT_EQ(scene.object(cupboard.carrier).name, "wall_north");
+    EXPECT_EQ(scene.object(cupboard.supporter).name, "wall_north");
 }
 
 TEST(ObservationPoints, EveryTargetOfACrowdedTableIsInExactlyOne) {

@@ -156,10 +156,10 @@ void drawObservationPoint(const SelectionView& view, SelectionActions& actions) 
         if (auto clicked = objectLinks(*view.scene, point.objects, "selection.object")) {
             actions.select = clicked;
         }
-        if (point.carrier != 0) {
+        if (point.supporter != 0) {
             formLine("Supported by");
-            if (link(objectName(*view.scene, point.carrier), "selection.carrier")) {
-                actions.select = Selection::ofObject(point.carrier);
+            if (link(objectName(*view.scene, point.supporter), "selection.carrier")) {
+                actions.select = Selection::ofObject(point.supporter);
             }
         }
         formText("Place", placeText(point.position) + " m");
