@@ -52,8 +52,8 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.paths = repair->paths;
     plan.smooth_paths = repair->smooth_paths;
     plan.trajectory = repair->trajectory;
-    if (asks) plan.tour_rooms = asked->tour_rooms;
-    if (asks) plan.anchors = countAnchors(*asked, plan.smooth_paths);
+    if (has_constraints) plan.tour_rooms = constraints->tour_rooms;
+    if (has_constraints) plan.anchors = countAnchors(*constraints, plan.smooth_paths);
     plan.refused_pins = points().refused;
     plan.stages = times;
     for (const StageTime& stage : times) {

@@ -59,7 +59,7 @@ struct Pipeline::Stages {
     Stage<ViewpointInputs, Viewpoints> found;
     Stage<PlacedInputs, PlacedPoints> placed;
     Stage<RoomInputs, RoomPlan> rooms;
-    Stage<ConstraintInputs, ConstraintViewpoints> asked;
+    Stage<ConstraintInputs, ConstraintViewpoints> constraints;
     Stage<KeyFrameInputs, std::vector<int>> key_frames;
     Stage<RoadmapInputs, Roadmap> roadmap;
     Stage<LinkingInputs, Roadmap> linking;
@@ -70,12 +70,14 @@ struct Pipeline::Stages {
     Stage<RepairInputs, RepairedTrajectory> repair;
     Stage<MetricInputs, Metrics> metrics;
 
-    // Whether the last run needed constraint viewpoints, so that `asked` is valid.
-    bool asks = false;
-    [[nodiscard]] const PlacedPoints& points() const { return asks ? asked->placed : *placed; }
+    // Whether the last run needed constraint viewpoints, so that `constraints` is valid.
+    bool has_constraints = false;
+    [[nodiscard]] const PlacedPoints& points() const {
+        return has_constraints ? constraints->placed : *placed;
+    }
     /// Version of points(); differs whenever the points do.
     [[nodiscard]] StageVersion pointsVersion() const {
-        return asks ? 2 * asked.version() + 1 : 2 * placed.version();
+        return has_constraints ? 2 * constraints.version() + 1 : 2 * placed.version();
     }
 
     PlanCache memory;

@@ -173,14 +173,14 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
     ConstraintInputs inputs{stages_.placed.version(), stages_.rooms.version(),
                             mustSeeAmong(edits_.regions), params_.constraints.anchors,
                             params_.constraints.rooms};
-    stages_.asks = rooms || !inputs.must_see.empty() || room_views || surface;
-    if (!stages_.asks) return {};
+    stages_.has_constraints = rooms || !inputs.must_see.empty() || room_views || surface;
+    if (!stages_.has_constraints) return {};
     if (room_views) inputs.gaze = params_.gaze;
     if (room_views) inputs.seed = params_.seed;
     if (room_views || surface) inputs.max_frames = params_.timing.max_frames;
     if (surface) inputs.coverage = params_.coverage;
     const JobContext job = job_.stage(0.69, 0.7, "constraints");
-    return stages_.run("constraints", stages_.asked, inputs, job, [&] {
+    return stages_.run("constraints", stages_.constraints, inputs, job, [&] {
         return addConstraintViewpoints(*stages_.placed, inputs.must_see, params_,
                                        rooms ? &*stages_.rooms : nullptr, environment_,
                                        &stages_.memory.shown, job);
@@ -373,12 +373,12 @@ Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const 
 
 Result<Pipeline::Stages::Coverages> Pipeline::Stages::PlanRun::measureCoverages(
     const JobContext& job) const {
-    if (!stages_.asks) return Coverages{};
+    if (!stages_.has_constraints) return Coverages{};
     const Trajectory& trajectory = stages_.repair->trajectory;
-    return measureCoverage(stages_.asked->must_see, *stages_.views, trajectory, job)
+    return measureCoverage(stages_.constraints->must_see, *stages_.views, trajectory, job)
         .and_then([&](std::vector<RegionCoverage>&& must_see) -> Result<Coverages> {
-            if (!stages_.asked->surface) return Coverages{std::move(must_see), {}};
-            return measureSurface(*stages_.asked->surface, *stages_.views, trajectory, job)
+            if (!stages_.constraints->surface) return Coverages{std::move(must_see), {}};
+            return measureSurface(*stages_.constraints->surface, *stages_.views, trajectory, job)
                 .map([&](const SurfaceShare& surface) {
                     return Coverages{std::move(must_see), surface};
                 });

@@ -72,16 +72,16 @@ std::string nameOf(Anchors kind) {
 
 }  // namespace
 
-std::vector<AnchorTally> countAnchors(const ConstraintViewpoints& asked,
+std::vector<AnchorTally> countAnchors(const ConstraintViewpoints& viewpoints_of_constraints,
                                       const std::vector<SmoothPath>& paths) {
     std::set<int> on_the_way;
     for (const SmoothPath& path : paths) {
         for (const SmoothPath::Key& key : path.keys) on_the_way.insert(key.position_point);
     }
     std::vector<AnchorTally> tallies;
-    for (const Anchors kind : anchorKinds(asked.anchors)) {
+    for (const Anchors kind : anchorKinds(viewpoints_of_constraints.anchors)) {
         AnchorTally tally{nameOf(kind)};
-        for (const AnchorViewpoints& anchor : asked.found_anchors) {
+        for (const AnchorViewpoints& anchor : viewpoints_of_constraints.found_anchors) {
             if (anchor.kind != kind) continue;
             ++tally.found;
             tally.visited += std::any_of(anchor.points.begin(), anchor.points.end(),
@@ -105,16 +105,16 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
                                                      const PlanningEnvironment& environment,
                                                      VisibilityCache* memo, const JobContext& job) {
     const ConstraintParams& constraints = params.constraints;
-    ConstraintViewpoints asked;
-    asked.placed = placed;
-    Viewpoints& viewpoints = asked.placed.viewpoints;
+    ConstraintViewpoints result;
+    result.placed = placed;
+    Viewpoints& viewpoints = result.placed.viewpoints;
     std::vector<PositionPoint>& points = viewpoints.position_points;
     const std::size_t before = points.size();
     if (rooms != nullptr) {
-        asked.anchors = constraints.anchors;
+        result.anchors = constraints.anchors;
         for (const AnchorViews& anchor : anchorViews(*rooms, constraints.anchors, environment)) {
             AnchorViewpoints& found =
-                asked.found_anchors.emplace_back(AnchorViewpoints{anchor.kind, {}});
+                result.found_anchors.emplace_back(AnchorViewpoints{anchor.kind, {}});
             for (const Pose& view : anchor.views) {
                 found.points.push_back(static_cast<int>(points.size()));
                 addFixedPoint(view, environment, viewpoints);
@@ -126,8 +126,8 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
                                       : chooseKeyFrames(points, {}, params.coverage.objective);
     auto found = findMustSee(environment, must_see, viewsOf(points, keys), job);
     if (!found) return tl::unexpected<Error>(std::move(found.error()));
-    asked.must_see = std::move(*found);
-    for (const MustSee& region : asked.must_see) {
+    result.must_see = std::move(*found);
+    for (const MustSee& region : result.must_see) {
         for (const int kept : region.kept) {
             // Larger indices are views of earlier regions, which are fixed already.
             if (static_cast<std::size_t>(kept) < keys.size()) {
@@ -141,11 +141,11 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
     if (asksForSurface(params)) {
         auto goal = addSurfaceViews(params, environment, viewpoints, job);
         if (!goal) return tl::unexpected<Error>(std::move(goal.error()));
-        asked.surface = std::move(*goal);
+        result.surface = std::move(*goal);
     }
     if (constraints.rooms == RoomTours::Each) {
         for (const PlanRoom& room : rooms->rooms()) {
-            asked.tour_rooms.push_back({room.name, room.box});
+            result.tour_rooms.push_back({room.name, room.box});
         }
         for (PositionPoint& point : points) point.room = rooms->roomAt(point.pose.position);
     }
@@ -155,7 +155,7 @@ Result<ConstraintViewpoints> addConstraintViewpoints(const PlacedPoints& placed,
         const auto target = static_cast<std::size_t>(points[i].observation_point);
         viewpoints.observation_points[target].objects = points[i].captured;
     }
-    return asked;
+    return result;
 }
 
 }  // namespace dollytrack::planning

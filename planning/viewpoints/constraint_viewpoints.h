@@ -34,7 +34,7 @@ struct ConstraintViewpoints {
 };
 
 /// For each wanted kind, the number of anchors found, and how many have a viewpoint on the paths.
-std::vector<AnchorTally> countAnchors(const ConstraintViewpoints& asked,
+std::vector<AnchorTally> countAnchors(const ConstraintViewpoints& viewpoints_of_constraints,
                                       const std::vector<SmoothPath>& paths);
 
 /// Whether the constraints need a RoomPlan.
