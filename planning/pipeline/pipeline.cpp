@@ -88,7 +88,7 @@ void Pipeline::setScene(std::shared_ptr<const Scene> scene, bool same_geometry) 
     if (!moved) {
         stages_ = std::make_unique<Stages>();
     } else {
-        stages_->memory.noteMoves(before, *scene, *moved, stages_->rays.share(), stages_->mapped());
+        stages_->cache.noteMoves(before, *scene, *moved, stages_->rays.share(), stages_->mapped());
         if (!moved->empty()) ++stages_->geometry_version;
     }
     stages_->scene = std::move(scene);

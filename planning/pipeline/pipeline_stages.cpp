@@ -28,14 +28,14 @@ std::vector<int> structureClasses(const Scene& scene) {
 Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
                              const JobContext& job) {
     return run("rays", rays, RayInputs{geometry_version}, job.stage(0.0, 0.1, "rays"),
-               [&]() -> Result<RayCaster> { return memory.cast(*scene); })
+               [&]() -> Result<RayCaster> { return cache.cast(*scene); })
         .and_then([&] {
             const JobContext part = job.stage(0.1, 0.2, "surfaces");
             const auto before = surfaces.share();
             return run("surfaces", surfaces,
                        SurfaceInputs{geometry_version, params.free_space.octree_resolution_m}, part,
                        [&] {
-                           const std::vector<int> moved = memory.takeMovedSinceSurfaces();
+                           const std::vector<int> moved = cache.takeMovedSinceSurfaces();
                            return before ? SurfaceMap::afterMoves(*before, *scene, moved,
                                                                   params.free_space, part)
                                          : SurfaceMap::build(*scene, params.free_space, part);
@@ -47,7 +47,7 @@ Status Pipeline::Stages::map(const PlanParams& params, const PlanEdits& edits,
             return run("free_space", free_space,
                        FreeSpaceInputs{surfaces.version(), params.camera.camera_radius_m}, part,
                        [&] {
-                           const std::vector<int> moved = memory.takeMovedSinceFreeSpace();
+                           const std::vector<int> moved = cache.takeMovedSinceFreeSpace();
                            return before ? FreeSpace::afterMoves(*before, surfaces.share(), moved,
                                                                  *scene, *rays, params.camera, part)
                                          : FreeSpace::buildOver(surfaces.share(), *scene, *rays,

@@ -80,7 +80,7 @@ struct Pipeline::Stages {
         return has_constraints ? 2 * constraints.version() + 1 : 2 * placed.version();
     }
 
-    PlanCache memory;
+    PlanCache cache;
     std::vector<StageTime> times;
     ExclusionReasons exclusion_reasons;  // reasons for the last run's parameters
 

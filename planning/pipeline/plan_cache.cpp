@@ -19,7 +19,7 @@ bool haveSameRoles(const Scene& a, const Scene& b) {
 
 void PlanCache::noteMoves(const Scene& before, const Scene& now, const std::vector<int>& moved,
                           std::shared_ptr<const RayCaster> rays, const CurrentMap& map) {
-    if (!haveSameRoles(before, now)) shown_with_.reset();
+    if (!haveSameRoles(before, now)) views_camera_.reset();
     if (moved.empty()) return;
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const int id : moved) {
@@ -38,7 +38,7 @@ void PlanCache::noteMoves(const Scene& before, const Scene& now, const std::vect
         since->swap(all);
     }
     moved_since_searched_.add(moved, boxes);
-    moved_since_shown_.add(moved, boxes);
+    moved_since_views_.add(moved, boxes);
 }
 
 RayCaster PlanCache::cast(const Scene& scene) {
@@ -72,20 +72,20 @@ void PlanCache::refreshSearches(const CurrentMap& map, const SearchInputs& input
     moved_since_searched_.clear();
 }
 
-void PlanCache::refreshShown(unsigned views_version, const CameraParams& camera,
+void PlanCache::refreshViews(unsigned views_version, const CameraParams& camera,
                              const ViewEstimator& views) {
-    if (shown_in_ != views_version) {
-        if (shown_with_ != camera || moved_since_shown_.empty()) {
-            shown.clear();
-            seen.clear();
+    if (views_version_ != views_version) {
+        if (views_camera_ != camera || moved_since_views_.empty()) {
+            key_frame_visibility.clear();
+            frame_views.clear();
         } else {
-            shown.forget(moved_since_shown_, views);
-            seen.forget(moved_since_shown_, views);
+            key_frame_visibility.forget(moved_since_views_, views);
+            frame_views.forget(moved_since_views_, views);
         }
     }
-    shown_in_ = views_version;
-    shown_with_ = camera;
-    moved_since_shown_.clear();
+    views_version_ = views_version;
+    views_camera_ = camera;
+    moved_since_views_.clear();
 }
 
 }  // namespace dollytrack::planning

@@ -45,10 +45,11 @@ struct SearchInputs {
 /// that uses the rest gives exactly the plan made from scratch. Runs may be cancelled at any time.
 class PlanCache {
   public:
-    /// Valid after refreshSearches() (`searches`) or refreshShown() (`shown`, `seen`).
+    /// Valid after refreshSearches() (`searches`) or refreshViews() (`key_frame_visibility`,
+    /// `frame_views`).
     SearchCache searches;
-    VisibilityCache shown;
-    ViewCache seen;
+    VisibilityCache key_frame_visibility;
+    ViewCache frame_views;
 
     /// Records a new scene with the same objects, of which `moved` (ids, ascending; may be empty)
     /// changed their pose. `rays` and `map` are those of the scene before.
@@ -71,14 +72,14 @@ class PlanCache {
     void refreshSearches(const CurrentMap& map, const SearchInputs& inputs);
 
     /// Drops cached views that are not valid for the current views.
-    void refreshShown(unsigned views_version, const CameraParams& camera,
+    void refreshViews(unsigned views_version, const CameraParams& camera,
                       const ViewEstimator& views);
 
   private:
     std::pair<unsigned, unsigned> searched_in_;  // versions of free space and region
     std::optional<SearchInputs> searched_with_;
-    unsigned shown_in_ = 0;  // version of the views
-    std::optional<CameraParams> shown_with_;
+    unsigned views_version_ = 0;  // of the views that the cached ones were made with
+    std::optional<CameraParams> views_camera_;
 
     // Objects moved since the ray structure was built, and that structure.
     std::vector<int> moved_since_cast_;  // ids, ascending
@@ -91,7 +92,7 @@ class PlanCache {
 
     // Objects moved since searches and views were made, and the map at that time.
     MovedObjects moved_since_searched_;
-    MovedObjects moved_since_shown_;
+    MovedObjects moved_since_views_;
     std::shared_ptr<const FreeSpace> map_searched_;  // only while something has moved
     std::shared_ptr<const AllowedRegion> region_searched_;
 };

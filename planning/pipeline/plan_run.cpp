@@ -121,7 +121,7 @@ Status Pipeline::Stages::PlanRun::setTargets() {
 
 Status Pipeline::Stages::PlanRun::searchForViewpoints() {
     const JobContext job = job_.stage(0.44, 0.68, "viewpoints");
-    stages_.memory.refreshSearches(
+    stages_.cache.refreshSearches(
         stages_.mapped(), {params_.camera, params_.viewpoints, environment_.pitch, params_.seed,
                            edits_.no_go, params_.free_space, params_.body});
     return stages_.run("viewpoints", stages_.found,
@@ -131,18 +131,18 @@ Status Pipeline::Stages::PlanRun::searchForViewpoints() {
                        job, [&] {
                            return searchViewpoints(environment_, *stages_.targets,
                                                    params_.viewpoints, params_.seed, job,
-                                                   &stages_.memory.searches);
+                                                   &stages_.cache.searches);
                        });
 }
 
 Status Pipeline::Stages::PlanRun::placePointsByHand() {
-    stages_.memory.refreshShown(stages_.views.version(), params_.camera, *stages_.views);
+    stages_.cache.refreshViews(stages_.views.version(), params_.camera, *stages_.views);
     return stages_.run("by_hand", stages_.placed,
                        PlacedInputs{stages_.found.version(), stages_.views.version(),
                                     environment_.pitch, edits_.pinned, edits_.removed},
                        job_.stage(0.68, 0.7, "by hand"), [&]() -> Result<PlacedPoints> {
                            return placeByHand(*stages_.found, edits_, environment_,
-                                              &stages_.memory.shown);
+                                              &stages_.cache.key_frame_visibility);
                        });
 }
 
@@ -183,7 +183,7 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
     return stages_.run("constraints", stages_.constraints, inputs, job, [&] {
         return addConstraintViewpoints(*stages_.placed, inputs.must_see, params_,
                                        rooms ? &*stages_.rooms : nullptr, environment_,
-                                       &stages_.memory.shown, job);
+                                       &stages_.cache.key_frame_visibility, job);
     });
 }
 
@@ -336,7 +336,7 @@ Status Pipeline::Stages::PlanRun::repairFrames() {
                            if (!wanted) return as_timed;
                            return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing),
                                                    moves(), params_.repair, params_.seed, job,
-                                                   &stages_.memory.seen);
+                                                   &stages_.cache.frame_views);
                        });
 }
 
@@ -351,7 +351,7 @@ Status Pipeline::Stages::PlanRun::measure() {
 
 Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const JobContext& job) {
     const Trajectory& trajectory = stages_.repair->trajectory;
-    auto estimate = estimateCaptures(*stages_.views, trajectory, job, &stages_.memory.seen);
+    auto estimate = estimateCaptures(*stages_.views, trajectory, job, &stages_.cache.frame_views);
     if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
     FrameSeries series = measureFrames(
         trajectory, estimate->frame_views, estimate->captures,
