@@ -27,7 +27,7 @@ struct PathEnds {
     std::vector<int> rank = {};  // by position point: rank among the key frames; may be empty
     /// Length of a path after smoothing, m; must not exceed the path's own length. If empty,
     /// max_length_m limits paths before smoothing.
-    std::function<double(const CameraPath&)> flown_m = {};
+    std::function<double(const CameraPath&)> smooth_length_m = {};
     double corner_distance_m = 0.0;  // largest set-back of smoothing, m
 };
 

@@ -208,7 +208,7 @@ TourChoice choose(const std::vector<TourOfPart>& tours, std::vector<Legs>& legs,
         if (least > kMostCut * budget.max_length_m) return false;
         const double walked = sumOver(legs, choice, length);
         if (walked <= budget.max_length_m) return true;
-        if (!budget.flown_m || walked > kMostCut * budget.max_length_m) return false;
+        if (!budget.smooth_length_m || walked > kMostCut * budget.max_length_m) return false;
         const double at_least =
             sumOver(legs, choice, [&](Legs& one, const std::vector<int>& order) {
                 return leastFlown(one.walk(order), budget.corner_distance_m);
@@ -217,7 +217,7 @@ TourChoice choose(const std::vector<TourOfPart>& tours, std::vector<Legs>& legs,
                sumOver(legs, choice, [&](Legs& one, const std::vector<int>& order) {
                    CameraPath path;
                    path.vertices = one.walk(order);
-                   return path.vertices.empty() ? 0.0 : budget.flown_m(path);
+                   return path.vertices.empty() ? 0.0 : budget.smooth_length_m(path);
                }) <= budget.max_length_m;
     };
     if (budget.max_length_m <= 0.0 || fits(all)) return all;

@@ -18,7 +18,7 @@ struct TourBudget {
     std::vector<double> object_weights;  // by object, at index id - 1; empty: all 1
     std::vector<int> rank;  // by position point: rank among key frames, 0 is the most useful; may
                             // be empty
-    std::function<double(const CameraPath&)> flown_m;  // see PathEnds
+    std::function<double(const CameraPath&)> smooth_length_m;  // see PathEnds
     double corner_distance_m = 0.0;
 };
 

@@ -226,7 +226,7 @@ Status Pipeline::Stages::PlanRun::selectKeyFrames() {
                     static_cast<int>(i);
             }
             ends_.corner_distance_m = params_.smoothing.corner_distance_m;
-            ends_.flown_m = [this](const CameraPath& path) {
+            ends_.smooth_length_m = [this](const CameraPath& path) {
                 const auto smooth = builder_->smooth(path);
                 return smooth ? smooth->length_m : std::numeric_limits<double>::infinity();
             };
