@@ -54,7 +54,7 @@ class Editor {
 
     void open(const std::filesystem::path& path) { workspace_.open(path); }
     /// Searches for unsaved work of editors that ended unexpectedly and offers to restore it.
-    void offerLostWork() { autosave_.lookForLostWork(); }
+    void offerRecoveredWork() { autosave_.searchForRecoveredWork(); }
 
     /// Draws one window frame; returns false to end the program.
     bool frame();

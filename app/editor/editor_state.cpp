@@ -94,7 +94,7 @@ nlohmann::json Editor::stateJson() {
         {"history", workspace_.history().names()},
         {"history_position", workspace_.history().position()},
         {"busy",
-         {{"loading", workspace_.loading().busy || autosave_.looking()},
+         {{"loading", workspace_.loading().busy || autosave_.searching()},
           {"planning", workspace_.planning().busy},
           {"saving", workspace_.saving()},
           {"lighting", workspace_.lighting()},

@@ -52,7 +52,7 @@ int run(const std::string& path, const std::string& socket,
         inspector = std::make_unique<editor::Inspector>(socket, &editor::Window::wake);
     }
     if (!path.empty()) shell.open(path);
-    shell.offerLostWork();
+    shell.offerRecoveredWork();
     int frames_until_answer = 0;
     (*window)->run([&] {
         // The first frame after a request may still change the state; the second one shows it.

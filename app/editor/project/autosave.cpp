@@ -116,7 +116,7 @@ void Autosave::discard() {
     });
 }
 
-void Autosave::lookForLostWork() {
+void Autosave::searchForRecoveredWork() {
     finder_.start([latest = found_](const JobContext&) { latest->put(findRecoveredWork()); });
 }
 

@@ -52,8 +52,8 @@ class Autosave {
     void discard();
 
     /// Searches in the background for copies of editors that no longer run.
-    void lookForLostWork();
-    [[nodiscard]] bool looking() const { return finder_.state().busy; }
+    void searchForRecoveredWork();
+    [[nodiscard]] bool searching() const { return finder_.state().busy; }
     /// The found work, newest first, once.
     [[nodiscard]] std::vector<RecoveredWork> takeRecoveredWork();
     static void forget(const RecoveredWork& work);

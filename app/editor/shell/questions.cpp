@@ -117,7 +117,7 @@ void Questions::draw(bool choosing_file) {
     }
     switch (shown_) {
         case Kind::RecoveredWork:
-            return drawLostWork();
+            return drawRecoveredWork();
         case Kind::ChangedFile:
             return drawChangedFile();
         case Kind::Unsaved:
@@ -127,7 +127,7 @@ void Questions::draw(bool choosing_file) {
         case Kind::FoundExports:
             return drawFoundExports();
         case Kind::Confirmation:
-            return drawDoubt();
+            return drawConfirmation();
         case Kind::Notice:
             return drawNotice();
         case Kind::None:
@@ -143,7 +143,7 @@ void Questions::answerUnsaved(bool choosing_file) {
     if (then && !workspace_.unsaved()) then();
 }
 
-void Questions::drawLostWork() {
+void Questions::drawRecoveredWork() {
     const RecoveredWork work = recovered_.front();
     ui::MessageBox box;
     box.title = "Unsaved work was found";
@@ -229,7 +229,7 @@ void Questions::drawFoundExports() {
     if (pressed == 2) callbacks_.forget_exports(jobs);
 }
 
-void Questions::drawDoubt() {
+void Questions::drawConfirmation() {
     ui::MessageBox box;
     box.title = confirmation_->title;
     box.text = confirmation_->text;

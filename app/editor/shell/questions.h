@@ -78,12 +78,12 @@ class Questions {
     };
     [[nodiscard]] bool pending(Kind kind) const;
     void answerUnsaved(bool choosing_file);
-    void drawLostWork();
+    void drawRecoveredWork();
     void drawChangedFile();
     void drawUnsaved();
     void drawExports();
     void drawFoundExports();
-    void drawDoubt();
+    void drawConfirmation();
     void drawNotice();
 
     Workspace& workspace_;
