@@ -13,14 +13,14 @@ namespace {
 constexpr double kReach = 9.0;    // m; lamps farther away add too little to be worth a ray
 constexpr int kShadowRays = 6;    // per lamp and point
 constexpr int kNearestLamps = 4;  // evaluated per point
-constexpr std::size_t kNearestOwnLamps = 6;
-constexpr int kOwnShadowRays = 9;
+constexpr std::size_t kNearestSceneLamps = 6;
+constexpr int kSceneLampShadowRays = 9;
 constexpr double kOffSurface = 2e-3;  // m; offset of lit points from their surface
 
-class OwnLampGatherer {
+class SceneLampGatherer {
   public:
-    OwnLampGatherer(const LightRig& rig, const RayCaster& rays, const IrradianceGrid& cells,
-                    const LightBounces& bounces)
+    SceneLampGatherer(const LightRig& rig, const RayCaster& rays, const IrradianceGrid& cells,
+                      const LightBounces& bounces)
         : rig_(rig), rays_(rays), cells_(cells), bounces_(bounces) {}
 
     [[nodiscard]] Eigen::Vector3f at(std::size_t cell) const {
@@ -32,7 +32,7 @@ class OwnLampGatherer {
             if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
         }
         std::sort(near.begin(), near.end());  // ties: by position in the array
-        if (near.size() > kNearestOwnLamps) near.resize(kNearestOwnLamps);
+        if (near.size() > kNearestSceneLamps) near.resize(kNearestSceneLamps);
         const bool free = standsFree(cell);
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const auto& [unshaded, lamp] : near) {
@@ -87,7 +87,7 @@ class OwnLampGatherer {
                                       Random& random) const {
         int asked = 0;
         int visible = 0;
-        for (int k = 0; k < kOwnShadowRays; ++k) {
+        for (int k = 0; k < kSceneLampShadowRays; ++k) {
             Eigen::Vector3d aside;
             Eigen::Vector3d on_ball;
             for (int axis = 0; axis < 3; ++axis) aside[axis] = random.uniform(-0.5, 0.5);
@@ -116,8 +116,8 @@ class OwnLampGatherer {
 
 }  // namespace
 
-Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
-                              const RayCaster& rays, Random& random) {
+Eigen::Vector3f roomLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
+                            const RayCaster& rays, Random& random) {
     std::vector<std::pair<double, const Lamp*>> near;  // sorted by unshadowed strength
     for (const Lamp& lamp : rig.lamps) {
         const Eigen::Vector3d way = lamp.position - place;
@@ -153,7 +153,7 @@ std::vector<Eigen::Vector3f> sceneLampsByCell(const LightRig& rig, const RayCast
                                               const IrradianceGrid& cells,
                                               const LightBounces& bounces, const JobContext& job) {
     std::vector<Eigen::Vector3f> result(cells.count());
-    const OwnLampGatherer gatherer(rig, rays, cells, bounces);
+    const SceneLampGatherer gatherer(rig, rays, cells, bounces);
     parallelRanges(result.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !job.cancelled(); ++i) result[i] = gatherer.at(i);
     });

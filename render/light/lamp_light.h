@@ -15,8 +15,8 @@ namespace dollytrack::render {
 
 /// Direct light at a point from the rig's room lamps, with soft shadows by random sampling. Returns
 /// the irradiance vector: the sum of strength * direction to the lamp, in units of lamp intensity.
-[[nodiscard]] Eigen::Vector3f placedLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
-                                            const RayCaster& rays, Random& random);
+[[nodiscard]] Eigen::Vector3f roomLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
+                                          const RayCaster& rays, Random& random);
 
 /// The same for the rig's scene lamps, by cell. Their light falls off so steeply that cells next to
 /// a surface, found with `bounces`, store the light at that surface instead of at their centre.

@@ -32,7 +32,7 @@ constexpr double kLampShade = 0.4;
 constexpr float kBrightestEmission = 8.0F;
 
 /// Tint of the scene's own lamps relative to room lamps: warmer, as 3500 K beside 4500 K.
-constexpr std::array<float, 3> kOwnTint = {1.10F, 0.99F, 0.80F};
+constexpr std::array<float, 3> kSceneLampTint = {1.10F, 0.99F, 0.80F};
 
 /// The sun: a small, infinitely distant disc. It shines through windows and open sides.
 struct SunLight {
@@ -75,7 +75,8 @@ struct LightRig {
     [[nodiscard]] Eigen::Vector3f lampLight() const { return lamp_color * lamp_factor; }
     /// Colour times strength of the scene's own lamps.
     [[nodiscard]] Eigen::Vector3f sceneLampLight() const {
-        return lampLight().cwiseProduct(Eigen::Vector3f(kOwnTint[0], kOwnTint[1], kOwnTint[2]));
+        return lampLight().cwiseProduct(
+            Eigen::Vector3f(kSceneLampTint[0], kSceneLampTint[1], kSceneLampTint[2]));
     }
 
     /// Sky radiance from the direction `way`, a unit vector.

@@ -92,7 +92,7 @@ class Baker {
         }
         if (job.cancelled()) return {};
         smoothAmbient();
-        joinOwnLamps();
+        addSceneLamps();
         expose();
         return std::move(volume_);
     }
@@ -100,7 +100,7 @@ class Baker {
   private:
     void gather(std::size_t i) {
         Random random(17, i);
-        volume_.lamps[i] = placedLampsAt(cells_.center(i), rig_, rays_, random);
+        volume_.lamps[i] = roomLampsAt(cells_.center(i), rig_, rays_, random);
         bounces_.follow(i, random);
         const std::size_t count = bounces_.perCell();
         std::size_t escaped = 0;
@@ -141,7 +141,7 @@ class Baker {
     }
 
     /// Shaders use one irradiance vector for all lamps.
-    void joinOwnLamps() {
+    void addSceneLamps() {
         if (scene_lamp_light_.empty()) return;
         volume_.scene_lamp_share.assign(scene_lamp_light_.size(), 0.0F);
         for (std::size_t i = 0; i < scene_lamp_light_.size(); ++i) {

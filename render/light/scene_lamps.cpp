@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kSmallest = 0.03;  // radius of a ball, m
 constexpr double kLargest = 0.12;
-constexpr double kAround = 0.01;            // m; margin, because a round shade touches its box
-constexpr double kOwnLampFromWall = 0.005;  // m; distance of the shade from walls, tables and
-                                            // floors
-constexpr double kLeast = 1e-3;             // m; smallest apparent radius
-constexpr double kThinnest = 0.005;         // m; smallest half thickness of a shade between walls
-constexpr double kLong = 0.12;              // m, half height: a longer hanging lamp has a cord
+constexpr double kAround = 0.01;              // m; margin, because a round shade touches its box
+constexpr double kSceneLampFromWall = 0.005;  // m; distance of the shade from walls, tables and
+                                              // floors
+constexpr double kLeast = 1e-3;               // m; smallest apparent radius
+constexpr double kThinnest = 0.005;           // m; smallest half thickness of a shade between walls
+constexpr double kLong = 0.12;                // m, half height: a longer hanging lamp has a cord
 constexpr double kTouches = 0.06;  // m; an object this near counts as support or suspension
 
 /// Position of the ball, depending on whether the lamp stands or hangs.
@@ -66,11 +66,11 @@ SceneLamp lampOf(const Scene& scene, const RayCaster& rays, const Object& object
                 object.box.toWorld(in_box + sign * wanted * Eigen::Vector3d::Unit(axis));
             const Eigen::Vector3d way = (to - lamp.position).normalized();
             const double free = distanceTo(scene, rays, lamp.position, way, wanted, blocks);
-            reach[side] = std::max(free < wanted ? free - kOwnLampFromWall : wanted, kThinnest);
+            reach[side] = std::max(free < wanted ? free - kSceneLampFromWall : wanted, kThinnest);
             // A standing lamp rests on its box's floor; its light must not get below that.
             if (axis == 2 && side == 0) {
-                reach[side] =
-                    std::max(std::min(reach[side], wanted - kAround - kOwnLampFromWall), kThinnest);
+                reach[side] = std::max(std::min(reach[side], wanted - kAround - kSceneLampFromWall),
+                                       kThinnest);
             }
         }
         low[axis] = in_box[axis] - reach[0];

@@ -49,7 +49,7 @@ LightRig ownAlone(const Scene& scene, const RayCaster& rays, double share = 1.0)
     return rig;
 }
 
-TEST(OwnLamps, AreWhereTheShadesAre) {
+TEST(SceneLamps, AreWhereTheShadesAre) {
     SceneBuilder builder;
     builder.room({0, 0, 0}, {6, 3, 2.6});
     const auto lamp = [&](const char* name) -> SceneBuilder& {
@@ -94,7 +94,7 @@ TEST(OwnLamps, AreWhereTheShadesAre) {
 
 // The distance that a ray travels until it leaves the lamp's box: nothing inside the box casts
 // shadows outside.
-TEST(OwnLamps, NothingInTheShadeCastsShadows) {
+TEST(SceneLamps, NothingInTheShadeCastsShadows) {
     SceneLamp lamp;
     lamp.shade = {{0, 0, 0}, {0.2, 0.1, 0.3}, 0.5 * kPi};  // turned: 0.1 along x
     EXPECT_NEAR(lamp.shadowedFor({1, 0, 0}, {-1, 0, 0}, 1.0), 0.9, 1e-12);
@@ -106,7 +106,7 @@ TEST(OwnLamps, NothingInTheShadeCastsShadows) {
 
 // Light on wall, table and ceiling falls with the inverse square, on the grid and by path tracing
 // alike.
-TEST(OwnLamps, LightTheWallBesideThem) {
+TEST(SceneLamps, LightTheWallBesideThem) {
     const Scene scene = lampRoom(0.5F);
     const RayCaster rays(scene);
     const LightVolume volume = bakeLightVolume(scene, rays, ownAlone(scene, rays));
@@ -151,7 +151,7 @@ TEST(OwnLamps, LightTheWallBesideThem) {
 }
 
 // The lamp's box reaches to the wall, and beyond it where the wall is thin.
-TEST(OwnLamps, DoNotLightTheNextRoom) {
+TEST(SceneLamps, DoNotLightTheNextRoom) {
     const Scene scene = lampRoom(0.8F, true);
     const RayCaster rays(scene);
     LightRig rig = ownAlone(scene, rays);
