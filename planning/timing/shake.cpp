@@ -37,12 +37,12 @@ class Shaker {
           sphere_(sphere),
           params_(params),
           pitch_(pitch),
-          sways_(steady_.size()),
+          offsets_(steady_.size()),
           moved_(steady_.size(), 1.0),
           turned_(steady_.size(), 1.0) {
         const CameraShake camera_shake(params, seed);
         parallelFor(steady_.size(),
-                    [&](std::size_t i) { sways_[i] = camera_shake.at(steady_[i].time_s); });
+                    [&](std::size_t i) { offsets_[i] = camera_shake.at(steady_[i].time_s); });
     }
 
     /// Sets the share of shake at ends of paths and at key frames, and fades around them.
@@ -101,11 +101,11 @@ class Shaker {
         Pose pose = steady_[i].pose;
         if (moved > 0.0) {
             pose.position +=
-                pose.rotation * (moved * params_.shake_amplitude_m * sways_[i].head<3>());
+                pose.rotation * (moved * params_.shake_amplitude_m * offsets_[i].head<3>());
         }
         if (turned > 0.0) {
             const Eigen::Vector3d turn = turned * params_.shake_amplitude_deg * std::numbers::pi /
-                                         180.0 * sways_[i].tail<3>();
+                                         180.0 * offsets_[i].tail<3>();
             if (turn.norm() > 0.0) {
                 pose.rotation = (pose.rotation * Eigen::Quaterniond(Eigen::AngleAxisd(
                                                      turn.norm(), turn.normalized())))
@@ -126,7 +126,7 @@ class Shaker {
         return (Eigen::AngleAxisd(back, across.normalized()) * rotation).normalized();
     }
 
-    [[nodiscard]] TrajectoryFrame swayed(std::size_t i) const {
+    [[nodiscard]] TrajectoryFrame movedFrame(std::size_t i) const {
         TrajectoryFrame frame = steady_[i];
         frame.pose = shaken(i, moved_[i], 0.0);
         return frame;
@@ -135,7 +135,7 @@ class Shaker {
     /// Whether the move to this frame is collision-free.
     [[nodiscard]] bool isFree(std::size_t i) const {
         const auto path = static_cast<std::size_t>(steady_[i].path);
-        const auto move = moveBetween(paths_[path], swayed(i - 1), swayed(i));
+        const auto move = moveBetween(paths_[path], movedFrame(i - 1), movedFrame(i));
         return std::ranges::all_of(move, [&](const SmoothPath::Piece& piece) {
             return sphere_.bezier(piece.start, piece.control, piece.end).free;
         });
@@ -173,7 +173,7 @@ class Shaker {
     const SweptSphere& sphere_;
     const ShakeParams& params_;
     PitchBand pitch_;
-    std::vector<Vector6> sways_;
+    std::vector<Vector6> offsets_;
     std::vector<double> moved_, turned_;  // share of the shake, 0..1
 };
 
@@ -204,14 +204,14 @@ CameraShake::CameraShake(const ShakeParams& params, int seed) {
 }
 
 Vector6 CameraShake::at(double time_s) const {
-    Vector6 camera_shake = Vector6::Zero();
+    Vector6 offset = Vector6::Zero();
     for (std::size_t channel = 0; channel < waves_.size(); ++channel) {
         for (const Wave& wave : waves_[channel]) {
-            camera_shake[static_cast<Eigen::Index>(channel)] +=
+            offset[static_cast<Eigen::Index>(channel)] +=
                 wave.share * std::sin(wave.radians_per_s * time_s + wave.phase);
         }
     }
-    return camera_shake;
+    return offset;
 }
 
 Result<Trajectory> shakeTrajectory(const std::vector<SmoothPath>& paths, Trajectory trajectory,
