@@ -89,14 +89,14 @@ const std::vector<std::uint8_t>& FreeSpace::Impl::inside(EnclosureRule rule) {
 /// Finds the inside cells where the sphere fits, for one rule.
 void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const Moved* moved,
                                const JobContext& job) {
-    const SphereFitInput place{
+    const SphereFitInput input{
         rays, grid, surfaces->surfaces().cells, surfaces->gaps(), inside(rule), camera_radius_m};
     const auto index = static_cast<std::size_t>(rule);
     const bool known = moved != nullptr && !moved->before.fits[index].empty();
     fits[index] =
         known ? whereSphereFitsAfter(moved->before.fits[index],
-                                     moved->before.surfaces->inside(rule), moved->near, place, job)
-              : whereSphereFits(place, job);
+                                     moved->before.surfaces->inside(rule), moved->near, input, job)
+              : whereSphereFits(input, job);
 }
 
 /// The rooms by the strictest rule that finds enough air. Sets `rule`.

@@ -47,7 +47,7 @@ FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame
 }
 
 FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame) {
-    const DepthNoiseInput scene = {context.contents.sourceFrame(frame.index),
+    const DepthNoiseInput input = {context.contents.sourceFrame(frame.index),
                                    makeIntrinsics(context.contents.camera),
                                    frame.pose.rotation,
                                    frame.depth_m,
@@ -56,7 +56,7 @@ FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& fra
     return oneFile(
         frameFile("depth_sensor", frame.index),
         io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,
-                      bytesOf(depthInMillimetres(noisyDepth(context.contents.sensor, scene)))));
+                      bytesOf(depthInMillimetres(noisyDepth(context.contents.sensor, input)))));
 }
 
 Json rgbSensorConvention(const DatasetContents& contents) {

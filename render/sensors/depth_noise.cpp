@@ -17,14 +17,14 @@ constexpr double kDisparityDeviation_px = 0.027778;
 
 /// Whether there is a depth step at the pixel, or a neighbour without depth. On a plane the inverse
 /// depth is linear in the image, however steep the plane.
-bool isEdge(const DepthNoiseInput& scene, const DepthLimits& limits, int x, int y) {
+bool isEdge(const DepthNoiseInput& input, const DepthLimits& limits, int x, int y) {
     const auto depthAt = [&](int at_x, int at_y) -> double {
-        return scene.depth_m[static_cast<std::size_t>(at_y) * scene.lens.width + at_x];
+        return input.depth_m[static_cast<std::size_t>(at_y) * input.lens.width + at_x];
     };
     const double here = depthAt(x, y);
     for (const auto& [dx, dy] : {std::pair(1, 0), {0, 1}, {1, 1}, {1, -1}}) {
-        if (x < dx || x + dx >= scene.lens.width) continue;
-        if (y < std::abs(dy) || y + std::abs(dy) >= scene.lens.height) continue;
+        if (x < dx || x + dx >= input.lens.width) continue;
+        if (y < std::abs(dy) || y + std::abs(dy) >= input.lens.height) continue;
         const double before = depthAt(x - dx, y - dy);
         const double after = depthAt(x + dx, y + dy);
         if (!(before > 0.0 && after > 0.0)) return true;
@@ -39,20 +39,20 @@ bool isEdge(const DepthNoiseInput& scene, const DepthLimits& limits, int x, int 
 /// Simulates one depth image.
 class DepthCamera {
   public:
-    DepthCamera(const SensorParams& params, const DepthNoiseInput& scene)
-        : params_(params), scene_(scene), limits_(depthLimits(params.depth_noise)) {}
+    DepthCamera(const SensorParams& params, const DepthNoiseInput& input)
+        : params_(params), input_(input), limits_(depthLimits(params.depth_noise)) {}
 
     [[nodiscard]] float see(int x, int y) const {
         const std::size_t here = pixel(x, y);
-        if (params_.depth_noise == DepthNoise::None) return scene_.depth_m[here];
-        const double true_m = scene_.depth_m[here];
+        if (params_.depth_noise == DepthNoise::None) return input_.depth_m[here];
+        const double true_m = input_.depth_m[here];
         if (true_m < limits_.nearest_m || true_m > limits_.farthest_m) return 0.0F;
-        if (isEdge(scene_, limits_, x, y)) return 0.0F;
-        const PixelRandom random(static_cast<std::uint32_t>(params_.sensor_seed), scene_.frame,
+        if (isEdge(input_, limits_, x, y)) return 0.0F;
+        const PixelRandom random(static_cast<std::uint32_t>(params_.sensor_seed), input_.frame,
                                  kDepthStream + here);
         const double strength = params_.depth_noise_strength;
-        int from_x = nearest(x + strength * kJitter_px * random.normal(0), scene_.lens.width);
-        int from_y = nearest(y + strength * kJitter_px * random.normal(2), scene_.lens.height);
+        int from_x = nearest(x + strength * kJitter_px * random.normal(0), input_.lens.width);
+        int from_y = nearest(y + strength * kJitter_px * random.normal(2), input_.lens.height);
         const bool redwood = params_.depth_noise == DepthNoise::Redwood;
         if (redwood) {  // after the jitter, as published: odd pixels are never read
             from_x -= from_x % 2;
@@ -69,7 +69,7 @@ class DepthCamera {
     static constexpr std::uint64_t kDepthStream = 2ULL << 40U;
 
     [[nodiscard]] std::size_t pixel(int x, int y) const {
-        return static_cast<std::size_t>(y) * scene_.lens.width + static_cast<std::size_t>(x);
+        return static_cast<std::size_t>(y) * input_.lens.width + static_cast<std::size_t>(x);
     }
 
     [[nodiscard]] static int nearest(double at, int size) {
@@ -78,8 +78,8 @@ class DepthCamera {
 
     /// Depth of another pixel, or the pixel's own if there is a step between them.
     [[nodiscard]] double depthNear(std::size_t here, std::size_t other) const {
-        const double own = scene_.depth_m[here];
-        const double there = scene_.depth_m[other];
+        const double own = input_.depth_m[here];
+        const double there = input_.depth_m[other];
         const double step = std::max(limits_.edge_m, limits_.edge_share * own);
         return there > 0.0 && std::abs(there - own) <= step ? there : own;
     }
@@ -91,13 +91,13 @@ class DepthCamera {
     }
 
     [[nodiscard]] double byTimeOfFlight(double depth, double normal, std::size_t here) const {
-        const int x = static_cast<int>(here % static_cast<std::size_t>(scene_.lens.width));
-        const int y = static_cast<int>(here / static_cast<std::size_t>(scene_.lens.width));
-        const Eigen::Vector3d ray = scene_.lens.unproject(x + 0.5, y + 0.5);
+        const int x = static_cast<int>(here % static_cast<std::size_t>(input_.lens.width));
+        const int y = static_cast<int>(here / static_cast<std::size_t>(input_.lens.width));
+        const Eigen::Vector3d ray = input_.lens.unproject(x + 0.5, y + 0.5);
         const Eigen::Vector3d normal_in_camera =
-            scene_.world_from_camera.conjugate() * scene_.normals_in_world[here].cast<double>();
+            input_.world_from_camera.conjugate() * input_.normals_in_world[here].cast<double>();
         const double cosine = std::abs(ray.normalized().dot(normal_in_camera));
-        const std::uint8_t* color = &scene_.albedo[3 * here];
+        const std::uint8_t* color = &input_.albedo[3 * here];
         double reflectance = 0.0;
         for (int c = 0; c < 3; ++c) {
             reflectance += linearFromSrgb(static_cast<float>(color[c]) / 255.0F) / 3.0;
@@ -112,7 +112,7 @@ class DepthCamera {
     static constexpr double kLeastLight_per_m2 = 0.05 / (5.46 * 5.46);
 
     const SensorParams& params_;
-    const DepthNoiseInput& scene_;
+    const DepthNoiseInput& input_;
     DepthLimits limits_;
 };
 
@@ -151,12 +151,12 @@ double dimness(double reflectance, double cos_to_normal) {
     return std::clamp(std::sqrt(0.5 / light), 0.5, kMostDim);
 }
 
-std::vector<float> noisyDepth(const SensorParams& params, const DepthNoiseInput& scene) {
-    const DepthCamera camera(params, scene);
-    std::vector<float> seen(scene.depth_m.size());
+std::vector<float> noisyDepth(const SensorParams& params, const DepthNoiseInput& input) {
+    const DepthCamera camera(params, input);
+    std::vector<float> seen(input.depth_m.size());
     std::size_t i = 0;
-    for (int y = 0; y < scene.lens.height; ++y) {
-        for (int x = 0; x < scene.lens.width; ++x) seen[i++] = camera.see(x, y);
+    for (int y = 0; y < input.lens.height; ++y) {
+        for (int x = 0; x < input.lens.width; ++x) seen[i++] = camera.see(x, y);
     }
     return seen;
 }

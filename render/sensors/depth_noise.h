@@ -58,6 +58,6 @@ inline constexpr double kMostDim = 4.0;
 /// low-frequency distortion, measured on one device, is left out. Holes: depth below 0.4 m or above
 /// 10 m, and depth steps as above.
 [[nodiscard]] std::vector<float> noisyDepth(const SensorParams& params,
-                                            const DepthNoiseInput& scene);
+                                            const DepthNoiseInput& input);
 
 }  // namespace dollytrack::render
