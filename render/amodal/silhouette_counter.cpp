@@ -89,16 +89,17 @@ Status SilhouetteCounter::start(const GpuScene& scene, const View& view,
         if (scene.bounds[object].isEmpty()) continue;
         const PixelRect rect = projectBox(scene.bounds[object], view, limits);
         if (rect.width() <= 0 || rect.height() <= 0) continue;
-        pixel_queries_[i] = ask(view, scene.whole_objects[object], rect, limits);
+        pixel_queries_[i] = startQueries(view, scene.whole_objects[object], rect, limits);
     }
     glDepthRange(0.0, 1.0);
     glDisable(GL_DEPTH_TEST);
     return gl::checkErrors("counting silhouettes");
 }
 
-SilhouetteCounter::PixelQueries SilhouetteCounter::ask(const View& view, const Piece& piece,
-                                                       const PixelRect& rect,
-                                                       const PixelRect& limits) {
+SilhouetteCounter::PixelQueries SilhouetteCounter::startQueries(const View& view,
+                                                                const Piece& piece,
+                                                                const PixelRect& rect,
+                                                                const PixelRect& limits) {
     const PixelRect image{0, 0, view.intrinsics.width, view.intrinsics.height};
     small_.resize(image.width(), image.height());
     if (rect.width() <= image.width() && rect.height() <= image.height()) {

@@ -47,8 +47,8 @@ class SilhouetteCounter {
         int sixteenths_inside = -1;  // the part of `sixteenths` that `pixels` counts already
     };
 
-    PixelQueries ask(const View& view, const Piece& piece, const PixelRect& rect,
-                     const PixelRect& limits);
+    PixelQueries startQueries(const View& view, const Piece& piece, const PixelRect& rect,
+                              const PixelRect& limits);
     /// Draws a piece in a part of the view, or in a rectangle of it. @return index of the query
     /// that counts its pixels
     int count(const View& part, const Piece& piece, Canvas& canvas,

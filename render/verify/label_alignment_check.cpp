@@ -27,46 +27,48 @@ constexpr std::size_t kMostTried = 500;  // images, those with the worst fit
 }  // namespace
 
 LabelAlignmentCheck::LabelAlignmentCheck(std::size_t frames, bool objects_only)
-    : seen_(frames), objects_only_(objects_only) {}
+    : measurements_(frames), objects_only_(objects_only) {}
 
 void LabelAlignmentCheck::addFrame(std::size_t frame, const Image8& picture, const Image16& ids) {
-    auto seen = std::make_unique<FrameMeasurement>(FrameMeasurement{SmallFrame(picture, ids)});
+    auto measurement =
+        std::make_unique<FrameMeasurement>(FrameMeasurement{SmallFrame(picture, ids)});
     const Outlines outlines = outlinesOf(ids, objects_only_);
-    seen->has_outlines = outlines.count() >= kFewestPlaces;
-    if (seen->has_outlines) {
-        const GradientMap change(picture);
-        seen->blank = change.blank();
-        seen->structure = change.structure();
-        seen->fit = alignmentOf(change, outlines);
+    measurement->has_outlines = outlines.count() >= kFewestPlaces;
+    if (measurement->has_outlines) {
+        const GradientMap gradients(picture);
+        measurement->blank = gradients.blank();
+        measurement->structure = gradients.structure();
+        measurement->fit = alignmentOf(gradients, outlines);
     }
-    seen_[frame] = std::move(seen);
+    measurements_[frame] = std::move(measurement);
 }
 
 void LabelAlignmentCheck::report(const Files& files, Findings& findings) {
-    std::vector<std::string> wrong(seen_.size());
+    std::vector<std::string> wrong(measurements_.size());
     std::vector<std::size_t> doubtful;
     std::size_t compared = 0, unexplained = 0;
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        if (!seen_[i]) continue;
-        colours_.add(seen_[i]->small);
-        if (!seen_[i]->has_outlines) continue;
+    for (std::size_t i = 0; i < measurements_.size(); ++i) {
+        if (!measurements_[i]) continue;
+        colours_.add(measurements_[i]->small);
+        if (!measurements_[i]->has_outlines) continue;
         ++compared;
-        unexplained += isUnexplained(*seen_[i]) ? 1 : 0;
-        if (seen_[i]->blank) {
+        unexplained += isUnexplained(*measurements_[i]) ? 1 : 0;
+        if (measurements_[i]->blank) {
             wrong[i] = kBlank;
-        } else if (!seen_[i]->fit.elsewhere.empty()) {
-            wrong[i] = textOf(seen_[i]->fit);
-        } else if (seen_[i]->fit.own.rank < kWellExplained) {
+        } else if (!measurements_[i]->fit.elsewhere.empty()) {
+            wrong[i] = textOf(measurements_[i]->fit);
+        } else if (measurements_[i]->fit.own.rank < kWellExplained) {
             doubtful.push_back(i);
         }
     }
     // At least two, so that one low-contrast frame of three is no majority.
     const bool many = unexplained >= 2 && static_cast<double>(unexplained) >=
                                               kManyAlike * static_cast<double>(compared);
-    std::ranges::stable_sort(doubtful, {}, [&](std::size_t i) { return seen_[i]->fit.own.rank; });
+    std::ranges::stable_sort(doubtful, {},
+                             [&](std::size_t i) { return measurements_[i]->fit.own.rank; });
     doubtful.resize(std::min(doubtful.size(), kMostTried));
     parallelFor(doubtful.size(),
-                [&](std::size_t i) { wrong[doubtful[i]] = ask(doubtful[i], many, files); });
+                [&](std::size_t i) { wrong[doubtful[i]] = problemOf(doubtful[i], many, files); });
     for (std::size_t i = 0; i < wrong.size(); ++i) {
         if (wrong[i].empty()) continue;
         const int frame = static_cast<int>(i);
@@ -78,18 +80,18 @@ void LabelAlignmentCheck::report(const Files& files, Findings& findings) {
     }
 }
 
-bool LabelAlignmentCheck::isUnexplained(const FrameMeasurement& seen) {
-    return !seen.blank && seen.fit.best < kExplainsNothing && seen.structure >= kLeastStructure &&
-           seen.structure <= kMostStructure;
+bool LabelAlignmentCheck::isUnexplained(const FrameMeasurement& measurement) {
+    return !measurement.blank && measurement.fit.best < kExplainsNothing &&
+           measurement.structure >= kLeastStructure && measurement.structure <= kMostStructure;
 }
 
 LabelAlignmentCheck::RankedFrames LabelAlignmentCheck::rankedFor(std::size_t frame) const {
-    const SmallFrame& picture = seen_[frame]->small;
+    const SmallFrame& picture = measurements_[frame]->small;
     const double own = colours_.distance(picture, picture);
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        if (i == frame || !seen_[i]) continue;
-        const double distance = colours_.distance(picture, seen_[i]->small);
+    for (std::size_t i = 0; i < measurements_.size(); ++i) {
+        if (i == frame || !measurements_[i]) continue;
+        const double distance = colours_.distance(picture, measurements_[i]->small);
         if (distance >= 0.0) order.emplace_back(distance, i);
     }
     std::sort(order.begin(), order.end());
@@ -106,14 +108,14 @@ LabelAlignmentCheck::RankedFrames LabelAlignmentCheck::rankedFor(std::size_t fra
 }
 
 /// Problem of an image that its own labels explain badly; empty if none.
-std::string LabelAlignmentCheck::ask(std::size_t frame, bool many_unexplained,
-                                     const Files& files) const {
-    const FrameMeasurement& seen = *seen_[frame];
+std::string LabelAlignmentCheck::problemOf(std::size_t frame, bool many_unexplained,
+                                           const Files& files) const {
+    const FrameMeasurement& measurement = *measurements_[frame];
     const RankedFrames ranked = rankedFor(frame);
     std::vector<std::size_t> tried;
     for (int aside = -kNeighbours; aside <= kNeighbours; ++aside) {
         const int other = static_cast<int>(frame) + aside;
-        if (aside != 0 && other >= 0 && other < static_cast<int>(seen_.size())) {
+        if (aside != 0 && other >= 0 && other < static_cast<int>(measurements_.size())) {
             tried.push_back(static_cast<std::size_t>(other));
         }
     }
@@ -121,8 +123,8 @@ std::string LabelAlignmentCheck::ask(std::size_t frame, bool many_unexplained,
         tried.push_back(ranked.others[i]);
     }
     if (std::string found = explainedByOther(frame, tried, files); !found.empty()) return found;
-    if (!isUnexplained(seen)) return {};
-    return many_unexplained || ranked.better >= kMoreLikeOthers ? textOf(seen.fit.own)
+    if (!isUnexplained(measurement)) return {};
+    return many_unexplained || ranked.better >= kMoreLikeOthers ? textOf(measurement.fit.own)
                                                                 : std::string();
 }
 
@@ -131,14 +133,14 @@ std::string LabelAlignmentCheck::explainedByOther(std::size_t frame,
                                                   const Files& files) const {
     const Image8 picture = files.picture(static_cast<int>(frame));
     if (picture.values.empty()) return {};
-    const GradientMap change(picture);
-    const Fit& own = seen_[frame]->fit.own;
+    const GradientMap gradients(picture);
+    const Fit& own = measurements_[frame]->fit.own;
     Fit best = own;
     std::optional<std::size_t> best_frame;
     for (const std::size_t other : others) {
         const Image16 ids = files.ids(static_cast<int>(other));
         if (ids.width != picture.width || ids.height != picture.height) continue;
-        const Fit fit = change.fit(outlinesOf(ids, objects_only_));
+        const Fit fit = gradients.fit(outlinesOf(ids, objects_only_));
         if (fit.rank <= best.rank || !explainsBetter(fit, own)) continue;
         best = fit;
         best_frame = other;

@@ -47,16 +47,16 @@ class LabelAlignmentCheck {
         double better = 0.0;  // share that fits better than its own labels; 0 if unknown
     };
 
-    [[nodiscard]] static bool isUnexplained(const FrameMeasurement& seen);
+    [[nodiscard]] static bool isUnexplained(const FrameMeasurement& measurement);
     [[nodiscard]] RankedFrames rankedFor(std::size_t frame) const;
-    [[nodiscard]] std::string ask(std::size_t frame, bool many_unexplained,
-                                  const Files& files) const;
+    [[nodiscard]] std::string problemOf(std::size_t frame, bool many_unexplained,
+                                        const Files& files) const;
     [[nodiscard]] std::string explainedByOther(std::size_t frame,
                                                const std::vector<std::size_t>& others,
                                                const Files& files) const;
 
-    std::vector<std::unique_ptr<FrameMeasurement>>
-        seen_;  // by frame; null: its images cannot be read
+    // By frame; null: its images cannot be read.
+    std::vector<std::unique_ptr<FrameMeasurement>> measurements_;
     ObjectColours colours_;
     bool objects_only_;
 };

@@ -96,9 +96,9 @@ TEST(PictureEdges, APictureOfSomethingElseIsNotExplained) {
         labels({{30, 5, 45, 115, 4}, {60, 30, 75, 118, 5}, {104, 55, 158, 64, 6}});
     const OutlineAlignment fit = alignmentIn(pictureOf(other, 30, 6), ids);
     EXPECT_LT(fit.best, 0.65);
-    const GradientMap change(pictureOf(other, 30, 6));
-    EXPECT_TRUE(explainsBetter(change.fit(outlinesOf(other, false)), fit.own));
-    EXPECT_FALSE(explainsBetter(fit.own, change.fit(outlinesOf(other, false))));
+    const GradientMap gradients(pictureOf(other, 30, 6));
+    EXPECT_TRUE(explainsBetter(gradients.fit(outlinesOf(other, false)), fit.own));
+    EXPECT_FALSE(explainsBetter(fit.own, gradients.fit(outlinesOf(other, false))));
 }
 
 // A door in a wall of the same colour: only a groove a few pixels inside the border is visible.
