@@ -6,15 +6,15 @@
 namespace dollytrack::planning {
 
 std::vector<SegmentId> segmentsOf(const Trajectory& trajectory) {
-    std::vector<SegmentId> names(trajectory.frames.size());
+    std::vector<SegmentId> segments(trajectory.frames.size());
     std::size_t keys = 0;  // key frames so far on this path
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
         if (i == 0 || frame.path != trajectory.frames[i - 1].path) keys = 0;
-        names[i] = {static_cast<std::size_t>(frame.path), keys > 0 ? keys - 1 : 0};
+        segments[i] = {static_cast<std::size_t>(frame.path), keys > 0 ? keys - 1 : 0};
         if (frame.position_point >= 0) ++keys;
     }
-    return names;
+    return segments;
 }
 
 std::vector<LowRun> lowRuns(const Trajectory& trajectory, const std::vector<double>& scores,

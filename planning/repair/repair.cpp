@@ -56,7 +56,8 @@ std::map<SegmentId, ScoreTally> tallies(const Trial& trial, double threshold) {
         scores[segments[i]].push_back(trial.scores[i]);
     }
     std::map<SegmentId, ScoreTally> result;
-    for (const auto& [name, some] : scores) result[name] = tally(some, threshold);
+    for (const auto& [segment, segment_scores] : scores)
+        result[segment] = tally(segment_scores, threshold);
     return result;
 }
 
@@ -150,7 +151,7 @@ class Repair {
                                     path.vertices.begin() + static_cast<std::ptrdiff_t>(to));
             path.vertices.insert(at, inner.begin() + 1, inner.end() - 1);
             std::erase_if(design.look_asides,
-                          [&](const LookAside& g) { return g.segment == change.segment; });
+                          [&](const LookAside& view) { return view.segment == change.segment; });
             rerouted.insert(change.segment.path);
         }
         for (const std::size_t path : rerouted) {
@@ -252,9 +253,9 @@ int dropLow(Trial& trial, double threshold) {
 }
 
 int countSegments(const std::vector<LookAside>& look_asides) {
-    std::set<SegmentId> names;
-    for (const LookAside& look_aside : look_asides) names.insert(look_aside.segment);
-    return static_cast<int>(names.size());
+    std::set<SegmentId> segments;
+    for (const LookAside& look_aside : look_asides) segments.insert(look_aside.segment);
+    return static_cast<int>(segments.size());
 }
 
 }  // namespace
