@@ -121,7 +121,7 @@ SurfaceSampler::SurfaceSampler(const ViewEstimator& views, Detail detail)
 SurfaceSampler::~SurfaceSampler() = default;
 
 Result<FrameSurfaces> SurfaceSampler::sample(const Trajectory& trajectory, const JobContext& job) {
-    const RayGrid& grid = detail_ == Detail::Full ? kFineRays : kCoarseRays;
+    const RayGrid& grid = detail_ == Detail::Fine ? kFineRays : kCoarseRays;
     // Frames at new poses, and the patches they show.
     std::vector<std::size_t> fresh;
     for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {

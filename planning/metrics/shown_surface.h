@@ -50,10 +50,10 @@ class FrameSurfaces {
 /// key frames keep their poses at any frame rate. For one unchanging scene. Not thread-safe.
 class SurfaceSampler {
   public:
-    /// Full: 32 x 24 rays and patches of 0.1 m. Coarse: 16 x 12 rays and patches of 0.2 m, with
+    /// Fine: 32 x 24 rays and patches of 0.1 m. Coarse: 16 x 12 rays and patches of 0.2 m, with
     /// about the same results.
-    enum class Detail { Full, Coarse };
-    explicit SurfaceSampler(const ViewEstimator& views, Detail detail = Detail::Full);
+    enum class Detail { Fine, Coarse };
+    explicit SurfaceSampler(const ViewEstimator& views, Detail detail = Detail::Fine);
     ~SurfaceSampler();
     SurfaceSampler(const SurfaceSampler&) = delete;
     SurfaceSampler& operator=(const SurfaceSampler&) = delete;
@@ -70,7 +70,7 @@ class SurfaceSampler {
     std::map<std::array<double, 7>, std::shared_ptr<const FrameSurfaces::Shown>> shown_;
 };
 
-/// The repeat rate and the share of pixels on objects of a trajectory, sampled with Detail::Full.
+/// The repeat rate and the share of pixels on objects of a trajectory, sampled with Detail::Fine.
 /// Error: Cancelled.
 Result<ShownSurface> measureShownSurface(const ViewEstimator& views, const Trajectory& trajectory,
                                          const JobContext& job);

@@ -63,8 +63,8 @@ class Smoother {
             return corner;
         }
         wish = furthest(i, wish);
-        // Dense sampling decides the final set-back only.
-        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Sampling::Dense)) {
+        // Fine sampling decides the final set-back only.
+        while (wish >= kLeastSetBack && !keepsCaptures(i, wish, Sampling::Fine)) {
             wish = furthest(i, kShrink * wish);
         }
         if (wish < set_back_) corner.shortened = true;
@@ -113,7 +113,7 @@ class Smoother {
     }
 
   private:
-    enum class Sampling { Coarse, Dense };  // Coarse: few rays, which may be slightly wrong
+    enum class Sampling { Coarse, Fine };  // Coarse: few rays, which may be slightly wrong
 
     [[nodiscard]] const Eigen::Vector3d& at(std::size_t i) const {
         return path_.vertices[i].position;

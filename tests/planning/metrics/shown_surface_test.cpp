@@ -35,7 +35,7 @@ struct Fixture {
 TEST(SurfaceSampler, TheSecondTurnRepeatsTheFirstAtAnyDetail) {
     const Fixture f;
     const Trajectory twice = twiceAround(6);
-    for (const auto detail : {SurfaceSampler::Detail::Full, SurfaceSampler::Detail::Coarse}) {
+    for (const auto detail : {SurfaceSampler::Detail::Fine, SurfaceSampler::Detail::Coarse}) {
         SurfaceSampler sampler(f.views, detail);
         const auto shown = sampler.sample(twice, JobContext{});
         ASSERT_TRUE(shown);
