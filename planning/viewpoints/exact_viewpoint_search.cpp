@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kNearlyThere = 1.94;  // least nearness, by exact estimates, at which the search
                                        // continues
-constexpr std::size_t kClimbParents = 5;
-constexpr std::size_t kClimbChildren = 48;
-constexpr int kClimbGenerations = 30;
-constexpr double kClimbFirstSpread = 0.15;  // relative to the distance to the target
+constexpr std::size_t kExactParents = 5;
+constexpr std::size_t kExactChildren = 48;
+constexpr int kExactGenerations = 30;
+constexpr double kExactFirstSpread = 0.15;  // relative to the distance to the target
 constexpr double kLeastSpread = 0.005;
-constexpr double kClimbShrinking = 0.6;  // factor of the spread if no child is better than its
+constexpr double kExactShrinking = 0.6;  // factor of the spread if no child is better than its
                                          // parents
 
 struct ExactCandidate {
@@ -24,10 +24,10 @@ struct ExactCandidate {
     bool well = false;
 };
 
-class Climb {
+class ExactEstimator {
   public:
-    Climb(const PlanningEnvironment& environment, const CandidateEvaluator& evaluator,
-          int object_id)
+    ExactEstimator(const PlanningEnvironment& environment, const CandidateEvaluator& evaluator,
+                   int object_id)
         : environment_(environment), evaluator_(evaluator), object_id_(object_id) {}
 
     [[nodiscard]] ExactCandidate estimate(const Eigen::Vector3d& position) const {
@@ -41,7 +41,7 @@ class Climb {
         const std::vector<ExactCandidate>& parents, double spread, Random& random,
         std::vector<EvaluatedCandidate>& tried) const {
         std::vector<Eigen::Vector3d> places;
-        for (std::size_t i = 0; i < kClimbChildren; ++i) {
+        for (std::size_t i = 0; i < kExactChildren; ++i) {
             const Eigen::Vector3d& parent = parents[i % parents.size()].position;
             const Eigen::Vector3d offset(random.normal(), random.normal(), random.normal());
             const double distance = (parent - evaluator_.subject().center).norm();
@@ -69,7 +69,7 @@ void keepBest(std::vector<ExactCandidate>& refined) {
                      [](const ExactCandidate& a, const ExactCandidate& b) {
                          return std::pair(a.well, a.nearness) > std::pair(b.well, b.nearness);
                      });
-    refined.resize(std::min(refined.size(), kClimbParents));
+    refined.resize(std::min(refined.size(), kExactParents));
 }
 
 }  // namespace
@@ -77,25 +77,25 @@ void keepBest(std::vector<ExactCandidate>& refined) {
 ExactSearchResult searchExactViewpoint(const PlanningEnvironment& environment,
                                        const CandidateEvaluator& evaluator, int object_id,
                                        const std::vector<Eigen::Vector3d>& places, Random& random) {
-    const Climb climb(environment, evaluator, object_id);
-    ExactSearchResult climbed;
+    const ExactEstimator estimator(environment, evaluator, object_id);
+    ExactSearchResult result;
     std::vector<ExactCandidate> best;
-    for (std::size_t i = 0; i < std::min(kClimbParents, places.size()); ++i) {
-        best.push_back(climb.estimate(places[i]));
+    for (std::size_t i = 0; i < std::min(kExactParents, places.size()); ++i) {
+        best.push_back(estimator.estimate(places[i]));
     }
-    if (best.empty()) return climbed;
+    if (best.empty()) return result;
     keepBest(best);
-    double spread = kClimbFirstSpread;
-    for (int generation = 0; generation < kClimbGenerations; ++generation) {
+    double spread = kExactFirstSpread;
+    for (int generation = 0; generation < kExactGenerations; ++generation) {
         const ExactCandidate before = best.front();
         if (before.well || before.nearness < kNearlyThere || spread < kLeastSpread) break;
-        const auto children = climb.sampleAround(best, spread, random, climbed.tried);
+        const auto children = estimator.sampleAround(best, spread, random, result.tried);
         best.insert(best.end(), children.begin(), children.end());
         keepBest(best);
-        if (best.front().nearness <= before.nearness) spread *= kClimbShrinking;
+        if (best.front().nearness <= before.nearness) spread *= kExactShrinking;
     }
-    if (best.front().well) climbed.place = best.front().position;
-    return climbed;
+    if (best.front().well) result.place = best.front().position;
+    return result;
 }
 
 }  // namespace dollytrack::planning

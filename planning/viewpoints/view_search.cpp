@@ -294,11 +294,11 @@ class Search {
         for (const EvaluatedCandidate& one : promising_) {
             if (one.nearness >= kPromisingNearness) places.push_back(one.candidate.position);
         }
-        const ExactSearchResult climbed =
+        const ExactSearchResult exact =
             searchExactViewpoint(environment_, evaluator_, point_.objects.front(), places, random_);
-        for (const EvaluatedCandidate& tried : climbed.tried) note(tried);
-        if (climbed.place) best_ = evaluator_.evaluate(*climbed.place, SamplingDensity::Fine);
-        return climbed.place.has_value();
+        for (const EvaluatedCandidate& tried : exact.tried) note(tried);
+        if (exact.place) best_ = evaluator_.evaluate(*exact.place, SamplingDensity::Fine);
+        return exact.place.has_value();
     }
 
     [[nodiscard]] double distanceOf(const EvaluatedCandidate& evaluated) const {

@@ -159,7 +159,7 @@ TEST(ViewpointSearch, DoesNotClaimWhatNoPlaceShows) {
 
 // A few degrees off the axis the object just fails the visibility rule, and the positions nearby
 // that pass are found; where most of it is hidden, nothing is tried.
-TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
+TEST(ExactViewpointSearch, GoesOnFromWhereLittleIsMissing) {
     const double yaw = 2.4;
     const Fixture f(thingInANiche(yaw, 0.30));
     const int id = f.idOf("thing");
@@ -180,9 +180,9 @@ TEST(ExactClimb, GoesOnFromWhereLittleIsMissing) {
         const bool close = shown > 0.76 && shown < 0.795;
         if (!close && shown > 0.7) continue;  // too near the threshold to predict
         Random random(7, 1);
-        const ExactSearchResult climbed =
+        const ExactSearchResult result =
             searchExactViewpoint(environment, evaluator, id, {start}, random);
-        const auto& place = climbed.place;
+        const auto& place = result.place;
         EXPECT_EQ(place.has_value(), close) << off << ", shown " << shown;
         if (!place) continue;
         ++found;
