@@ -140,23 +140,23 @@ bool MapChange::within(const Eigen::Vector3d& center, double distance_m) const {
     });
 }
 
-bool isTouched(const SearchFootprint& looked, const MovedObjects& moved, const MapChange& map,
+bool isTouched(const SearchFootprint& footprint, const MovedObjects& moved, const MapChange& map,
                double camera_radius_m) {
     const double reach = camera_radius_m + SweptSphere::kMargin + kMovedTolerance_m;
     const double gap_reach = gapReach(camera_radius_m) + kMovedTolerance_m;
-    Eigen::AlignedBox3d all = looked.target;
-    for (const SearchFootprint::Place& place : looked.places) all.extend(place.position);
+    Eigen::AlignedBox3d all = footprint.target;
+    for (const SearchFootprint::Place& place : footprint.places) all.extend(place.position);
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(std::max(reach, gap_reach));
     const bool may_meet = moved.meet({all.min() - margin, all.max() + margin});
-    for (const SearchFootprint::Place& place : looked.places) {
+    for (const SearchFootprint::Place& place : footprint.places) {
         if (map.at(place.position)) return true;
         if (!may_meet) continue;
         if (moved.near(place.position, reach)) return true;
-        if (place.looked && moved.near(place.position, gap_reach)) return true;
-        if (place.looked && moved.cross(place.position, looked.target)) return true;
+        if (place.cast_rays && moved.near(place.position, gap_reach)) return true;
+        if (place.cast_rays && moved.cross(place.position, footprint.target)) return true;
     }
-    return looked.sampled_within_m >= 0.0 &&
-           map.within(looked.sampled_around, looked.sampled_within_m);
+    return footprint.sampled_within_m >= 0.0 &&
+           map.within(footprint.sampled_around, footprint.sampled_within_m);
 }
 
 }  // namespace dollytrack::planning

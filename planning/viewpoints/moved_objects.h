@@ -42,8 +42,8 @@ class MovedObjects {
 struct SearchFootprint {
     struct Place {
         Eigen::Vector3d position;
-        bool looked = false;  // whether rays were cast from here; else only the camera's fit was
-                              // tested
+        bool cast_rays = false;  // whether rays were cast from here; else only the camera's fit was
+                                 // tested
     };
     std::vector<Place> places;
     Eigen::AlignedBox3d target;  // see reachedBox()
@@ -72,7 +72,7 @@ class MapChange {
 };
 
 /// Whether a search may have a different result now. Conservative: never false if it would.
-[[nodiscard]] bool isTouched(const SearchFootprint& looked, const MovedObjects& moved,
+[[nodiscard]] bool isTouched(const SearchFootprint& footprint, const MovedObjects& moved,
                              const MapChange& map, double camera_radius_m);
 
 }  // namespace dollytrack::planning

@@ -49,7 +49,7 @@ constexpr double kLeastFill = 0.35;
 constexpr double kMostFill = 0.85;
 
 /// Whether the verdict needed rays, and not the position alone.
-bool isLookedFrom(Verdict verdict) {
+bool neededRays(Verdict verdict) {
     return verdict == Verdict::Legal || verdict == Verdict::OccludedBy ||
            verdict == Verdict::Cropped || verdict == Verdict::TooSmall ||
            verdict == Verdict::InGap || verdict == Verdict::Unscanned;
@@ -64,7 +64,8 @@ class Search {
           params_(params),
           evaluator_(environment, point, params.fill),
           random_(random) {
-        for (const int id : point.objects) looked_.target.extend(reachedBox(environment.views, id));
+        for (const int id : point.objects)
+            footprint_.target.extend(reachedBox(environment.views, id));
     }
 
     FoundView run() {
@@ -77,8 +78,8 @@ class Search {
             tryDirections(directionsAllAround(point_.direction, kAroundDirections),
                           {1.0, 0.75, 0.55});
             if (!refineBest()) {
-                looked_.sampled_around = evaluator_.subject().center;
-                looked_.sampled_within_m =
+                footprint_.sampled_around = evaluator_.subject().center;
+                footprint_.sampled_within_m =
                     furthestUseful(environment_.views, evaluator_.subject(), kLeastRandomFill);
                 tryRandomPlaces(kLeastRandomFill, kMostRandomFill, kRandomPlaces);
                 tryFromTheCeiling();
@@ -176,8 +177,8 @@ class Search {
     /// Records what a candidate depends on. Finer sampling at the same position depends on nothing
     /// more.
     void note(const EvaluatedCandidate& evaluated) {
-        looked_.places.push_back(
-            {evaluated.candidate.position, isLookedFrom(evaluated.candidate.verdict)});
+        footprint_.places.push_back(
+            {evaluated.candidate.position, neededRays(evaluated.candidate.verdict)});
     }
 
     /// Adds a candidate. Returns whether it is legal and worth finer sampling.
@@ -308,7 +309,7 @@ class Search {
     FoundView finish() {
         FoundView found;
         found.search.candidates = std::move(candidates_);
-        found.looked = std::make_shared<const SearchFootprint>(std::move(looked_));
+        found.footprint = std::make_shared<const SearchFootprint>(std::move(footprint_));
         if (!best_) {
             found.not_well = point_.objects;
             return found;
@@ -348,7 +349,7 @@ class Search {
     std::vector<EvaluatedCandidate> promising_;  // legal candidates of a single object, for breed()
     std::optional<EvaluatedCandidate> best_;
     int early_samplings_ = 0;
-    SearchFootprint looked_;
+    SearchFootprint footprint_;
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ std::size_t SearchCache::forget(const MovedObjects& moved, const MapChange& map,
         const Entry& entry = *entries[i];
         const bool own =
             std::ranges::any_of(entry.point.objects, [&](int id) { return moved.isOne(id); });
-        touched[i] = own || isTouched(*entry.found.looked, moved, map, camera_radius_m) ? 1 : 0;
+        touched[i] = own || isTouched(*entry.found.footprint, moved, map, camera_radius_m) ? 1 : 0;
     });
     std::size_t i = 0;
     std::erase_if(entries_, [&](const auto&) { return touched[i++] != 0; });

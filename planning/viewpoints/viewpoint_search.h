@@ -43,7 +43,7 @@ struct FoundView {
     std::optional<PositionPoint> best;
     std::vector<int> not_well;  // members of the group that the best view does not
                                 // capture well
-    std::shared_ptr<const SearchFootprint> looked;  // what the result depends on
+    std::shared_ptr<const SearchFootprint> footprint;  // what the result depends on
 };
 
 /// Cache of search results. A search depends on its observation point alone, given the same map,
