@@ -145,13 +145,13 @@ void EnclosureClassifier::findFurnitureColumns(const EnclosureInput& seen, const
     const VoxelGrid& grid = seen.grid;
     parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
         const int y = box.begin[1] + static_cast<int>(row_in_box);
-        std::uint8_t* thing = furniture_.data() + grid.rowOf(y, 0);
-        std::fill(thing + box.begin[0], thing + box.end[0], std::uint8_t{0});
+        std::uint8_t* furniture = furniture_.data() + grid.rowOf(y, 0);
+        std::fill(furniture + box.begin[0], furniture + box.end[0], std::uint8_t{0});
         for (int z = 0; z < grid.count[2]; ++z) {
             const std::uint8_t* row = seen.surfaces.data() + grid.rowOf(y, z);
             for (int x = box.begin[0]; x < box.end[0]; ++x) {
                 const unsigned kind = row[x] & (kBuilding | kStructure);
-                if (kind == kBuilding) thing[x] = 1;
+                if (kind == kBuilding) furniture[x] = 1;
             }
         }
     });
@@ -170,9 +170,10 @@ std::vector<std::uint8_t> EnclosureClassifier::findFurnished(const VoxelGrid& gr
     std::vector<std::uint8_t> furnished(columns.size(), 0);
     const double cell_area = grid.resolution_m * grid.resolution_m;
     for (std::size_t part = 0; part < columns.size(); ++part) {
-        const auto things = static_cast<double>(columns[part][1]);
-        furnished[part] = things >= kFurnishedShare * static_cast<double>(columns[part][0]) &&
-                          things * cell_area >= kFurnishedArea_m2;
+        const auto furniture_columns = static_cast<double>(columns[part][1]);
+        furnished[part] =
+            furniture_columns >= kFurnishedShare * static_cast<double>(columns[part][0]) &&
+            furniture_columns * cell_area >= kFurnishedArea_m2;
     }
     return furnished;
 }

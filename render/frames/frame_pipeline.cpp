@@ -139,10 +139,10 @@ Status FramePipeline::drawRig(FrameRecord& record) {
 Result<std::vector<std::uint64_t>> FramePipeline::drawInstances(const View& view,
                                                                 FrameRecord& record,
                                                                 const std::vector<int>& wanted) {
-    const std::vector<int> things = thingsSeen(contents_.scene, record);
-    std::vector<int> all = things;
+    const std::vector<int> visible = visibleObjects(contents_.scene, record);
+    std::vector<int> all = visible;
     for (const int id : wanted) {
-        if (!std::ranges::binary_search(things, id)) all.push_back(id);
+        if (!std::ranges::binary_search(visible, id)) all.push_back(id);
     }
     if (Status status = renderer_->startSilhouettes(view, all); !status) {
         return tl::unexpected(status.error());
@@ -151,7 +151,7 @@ Result<std::vector<std::uint64_t>> FramePipeline::drawInstances(const View& view
     const auto countOf = [&](int id) {
         return counts[static_cast<std::size_t>(std::ranges::find(all, id) - all.begin())];
     };
-    Result<std::vector<RenderedAmodalMask>> masks = renderer_->drawWhole(view, things);
+    Result<std::vector<RenderedAmodalMask>> masks = renderer_->drawWhole(view, visible);
     if (!masks) return tl::unexpected(masks.error());
     record.whole = std::move(*masks);
     for (const RenderedAmodalMask& mask : record.whole) {

@@ -70,7 +70,7 @@ std::vector<InstanceInFrame> measureInstances(const FrameRecord& frame) {
     return instances;
 }
 
-std::vector<int> thingsSeen(const Scene& scene, const FrameRecord& frame) {
+std::vector<int> visibleObjects(const Scene& scene, const FrameRecord& frame) {
     std::vector<bool> seen(65536, false);
     for (const std::uint16_t id : frame.instance) seen[id] = true;
     std::vector<int> ids;

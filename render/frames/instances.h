@@ -44,7 +44,7 @@ struct InstanceInFrame {
 [[nodiscard]] std::vector<InstanceInFrame> measureInstances(const FrameRecord& frame);
 
 /// Ids of visible non-structure objects, increasing.
-[[nodiscard]] std::vector<int> thingsSeen(const Scene& scene, const FrameRecord& frame);
+[[nodiscard]] std::vector<int> visibleObjects(const Scene& scene, const FrameRecord& frame);
 
 /// An object's box in the camera frame (x right, y down, z forward), m.
 struct BoxInCamera {
