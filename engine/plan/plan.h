@@ -51,7 +51,7 @@ struct TrajectoryMetrics {
     /// Moves from one frame to the next that the camera makes around something, while the straight
     /// line between the two frames is not free.
     int straight_lines_that_hit = 0;
-    MinimumClearance tightest;
+    MinimumClearance minimum_clearance;
     MotionMetrics motion;
 };
 

@@ -134,7 +134,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         {"corner_collision_rate", motion.corner_collision_rate},
         {"frame_collision_rate", motion.frame_collision_rate},
         {"straight_lines_that_hit", motion.straight_lines_that_hit},
-        {"min_clearance_m", motion.tightest.clearance_m},
+        {"min_clearance_m", motion.minimum_clearance.clearance_m},
         {"path_length_m", motion.path_length_m},
         {"frames", plan.trajectory.frames.size()},
         {"frame_interval_s", plan.trajectory.frame_interval_s},
@@ -158,11 +158,12 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         }
     }
     if (!has_small) result["small_capture_rate"] = nullptr;
-    if (motion.tightest.object_id == 0) result["min_clearance_m"] = nullptr;
-    if (motion.tightest.object_id != 0) {
-        result["min_clearance_at"] = {{"position", vectorJson(motion.tightest.position)},
-                                      {"object", scene.object(motion.tightest.object_id).name},
-                                      {"frame", motion.tightest.frame}};
+    if (motion.minimum_clearance.object_id == 0) result["min_clearance_m"] = nullptr;
+    if (motion.minimum_clearance.object_id != 0) {
+        result["min_clearance_at"] = {
+            {"position", vectorJson(motion.minimum_clearance.position)},
+            {"object", scene.object(motion.minimum_clearance.object_id).name},
+            {"frame", motion.minimum_clearance.frame}};
     }
     visitMotionMetrics(motion.motion,
                        [&](const std::string& name, double value) { result[name] = value; });

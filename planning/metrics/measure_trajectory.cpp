@@ -41,7 +41,7 @@ Result<TrajectoryMetrics> measureTrajectory(const ViewEstimator& views,
                        .free;
     });
     metrics.straight_lines_that_hit = static_cast<int>(std::count(cuts.begin(), cuts.end(), 1));
-    metrics.tightest = findMinimumClearance(paths, trajectory, rays);
+    metrics.minimum_clearance = findMinimumClearance(paths, trajectory, rays);
     metrics.motion = measureMotion(trajectory);
     metrics.frame_collision_rate =
         static_cast<double>(std::count(collides.begin(), collides.end(), 1)) /

@@ -64,8 +64,8 @@ int nearestFrame(const Trajectory& trajectory, const Eigen::Vector3d& position) 
 
 MinimumClearance findMinimumClearance(const std::vector<SmoothPath>& paths,
                                       const Trajectory& trajectory, const RayCaster& rays) {
-    MinimumClearance tightest;
-    if (trajectory.frames.empty()) return tightest;
+    MinimumClearance clearance;
+    if (trajectory.frames.empty()) return clearance;
     std::vector<Near> at_frames(trajectory.frames.size());
     parallelFor(at_frames.size(), [&](std::size_t i) {
         const Eigen::Vector3d& position = trajectory.frames[i].pose.position;
@@ -95,11 +95,11 @@ MinimumClearance findMinimumClearance(const std::vector<SmoothPath>& paths,
         if (one.distance < least.distance) least = one;
     }
     const ClosestPoint surface = rays.closest(least.position);
-    tightest.clearance_m = least.distance;
-    tightest.position = least.position;
-    tightest.object_id = surface.object_id;
-    tightest.frame = nearestFrame(trajectory, least.position);
-    return tightest;
+    clearance.clearance_m = least.distance;
+    clearance.position = least.position;
+    clearance.object_id = surface.object_id;
+    clearance.frame = nearestFrame(trajectory, least.position);
+    return clearance;
 }
 
 }  // namespace dollytrack::planning

@@ -79,18 +79,18 @@ std::string collisionRows(const nlohmann::json& m) {
         text += row("  between frames",
                     fmt::format("none on the path; {} on straight lines between frames", lines));
     }
-    std::string tightest = "-";
+    std::string clearance = "-";
     if (const auto least = m.find("min_clearance_m"); least != m.end() && least->is_number()) {
-        tightest = fmt::format("{:.3f} m", least->get<double>());
+        clearance = fmt::format("{:.3f} m", least->get<double>());
     }
     if (m.contains("min_clearance_at")) {
         const nlohmann::json& at = m["min_clearance_at"];
-        tightest += fmt::format(" to {}, near frame {} at ({:.2f}, {:.2f}, {:.2f})",
-                                at["object"].get<std::string>(), at["frame"].get<int>(),
-                                at["position"][0].get<double>(), at["position"][1].get<double>(),
-                                at["position"][2].get<double>());
+        clearance += fmt::format(" to {}, near frame {} at ({:.2f}, {:.2f}, {:.2f})",
+                                 at["object"].get<std::string>(), at["frame"].get<int>(),
+                                 at["position"][0].get<double>(), at["position"][1].get<double>(),
+                                 at["position"][2].get<double>());
     }
-    text += row("smallest clearance", tightest);
+    text += row("smallest clearance", clearance);
     return text;
 }
 

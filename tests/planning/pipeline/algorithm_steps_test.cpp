@@ -148,7 +148,7 @@ TEST(Pipeline, FrameViewsAndSeriesAgreeWithTheCaptures) {
     const double least =
         *std::min_element(plan->series.clearance_m.begin(), plan->series.clearance_m.end());
     EXPECT_GE(least, PlanParams{}.camera.camera_radius_m - 1e-4);
-    EXPECT_GE(least, plan->trajectory_metrics.tightest.clearance_m - 1e-4);
+    EXPECT_GE(least, plan->trajectory_metrics.minimum_clearance.clearance_m - 1e-4);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ int checkScene(const char* path) {
         const auto found = checker.check(**plan, params.camera.camera_radius_m, false);
         std::printf("%s: corner %.2f m: %d of %ld places touch, least %.4f m, reported %.4f m\n",
                     scene->name.c_str(), corner, found.touching, found.places, found.clearance_m,
-                    (*plan)->trajectory_metrics.tightest.clearance_m);
+                    (*plan)->trajectory_metrics.minimum_clearance.clearance_m);
         touching += found.touching;
     }
     return touching;

@@ -91,10 +91,11 @@ TEST(EveryTrajectory, KeepsTheSphereOutOfAllTriangles) {
                     places += found.places;
                     if (found.places == 0) continue;
                     // The reported position has the reported clearance, and no other is tighter.
-                    const MinimumClearance& tightest = (*plan)->trajectory_metrics.tightest;
-                    EXPECT_NEAR(tightest.clearance_m, found.clearance_m, 1.2e-3);
-                    EXPECT_LE(tightest.clearance_m, found.clearance_m + 1.2e-4);
-                    EXPECT_NEAR(checker.distance(tightest.position), tightest.clearance_m, 2e-5);
+                    const MinimumClearance& clearance =
+                        (*plan)->trajectory_metrics.minimum_clearance;
+                    EXPECT_NEAR(clearance.clearance_m, found.clearance_m, 1.2e-3);
+                    EXPECT_LE(clearance.clearance_m, found.clearance_m + 1.2e-4);
+                    EXPECT_NEAR(checker.distance(clearance.position), clearance.clearance_m, 2e-5);
                 }
             }
         }

@@ -75,8 +75,8 @@ TEST(Shake, FewFramesOfAFastCameraHideNoCollision) {
                 const auto found = checker.check(*plan, radius, true);
                 EXPECT_EQ(found.touching, 0) << found.position.transpose();
                 const TrajectoryMetrics& measured = plan->trajectory_metrics;
-                EXPECT_GE(measured.tightest.clearance_m, radius);
-                EXPECT_NEAR(measured.tightest.clearance_m, found.clearance_m, 1.2e-3);
+                EXPECT_GE(measured.minimum_clearance.clearance_m, radius);
+                EXPECT_NEAR(measured.minimum_clearance.clearance_m, found.clearance_m, 1.2e-3);
                 EXPECT_EQ(measured.frame_collision_rate, 0.0);
                 lines_that_hit += measured.straight_lines_that_hit;
             }

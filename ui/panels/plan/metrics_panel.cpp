@@ -105,8 +105,8 @@ void drawTrajectory(const Plan& plan, bool measured) {
     }
     row("Path", fmt::format("{:.1f} m", length));
     const std::string where =
-        measured ? fmt::format("{:.3f} m, near frame {}", metrics.tightest.clearance_m,
-                               metrics.tightest.frame)
+        measured ? fmt::format("{:.3f} m, near frame {}", metrics.minimum_clearance.clearance_m,
+                               metrics.minimum_clearance.frame)
                  : fmt::format("{:.3f} m", clearance);
     row("Clearance", where,
         "Smallest distance from the camera's centre to a surface along the path");
