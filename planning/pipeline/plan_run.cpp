@@ -93,8 +93,8 @@ class Pipeline::Stages::PlanRun {
         return viewpoints().position_points;
     }
     /// Where the camera may move; with one trajectory per room, within its room.
-    [[nodiscard]] const PlanningEnvironment& moves() const {
-        return in_room_ ? *in_room_ : environment_;
+    [[nodiscard]] const PlanningEnvironment& movementEnvironment() const {
+        return room_environment_ ? *room_environment_ : environment_;
     }
 
     Stages& stages_;
@@ -104,8 +104,8 @@ class Pipeline::Stages::PlanRun {
     const OnTrajectory& on_trajectory_;
     SweptSphere sphere_;
     PlanningEnvironment environment_;
-    std::optional<SweptSphere> sphere_in_room_;
-    std::optional<PlanningEnvironment> in_room_;
+    std::optional<SweptSphere> room_sphere_;
+    std::optional<PlanningEnvironment> room_environment_;
     PathEnds ends_;                             // from selectKeyFrames()
     std::optional<TrajectoryBuilder> builder_;  // from selectKeyFrames()
 };
@@ -158,11 +158,11 @@ Status Pipeline::Stages::PlanRun::divideIntoRooms() {
              })
         .map([&] {
             if (params_.constraints.rooms != RoomTours::Each) return;
-            sphere_in_room_.emplace(*stages_.rays, *stages_.free_space, radius_m, &*stages_.region,
-                                    &*stages_.rooms);
-            in_room_.emplace(PlanningEnvironment{*stages_.views, *stages_.free_space,
-                                                 *sphere_in_room_, environment_.pitch,
-                                                 environment_.heading});
+            room_sphere_.emplace(*stages_.rays, *stages_.free_space, radius_m, &*stages_.region,
+                                 &*stages_.rooms);
+            room_environment_.emplace(PlanningEnvironment{*stages_.views, *stages_.free_space,
+                                                          *room_sphere_, environment_.pitch,
+                                                          environment_.heading});
         });
 }
 
@@ -202,7 +202,7 @@ PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
 }
 
 Status Pipeline::Stages::PlanRun::selectKeyFrames() {
-    builder_.emplace(environment_, moves(), viewpoints(), params_, job_);
+    builder_.emplace(environment_, movementEnvironment(), viewpoints(), params_, job_);
     ends_ = pathEnds();
     const KeyFrameInputs inputs{stages_.pointsVersion(),
                                 edits_.regions,
@@ -241,7 +241,7 @@ Status Pipeline::Stages::PlanRun::growRoadmap() {
             return searchRoadmap(
                 positionPoints(), *stages_.key_frames,
                 targetSizes(*stages_.scene, viewpoints().observation_points, positionPoints()),
-                moves().sphere, params_.roadmap, params_.seed, job);
+                movementEnvironment().sphere, params_.roadmap, params_.seed, job);
         });
 }
 
@@ -252,8 +252,8 @@ Status Pipeline::Stages::PlanRun::linkRoadmap() {
                        [&]() -> Result<Roadmap> {
                            Roadmap linked = *stages_.roadmap;
                            return linkGroups(linked, positionPoints(), *stages_.key_frames,
-                                             *stages_.free_space, moves().sphere, params_.linking,
-                                             params_.seed, job)
+                                             *stages_.free_space, movementEnvironment().sphere,
+                                             params_.linking, params_.seed, job)
                                .map([&] { return std::move(linked); });
                        });
 }
@@ -262,8 +262,8 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsWithin(double max_length_m, const 
     Paths found{*stages_.linking, {}};
     PathParams within = params_.path;
     within.max_length_m = max_length_m;
-    return takePaths(found.roadmap, positionPoints(), moves().sphere, within, params_.roadmap,
-                     ends_, job)
+    return takePaths(found.roadmap, positionPoints(), movementEnvironment().sphere, within,
+                     params_.roadmap, ends_, job)
         .map([&](std::vector<CameraPath> paths) {
             found.paths = std::move(paths);
             return std::move(found);
@@ -335,8 +335,8 @@ Status Pipeline::Stages::PlanRun::repairFrames() {
                                stages_.paths->paths, *stages_.gaze, *stages_.timing, {}};
                            if (!wanted) return as_timed;
                            return repairTrajectory(as_timed, builder_->maker(*stages_.smoothing),
-                                                   moves(), params_.repair, params_.seed, job,
-                                                   &stages_.cache.frame_views);
+                                                   movementEnvironment(), params_.repair,
+                                                   params_.seed, job, &stages_.cache.frame_views);
                        });
 }
 
@@ -362,7 +362,7 @@ Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const 
         report.before = report.after = tally(series.score, report.threshold);
     }
     return measureTrajectory(*stages_.views, stages_.repair->smooth_paths, trajectory,
-                             moves().sphere, *stages_.rays, job)
+                             movementEnvironment().sphere, *stages_.rays, job)
         .and_then([&](const TrajectoryMetrics& measured) {
             return measureCoverages(job).map([&](Coverages&& shown) {
                 return Metrics{std::move(*estimate), measured, std::move(shown), std::move(series),

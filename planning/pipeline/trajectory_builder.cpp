@@ -15,10 +15,11 @@
 namespace dollytrack::planning {
 
 TrajectoryBuilder::TrajectoryBuilder(const PlanningEnvironment& environment,
-                                     const PlanningEnvironment& moves, const Viewpoints& viewpoints,
-                                     const PlanParams& params, const JobContext& job)
+                                     const PlanningEnvironment& movement,
+                                     const Viewpoints& viewpoints, const PlanParams& params,
+                                     const JobContext& job)
     : environment_(environment),
-      moves_(moves),
+      movement_(movement),
       position_points_(viewpoints.position_points),
       observation_points_(viewpoints.observation_points),
       params_(params),
@@ -33,7 +34,8 @@ Pose TrajectoryBuilder::poseAt(const SmoothPath::Key& key) const {
 }
 
 Result<SmoothPath> TrajectoryBuilder::smooth(const CameraPath& path) const {
-    return smoothPath(path, position_points_, observation_points_, moves_, params_.smoothing, job_);
+    return smoothPath(path, position_points_, observation_points_, movement_, params_.smoothing,
+                      job_);
 }
 
 Result<std::vector<SmoothPath>> TrajectoryBuilder::smooth(
@@ -107,8 +109,8 @@ Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
             [&](Trajectory&& steady) { return withoutRepeats(std::move(steady), paths, timing); })
         .and_then([&](Trajectory&& steady) {
             return shakeTrajectory(paths, std::move(steady), position_points_, environment_.views,
-                                   moves_.sphere, params_.shake, environment_.pitch, params_.seed,
-                                   job_);
+                                   movement_.sphere, params_.shake, environment_.pitch,
+                                   params_.seed, job_);
         });
 }
 

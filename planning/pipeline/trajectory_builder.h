@@ -16,9 +16,9 @@ namespace dollytrack::planning {
 /// budget of frames is too small.
 class TrajectoryBuilder {
   public:
-    /// `environment` limits where the camera may look from, `moves` where it may move. They are the
-    /// same, unless each room has a trajectory of its own.
-    TrajectoryBuilder(const PlanningEnvironment& environment, const PlanningEnvironment& moves,
+    /// `environment` limits where the camera may look from, `movement` where it may move. They are
+    /// the same, unless each room has a trajectory of its own.
+    TrajectoryBuilder(const PlanningEnvironment& environment, const PlanningEnvironment& movement,
                       const Viewpoints& viewpoints, const PlanParams& params,
                       const JobContext& job);
 
@@ -51,7 +51,7 @@ class TrajectoryBuilder {
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const;
 
     const PlanningEnvironment& environment_;
-    const PlanningEnvironment& moves_;
+    const PlanningEnvironment& movement_;
     const std::vector<PositionPoint>& position_points_;
     const std::vector<ObservationPoint>& observation_points_;
     const PlanParams& params_;
