@@ -32,7 +32,7 @@ std::string_view changeOf(const OrientedBox& before, const OrientedBox& after) {
     return turned ? "Turn" : "Move";
 }
 
-std::string listInWords(const std::vector<ObjectRef>& objects) {
+std::string describeObjects(const std::vector<ObjectRef>& objects) {
     // Limits the length of a line in the history and its tooltip.
     constexpr std::size_t kMost = 8;
     std::string words;
@@ -45,11 +45,11 @@ std::string listInWords(const std::vector<ObjectRef>& objects) {
     return words;
 }
 
-std::string viewInWords(const PinnedPoint& point) {
+std::string describeView(const PinnedPoint& point) {
     if (point.objects.empty()) return point.name;
     const bool named_after_objects = point.name == inWords(point.objects);
     return "the pinned view " +
-           (named_after_objects ? "of " + listInWords(point.objects) : point.name);
+           (named_after_objects ? "of " + describeObjects(point.objects) : point.name);
 }
 
 }  // namespace dollytrack

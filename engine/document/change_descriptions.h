@@ -19,11 +19,11 @@ std::string_view changeOf(const OrientedBox& before, const OrientedBox& after);
 
 /// "lamp_3, mug and book": the names of the objects. Of ten or more, the first eight and a count of
 /// the rest.
-std::string listInWords(const std::vector<ObjectRef>& objects);
+std::string describeObjects(const std::vector<ObjectRef>& objects);
 
 /// "the pinned view of sofa": a pinned point is named like the object that it captures, so this
 /// tells it from the object. A point that was placed from a view captures no given object; its own
 /// name is returned, such as "view 2".
-std::string viewInWords(const PinnedPoint& point);
+std::string describeView(const PinnedPoint& point);
 
 }  // namespace dollytrack

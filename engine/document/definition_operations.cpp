@@ -223,7 +223,7 @@ std::string merge(ProjectState& state, const OperationContext& context,
     }
     if (!fields.good()) return {};
     std::string name =
-        fmt::format("Make {} of {}", definition.name, listInWords(definition.objects));
+        fmt::format("Make {} of {}", definition.name, describeObjects(definition.objects));
     mergeOne(state, scene, std::move(definition));
     return name;
 }
@@ -297,7 +297,7 @@ std::string split(ProjectState& state, const OperationContext& context,
         return {};
     }
     return fmt::format(
-        "Split {} into {} pieces, the smallest {:.3g} m{}", listInWords(done), count.pieces,
+        "Split {} into {} pieces, the smallest {:.3g} m{}", describeObjects(done), count.pieces,
         count.smallest_m,
         count.joined == 0 ? "" : fmt::format(", {} smaller ones with the nearest", count.joined));
 }

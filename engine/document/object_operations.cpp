@@ -97,7 +97,7 @@ std::string excludeObject(ProjectState& state, const OperationContext& context,
             change.role = structure ? std::nullopt : std::optional(Role::Excluded);
         });
     }
-    return "Exclude " + listInWords(objects);
+    return "Exclude " + describeObjects(objects);
 }
 
 std::string includeObject(ProjectState& state, const OperationContext& context,
@@ -113,7 +113,7 @@ std::string includeObject(ProjectState& state, const OperationContext& context,
             change.role = say ? std::optional(Role::Target) : std::nullopt;
         });
     }
-    return "Include " + listInWords(objects);
+    return "Include " + describeObjects(objects);
 }
 
 std::string setClass(ProjectState& state, const OperationContext& context,
@@ -124,7 +124,7 @@ std::string setClass(ProjectState& state, const OperationContext& context,
     for (const ObjectRef& object : objects) {
         alter(state, context, object, [&](ObjectChange& change) { change.nyu40 = nyu40; });
     }
-    return fmt::format("Make {} a {}", listInWords(objects), nyu40Name(nyu40));
+    return fmt::format("Make {} a {}", describeObjects(objects), nyu40Name(nyu40));
 }
 
 std::string setFront(ProjectState& state, const OperationContext& context,
@@ -207,7 +207,7 @@ std::string setSize(ProjectState& state, const OperationContext& context,
             change.large = size == "auto" ? std::nullopt : std::optional(size == "large");
         });
     }
-    const std::string names = listInWords(objects);
+    const std::string names = describeObjects(objects);
     return size == "auto" ? fmt::format("Measure the size of {}", names)
                           : fmt::format("Make {} {}", names, size);
 }
@@ -237,7 +237,7 @@ std::string resetObject(ProjectState& state, const OperationContext& context,
             change.object = same;
         });
     }
-    return "Reset " + listInWords(objects);
+    return "Reset " + describeObjects(objects);
 }
 
 }  // namespace dollytrack

@@ -111,12 +111,12 @@ std::string pin(ProjectState& state, const OperationContext& context,
     });
     if (found != pinned.end() && !fields.has("name")) {
         const Pose before = std::exchange(found->pose, fields.pose(found->pose));
-        return fmt::format("{} {}", changeOf(before, found->pose), viewInWords(*found));
+        return fmt::format("{} {}", changeOf(before, found->pose), describeView(*found));
     } else {
         const std::string name = freeName(pinned, fields, inWords(objects));
         pinned.push_back({name, fields.pose({}), objects});
     }
-    return "Pin the view of " + listInWords(objects);
+    return "Pin the view of " + describeObjects(objects);
 }
 
 std::string addPoint(ProjectState& state, const OperationContext&, const OperationReader& fields) {
@@ -131,7 +131,7 @@ std::string movePoint(ProjectState& state, const OperationContext&, const Operat
     const auto found = findNamed(pinned, fields.field("point"), "pinned point");
     if (!fields.good()) return {};
     const Pose before = std::exchange(found->pose, fields.pose(found->pose));
-    return fmt::format("{} {}", changeOf(before, found->pose), viewInWords(*found));
+    return fmt::format("{} {}", changeOf(before, found->pose), describeView(*found));
 }
 
 std::string unpin(ProjectState& state, const OperationContext&, const OperationReader& fields) {
@@ -140,7 +140,7 @@ std::string unpin(ProjectState& state, const OperationContext&, const OperationR
     if (!fields.good()) return {};
     std::string name =
         "Unpin " +
-        (found->objects.empty() ? found->name : "the view of " + listInWords(found->objects));
+        (found->objects.empty() ? found->name : "the view of " + describeObjects(found->objects));
     pinned.erase(found);
     forgetLostEnds(state.edits.plan);
     return name;
@@ -160,7 +160,7 @@ std::string removePoint(ProjectState& state, const OperationContext& context,
             return standsFor(removed.objects, objects, context.scene);
         });
     if (!already) plan.removed.push_back({objects});
-    return "Remove the view of " + listInWords(objects);
+    return "Remove the view of " + describeObjects(objects);
 }
 
 std::string restorePoint(ProjectState& state, const OperationContext& context,
@@ -175,7 +175,7 @@ std::string restorePoint(ProjectState& state, const OperationContext& context,
         fields.field("objects").refuse(
             fmt::format("The view of {} was not removed.", inWords(objects)));
     }
-    return "Restore the view of " + listInWords(objects);
+    return "Restore the view of " + describeObjects(objects);
 }
 
 std::string setStart(ProjectState& state, const OperationContext&, const OperationReader& fields) {

@@ -208,7 +208,7 @@ void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     visitVolume(write, volume);
     write.bytes += io::sha256Of(write.bytes);
     if (write.bytes.size() > most_bytes_) return;
-    io::makeCacheRoom(folder_, {kExtension}, most_bytes_ - write.bytes.size());
+    io::evictOldest(folder_, {kExtension}, most_bytes_ - write.bytes.size());
     (void)folder_.write(key + kExtension, write.bytes, io::Durability::Renamed);
 }
 

@@ -152,7 +152,7 @@ std::vector<fs::path> findLeftNotes(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> notes;
     std::vector<fs::path> left_over;
-    for (const fs::directory_entry& entry : filesIn(folder)) {
+    for (const fs::directory_entry& entry : entriesOf(folder)) {
         const std::string mark = markOf(entry.path());
         if (mark.empty() || OwnerMark::isHeld(folder, mark)) continue;
         fs::path note = entry.path();

@@ -113,7 +113,7 @@ bool OwnerMark::isHeld(const fs::path& folder, std::string_view mark) {
 void OwnerMark::tidy(const fs::path& folder) {
     std::error_code ignored;
     std::vector<fs::path> left_over;
-    for (const fs::directory_entry& entry : filesIn(folder)) {
+    for (const fs::directory_entry& entry : entriesOf(folder)) {
         const fs::path& file = entry.path();
         if (file.extension() != kLockEnding) continue;
         // A lock file that is being created is not locked yet, but its process runs.

@@ -22,7 +22,7 @@ std::filesystem::path folder() {
 
 std::vector<RecoveredWork> findRecoveredWork() {
     std::vector<std::pair<std::filesystem::file_time_type, RecoveredWork>> found;
-    for (const auto& entry : filesIn(folder())) {
+    for (const auto& entry : entriesOf(folder())) {
         if (entry.path().extension() != ".dolly" ||
             OwnerMark::isHeld(folder(), entry.path().stem().string())) {
             continue;

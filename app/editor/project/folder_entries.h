@@ -7,7 +7,7 @@ namespace dollytrack::editor {
 
 /// The entries of a folder, unsorted, as far as they can be read. Throws only bad_alloc; a
 /// range-for over directory_iterator may throw on a failing disk.
-[[nodiscard]] inline std::vector<std::filesystem::directory_entry> filesIn(
+[[nodiscard]] inline std::vector<std::filesystem::directory_entry> entriesOf(
     const std::filesystem::path& folder) {
     std::vector<std::filesystem::directory_entry> entries;
     std::error_code error;

@@ -9,8 +9,8 @@
 
 namespace dollytrack::io {
 
-void makeCacheRoom(const GuardedFolder& folder, std::initializer_list<std::string_view> endings,
-                   std::uint64_t most_bytes) {
+void evictOldest(const GuardedFolder& folder, std::initializer_list<std::string_view> endings,
+                 std::uint64_t most_bytes) {
     constexpr std::time_t kHour_s = 3600;
     struct Old {
         std::time_t time_s;

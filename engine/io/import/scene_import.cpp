@@ -284,7 +284,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     }
     setOutsideRoles(scene);
     noteOddities(scene, scene.report);
-    noteSizeDoubts(scene, scene.report);
+    warnOfUnusualSizes(scene, scene.report);
     findFronts(scene);
     sortBySize(scene.objects, options.small_volume_m3, options.size_ratio);
     scene.class_table = said_labels->classes;

@@ -12,7 +12,7 @@
 
 namespace dollytrack {
 
-void noteSizeDoubts(const Scene& scene, ImportReport& report) {
+void warnOfUnusualSizes(const Scene& scene, ImportReport& report) {
     constexpr std::size_t kMostNamed = 6;
     constexpr double kFarSmaller = 1.0 / 3.0;
     constexpr double kFarLarger = 2.0;

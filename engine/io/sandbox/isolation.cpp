@@ -51,7 +51,7 @@ std::uint32_t isolateProcess(const std::vector<std::filesystem::path>& folders) 
     const bool ruled = kSanitized || lockIntoFolders(folders);
     if (!ruled) missing |= kFolderRules;
     // A filter cannot check the flags of openat2(), which could write without Landlock.
-    if (!kSanitized && !filterCalls(ruled)) missing |= kCallFilter;
+    if (!kSanitized && !installSyscallFilter(ruled)) missing |= kCallFilter;
     return missing;
 }
 

@@ -200,7 +200,7 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     const EntryHead head{kMagic, list.size(), checksumOf(bytesOf(list)), serialized.size()};
     const std::size_t size = sizeof(head) + list.size() + serialized.size();
     if (size > most_bytes_) return false;
-    makeCacheRoom(folder_, {kExtension, kDigestExtension}, most_bytes_ - size);
+    evictOldest(folder_, {kExtension, kDigestExtension}, most_bytes_ - size);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(size);
     const auto* first = reinterpret_cast<const std::uint8_t*>(&head);

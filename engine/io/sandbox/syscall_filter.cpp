@@ -63,7 +63,7 @@ class Filter {
 
 }  // namespace
 
-bool filterCalls(bool openat2) {
+bool installSyscallFilter(bool openat2) {
     Filter filter;
     for (const int call : kAllowed) filter.allow(call);
     constexpr scmp_datum_t kWriting = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND;
