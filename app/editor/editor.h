@@ -172,7 +172,7 @@ class Editor {
     void dropGizmo();
     void cancelDrag();
     void bringIntoView(const Eigen::AlignedBox3d& box);
-    void lockSelectedPoint();
+    void togglePin();
     void deleteSelected();
     void runKeypad();
     [[nodiscard]] Eigen::AlignedBox3d selectedBox() const;

@@ -188,7 +188,7 @@ void Editor::addPointCommands() {
                                   : "";
                    }});
     commands_.add({"edit.pin_point", "Edit", "Pin the position point, or unpin it", key(GLFW_KEY_L),
-                   [this] { lockSelectedPoint(); },
+                   [this] { togglePin(); },
                    [this]() -> std::string {
                        return selected_.is(Selection::Kind::PositionPoint)
                                   ? ""
@@ -260,7 +260,7 @@ void Editor::addTimelineCommands() {
     add("last", "Last frame", {GLFW_KEY_END, true}, [this] { goToFrame(frameCount() - 1); });
 }
 
-void Editor::lockSelectedPoint() {
+void Editor::togglePin() {
     if (selected_.positionPoint(plan()) == nullptr) return;
     const PositionPoint& point = *selected_.positionPoint(plan());
     const auto& pinned = workspace_.shown().state->edits.plan.pinned;

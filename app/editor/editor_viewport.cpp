@@ -128,7 +128,7 @@ double Editor::overlayScale() const {
 
 void Editor::requestPicture() {
     if (!workspace_.shown().scene || !scene_sync_.isSent() || pane_.width < 16) return;
-    if (scene_sync_.takeFirstLook()) {
+    if (scene_sync_.takeFirstView()) {
         panels_.viewport.camera.frame(workspace_.shown().scene->room_bounds,
                                       static_cast<double>(pane_.width) / pane_.height);
         panels_.viewport.camera.distance *= 0.78;

@@ -53,7 +53,7 @@ Eigen::AlignedBox3d reachedBox(const ViewEstimator& views, int object_id) {
         box.extend(corner);
     }
     for (const Eigen::Vector3d& point : views.extremes(object_id)) box.extend(point);
-    // Rays end behind the object's hull, which is slightly wider than the object, with relative
+    // Rays end behind the object's bounds, which are slightly wider than the object, with relative
     // margins of some 1e-4.
     const double furthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.02 + 5e-4 * furthest);

@@ -57,13 +57,13 @@ BoundingDop::BoundingDop(const Scene& scene, const Object& object) {
     high_ += slack;
 }
 
-BoundingDop::FromOrigin::FromOrigin(const BoundingDop& hull, const Eigen::Vector3d& origin)
-    : hull_(&hull) {
+BoundingDop::FromOrigin::FromOrigin(const BoundingDop& bounds, const Eigen::Vector3d& origin)
+    : bounds_(&bounds) {
     const Eigen::Vector3f p = origin.cast<float>();
     const Slabs along =
-        p.x() * hull.normals_[0] + p.y() * hull.normals_[1] + p.z() * hull.normals_[2];
-    to_low_ = hull.low_ - along;
-    to_high_ = hull.high_ - along;
+        p.x() * bounds.normals_[0] + p.y() * bounds.normals_[1] + p.z() * bounds.normals_[2];
+    to_low_ = bounds.low_ - along;
+    to_high_ = bounds.high_ - along;
 }
 
 Eigen::Array<float, BoundingDop::FromOrigin::kAtOnce, 1> BoundingDop::FromOrigin::exits(
@@ -74,9 +74,9 @@ Eigen::Array<float, BoundingDop::FromOrigin::kAtOnce, 1> BoundingDop::FromOrigin
     Lanes leave = Lanes::Constant(kInfinity);
     // One slab at a time for all rays: no horizontal operations across a SIMD register.
     for (int k = 0; k < kSlabs; ++k) {
-        const Lanes speed = directions[0] * hull_->normals_[0][k] +
-                            directions[1] * hull_->normals_[1][k] +
-                            directions[2] * hull_->normals_[2][k] + kParallel;
+        const Lanes speed = directions[0] * bounds_->normals_[0][k] +
+                            directions[1] * bounds_->normals_[1][k] +
+                            directions[2] * bounds_->normals_[2][k] + kParallel;
         const Lanes inverse = speed.inverse();
         const Lanes a = to_low_[k] * inverse;
         const Lanes b = to_high_[k] * inverse;

@@ -21,18 +21,18 @@ class BoundingDop {
     /// The polytope relative to one ray origin, for many directions.
     class FromOrigin {
       public:
-        FromOrigin(const BoundingDop& hull, const Eigen::Vector3d& origin);
+        FromOrigin(const BoundingDop& bounds, const Eigen::Vector3d& origin);
 
         /// Number of directions per call, as SIMD lanes: x, y and z of each.
         static constexpr int kAtOnce = 4;
         using Directions = std::array<Eigen::Array<float, kAtOnce, 1>, 3>;
 
-        /// For each direction, the t at which origin + t * direction leaves the hull, rounded up
-        /// slightly; negative if the ray misses the hull or the hull lies behind the origin.
+        /// For each direction, the t at which origin + t * direction leaves the polytope, rounded
+        /// up slightly; negative if the ray misses the polytope or it lies behind the origin.
         [[nodiscard]] Eigen::Array<float, kAtOnce, 1> exits(const Directions& directions) const;
 
       private:
-        const BoundingDop* hull_;
+        const BoundingDop* bounds_;
         Slabs to_low_, to_high_;  // along each normal, from the origin
     };
 

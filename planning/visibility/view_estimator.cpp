@@ -70,12 +70,12 @@ struct ViewEstimator::Scratch {
 
 ViewEstimator::Scratch& ViewEstimator::aimRays(const Pose& pose, const Eigen::AlignedBox2d& area,
                                                double cell,
-                                               const BoundingDop::FromOrigin& hull) const {
+                                               const BoundingDop::FromOrigin& bounds) const {
     const int columns = std::max(1, static_cast<int>(std::ceil(area.sizes().x() / cell)));
     const int rows = std::max(1, static_cast<int>(std::ceil(area.sizes().y() / cell)));
     const Eigen::Matrix3d world_from_camera = pose.rotation.toRotationMatrix();
 
-    // Skip rays that miss the hull, and end the others behind it. Work in blocks, so that
+    // Skip rays that miss the bounds, and end the others behind them. Work in blocks, so that
     // neighbours in the list are neighbours in the image.
     constexpr int kBlock = BoundingDop::FromOrigin::kAtOnce;
     BoundingDop::FromOrigin::Directions directions;
@@ -95,7 +95,7 @@ ViewEstimator::Scratch& ViewEstimator::aimRays(const Pose& pose, const Eigen::Al
                     directions[axis][lane] = static_cast<float>(ways[lane][axis]);
                 }
             }
-            const auto exits = hull.exits(directions);
+            const auto exits = bounds.exits(directions);
             for (int lane = 0; lane < std::min(kBlock, rows - block); ++lane) {
                 if (exits[lane] <= 0.0F) continue;
                 pixels.push_back(asked[lane]);
@@ -113,11 +113,11 @@ ViewEstimator::ViewEstimator(const Scene& scene, const RayCaster& rays, const Ca
       intrinsics_(makeIntrinsics(camera)),
       near_m_(camera.near_m),
       extremes_(scene.objects.size()),
-      hulls_(scene.objects.size()) {
+      bounds_(scene.objects.size()) {
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         if (scene.objects[i].role == Role::Target) {
             extremes_[i] = extremePoints(scene, scene.objects[i]);
-            hulls_[i] = BoundingDop(scene, scene.objects[i]);
+            bounds_[i] = BoundingDop(scene, scene.objects[i]);
         }
     });
 }
@@ -222,29 +222,30 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     if (!area) return {};
     if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
     const double cell = cellFor(*area, grid);
-    const BoundingDop::FromOrigin hull(hulls_[static_cast<std::size_t>(object_id) - 1],
-                                       pose.position);
-    return trace(pose, object_id, cell, aimRays(pose, *area, cell, hull));
+    const BoundingDop::FromOrigin bounds(bounds_[static_cast<std::size_t>(object_id) - 1],
+                                         pose.position);
+    return trace(pose, object_id, cell, aimRays(pose, *area, cell, bounds));
 }
 
 ViewEstimator::Estimate ViewEstimator::estimateClosely(const Pose& pose, int object_id, int grid,
                                                        int least_rays) const {
     static constexpr double kDensest = 72.0;
-    constexpr double kOverHull = 1.2;
+    constexpr double kOverBounds = 1.2;
     constexpr double kEnough = 0.75;
     const auto area = extent(pose, object_id);
     if (!area) return {};
     if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
-    const BoundingDop::FromOrigin hull(hulls_[static_cast<std::size_t>(object_id) - 1],
-                                       pose.position);
+    const BoundingDop::FromOrigin bounds(bounds_[static_cast<std::size_t>(object_id) - 1],
+                                         pose.position);
     const auto aim = [&](double sides) -> Scratch& {
-        return aimRays(pose, *area, cellFor(*area, sides), hull);
+        return aimRays(pose, *area, cellFor(*area, sides), bounds);
     };
     const auto denser = [](double sides, double wanted, std::size_t rays) {
         return std::min(sides * std::sqrt(wanted / static_cast<double>(rays)), kDensest);
     };
-    // Slightly fewer rays hit the object than its hull, whose hits are known without tracing.
-    const double wanted = kOverHull * least_rays;
+    // Slightly fewer rays hit the object than its bounds, the hits on which are known without
+    // tracing.
+    const double wanted = kOverBounds * least_rays;
     double sides = grid;
     Scratch* scratch = &aim(sides);
     if (const std::size_t rays = scratch->rays.size(); rays > 0 && rays < wanted) {

@@ -79,9 +79,9 @@ class ViewEstimator {
 
   private:
     struct Scratch;
-    /// Creates one ray per cell that meets the object's hull.
+    /// Creates one ray per cell that meets the object's bounding polytope.
     Scratch& aimRays(const Pose& pose, const Eigen::AlignedBox2d& area, double cell,
-                     const BoundingDop::FromOrigin& hull) const;
+                     const BoundingDop::FromOrigin& bounds) const;
     [[nodiscard]] Estimate trace(const Pose& pose, int object_id, double cell,
                                  Scratch& scratch) const;
 
@@ -91,7 +91,7 @@ class ViewEstimator {
     Intrinsics intrinsics_;
     double near_m_;
     std::vector<std::vector<Eigen::Vector3d>> extremes_;
-    std::vector<BoundingDop> hulls_;
+    std::vector<BoundingDop> bounds_;
 };
 
 /// Converts an estimate to the view of an object in a frame.

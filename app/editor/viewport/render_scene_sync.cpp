@@ -4,7 +4,7 @@ namespace dollytrack::editor {
 
 void RenderSceneSync::forget() {
     sent_ = false;
-    looked_at_ = false;
+    viewed_ = false;
     scene_.reset();
     light_.reset();
 }

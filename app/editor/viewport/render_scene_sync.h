@@ -21,12 +21,12 @@ class RenderSceneSync {
     void send(const PlanOutcome& shown, const std::shared_ptr<const render::LightVolume>& light);
     [[nodiscard]] bool isSent() const { return sent_; }
     /// Whether this is the first call for the project, so that the camera must be placed.
-    [[nodiscard]] bool takeFirstLook() { return !std::exchange(looked_at_, true); }
+    [[nodiscard]] bool takeFirstView() { return !std::exchange(viewed_, true); }
 
   private:
     ui::RenderThread& drawing_;
     bool sent_ = false;
-    bool looked_at_ = false;
+    bool viewed_ = false;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const render::LightVolume> light_;
     int anisotropy_ = 0;
