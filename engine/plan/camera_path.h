@@ -45,7 +45,7 @@ struct SmoothPath {
         [[nodiscard]] double curvature(double t) const;
     };
     struct Key {
-        double arc_m = 0.0;  // where on the path
+        double arc_m = 0.0;       // where on the path
         int position_point = -1;  // -1: no key frame, only a view towards looks_at
         Eigen::Vector3d position = Eigen::Vector3d::Zero();  // on the curve
         Eigen::Vector3d looks_at = Eigen::Vector3d::Zero();  // world; without a position point
