@@ -8,11 +8,12 @@
 
 namespace dollytrack::planning {
 
-/// Version of the output of an earlier stage.
+/// Version of the scene or of a stage's output: a number that grows whenever it changes.
 using StageVersion = unsigned;
 
-/// Inputs of the stages of a pipeline, in their order: a stage computes its output again when one
-/// of these values differs from the last run's.
+// Inputs of the stages of a pipeline, in their order. A stage computes its output again when one of
+// these values differs from the last run's. `geometry`, `surfaces` and the like are versions of the
+// output that the stage reads.
 
 struct RayInputs {
     StageVersion geometry = 0;

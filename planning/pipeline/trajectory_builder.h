@@ -35,10 +35,12 @@ class TrajectoryBuilder {
     /// The trajectory with limited image motion, without repeats, and with the camera shake.
     [[nodiscard]] Result<Trajectory> time(std::vector<SmoothPath> paths,
                                           const TimingParams& timing) const;
-    /// The number of frames of complete paths at the limits of motion.
+    /// The number of frames of a clip along these paths, after smoothing and with context views, at
+    /// the limits of motion.
     [[nodiscard]] Result<std::size_t> countFrames(const std::vector<CameraPath>& paths) const;
 
-    /// The functions that repair needs, for a trajectory made from `paths`.
+    /// Smoothing and timing as functions for repairTrajectory(). A repaired path shares the budget
+    /// of frames with `paths`, to which the functions keep a reference.
     [[nodiscard]] TrajectoryMaker maker(const std::vector<SmoothPath>& paths) const;
 
   private:
