@@ -6,7 +6,7 @@
 #include "engine/core/field_list.h"
 #include "engine/plan/image_score.h"
 #include "engine/scene/light_params.h"
-#include "planning/free_space/free_space_params.h"
+#include "planning/free_space_params.h"
 
 namespace dollytrack::planning {
 
@@ -479,7 +479,8 @@ void applyCameraPreset(PlanParams& params);
 Status validate(const PlanParams& params);
 
 /// Sets one parameter in a project's JSON sections and fills in all other fields: those already
-/// given keep their value, the rest get their default. Error: BadInput, from setFromJson().
+/// given keep their value, the rest get their default. A preset also replaces the fields that it
+/// sets. Error: BadInput, from setFromJson().
 Status setParameter(nlohmann::json& sections, const std::string& name, const nlohmann::json& value);
 
 /// All fields of `params`, for project files, `--set` and widgets. The list points into `params`.

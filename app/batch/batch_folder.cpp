@@ -29,7 +29,7 @@ std::string textOf(const BatchList& list) {
 }
 
 bool isOurs(const std::string& list) {
-    const Json json = io::parseBoundedJson<Json>(list, kList).value_or(Json());
+    const Json json = parseBoundedJson<Json>(list, kList).value_or(Json());
     return json.is_object() && json.contains("format") && json["format"] == kFormat;
 }
 
@@ -49,12 +49,12 @@ bool isFree(const fs::path& folder) {
 
 Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     std::error_code error;
-    const Result<io::GuardedFolder> own = io::GuardedFolder::make(folder);
+    const Result<GuardedFolder> own = GuardedFolder::make(folder);
     if (!own) return tl::unexpected(own.error());
     if (Status plain = own->checkFile(kList); !plain) return plain;
     const fs::path path = folder / kList;
     const std::string wanted = textOf(list);
-    const Result<std::string> list_text = io::readText(path);
+    const Result<std::string> list_text = readText(path);
     const std::string found = list_text.value_or("");
     if (found == wanted) return {};
     // An empty list may have just been created by another shard; an unreadable one belongs to
@@ -62,20 +62,20 @@ Status claimBatchFolder(const fs::path& folder, const BatchList& list) {
     const bool unread = !list_text && fs::exists(path, error);
     if (!isOurs(found) && (!found.empty() || unread || !isFree(folder))) {
         // Another shard may have written the list just now.
-        if (io::readText(path).value_or("") == wanted) return {};
+        if (readText(path).value_or("") == wanted) return {};
         return fail(ErrorCode::CannotWrite,
                     "the folder contains files that are not from a Dollytrack batch; choose an "
                     "empty folder with 'out' or --out",
                     folder.string());
     }
     Status written = own->write(kList, wanted);
-    if (!written && io::readText(path).value_or("") == wanted) return {};
+    if (!written && readText(path).value_or("") == wanted) return {};
     return written;
 }
 
 Result<BatchList> readBatchList(const fs::path& folder) {
     const fs::path path = folder / kList;
-    const std::string text = io::readText(path).value_or("");
+    const std::string text = readText(path).value_or("");
     if (!isOurs(text)) {
         return fail(ErrorCode::BadInput,
                     "this is not the folder of a batch: its jobs.json is missing or damaged",
@@ -83,7 +83,7 @@ Result<BatchList> readBatchList(const fs::path& folder) {
     }
     BatchList list;
     try {
-        const Json json = io::parseBoundedJson<Json>(text, path.string()).value_or(Json());
+        const Json json = parseBoundedJson<Json>(text, path.string()).value_or(Json());
         list.require = json.at("require").get<std::vector<std::string>>();
         for (const Json& job : json.at("jobs")) {
             list.jobs.push_back(jobFromJson(job));
@@ -101,10 +101,10 @@ Result<BatchList> readBatchList(const fs::path& folder) {
     return list;
 }
 
-Result<JobLock> JobLock::take(const io::GuardedFolder& batch, const std::string& job) {
-    Result<io::GuardedFolder> folder = batch.makeWithin(job);
+Result<JobLock> JobLock::take(const GuardedFolder& batch, const std::string& job) {
+    Result<GuardedFolder> folder = batch.makeWithin(job);
     if (!folder) return tl::unexpected(folder.error());
-    Result<io::FileDescriptor> file = folder->openFile(kLock, O_RDWR | O_CREAT);
+    Result<FileDescriptor> file = folder->openFile(kLock, O_RDWR | O_CREAT);
     if (!file) return tl::unexpected(file.error());
     JobLock lock(std::move(*folder), std::move(*file));
     lock.ours_ = ::flock(lock.file_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;

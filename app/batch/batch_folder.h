@@ -32,19 +32,18 @@ class JobLock {
   public:
     /// Creates the folder `job` within the batch's folder and tries to lock it without waiting;
     /// isOurs() tells whether it succeeded. Error: CannotWrite.
-    [[nodiscard]] static Result<JobLock> take(const io::GuardedFolder& batch,
-                                              const std::string& job);
+    [[nodiscard]] static Result<JobLock> take(const GuardedFolder& batch, const std::string& job);
 
-    [[nodiscard]] const io::GuardedFolder& folder() const { return folder_; }
+    [[nodiscard]] const GuardedFolder& folder() const { return folder_; }
 
     [[nodiscard]] bool isOurs() const { return ours_; }
 
   private:
-    JobLock(io::GuardedFolder folder, io::FileDescriptor file)
+    JobLock(GuardedFolder folder, FileDescriptor file)
         : folder_(std::move(folder)), file_(std::move(file)) {}
 
-    io::GuardedFolder folder_;
-    io::FileDescriptor file_;
+    GuardedFolder folder_;
+    FileDescriptor file_;
     bool ours_ = false;
 };
 

@@ -165,17 +165,17 @@ class Runner {
         result.version = settings_.version;
         result.ran_now = true;
         if (readResult(folderOf(index)).state != JobState::NotRun || !batch_) return;
-        const Result<io::GuardedFolder> folder = batch_->makeWithin(jobs_[index].name);
+        const Result<GuardedFolder> folder = batch_->makeWithin(jobs_[index].name);
         const Status kept =
-            folder ? writeResult(*folder, result) : Status(tl::unexpected<Error>(folder.error()));
+            folder ? writeResult(*folder, result) : Status(tl::unexpected(folder.error()));
         if (!kept) log::debug("batch", describe(kept.error()));
     }
 
     Status tryToBegin(std::size_t index) {
         const Job& job = jobs_[index];
-        if (!batch_) return tl::unexpected<Error>(batch_.error());
+        if (!batch_) return tl::unexpected(batch_.error());
         Result<JobLock> lock = JobLock::take(*batch_, job.name);
-        if (!lock) return tl::unexpected<Error>(std::move(lock.error()));
+        if (!lock) return tl::unexpected(std::move(lock.error()));
         if (!lock->isOurs()) {
             if (!looks_last_) {
                 busy_.push_back(index);
@@ -187,7 +187,7 @@ class Runner {
             return {};
         }
         Result<ResumeState> resume = resumeStateOf(job, settings_);
-        if (!resume) return tl::unexpected<Error>(std::move(resume.error()));
+        if (!resume) return tl::unexpected(std::move(resume.error()));
         if (resume->action == ResumeState::Action::None) {
             results_[index] = std::move(resume->found);
             ++finished_;
@@ -209,10 +209,10 @@ class Runner {
         // Written before the run, so that the next batch knows which settings the frames in the
         // folder belong to.
         if (Status status = writeResult(lock->folder(), result); !status) return status;
-        const Result<io::FileDescriptor> output = lock->folder().openEmptied(kOutput);
-        if (!output) return tl::unexpected<Error>(output.error());
-        const Result<io::FileDescriptor> messages = lock->folder().openEmptied(kLog);
-        if (!messages) return tl::unexpected<Error>(messages.error());
+        const Result<FileDescriptor> output = lock->folder().openEmptied(kOutput);
+        if (!output) return tl::unexpected(output.error());
+        const Result<FileDescriptor> messages = lock->folder().openEmptied(kLog);
+        if (!messages) return tl::unexpected(messages.error());
         ProcessSetup setup;
         setup.output = output->get();
         setup.messages = messages->get();
@@ -220,7 +220,7 @@ class Runner {
         setup.expendable = true;
         Result<ChildProcess> process =
             ChildProcess::start(commandOf(job, settings_, resumes), setup);
-        if (!process) return tl::unexpected<Error>(std::move(process.error()));
+        if (!process) return tl::unexpected(std::move(process.error()));
         const double before = result.seconds;
         running_.push_back({index, std::move(*process), std::move(*lock), std::move(result), before,
                             Clock::now(), std::nullopt, JobState::Crashed});
@@ -311,7 +311,7 @@ class Runner {
     const std::vector<Job>& jobs_;
     const RunSettings& settings_;
     const JobContext& job_;
-    const Result<io::GuardedFolder> batch_ = io::GuardedFolder::make(settings_.folder);
+    const Result<GuardedFolder> batch_ = GuardedFolder::make(settings_.folder);
     std::vector<JobResult> results_;
     std::list<Running> running_;
     std::vector<std::size_t> busy_;  // indices of jobs that another batch process holds
@@ -335,7 +335,7 @@ Result<ResumeState> resumeStateOf(const Job& job, const RunSettings& settings) {
     resume.found = readResult(folder);
     const JobResult& found = resume.found;
     Result<SceneStamp> scene = stampOf(job, found.scene);
-    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    if (!scene) return tl::unexpected(std::move(scene.error()));
     resume.scene = std::move(*scene);
     if (found.state == JobState::NotRun) return resume;
     if (!isOf(found, job)) {

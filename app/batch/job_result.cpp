@@ -22,7 +22,7 @@ constexpr std::array<const char*, 8> kNames = {"not run", "begun",     "done",  
                                                "crashed", "timed out", "interrupted", "busy"};
 
 Json readJson(const fs::path& path) {
-    return io::readBoundedJson<Json>(path).value_or(Json());
+    return readBoundedJson<Json>(path).value_or(Json());
 }
 
 void takeNumbers(const Json& from, Json& to) {
@@ -37,7 +37,7 @@ std::vector<fs::path> filesOf(const Job& job) {
     std::vector<fs::path> files = {job.scene};
     if (job.scene.extension() == ".dolly") {
         std::error_code error;
-        const auto project = io::loadProject(job.scene);
+        const auto project = loadProject(job.scene);
         if (project && fs::is_regular_file(project->scene, error)) files.push_back(project->scene);
     }
     const auto labels = std::find(job.arguments.begin(), job.arguments.end(), "--labels");
@@ -72,11 +72,11 @@ Result<SceneStamp> stampOf(const Job& job, const SceneStamp& known) {
     }
     if (stamp.size == known.size && stamp.changed_ns == known.changed_ns) return known;
     for (const fs::path& file : files) {
-        Result<std::string> sha256 = io::sha256OfFile(file);
-        if (!sha256) return tl::unexpected<Error>(std::move(sha256.error()));
+        Result<std::string> sha256 = sha256OfFile(file);
+        if (!sha256) return tl::unexpected(std::move(sha256.error()));
         stamp.sha256 += *sha256;
     }
-    if (files.size() > 1) stamp.sha256 = io::sha256Of(std::string_view(stamp.sha256));
+    if (files.size() > 1) stamp.sha256 = sha256Of(std::string_view(stamp.sha256));
     return stamp;
 }
 
@@ -122,7 +122,7 @@ JobResult resultOf(const Job& job, const fs::path& batch_folder) {
     return isOf(result, job) ? result : JobResult();
 }
 
-Status writeResult(const io::GuardedFolder& folder, const JobResult& result) {
+Status writeResult(const GuardedFolder& folder, const JobResult& result) {
     Json datasets = Json::array();
     for (const WrittenDataset& one : result.datasets) {
         datasets.push_back(

@@ -76,7 +76,7 @@ struct JobResult {
 /// The stored result of a job if it was made with the current arguments; otherwise a default
 /// result.
 [[nodiscard]] JobResult resultOf(const Job& job, const std::filesystem::path& batch_folder);
-[[nodiscard]] Status writeResult(const io::GuardedFolder& folder, const JobResult& result);
+[[nodiscard]] Status writeResult(const GuardedFolder& folder, const JobResult& result);
 
 /// Takes metrics and dataset folders from the program's --json output; leaves `result` unchanged if
 /// that is not valid JSON.

@@ -9,7 +9,7 @@
 #include "planning/baselines/planner.h"
 #include "planning/plan_params.h"
 #include "render/dataset/frame_range.h"
-#include "render/dataset/modalities.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 
 #include <fmt/format.h>
@@ -274,7 +274,7 @@ class OrderReader {
 
 Result<BatchOrder> readJobsFile(const fs::path& file) {
     std::error_code error;
-    const Result<std::string> text = io::readText(file, kMostMebibytes);
+    const Result<std::string> text = readText(file, kMostMebibytes);
     if (!text || text->empty()) {
         return fail(
             ErrorCode::BadInput,
@@ -286,7 +286,7 @@ Result<BatchOrder> readJobsFile(const fs::path& file) {
             file.string());
     }
     if (Status status = checkTomlDepth(*text, file.string()); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     const toml::parse_result parsed = toml::parse(*text, file.string());
     if (!parsed) {

@@ -1,6 +1,6 @@
 #include "app/batch/log_end.h"
 
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/files/input_file.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace dollytrack::batch {
 
 std::string endOf(const std::filesystem::path& log, std::size_t bytes) {
-    const Result<io::InputFile> file = io::openNamedFile(log);
+    const Result<InputFile> file = openNamedFile(log);
     if (!file) return {};
     const bool cut = file->size() > bytes;
     std::string end(std::min<std::uint64_t>(bytes, file->size()), '\0');

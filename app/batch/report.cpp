@@ -1,8 +1,8 @@
 #include "app/batch/report.h"
 
 #include "app/batch/markup.h"
-#include "app/cli/compare/baseline_plan.h"
 #include "app/cli/export/export_metrics.h"
+#include "app/cli/plan/baseline_plan.h"
 #include "app/cli/requirement.h"
 #include "engine/io/files/guarded_folder.h"
 
@@ -79,7 +79,7 @@ Status checkRequirements(const std::vector<std::string>& require, const std::vec
     std::vector<cli::Requirement> wanted;
     for (const std::string& text : require) {
         auto one = cli::parseRequirement(text);
-        if (!one) return tl::unexpected<Error>(std::move(one.error()));
+        if (!one) return tl::unexpected(std::move(one.error()));
         wanted.push_back(std::move(*one));
     }
     std::set<std::string> asked;
@@ -169,8 +169,8 @@ std::string reportText(const Report& report) {
 }
 
 Status writeReport(const Report& report) {
-    const Result<io::GuardedFolder> folder =
-        io::GuardedFolder::makeBelow(report.folder, report.jobs_folder);
+    const Result<GuardedFolder> folder =
+        GuardedFolder::makeBelow(report.folder, report.jobs_folder);
     if (!folder) return tl::unexpected(folder.error());
     const std::string json =
         reportJson(report).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -3,10 +3,11 @@
 #include "app/batch/name_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/files/reachable_files.h"
+#include "engine/io/format_table/scene_format.h"
 #include "engine/io/habitat/config_choice.h"
 #include "engine/io/habitat/habitat_reader.h"
-#include "engine/io/sandbox/reachable_files.h"
-#include "engine/io/import/scene_format.h"
 
 #include <fmt/ranges.h>
 
@@ -82,7 +83,7 @@ class Search {
             if (Status status = look(folder, at + 1); !status) return status;
         }
         const Result<std::vector<Entry>> entries = entriesOf(base_ / folder);
-        if (!entries) return tl::unexpected<Error>(entries.error());
+        if (!entries) return tl::unexpected(entries.error());
         for (const Entry& entry : *entries) {
             Status status;
             if (any_depth) {
@@ -219,18 +220,18 @@ std::vector<std::string> namesApart(std::vector<NameParts> alike) {
 /// scene.
 Result<std::vector<SceneFile>> withDatasetScenes(std::vector<SceneFile> files,
                                                  const fs::path& base) {
-    const fs::path root = io::absoluteNormal(base.empty() ? fs::path(".") : base);
+    const fs::path root = absoluteNormal(base.empty() ? fs::path(".") : base);
     std::vector<SceneFile> all;
     std::set<fs::path> added;
     const auto add = [&](SceneFile file) {
-        if (added.insert(io::absoluteNormal(root / file.path)).second) {
+        if (added.insert(absoluteNormal(root / file.path)).second) {
             all.push_back(std::move(file));
         }
     };
     std::vector<fs::path> configs;
     for (const SceneFile& file : files) {
         if (habitat::isDatasetConfig(file.path)) {
-            configs.push_back(io::absoluteNormal(root / file.path));
+            configs.push_back(absoluteNormal(root / file.path));
         }
     }
     for (SceneFile& file : files) {
@@ -239,7 +240,7 @@ Result<std::vector<SceneFile>> withDatasetScenes(std::vector<SceneFile> files,
             continue;
         }
         const auto scenes = habitat::scenesOfDataset(base / file.path, configs);
-        if (!scenes) return tl::unexpected<Error>(scenes.error());
+        if (!scenes) return tl::unexpected(scenes.error());
         for (const fs::path& scene : *scenes) {
             const fs::path relative = scene.lexically_relative(root);
             add({file.path.is_absolute() || relative.empty() ? scene : relative, {}});
@@ -272,7 +273,7 @@ Result<std::vector<SceneFile>> filesMatching(const std::string& pattern, const f
     if (parts.back() == kAnyFolders) parts.emplace_back("*");
     Search search(base, std::move(parts));
     if (Status status = search.look(folder, 0); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     std::vector<SceneFile> found = search.take();
     if (found.empty()) {

@@ -145,7 +145,7 @@ Status TableReader::finish() {
                    : fmt::format("There is no key '{}'; did you mean '{}'?", name, close));
         break;
     }
-    if (error_) return tl::unexpected<Error>(*error_);
+    if (error_) return tl::unexpected(*error_);
     return {};
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/cli/exit_code.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
 
 #include <atomic>
-#include <exception>
 #include <functional>
 #include <memory>
 
@@ -13,22 +13,6 @@ class App;
 }
 
 namespace dollytrack::cli {
-
-/// Exit codes; see the table in README.md.
-enum ExitCode : int {
-    kDone = 0,
-    kFailed = 1,
-    kUsage = 2,
-    kPartial = 3,
-    kBadInput = 4,
-    kNoOpenGl = 5,
-    kCannotWrite = 6,
-};
-
-int exitCodeFor(ErrorCode code);
-
-/// Converts an otherwise uncaught exception to an error message.
-Error errorOf(const std::exception& exception);
 
 class ProgressLines;
 

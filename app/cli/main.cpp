@@ -55,7 +55,7 @@ dollytrack::Result<dollytrack::cli::ExitCode> act(const dollytrack::cli::Session
     using namespace dollytrack;
     Result<cli::ExitCode> result = session.action();
     const Status printed = cli::finishStandardOutput();
-    if (result && !printed) return tl::unexpected<Error>(printed.error());
+    if (result && !printed) return tl::unexpected(printed.error());
     return result;
 }
 

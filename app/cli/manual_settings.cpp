@@ -5,7 +5,7 @@
 #include "engine/generate/room_spec.h"
 #include "planning/baselines/planner.h"
 #include "planning/plan_params.h"
-#include "render/dataset/modalities.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 
 #include <fmt/format.h>

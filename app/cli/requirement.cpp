@@ -52,7 +52,7 @@ Result<std::vector<Requirement>> parseRequirements(const std::vector<std::string
     std::vector<Requirement> requirements;
     for (const std::string& text : texts) {
         Result<Requirement> one = parseRequirement(text);
-        if (!one) return tl::unexpected<Error>(std::move(one.error()));
+        if (!one) return tl::unexpected(std::move(one.error()));
         requirements.push_back(std::move(*one));
     }
     return requirements;

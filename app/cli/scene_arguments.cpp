@@ -191,23 +191,23 @@ Result<Edits> withArguments(Edits edits, const SceneArguments& arguments, const 
     ProjectState state{nlohmann::json::object(), std::move(edits)};
     if (!arguments.one_of_several && !(arguments.ignore.empty() && arguments.only.empty())) {
         const Result<Scene> edited = applySceneEdits(imported, state.edits.scene);
-        if (!edited) return tl::unexpected<Error>(edited.error());
+        if (!edited) return tl::unexpected(edited.error());
         if (Status status = checkPatterns(arguments, *edited); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     addNew(state.edits.scene.ignore, arguments.ignore);
     addNew(state.edits.scene.only, arguments.only);
     if (!arguments.one_of_several) {
         if (Status status = checkSomeAreLeft(arguments, state.edits.scene, imported); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     for (const auto& [option, text] :
          {std::pair("--start", &arguments.start), std::pair("--end", &arguments.end)}) {
         if (text->empty()) continue;
         const Result<nlohmann::json> operation = endOperation(option, *text);
-        if (!operation) return tl::unexpected<Error>(operation.error());
+        if (!operation) return tl::unexpected(operation.error());
         const Result<std::string> done =
             applyOperation(state, {imported, planning::setParameter}, *operation);
         if (!done) return fail(ErrorCode::Usage, done.error().message, option);
@@ -270,7 +270,7 @@ Status applyEdits(OpenedScene& opened, Edits edits) {
         const planning::TargetParams& targets = opened.params.targets;
         Result<Scene> edited = applySceneEdits(*opened.imported, opened.edits.scene,
                                                {targets.small_volume_m3, targets.size_ratio});
-        if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
+        if (!edited) return tl::unexpected(std::move(edited.error()));
         opened.scene = std::make_shared<const Scene>(std::move(*edited));
         // Warnings of the import were already printed.
         const auto& all = opened.scene->report.warnings;
@@ -289,7 +289,7 @@ namespace {
 Status applyEditsAndArguments(OpenedScene& opened, const Edits& given,
                               const SceneArguments& arguments) {
     Result<Edits> edits = withArguments(given, arguments, *opened.imported);
-    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
+    if (!edits) return tl::unexpected(std::move(edits.error()));
     if (!arguments.start.empty()) opened.asked_start = edits->plan.start;
     if (!arguments.end.empty()) opened.asked_end = edits->plan.end;
     return applyEdits(opened, std::move(*edits));
@@ -300,7 +300,7 @@ Status applyEditsAndArguments(OpenedScene& opened, const Edits& given,
 Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& arguments) {
     const planning::TargetParams before = opened.params.targets;
     if (Status status = applyArguments(arguments, opened.params); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     const planning::TargetParams& targets = opened.params.targets;
     if (targets.small_volume_m3 != before.small_volume_m3 ||
@@ -311,13 +311,13 @@ Result<OpenedScene> openedWith(OpenedScene opened, const SceneArguments& argumen
     }
     opened.stored_result = nullptr;
     if (Status status = applyEditsAndArguments(opened, opened.edits, arguments); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     return opened;
 }
 
-io::ProjectFile projectOf(const OpenedScene& opened) {
-    io::ProjectFile project;
+ProjectFile projectOf(const OpenedScene& opened) {
+    ProjectFile project;
     project.scene = opened.imported->source;
     project.scene_sha256 = opened.imported->source_sha256;
     project.import = opened.import;
@@ -421,28 +421,28 @@ void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
 
 Status checkArguments(const SceneArguments& arguments) {
     Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
-    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    if (!read) return tl::unexpected(std::move(read.error()));
     if (Status status = applyArguments(arguments, read->params); !status) return status;
     return checkScene(*read);
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
     Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
-    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    if (!read) return tl::unexpected(std::move(read.error()));
     const planning::PlanParams stored = read->params;
     const nlohmann::json stored_import = read->import;
     if (Status status = applyArguments(arguments, read->params); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     read->import = importSettings(arguments, stored_import);
     if (Status status = addCloudSettings(arguments, read->import); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(*read, job);
-    if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
+    if (!imported) return tl::unexpected(std::move(imported.error()));
     warnOfAll("import", (*imported)->report.warnings);
     const Result<std::vector<std::string>> lost = numberEdits(*read, **imported);
-    if (!lost) return tl::unexpected<Error>(lost.error());
+    if (!lost) return tl::unexpected(lost.error());
     warnOfAll("annotations", *lost);
     OpenedScene opened;
     opened.imported = std::move(*imported);
@@ -452,7 +452,7 @@ Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext&
     opened.edits_section = std::move(read->edits_section);
     opened.project_others = std::move(read->others);
     if (Status status = applyEditsAndArguments(opened, read->edits, arguments); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     const bool other_edits = opened.edits != read->edits;
     if (opened.stored_result.is_null()) return opened;

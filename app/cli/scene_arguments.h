@@ -74,7 +74,7 @@ struct OpenedScene {
 Status applyEdits(OpenedScene& opened, Edits edits);
 
 /// The project to save, with the stored result.
-io::ProjectFile projectOf(const OpenedScene& opened);
+ProjectFile projectOf(const OpenedScene& opened);
 
 /// Checks that do not need the scene: the file exists, and the parameters are valid. Errors:
 /// BadInput, Usage.

@@ -335,8 +335,7 @@ void Editor::lookThroughFrame(bool through) {
     if (through || plan() == nullptr || playback_.frame() >= frameCount()) return;
     // The free camera continues from the pose of the plan's camera.
     panels_.viewport.camera.orthographic = false;
-    panels_.viewport.camera.standAt(
-        plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose, 1.5);
+    panels_.viewport.camera.standAt(plan()->trajectory.frames[playback_.frame()].pose, 1.5);
 }
 
 void Editor::lookAlongPose(const Pose& pose) {

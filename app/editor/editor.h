@@ -8,8 +8,8 @@
 #include "app/editor/project/autosave.h"
 #include "app/editor/project/parameter_draft.h"
 #include "app/editor/project/workspace.h"
+#include "app/editor/questions.h"
 #include "app/editor/shell/panel_states.h"
-#include "app/editor/shell/questions.h"
 #include "app/editor/shell/settings.h"
 #include "app/editor/shell/settings_saver.h"
 #include "app/editor/shell/tab_row.h"
@@ -25,7 +25,7 @@
 #include "app/editor/viewport/render_scene_sync.h"
 #include "render/draw/storey_cutaway.h"
 #include "ui/edit_request.h"
-#include "ui/layers.h"
+#include "ui/overlays/layers.h"
 #include "ui/panels/export/export_panel.h"
 #include "ui/panels/plan/log_panel.h"
 #include "ui/viewport/render_thread.h"
@@ -115,7 +115,8 @@ class Editor {
 
     // editor_state.cpp
     [[nodiscard]] nlohmann::json exportsJson() const;
-    /// Adds the objects, points and plan on display.
+    /// Adds the displayed objects, position points and plan to the JSON state that
+    /// the inspector returns.
     void addSceneAndPlanTo(nlohmann::json& state);
 
     // editor_viewport.cpp

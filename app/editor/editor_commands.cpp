@@ -1,8 +1,8 @@
 #include "app/editor/editor.h"
 
-#include "engine/document/object_key.h"
-#include "ui/panels/plan/edit_parts.h"
-#include "ui/panels/selection/region_rows.h"
+#include "engine/plan/object_key.h"
+#include "ui/panels/edits/edit_parts.h"
+#include "ui/panels/edits/region_rows.h"
 #include "ui/widgets/item_map.h"
 
 #include <GLFW/glfw3.h>
@@ -265,11 +265,10 @@ void Editor::togglePin() {
     const PositionPoint& point = *selected_.positionPoint(plan());
     const auto& pinned = workspace_.shown().state->edits.plan.pinned;
     if (point.pin >= 0 && static_cast<std::size_t>(point.pin) < pinned.size()) {
-        apply({{"op", "unpin"}, {"point", pinned[static_cast<std::size_t>(point.pin)].name}});
+        apply({{"op", "unpin"}, {"point", pinned[point.pin].name}});
         return;
     }
-    const auto& objects =
-        plan()->observation_points[static_cast<std::size_t>(point.observation_point)].objects;
+    const auto& objects = plan()->observation_points[point.observation_point].objects;
     apply({{"op", "pin"},
            {"objects", objectKeys(*workspace_.shown().scene, objects)},
            {"position", ui::pointJson(point.pose.position)},
@@ -290,7 +289,7 @@ void Editor::deleteSelected() {
             if (index >= plan()->position_points.size()) return;
             const PositionPoint& point = plan()->position_points[index];
             const auto& pinned = workspace_.shown().state->edits.plan.pinned;
-            const auto pin = static_cast<std::size_t>(std::max(point.pin, 0));
+            const std::size_t pin = std::max(point.pin, 0);
             // A point placed from a view has no object, so removing its pin removes it.
             if (point.pin >= 0 && pin < pinned.size() && pinned[pin].objects.empty()) {
                 apply({{"op", "unpin"}, {"point", pinned[pin].name}});

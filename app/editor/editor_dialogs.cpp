@@ -1,7 +1,7 @@
 #include "app/editor/editor.h"
 
 #include "engine/core/log.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/format_table/scene_format.h"
 #include "engine/io/settings/annotation_file.h"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ void Editor::askForFile(const std::string& id) {
                                                  : workspace_.path().filename().string();
         if (!workspace_.path().empty()) request.start = workspace_.path().parent_path();
     } else if (id == "annotations") {
-        const std::filesystem::path beside = io::annotationFileOf(workspace_.sceneFile());
+        const std::filesystem::path beside = annotationFileOf(workspace_.sceneFile());
         request.purpose = ui::FileRequest::Purpose::Save;
         request.title =
             "Write the annotations beside the scene, where they are found automatically";
@@ -91,8 +91,8 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         // The dialog has already confirmed replacing an existing file.
         workspace_.save(answer.path, Workspace::OnConflict::Overwrite);
     } else if (answer.id == "annotations") {
-        const io::ProjectFile project = workspace_.snapshot(false);
-        Status written = io::writeAnnotations(answer.path, project.import, project.edits);
+        const ProjectFile project = workspace_.snapshot(false);
+        Status written = writeAnnotations(answer.path, project.import, project.edits);
         if (written) {
             log::info("editor", "wrote the annotations to " + answer.path.string());
         } else {

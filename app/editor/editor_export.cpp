@@ -1,12 +1,12 @@
 #include "app/editor/editor.h"
 #include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_program.h"
-#include "app/editor/shell/local_time.h"
+#include "app/editor/files/local_time.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
-#include "render/dataset/dataset_listing.h"
-#include "render/dataset/modalities.h"
+#include "render/dataset/folder/dataset_listing.h"
 #include "render/dataset/size_estimate.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 #include "render/frames/frame_needs.h"
 #include "ui/widgets/files/path_line.h"
@@ -56,14 +56,14 @@ std::string describeDataset(const std::filesystem::path& folder) {
     if (of_rooms) {
         newest = folder / "rooms.json";
         datasets.clear();
-        const nlohmann::json rooms = io::readBoundedJson(newest).value_or(nlohmann::json());
-        for (const nlohmann::json& room : io::listIn(rooms, "rooms")) {
-            datasets.push_back(folder / io::textIn(room, "name"));
+        const nlohmann::json rooms = readBoundedJson(newest).value_or(nlohmann::json());
+        for (const nlohmann::json& room : listIn(rooms, "rooms")) {
+            datasets.push_back(folder / textIn(room, "name"));
         }
     }
     std::size_t frames = 0;
     for (const std::filesystem::path& dataset : datasets) {
-        if (const auto opened = io::GuardedFolder::open(dataset)) {
+        if (const auto opened = GuardedFolder::open(dataset)) {
             frames += render::framesListed(*opened);
         }
     }
@@ -154,7 +154,7 @@ ui::ExportView Editor::exportView() {
     view.current_frame = playback_.frame();
     view.camera = workspace_.shown().params.camera;
     const std::string& listed = draft.flow_distances;
-    const auto distances = static_cast<std::size_t>(1 + std::ranges::count(listed, ','));
+    const std::size_t distances = 1 + std::ranges::count(listed, ',');
     const auto isChosen = [](const auto& row, const std::vector<std::string>& turned) {
         return row.standard != (std::ranges::find(turned, row.name) != turned.end());
     };
@@ -231,7 +231,7 @@ void Editor::queueExport(const ui::ExportView& view) {
     ui::ExportRequest request = ui::requestOf(view, panels_.export_draft);
     request.folder = exportFolder();
     request.rig = typedHere(panels_.export_draft.rig);
-    auto add = [this, project = std::make_shared<const io::ProjectFile>(workspace_.snapshot())](
+    auto add = [this, project = std::make_shared<const ProjectFile>(workspace_.snapshot())](
                    const ui::ExportRequest& wanted) { exports_->add(wanted, project); };
     // Checked again now, because an export may just have finished there.
     const FolderFinding found = lookAtFolder(request.folder);

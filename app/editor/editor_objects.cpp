@@ -1,8 +1,8 @@
 #include "app/editor/editor.h"
 
-#include "engine/document/object_key.h"
 #include "engine/document/object_track.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "engine/plan/object_key.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/timeline/track_bar.h"
 
 #include <GLFW/glfw3.h>
@@ -70,7 +70,7 @@ void drawOutline(const OrientedBox& box, const ui::GizmoView& view) {
 int Editor::movableObject() const {
     const PlanOutcome& shown = workspace_.shown();
     if (!selected_.is(Selection::Kind::Object) || !shown.scene || !workspace_.isOpen()) return 0;
-    const auto id = static_cast<std::size_t>(selected_.objects().front());
+    const std::size_t id = selected_.objects().front();
     // Object ids are unreliable while merges or splits are being applied.
     const bool same =
         shown.state->edits.scene.definitions == workspace_.state().edits.scene.definitions;

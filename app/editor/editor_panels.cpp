@@ -1,16 +1,16 @@
 #include "app/editor/editor.h"
 
-#include "engine/document/object_key.h"
+#include "engine/plan/object_key.h"
 #include "planning/free_space/free_space.h"
 #include "planning/timing/motion_limits.h"
 #include "ui/overlays/steps_overlay.h"
-#include "ui/panels/plan/edit_parts.h"
-#include "ui/panels/plan/edits_panel.h"
+#include "ui/panels/edits/edit_parts.h"
+#include "ui/panels/edits/edits_panel.h"
 #include "ui/panels/plan/metrics_panel.h"
 #include "ui/panels/plan/parameters_panel.h"
 #include "ui/panels/scene/layers_panel.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -79,7 +79,7 @@ void Editor::drawLayers() {
     const int search = layers_.candidateSearch();
     if (shown.plan && search >= 0 &&
         static_cast<std::size_t>(search) < shown.plan->searches.size()) {
-        const ViewpointSearch& tried = shown.plan->searches[static_cast<std::size_t>(search)];
+        const ViewpointSearch& tried = shown.plan->searches[search];
         for (const Candidate& candidate : tried.candidates) {
             view.candidates_there[static_cast<std::size_t>(candidate.verdict)] = true;
         }

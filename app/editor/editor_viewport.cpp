@@ -1,13 +1,13 @@
 #include "app/editor/editor.h"
 
-#include "engine/document/object_key.h"
 #include "engine/geometry/ray_caster.h"
+#include "engine/plan/object_key.h"
 #include "planning/free_space/free_space.h"
 #include "render/draw/storey_cutaway.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/scene/layers_panel.h"
 #include "ui/theme.h"
-#include "ui/widgets/legend_view.h"
+#include "ui/viewport/legend_view.h"
 #include "ui/widgets/note_bar.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
         planned.width_px = pane_.width;
         planned.height_px = pane_.height;
         view.intrinsics = makeIntrinsics(planned);
-        view.pose = plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose;
+        view.pose = plan()->trajectory.frames[playback_.frame()].pose;
         view.near_m = planned.near_m;
     } else {
         view = camera.view(pane_.width, pane_.height);
@@ -75,8 +75,7 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     const std::vector<render::StoreyView>& all = storeys();
     const bool is_there = layer_settings_.storey > 0 &&
                           static_cast<std::size_t>(layer_settings_.storey) <= all.size();
-    const render::StoreyView& storey =
-        is_there ? all[static_cast<std::size_t>(layer_settings_.storey) - 1] : all.back();
+    const render::StoreyView& storey = is_there ? all[layer_settings_.storey - 1] : all.back();
     const std::vector<bool> covers = render::hiddenFor(*shown.scene, storey);
     for (std::size_t i = 0; i < std::min(covers.size(), view.hidden.size()); ++i) {
         if (covers[i]) view.hidden[i] = true;
@@ -148,7 +147,7 @@ std::optional<Pose> Editor::previewPose() const {
     const PositionPoint* point = selected_.positionPoint(plan());
     if (panels_.preview.shows_selection && point != nullptr) return point->pose;
     if (playback_.frame() >= frameCount()) return std::nullopt;
-    return plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].pose;
+    return plan()->trajectory.frames[playback_.frame()].pose;
 }
 
 void Editor::requestPreview() {
@@ -166,10 +165,9 @@ void Editor::requestPreview() {
         view.antialias = workspace_.shown().params.picture.antialias;
         view.reflections = workspace_.shown().params.picture.reflections;
     }
-    const double time_s =
-        playback_.frame() < frameCount()
-            ? plan()->trajectory.frames[static_cast<std::size_t>(playback_.frame())].time_s
-            : 0.0;
+    const double time_s = playback_.frame() < frameCount()
+                              ? plan()->trajectory.frames[playback_.frame()].time_s
+                              : 0.0;
     drawing_.requestPreview(view, playback_.frame(), time_s, panels_.preview.modality);
 }
 
@@ -309,12 +307,11 @@ void Editor::editWithGizmo() {
     const auto& pinned = workspace_.shown().state->edits.plan.pinned;
     if (here.pin >= 0 && static_cast<std::size_t>(here.pin) < pinned.size()) {
         apply({{"op", "move_point"},
-               {"point", pinned[static_cast<std::size_t>(here.pin)].name},
+               {"point", pinned[here.pin].name},
                {"position", position},
                {"quaternion_xyzw", turn}});
     } else {
-        const auto& objects =
-            plan()->observation_points[static_cast<std::size_t>(here.observation_point)].objects;
+        const auto& objects = plan()->observation_points[here.observation_point].objects;
         apply({{"op", "pin"},
                {"objects", objectKeys(*workspace_.shown().scene, objects)},
                {"position", position},

@@ -33,7 +33,7 @@ Status addName(ClassMap& map, const std::string& from, const std::string& to,
 }
 
 Result<ClassMap> fromJson(const std::string& text, const std::string& where) {
-    const Result<nlohmann::json> json = io::parseBoundedJson(text, where);
+    const Result<nlohmann::json> json = parseBoundedJson(text, where);
     if (!json) return tl::unexpected(json.error());
     ClassMap map;
     for (const auto& [from, to] : json->items()) {
@@ -72,7 +72,7 @@ Result<ClassMap> fromLines(std::string_view text, const std::string& where) {
 }  // namespace
 
 Result<ClassMap> readClassMap(const std::filesystem::path& path) {
-    const Result<std::string> text = io::readText(path, 16);
+    const Result<std::string> text = readText(path, 16);
     if (!text) return tl::unexpected(text.error());
     const std::size_t first = text->find_first_not_of(" \t\r\n");
     const bool is_json = first != std::string::npos && (*text)[first] == '{';

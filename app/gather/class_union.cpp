@@ -18,7 +18,7 @@ struct Meaning {
 };
 
 Meaning meaningOf(const ClassTable& table, const DatasetClass& one) {
-    const auto index = static_cast<std::size_t>(table.indexOf(one));
+    const std::size_t index = table.indexOf(one);
     return {table.rules()[index].patterns, table.other() == index};
 }
 

@@ -19,10 +19,10 @@ struct GatheredClass {
     std::string supercategory;
 };
 
-/// The classes of all datasets in one list. Without a class map each keeps its id, and tables that
-/// contradict each other are refused: NYU40 and a table of one's own, an id with two names, a name
-/// with two ids, a class that takes in other objects. With a map classes are joined by the names
-/// that it gives them, and numbered from 1 on.
+/// The classes of all datasets in one list. Without a class map each class keeps its id, and
+/// datasets whose class tables contradict each other are refused: NYU40 in one and a user's table
+/// in the other, an id with two names, a name with two ids, or a class that covers different
+/// objects. With a map, classes that it gives the same name become one, numbered from 1.
 class ClassUnion {
   public:
     /// Errors: BadInput, naming the two datasets, or a class of the map that no dataset has.

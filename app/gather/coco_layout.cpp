@@ -88,7 +88,7 @@ class CocoLayout : public Layout {
     Status appendAnnotations() {
         if (const auto ended = annotations_->finish(); !ended) return tl::unexpected(ended.error());
         annotations_.reset();
-        const Result<io::InputFile> waiting = input_.files.folder().openInput(kWaiting);
+        const Result<InputFile> waiting = input_.files.folder().openInput(kWaiting);
         if (!waiting) return tl::unexpected(waiting.error());
         std::string piece(std::size_t{1} << 20U, '\0');
         std::uint64_t at = 0;

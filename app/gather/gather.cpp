@@ -115,7 +115,7 @@ void warnOfOneClass(const GatherSummary& summary, const ClassUnion& classes) {
             static_cast<double>(*most) < kNearlyAll * static_cast<double>(one.annotations)) {
             continue;
         }
-        const auto index = static_cast<std::size_t>(most - one.boxes_of_class.begin());
+        const std::size_t index = most - one.boxes_of_class.begin();
         log::warn(kSubsystem,
                   fmt::format("{}: {} of {} boxes have the class '{}'; give the scenes' objects "
                               "classes with --labels or 'dollytrack edit' before exporting",
@@ -170,12 +170,12 @@ DatasetIdentity identityOf(const GatherOrder& order, const Gathered& all,
     }
     for (const SkippedDataset& one : all.skipped) sources += one.name + "\n";
     const nlohmann::json map = order.class_map.value_or(ClassMap());
-    return {{"the datasets", io::sha256Of(std::string_view(sources))},
+    return {{"the datasets", sha256Of(std::string_view(sources))},
             {"the format", order.layout->name},
             {"the images", fmt::format("{}", fmt::join(all.modalities, ","))},
             {"the split",
              fmt::format("{} {} {} {}", order.split.by_room, fmt::join(order.split.shares, "/"),
-                         order.split.seed, io::sha256Of(std::string_view(parts)))},
+                         order.split.seed, sha256Of(std::string_view(parts)))},
             {"the class map", map.dump()},
             {"the shards", fmt::format("{} {}", order.shards.bytes, order.shards.frames)},
             {"the title", order.title},
@@ -187,7 +187,7 @@ DatasetIdentity identityOf(const GatherOrder& order, const Gathered& all,
 /// BadInput.
 Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
                     const DatasetIdentity& identity, const JobContext& job) {
-    const Result<nlohmann::json> card = io::readBoundedJson(out.folder(), kGatherCard);
+    const Result<nlohmann::json> card = readBoundedJson(out.folder(), kGatherCard);
     DatasetIdentity found;
     std::string sums_sha256;
     try {
@@ -300,9 +300,10 @@ class PartWriter {
     int total_ = 0;
 };
 
-Status writeAll(const GatherOrder& order, OutputFolder& out, std::vector<FinishedShard> finished,
-                GatherCard& card, const Gathered& all, const std::vector<PartIndex>& part_of,
-                GatherSummary& summary, const JobContext& job) {
+Status writeDataset(const GatherOrder& order, OutputFolder& out,
+                    std::vector<FinishedShard> finished, GatherCard& card, const Gathered& all,
+                    const std::vector<PartIndex>& part_of, GatherSummary& summary,
+                    const JobContext& job) {
     Result<OutputFiles> files = OutputFiles::begin(out.staged(), {order.resume, order.hard_links});
     if (!files) return tl::unexpected(files.error());
     const std::unique_ptr<Layout> layout =
@@ -360,8 +361,8 @@ Result<GatherSummary> gatherDatasets(const GatherOrder& order, const JobContext&
     }
     Result<std::vector<FinishedShard>> finished = out->begin(card.identity, order.resume);
     if (!finished) return tl::unexpected(finished.error());
-    const Status written = writeAll(order, *out, std::move(*finished), card, *all, *part_of,
-                                    summary, job.stage(kReading, 1.0, "frames"));
+    const Status written = writeDataset(order, *out, std::move(*finished), card, *all, *part_of,
+                                        summary, job.stage(kReading, 1.0, "frames"));
     if (!written) return tl::unexpected(written.error());
     warnOfOneClass(summary, *classes);
     if (order.license.empty()) {

@@ -3,7 +3,7 @@
 #include "app/gather/class_union.h"
 #include "app/gather/gather.h"
 #include "app/gather/source.h"
-#include "render/dataset/dataset_journal.h"
+#include "render/dataset/folder/dataset_journal.h"
 
 #include <nlohmann/json.hpp>
 

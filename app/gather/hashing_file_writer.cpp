@@ -11,17 +11,17 @@ constexpr std::size_t kPending = std::size_t{1} << 20U;  // bytes
 
 }  // namespace
 
-Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder, const std::string& name) {
+Result<FileDescriptor> openNew(const GuardedFolder& folder, const std::string& name) {
     constexpr int kNew = O_WRONLY | O_CREAT | O_EXCL;
-    Result<io::FileDescriptor> file = folder.openFile(name, kNew);
+    Result<FileDescriptor> file = folder.openFile(name, kNew);
     if (file || !folder.has(name)) return file;
     if (Status removed = folder.remove(name); !removed) return tl::unexpected(removed.error());
     return folder.openFile(name, kNew);
 }
 
-Result<HashingFileWriter> HashingFileWriter::create(const io::GuardedFolder& folder,
+Result<HashingFileWriter> HashingFileWriter::create(const GuardedFolder& folder,
                                                     const std::string& name) {
-    Result<io::FileDescriptor> file = openNew(folder, name);
+    Result<FileDescriptor> file = openNew(folder, name);
     if (!file) return tl::unexpected(file.error());
     return HashingFileWriter(folder.path() / name, std::move(*file));
 }
@@ -34,15 +34,15 @@ Status HashingFileWriter::write(std::string_view bytes) {
 
 Status HashingFileWriter::flush() {
     hash_.add(std::string_view(pending_));
-    const int error = io::writeAll(file_.get(), pending_);
+    const int error = writeAll(file_.get(), pending_);
     pending_.clear();
-    return error == 0 ? Status() : tl::unexpected<Error>(io::writeError(error, path_));
+    return error == 0 ? Status() : tl::unexpected(writeError(error, path_));
 }
 
 Result<std::string> HashingFileWriter::finish() {
     if (Status flushed = flush(); !flushed) return tl::unexpected(flushed.error());
     if (const int error = file_.close()) {
-        return tl::unexpected<Error>(io::writeError(error, path_));
+        return tl::unexpected(writeError(error, path_));
     }
     return hash_.finish();
 }

@@ -17,7 +17,7 @@ namespace dollytrack::gather {
 class HashingFileWriter {
   public:
     /// Creates the file; an existing one of this name is removed at once.
-    [[nodiscard]] static Result<HashingFileWriter> create(const io::GuardedFolder& folder,
+    [[nodiscard]] static Result<HashingFileWriter> create(const GuardedFolder& folder,
                                                           const std::string& name);
 
     [[nodiscard]] Status write(std::string_view bytes);
@@ -27,13 +27,13 @@ class HashingFileWriter {
     [[nodiscard]] Result<std::string> finish();
 
   private:
-    HashingFileWriter(std::filesystem::path path, io::FileDescriptor file)
+    HashingFileWriter(std::filesystem::path path, FileDescriptor file)
         : path_(std::move(path)), file_(std::move(file)) {}
     [[nodiscard]] Status flush();
 
     std::filesystem::path path_;
-    io::FileDescriptor file_;
-    io::Sha256 hash_;
+    FileDescriptor file_;
+    Sha256 hash_;
     std::string pending_;  // not yet handed to the system
     std::uint64_t size_ = 0;
 };
@@ -41,7 +41,6 @@ class HashingFileWriter {
 /// Opens a new file for writing. An existing file of that name is removed first, because an
 /// interrupted run may have made it a hard link to an image of a dataset, which must not be
 /// changed. Error: CannotWrite.
-[[nodiscard]] Result<io::FileDescriptor> openNew(const io::GuardedFolder& folder,
-                                                 const std::string& name);
+[[nodiscard]] Result<FileDescriptor> openNew(const GuardedFolder& folder, const std::string& name);
 
 }  // namespace dollytrack::gather

@@ -52,7 +52,7 @@ Status readAnnotations(const std::string& text, const std::string& where, const 
         }
         return false;
     };
-    const Result<json> parsed = io::parseBoundedJson<json>(text, where, take);
+    const Result<json> parsed = parseBoundedJson<json>(text, where, take);
     if (!parsed) return tl::unexpected(parsed.error());
     if (!damaged) return {};
     return fail(ErrorCode::BadInput,
@@ -76,7 +76,7 @@ SourceFile OpenedSource::file(std::string_view modality, std::size_t frame) cons
 Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
     Result<verify::StoredDataset> dataset = verify::readStoredDataset(source.folder);
     if (!dataset) return tl::unexpected(dataset.error());
-    const Result<std::string> card = io::sha256OfFile(source.folder / "dataset.json");
+    const Result<std::string> card = sha256OfFile(source.folder / "dataset.json");
     if (!card) return tl::unexpected(card.error());
     if (*card != source.card_sha256) {
         return fail(ErrorCode::BadInput,

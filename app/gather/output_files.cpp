@@ -20,7 +20,7 @@ Status firstError(const std::vector<Status>& all) {
     return {};
 }
 
-Result<std::string> writeHashed(const io::GuardedFolder& folder, const std::string& name,
+Result<std::string> writeHashed(const GuardedFolder& folder, const std::string& name,
                                 std::string_view text) {
     Result<HashingFileWriter> file = HashingFileWriter::create(folder, name);
     if (!file) return tl::unexpected(file.error());
@@ -34,7 +34,7 @@ std::string pictureNameOf(const OpenedSource& source, std::size_t frame) {
     return source.frameName(frame) + ".png";
 }
 
-Result<OutputFiles> OutputFiles::begin(const io::GuardedFolder& folder, Settings settings) {
+Result<OutputFiles> OutputFiles::begin(const GuardedFolder& folder, Settings settings) {
     Result<HashingFileWriter> sums = HashingFileWriter::create(folder, kSumsFile);
     if (!sums) return tl::unexpected(sums.error());
     return OutputFiles(folder, settings, std::move(*sums));
@@ -51,7 +51,7 @@ Status OutputFiles::write(const std::string& name, std::string_view text) {
 
 Status OutputFiles::write(const std::string& folder,
                           const std::vector<std::pair<std::string, std::string>>& texts) {
-    const Result<io::GuardedFolder> within = folder_.makeWithin(folder);
+    const Result<GuardedFolder> within = folder_.makeWithin(folder);
     if (!within) return tl::unexpected(within.error());
     std::vector<Status> written(texts.size());
     std::vector<std::string> sha256s(texts.size());
@@ -71,9 +71,9 @@ Status OutputFiles::write(const std::string& folder,
 }
 
 Result<bool> OutputFiles::linkPicture(const OpenedSource& source, std::size_t frame,
-                                      const io::GuardedFolder& to) const {
+                                      const GuardedFolder& to) const {
     // Both paths are resolved from the root without following symbolic links.
-    const Result<io::GuardedFolder> root = io::GuardedFolder::open("/");
+    const Result<GuardedFolder> root = GuardedFolder::open("/");
     if (!root) return tl::unexpected(root.error());
     std::error_code error;
     const fs::path from = fs::canonical(source.source.folder, error) / frameFileOf(kPicture, frame);
@@ -90,7 +90,7 @@ Result<bool> OutputFiles::linkPicture(const OpenedSource& source, std::size_t fr
 }
 
 Status OutputFiles::copyPicture(const OpenedSource& source, std::size_t frame,
-                                const io::GuardedFolder& to, const JobContext& job) const {
+                                const GuardedFolder& to, const JobContext& job) const {
     const SourceFile file = source.file(kPicture, frame);
     const std::string name = pictureNameOf(source, frame);
     if (settings_.resume && sha256Within(to, name, job) == file.sha256) return {};
@@ -104,7 +104,7 @@ Status OutputFiles::copyPicture(const OpenedSource& source, std::size_t frame,
 
 Status OutputFiles::copyPictures(const OpenedSource& source, std::size_t begin, std::size_t end,
                                  const std::string& folder, const JobContext& job) {
-    const Result<io::GuardedFolder> to = folder_.makeWithin(folder);
+    const Result<GuardedFolder> to = folder_.makeWithin(folder);
     if (!to) return tl::unexpected(to.error());
     std::vector<Status> copied(end - begin);
     parallelFor(end - begin, [&](std::size_t i) {

@@ -22,10 +22,9 @@ class OutputFiles {
         bool hard_links = false;  // make hard links instead of copies if possible
     };
 
-    [[nodiscard]] static Result<OutputFiles> begin(const io::GuardedFolder& folder,
-                                                   Settings settings);
+    [[nodiscard]] static Result<OutputFiles> begin(const GuardedFolder& folder, Settings settings);
 
-    [[nodiscard]] const io::GuardedFolder& folder() const { return folder_; }
+    [[nodiscard]] const GuardedFolder& folder() const { return folder_; }
 
     /// Adds a file that is written to the list.
     [[nodiscard]] Status list(const std::string& name, std::string_view sha256);
@@ -42,15 +41,15 @@ class OutputFiles {
     [[nodiscard]] Result<std::string> finish();
 
   private:
-    OutputFiles(const io::GuardedFolder& folder, Settings settings, HashingFileWriter sums)
+    OutputFiles(const GuardedFolder& folder, Settings settings, HashingFileWriter sums)
         : folder_(folder), settings_(settings), sums_(std::move(sums)) {}
     /// Makes a hard link to the image; false if it is a symbolic link and must be copied.
     [[nodiscard]] Result<bool> linkPicture(const OpenedSource& source, std::size_t frame,
-                                           const io::GuardedFolder& to) const;
+                                           const GuardedFolder& to) const;
     [[nodiscard]] Status copyPicture(const OpenedSource& source, std::size_t frame,
-                                     const io::GuardedFolder& to, const JobContext& job) const;
+                                     const GuardedFolder& to, const JobContext& job) const;
 
-    io::GuardedFolder folder_;
+    GuardedFolder folder_;
     Settings settings_;
     HashingFileWriter sums_;
 };

@@ -43,7 +43,7 @@ std::string below(const std::string& folder, const std::string& name) {
 }
 
 /// Refuses symbolic links, which must not be in a published dataset or redirect its files.
-Status checkNoLinks(const io::GuardedFolder& folder, const std::string& within, int levels) {
+Status checkNoLinks(const GuardedFolder& folder, const std::string& within, int levels) {
     const auto names = folder.list(within);
     if (!names) return tl::unexpected(names.error());
     for (const std::string& name : *names) {
@@ -62,7 +62,7 @@ Status checkNoLinks(const io::GuardedFolder& folder, const std::string& within, 
     return {};
 }
 
-Status removeAll(const io::GuardedFolder& folder, const std::string& within) {
+Status removeAll(const GuardedFolder& folder, const std::string& within) {
     const auto names = folder.list(within);
     if (!names) return tl::unexpected(names.error());
     for (const std::string& name : *names) {
@@ -80,8 +80,7 @@ Status removeAll(const io::GuardedFolder& folder, const std::string& within) {
 
 /// Moves all files except gather.json and its temporary files (gather.json.tmp.123). Folders are
 /// moved as a whole if the destination has none of the same name.
-Status moveAll(const io::GuardedFolder& from, const io::GuardedFolder& to,
-               const std::string& within) {
+Status moveAll(const GuardedFolder& from, const GuardedFolder& to, const std::string& within) {
     const auto names = from.list(within);
     if (!names) return tl::unexpected(names.error());
     for (const std::string& name : *names) {
@@ -101,13 +100,13 @@ Status moveAll(const io::GuardedFolder& from, const io::GuardedFolder& to,
     return {};
 }
 
-bool hasGatherCard(const io::GuardedFolder& folder) {
+bool hasGatherCard(const GuardedFolder& folder) {
     if (!folder.has(kGatherCard)) return false;
     // A foreign file may be huge, so only its `format` is kept.
     const auto keep = [](int depth, json::parse_event_t event, json& parsed) {
         return depth != 1 || event != json::parse_event_t::key || parsed == "format";
     };
-    const auto card = io::readBoundedJson<json>(folder, kGatherCard, keep);
+    const auto card = readBoundedJson<json>(folder, kGatherCard, keep);
     return card && card->is_object() && card->value("format", json()) == kGatherFormat;
 }
 
@@ -118,23 +117,23 @@ struct GatherJournal {
 };
 
 /// Whether a descriptor still refers to the file of this name.
-bool isFile(int descriptor, const io::GuardedFolder& folder, const std::string& name) {
+bool isFile(int descriptor, const GuardedFolder& folder, const std::string& name) {
     struct stat held {};
     const auto named = folder.find(name);
     return named && ::fstat(descriptor, &held) == 0 && held.st_ino == named->st_ino;
 }
 
-GatherJournal readGatherJournal(const io::GuardedFolder& folder) {
+GatherJournal readGatherJournal(const GuardedFolder& folder) {
     GatherJournal journal;
-    const Result<io::InputFile> file = folder.openInput(kGatherJournal);
+    const Result<InputFile> file = folder.openInput(kGatherJournal);
     if (!file) return journal;
-    const std::string text = file->readAll(io::kMostTextBytes).value_or("");
+    const std::string text = file->readAll(kMostTextBytes).value_or("");
     for (std::size_t end = text.find('\n'); end != std::string::npos;
          end = text.find('\n', journal.whole_bytes)) {
         const std::string_view line =
             std::string_view(text).substr(journal.whole_bytes, end - journal.whole_bytes);
         journal.whole_bytes = end + 1;
-        const json value = io::parseBoundedJson(line, kGatherJournal).value_or(json());
+        const json value = parseBoundedJson(line, kGatherJournal).value_or(json());
         try {
             if (value.contains("identity")) {
                 if (value.at("version").get<int>() != kGatherJournalVersion) return {};
@@ -153,11 +152,11 @@ GatherJournal readGatherJournal(const io::GuardedFolder& folder) {
 
 }  // namespace
 
-Status forEachSum(const io::GuardedFolder& folder, const std::string& list,
+Status forEachSum(const GuardedFolder& folder, const std::string& list,
                   const std::function<Status(std::string_view, const std::string&)>& take) {
     constexpr std::size_t kPortion = std::size_t{1} << 20U;  // bytes
     constexpr std::size_t kHash = 64;
-    const Result<io::InputFile> file = folder.openInput(list);
+    const Result<InputFile> file = folder.openInput(list);
     if (!file) return tl::unexpected(file.error());
     std::string text;
     for (std::uint64_t at = 0;;) {
@@ -217,11 +216,11 @@ Status OutputFolder::checkContents(bool overwrite) const {
 Result<OutputFolder> OutputFolder::claim(const fs::path& folder, bool overwrite) {
     std::error_code error;
     const bool existed = fs::exists(folder, error);
-    Result<io::GuardedFolder> opened = io::GuardedFolder::make(folder);
+    Result<GuardedFolder> opened = GuardedFolder::make(folder);
     if (!opened) return tl::unexpected(opened.error());
     OutputFolder claimed(std::move(*opened));
     claimed.made_ = !existed;
-    const io::GuardedFolder& own = claimed.folder_;
+    const GuardedFolder& own = claimed.folder_;
     const auto journal = own.find(kGatherJournal);
     claimed.is_marked_ = journal && journal->st_size > 0;
     claimed.complete_ = hasGatherCard(own);
@@ -229,7 +228,7 @@ Result<OutputFolder> OutputFolder::claim(const fs::path& folder, bool overwrite)
         if (!existed) ::rmdir(folder.c_str());
         return tl::unexpected(status.error());
     }
-    Result<io::FileDescriptor> lock = own.openFile(kGatherJournal, O_RDWR | O_CREAT | O_APPEND);
+    Result<FileDescriptor> lock = own.openFile(kGatherJournal, O_RDWR | O_CREAT | O_APPEND);
     if (!lock) return tl::unexpected(lock.error());
     // Some file systems have no locks; there the user must keep programs apart. A program that just
     // ended may have removed the file.
@@ -242,7 +241,7 @@ Result<OutputFolder> OutputFolder::claim(const fs::path& folder, bool overwrite)
     }
     claimed.lock_ = std::move(*lock);
     if (own.has(kStagedFolder)) {
-        Result<io::GuardedFolder> staged = own.openWithin(kStagedFolder);
+        Result<GuardedFolder> staged = own.openWithin(kStagedFolder);
         if (!staged) return tl::unexpected(staged.error());
         claimed.staged_ = std::move(*staged);
         if (claimed.staged_->has(kReplaced)) {
@@ -250,7 +249,7 @@ Result<OutputFolder> OutputFolder::claim(const fs::path& folder, bool overwrite)
                 return tl::unexpected(status.error());
             }
             if (::ftruncate(claimed.lock_.get(), 0) != 0) {
-                return tl::unexpected<Error>(io::writeError(errno, folder / kGatherJournal));
+                return tl::unexpected(writeError(errno, folder / kGatherJournal));
             }
             claimed.is_marked_ = false;
         }
@@ -277,12 +276,12 @@ Result<std::vector<FinishedShard>> OutputFolder::begin(const render::DatasetIden
     }
     if (!goes_on) earlier = {};
     if (!staged_) {
-        Result<io::GuardedFolder> staged = folder_.makeWithin(kStagedFolder);
+        Result<GuardedFolder> staged = folder_.makeWithin(kStagedFolder);
         if (!staged) return tl::unexpected(staged.error());
         staged_ = std::move(*staged);
     }
     if (::ftruncate(lock_.get(), static_cast<off_t>(earlier.whole_bytes)) != 0) {
-        return tl::unexpected<Error>(io::writeError(errno, path() / kGatherJournal));
+        return tl::unexpected(writeError(errno, path() / kGatherJournal));
     }
     is_marked_ = true;
     if (!goes_on) {
@@ -295,10 +294,10 @@ Result<std::vector<FinishedShard>> OutputFolder::begin(const render::DatasetIden
 }
 
 Status OutputFolder::appendLine(const std::string& json) {
-    int error = io::writeAll(lock_.get(), json + "\n");
+    int error = writeAll(lock_.get(), json + "\n");
     if (error == 0 && ::fdatasync(lock_.get()) != 0 && errno != EINVAL) error = errno;
     if (error == 0) return {};
-    return tl::unexpected<Error>(io::writeError(error, path() / kGatherJournal));
+    return tl::unexpected(writeError(error, path() / kGatherJournal));
 }
 
 Status OutputFolder::note(const FinishedShard& shard) {
@@ -310,7 +309,7 @@ Status OutputFolder::removeListed() {
     std::set<std::string> folders;
     const Status removed =
         forEachSum(*staged_, kReplacedSums, [&](std::string_view, const std::string& name) {
-            if (!io::GuardedFolder::isPlain(name)) return Status();
+            if (!GuardedFolder::isPlain(name)) return Status();
             const std::size_t slash = name.rfind('/');
             if (slash != std::string::npos) folders.insert(name.substr(0, slash));
             return folder_.remove(name);

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
-#include "render/dataset/dataset_journal.h"
+#include "render/dataset/folder/dataset_journal.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -45,9 +45,9 @@ class OutputFolder {
     OutputFolder& operator=(OutputFolder&&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
-    [[nodiscard]] const io::GuardedFolder& folder() const { return folder_; }
+    [[nodiscard]] const GuardedFolder& folder() const { return folder_; }
     /// Where the new dataset is written; after begin().
-    [[nodiscard]] const io::GuardedFolder& staged() const { return *staged_; }
+    [[nodiscard]] const GuardedFolder& staged() const { return *staged_; }
     /// Whether a complete gathered dataset is in the folder.
     [[nodiscard]] bool isComplete() const { return complete_; }
 
@@ -64,25 +64,25 @@ class OutputFolder {
     [[nodiscard]] Status finish();
 
   private:
-    explicit OutputFolder(io::GuardedFolder folder) : folder_(std::move(folder)) {}
+    explicit OutputFolder(GuardedFolder folder) : folder_(std::move(folder)) {}
     [[nodiscard]] Status checkContents(bool overwrite) const;
     [[nodiscard]] Status appendLine(const std::string& json);
     [[nodiscard]] Status moveIntoPlace();
     [[nodiscard]] Status removeListed();
     [[nodiscard]] Status removeStaged();
 
-    io::GuardedFolder folder_;
-    std::optional<io::GuardedFolder> staged_;
-    io::FileDescriptor lock_;  // of the journal
-    bool is_marked_ = false;   // by an earlier run, or begin()
-    bool made_ = false;        // the folder itself
+    GuardedFolder folder_;
+    std::optional<GuardedFolder> staged_;
+    FileDescriptor lock_;     // of the journal
+    bool is_marked_ = false;  // by an earlier run, or begin()
+    bool made_ = false;       // the folder itself
     bool complete_ = false;
 };
 
 /// Calls `take(sha256, name)` for each line of a list as sha256sum writes it, until one returns an
 /// error. Lines of another form are passed by. Error also: CannotWrite where it cannot be read.
 [[nodiscard]] Status forEachSum(
-    const io::GuardedFolder& folder, const std::string& list,
+    const GuardedFolder& folder, const std::string& list,
     const std::function<Status(std::string_view sha256, const std::string& name)>& take);
 
 }  // namespace dollytrack::gather

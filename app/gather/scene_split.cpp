@@ -47,7 +47,7 @@ Assignment assign(const std::vector<double>& frames, const std::vector<std::size
     }
     Assignment parts(frames.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto empty = static_cast<std::size_t>(std::ranges::count(is_empty, true));
+        const std::size_t empty = std::ranges::count(is_empty, true);
         const bool only_empty = order.size() - i <= empty;
         std::optional<PartIndex> best;
         for (PartIndex part = 0; part < kParts.size(); ++part) {

@@ -113,7 +113,7 @@ Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
                     (dataset.folder / "dataset.json").string() + ": scene");
     }
     if (dataset.own_classes) {
-        auto& known = tables_[io::classTableToJson(*dataset.own_classes).dump()];
+        auto& known = tables_[classTableToJson(*dataset.own_classes).dump()];
         if (!known) known = dataset.own_classes;
         source.own_classes = known;
     }
@@ -129,11 +129,13 @@ Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& so
         std::error_code error;
         const std::uintmax_t bytes = fs::file_size(file->path, error);
         if (error) {
-            return fail(ErrorCode::BadInput,
-                        fmt::format("{} is missing; export the dataset again, or leave it out with "
-                                    "--skip-damaged.",
-                                    name),
-                        dataset.folder.string());
+            return fail(
+                ErrorCode::BadInput,
+                fmt::format(
+                    "{} is missing; export the dataset again, or leave the dataset out with "
+                    "--skip-damaged.",
+                    name),
+                dataset.folder.string());
         }
         source.bytes += bytes;
         if (needs_.prove) files.push_back(std::move(*file));
@@ -161,7 +163,7 @@ Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job)
     damaged_ = true;
     const Result<verify::StoredDataset> dataset = verify::readStoredDataset(folder);
     if (!dataset) return tl::unexpected(dataset.error());
-    Result<std::string> card_sha256 = io::sha256OfFile(folder / "dataset.json", job);
+    Result<std::string> card_sha256 = sha256OfFile(folder / "dataset.json", job);
     if (!card_sha256) return tl::unexpected(card_sha256.error());
     Result<Source> source = describe(*dataset);
     if (!source) return source;

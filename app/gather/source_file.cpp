@@ -1,9 +1,9 @@
 #include "app/gather/source_file.h"
 
 #include "app/gather/hashing_file_writer.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/sandbox/input_file.h"
 
 #include <span>
 #include <vector>
@@ -16,15 +16,15 @@ constexpr std::size_t kPiece = std::size_t{1} << 20U;  // bytes
 tl::unexpected<Error> damaged(const SourceFile& file) {
     return fail(ErrorCode::BadInput,
                 "the file is damaged: dataset.json has another SHA-256; export the dataset again, "
-                "or leave it out with --skip-damaged",
+                "or leave the dataset out with --skip-damaged",
                 file.path.string());
 }
 
 /// Calls `take` for successive pieces of the file; `take` returns false to stop.
 template <class Take>
-std::string hashPieces(const io::InputFile& file, const Take& take) {
+std::string hashPieces(const InputFile& file, const Take& take) {
     thread_local std::vector<std::uint8_t> piece(kPiece);
-    io::Sha256 hash;
+    Sha256 hash;
     std::uint64_t at = 0;
     while (const std::size_t got = file.read(at, piece.data(), piece.size())) {
         const std::span<const std::uint8_t> bytes(piece.data(), got);
@@ -38,36 +38,36 @@ std::string hashPieces(const io::InputFile& file, const Take& take) {
 }  // namespace
 
 Result<std::string> readProven(const SourceFile& file) {
-    Result<std::string> bytes = io::readNamedFile(file.path, io::kMostTextBytes);
-    if (bytes && io::sha256Of(std::string_view(*bytes)) != file.sha256) return damaged(file);
+    Result<std::string> bytes = readNamedFile(file.path, kMostTextBytes);
+    if (bytes && sha256Of(std::string_view(*bytes)) != file.sha256) return damaged(file);
     return bytes;
 }
 
-Status copyProven(const SourceFile& file, const io::GuardedFolder& to, const std::string& name) {
-    const Result<io::InputFile> from = io::openNamedFile(file.path);
+Status copyProven(const SourceFile& file, const GuardedFolder& to, const std::string& name) {
+    const Result<InputFile> from = openNamedFile(file.path);
     if (!from) return tl::unexpected(from.error());
-    Result<io::FileDescriptor> copy = openNew(to, name);
+    Result<FileDescriptor> copy = openNew(to, name);
     if (!copy) return tl::unexpected(copy.error());
     int error = 0;
     const std::string sha256 = hashPieces(*from, [&](std::string_view bytes) {
-        error = io::writeAll(copy->get(), bytes);
+        error = writeAll(copy->get(), bytes);
         return error == 0;
     });
     if (error == 0) error = copy->close();
-    if (error != 0) return tl::unexpected<Error>(io::writeError(error, to.path() / name));
+    if (error != 0) return tl::unexpected(writeError(error, to.path() / name));
     return sha256 == file.sha256 ? Status() : damaged(file);
 }
 
 Status prove(const SourceFile& file) {
-    const Result<io::InputFile> from = io::openNamedFile(file.path);
+    const Result<InputFile> from = openNamedFile(file.path);
     if (!from) return tl::unexpected(from.error());
     const std::string sha256 = hashPieces(*from, [](std::string_view) { return true; });
     return sha256 == file.sha256 ? Status() : damaged(file);
 }
 
-std::optional<std::string> sha256Within(const io::GuardedFolder& folder, const std::string& name,
+std::optional<std::string> sha256Within(const GuardedFolder& folder, const std::string& name,
                                         const JobContext& job) {
-    const Result<io::InputFile> file = folder.openInput(name);
+    const Result<InputFile> file = folder.openInput(name);
     if (!file) return std::nullopt;
     std::string sha256 = hashPieces(*file, [&](std::string_view) { return !job.cancelled(); });
     if (job.cancelled()) return std::nullopt;

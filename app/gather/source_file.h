@@ -22,14 +22,14 @@ struct SourceFile {
 [[nodiscard]] Result<std::string> readProven(const SourceFile& file);
 
 /// Copies its bytes to a new file. Error also: CannotWrite.
-[[nodiscard]] Status copyProven(const SourceFile& file, const io::GuardedFolder& to,
+[[nodiscard]] Status copyProven(const SourceFile& file, const GuardedFolder& to,
                                 const std::string& name);
 
 /// Reads the file for its hash alone.
 [[nodiscard]] Status prove(const SourceFile& file);
 
 /// SHA-256 of a file in a guarded folder; nothing where it cannot be read or the job is cancelled.
-[[nodiscard]] std::optional<std::string> sha256Within(const io::GuardedFolder& folder,
+[[nodiscard]] std::optional<std::string> sha256Within(const GuardedFolder& folder,
                                                       const std::string& name,
                                                       const JobContext& job);
 

@@ -6,8 +6,8 @@
 #include "app/cli/export/room_exports.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
-#include "render/dataset/dataset_journal.h"
-#include "render/dataset/dataset_listing.h"
+#include "render/dataset/folder/dataset_journal.h"
+#include "render/dataset/folder/dataset_listing.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 int main(int argc, char** argv) {
-    const int code = dollytrack::io::runImporter(argc, argv);
+    const int code = dollytrack::runImporter(argc, argv);
     if (code == 2) {
         std::fputs(
             "dollytrack-import: dollytrack and dollytrack-editor start this program to read a "

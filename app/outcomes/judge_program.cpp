@@ -52,12 +52,12 @@ class WatchedProcess {
 
     Result<JudgeEnd> run(const std::vector<std::string>& arguments, double timeout_s, int entries,
                          const JobContext& job) {
-        const Result<io::GuardedFolder> folder = io::GuardedFolder::open(settings_.folder);
-        if (!folder) return tl::unexpected<Error>(folder.error());
-        const Result<io::FileDescriptor> said = folder->openEmptied("said.txt");
-        if (!said) return tl::unexpected<Error>(said.error());
-        const Result<io::FileDescriptor> log = folder->openEmptied("log.txt");
-        if (!log) return tl::unexpected<Error>(log.error());
+        const Result<GuardedFolder> folder = GuardedFolder::open(settings_.folder);
+        if (!folder) return tl::unexpected(folder.error());
+        const Result<FileDescriptor> said = folder->openEmptied("said.txt");
+        if (!said) return tl::unexpected(said.error());
+        const Result<FileDescriptor> log = folder->openEmptied("log.txt");
+        if (!log) return tl::unexpected(log.error());
         // -B: no compiled files in the judges' folder, which may belong to the user.
         std::vector<std::string> command = {kPython, "-B", judge_.path.string()};
         command.insert(command.end(), arguments.begin(), arguments.end());
@@ -139,12 +139,13 @@ class WatchedProcess {
 
 Result<fs::path> judgesFolder() {
     const Result<fs::path> program = batch::ownProgram();
-    if (!program) return tl::unexpected<Error>(program.error());
+    if (!program) return tl::unexpected(program.error());
     fs::path folder = (program->parent_path() / "../share/dollytrack/judges").lexically_normal();
     std::error_code error;
     if (fs::is_directory(folder, error)) return folder;
     return fail(ErrorCode::Failed,
-                "The folder of judges is missing; build or install dollytrack again.",
+                "The folder of the programs that judge outcomes is missing; build or install "
+                "dollytrack again.",
                 folder.string());
 }
 
@@ -156,8 +157,8 @@ Result<std::vector<JudgeProgram>> findJudges(const std::vector<fs::path>& folder
              !error && entry != fs::directory_iterator(); entry.increment(error)) {
             const fs::path& path = entry->path();
             if (path.extension() != ".py") continue;
-            const Result<std::string> source = io::readText(path);
-            if (!source) return tl::unexpected<Error>(source.error());
+            const Result<std::string> source = readText(path);
+            if (!source) return tl::unexpected(source.error());
             // Shared modules have no main program.
             if (source->find("__main__") == std::string::npos) continue;
             JudgeProgram judge{path.stem().string(), fs::absolute(path), docLine(*source),

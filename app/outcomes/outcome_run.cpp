@@ -47,14 +47,14 @@ class Measurement {
 
     Result<OutcomeReport> run() {
         if (Status status = checkJudges(); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
         listSets();
         if (Status status = exportFrames(job_.stage(0.0, 0.5, "frames")); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
         if (Status status = writeReferences(job_.stage(0.5, 0.55, "reference surfaces")); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
         const auto count = static_cast<double>(order_.judges.size());
         for (std::size_t i = 0; i < order_.judges.size(); ++i) {
@@ -64,7 +64,7 @@ class Measurement {
                            0.55 + 0.45 * static_cast<double>(i + 1) / count, judge.name);
             part.report(0.0);
             Result<JudgeOutcome> outcome = askJudge(judge, checks_[i], part);
-            if (!outcome) return tl::unexpected<Error>(std::move(outcome.error()));
+            if (!outcome) return tl::unexpected(std::move(outcome.error()));
             report_.judges.push_back(std::move(*outcome));
         }
         return std::move(report_);
@@ -85,7 +85,7 @@ class Measurement {
             const fs::path file = settings.folder / "request.json";
             if (Status status = writeJson(file, choicesOf(judge)); !status) return status;
             Result<JudgeEnd> end = checkJudge(judge, settings, file, job_);
-            if (!end) return tl::unexpected<Error>(std::move(end.error()));
+            if (!end) return tl::unexpected(std::move(end.error()));
             if (end->how == JudgeEnd::How::Done) {
                 available_.push_back(judge);
             } else {
@@ -108,7 +108,7 @@ class Measurement {
     }
 
     static Status writeJson(const fs::path& file, const Json& json) {
-        return io::writeWhole(file, textOf(json));
+        return writeWhole(file, textOf(json));
     }
 
     void listSets() {
@@ -161,7 +161,7 @@ class Measurement {
             return {};
         }
         Result<fs::path> program = batch::ownProgram();
-        if (!program) return tl::unexpected<Error>(std::move(program.error()));
+        if (!program) return tl::unexpected(std::move(program.error()));
         batch::RunSettings settings;
         settings.program = program_ = std::move(*program);
         settings.version = order_.version;
@@ -231,13 +231,13 @@ class Measurement {
                 fmt::format("{} {} {}\n", order_.version, scene_hashes_[scene.name],
                             fmt::join(order_.export_arguments, " "));
             std::error_code error;
-            if (fs::exists(file, error) && io::readText(key_file).value_or("") == key) continue;
+            if (fs::exists(file, error) && readText(key_file).value_or("") == key) continue;
             fs::create_directories(file.parent_path(), error);
             cli::SceneArguments arguments = order_.each;
             arguments.path = scene.path.string();
             arguments.one_of_several = order_.scenes.size() > 1;
             Status written = writeReferenceSurface(arguments, file, part);
-            if (written) written = io::writeWhole(key_file, key);
+            if (written) written = writeWhole(key_file, key);
             if (written) continue;
             const ErrorCode code = written.error().code;
             if (code == ErrorCode::Cancelled || code == ErrorCode::CannotWrite) return written;
@@ -254,8 +254,8 @@ class Measurement {
         for (auto entry = fs::directory_iterator(judge.path.parent_path(), error);
              !error && entry != fs::directory_iterator(); entry.increment(error)) {
             if (entry->path().extension() != ".py") continue;
-            Result<std::string> hash = io::sha256OfFile(entry->path());
-            if (!hash) return tl::unexpected<Error>(std::move(hash.error()));
+            Result<std::string> hash = sha256OfFile(entry->path());
+            if (!hash) return tl::unexpected(std::move(hash.error()));
             hashes[entry->path().filename().string()] = std::move(*hash);
         }
         Json json = Json::object();
@@ -287,8 +287,8 @@ class Measurement {
         for (const FrameSet& set : sets_) {
             const Entry& entry = set.entry;
             if (entry.dataset.empty()) continue;
-            const Result<std::string> hash = io::sha256OfFile(entry.dataset / "dataset.json");
-            if (!hash) return tl::unexpected<Error>(hash.error());
+            const Result<std::string> hash = sha256OfFile(entry.dataset / "dataset.json");
+            if (!hash) return tl::unexpected(hash.error());
             if (set.distribution.empty()) {
                 request["entries"].push_back({{"planner", entry.planner},
                                               {"scene", entry.scene},
@@ -321,25 +321,25 @@ class Measurement {
         std::error_code error;
         fs::create_directories(settings.folder / "work", error);
         const Result<Json> request = requestFor(judge, check.text);
-        if (!request) return tl::unexpected<Error>(request.error());
+        if (!request) return tl::unexpected(request.error());
         const std::string text = textOf(*request);
         const fs::path request_file = settings.folder / "request.json";
-        const bool asked_before = io::readText(request_file).value_or("") == text;
+        const bool asked_before = readText(request_file).value_or("") == text;
         if (asked_before && readOutcome(settings.folder, outcome)) return outcome;
         fs::remove(settings.folder / "result.json", error);
-        if (Status status = io::writeWhole(request_file, text); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+        if (Status status = writeWhole(request_file, text); !status) {
+            return tl::unexpected(std::move(status.error()));
         }
         const auto entries = static_cast<int>((*request)["entries"].size());
         Result<JudgeEnd> end = runJudge(judge, settings, entries, job);
-        if (!end) return tl::unexpected<Error>(std::move(end.error()));
+        if (!end) return tl::unexpected(std::move(end.error()));
         conclude(*end, settings.folder, outcome);
         return outcome;
     }
 
     /// Reads an existing result; returns whether it is valid.
     bool readOutcome(const fs::path& folder, JudgeOutcome& outcome) const {
-        const Result<Json> json = io::readBoundedJson<Json>(folder / "result.json");
+        const Result<Json> json = readBoundedJson<Json>(folder / "result.json");
         return json && takeResult(*json, outcome).has_value();
     }
 
@@ -368,9 +368,9 @@ class Measurement {
             log::warn("compare", fmt::format("{}: {}", outcome.judge, end.text));
             return;
         }
-        const Result<Json> json = io::readBoundedJson<Json>(folder / "result.json");
+        const Result<Json> json = readBoundedJson<Json>(folder / "result.json");
         const Status taken =
-            json ? takeResult(*json, outcome) : Status(tl::unexpected<Error>(json.error()));
+            json ? takeResult(*json, outcome) : Status(tl::unexpected(json.error()));
         if (taken) return;
         outcome.notes.push_back(describe(taken.error()));
         log::warn("compare", fmt::format("{}: {}", outcome.judge, describe(taken.error())));

@@ -39,14 +39,14 @@ std::string npyOf(const std::vector<planning::SurfacePatch>& samples) {
 Status writeReferenceSurface(const cli::SceneArguments& scene, const std::filesystem::path& file,
                              const JobContext& job) {
     const Result<cli::OpenedScene> opened = cli::openScene(scene, job.stage(0.0, 0.2, "loading"));
-    if (!opened) return tl::unexpected<Error>(opened.error());
+    if (!opened) return tl::unexpected(opened.error());
     const auto map = planning::mapBaselineScene(opened->scene, opened->plan_edits, opened->params,
                                                 job.stage(0.2, 0.5, "free space"));
-    if (!map) return tl::unexpected<Error>(map.error());
+    if (!map) return tl::unexpected(map.error());
     const auto samples = planning::reachableSurface(*map, kReferenceSpacing_m,
                                                     job.stage(0.5, 1.0, "reference surface"));
-    if (!samples) return tl::unexpected<Error>(samples.error());
-    return io::writeWhole(file, npyOf(*samples));
+    if (!samples) return tl::unexpected(samples.error());
+    return writeWhole(file, npyOf(*samples));
 }
 
 }  // namespace dollytrack::outcomes

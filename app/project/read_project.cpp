@@ -2,10 +2,10 @@
 
 #include "engine/document/edits_json.h"
 #include "engine/document/object_numbers.h"
+#include "engine/io/format_table/input_check.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/io/settings/annotation_file.h"
 #include "engine/io/settings/import_settings.h"
-#include "engine/io/settings/input_check.h"
 #include "engine/io/settings/project_file.h"
 
 #include <utility>
@@ -15,7 +15,7 @@ namespace {
 
 tl::unexpected<Error> in(const std::filesystem::path& file, Error error) {
     error.where = file.string() + ": " + error.where;
-    return tl::unexpected<Error>(std::move(error));
+    return tl::unexpected(std::move(error));
 }
 
 }  // namespace
@@ -30,26 +30,26 @@ Result<ProjectContent> readProject(const std::filesystem::path& path,
     content.scene_file = path;
     if (!isProjectFile(path)) {
         // Projects contain their edits; later changes of the annotations are ignored.
-        Result<io::Annotations> said = io::findAnnotations(path, annotations);
-        if (!said) return tl::unexpected<Error>(std::move(said.error()));
+        Result<Annotations> said = findAnnotations(path, annotations);
+        if (!said) return tl::unexpected(std::move(said.error()));
         Result<Edits> edits = editsFromJson(said->edits);
         if (!edits) return in(said->file, std::move(edits.error()));
         content.edits = std::move(*edits);
         if (!said->edits.is_null()) content.edits_section = std::move(said->edits);
         return content;
     }
-    Result<io::ProjectFile> file = io::loadProject(path);
-    if (!file) return tl::unexpected<Error>(std::move(file.error()));
+    Result<ProjectFile> file = loadProject(path);
+    if (!file) return tl::unexpected(std::move(file.error()));
     return contentOf(std::move(*file), path);
 }
 
-Result<ProjectContent> contentOf(io::ProjectFile file, const std::filesystem::path& path) {
+Result<ProjectContent> contentOf(ProjectFile file, const std::filesystem::path& path) {
     ProjectContent content;
     Status fits = setFromJson(planning::listFields(content.params), file.parameters);
     if (!fits) return in(path, std::move(fits.error()));
     Result<Edits> edits = editsFromJson(file.edits);
     if (!edits) return in(path, std::move(edits.error()));
-    const Result<ImportOptions> options = io::importOptionsFromJson(file.import);
+    const Result<ImportOptions> options = importOptionsFromJson(file.import);
     if (!options) return in(path, options.error());
     content.project = path;
     content.scene_file = std::move(file.scene);
@@ -77,21 +77,21 @@ Status checkScene(const ProjectContent& content) {
             content.project.string());
     }
     const auto format = checkSceneFile(content.scene_file);
-    return format ? Status() : Status(tl::unexpected<Error>(format.error()));
+    return format ? Status() : Status(tl::unexpected(format.error()));
 }
 
 Result<std::shared_ptr<const Scene>> importSceneOf(const ProjectContent& content,
                                                    const JobContext& job) {
     if (Status status = checkScene(content); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
-    Result<ImportOptions> options = io::importOptionsFromJson(content.import);
-    if (!options) return tl::unexpected<Error>(std::move(options.error()));
+    Result<ImportOptions> options = importOptionsFromJson(content.import);
+    if (!options) return tl::unexpected(std::move(options.error()));
     options->small_volume_m3 = content.params.targets.small_volume_m3;
     options->size_ratio = content.params.targets.size_ratio;
     options->use_cache = true;
     Result<Scene> scene = importScene(content.scene_file, *options, job);
-    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    if (!scene) return tl::unexpected(std::move(scene.error()));
     return std::make_shared<const Scene>(std::move(*scene));
 }
 
@@ -99,7 +99,7 @@ Result<std::vector<std::string>> numberEdits(ProjectContent& content, const Scen
     std::vector<std::string> warnings;
     if (!content.project.empty() || content.edits == Edits{}) return warnings;
     Result<Edits> edits = numberObjects(std::move(content.edits), imported, warnings);
-    if (!edits) return tl::unexpected<Error>(std::move(edits.error()));
+    if (!edits) return tl::unexpected(std::move(edits.error()));
     content.edits = std::move(*edits);
     return warnings;
 }

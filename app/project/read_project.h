@@ -36,13 +36,13 @@ struct ProjectContent {
 [[nodiscard]] bool isProjectFile(const std::filesystem::path& path);
 
 /// Reads a project. For a scene file, reads only the edits in its annotations: those given, or
-/// those beside it (engine/io/settings/annotation_file.h). Errors: those of io::loadProject();
+/// those beside it (engine/io/settings/annotation_file.h). Errors: those of loadProject();
 /// BadInput for invalid parameters and edits, with file and location.
 Result<ProjectContent> readProject(const std::filesystem::path& path,
                                    const std::optional<std::filesystem::path>& annotations = {});
 
 /// Validates a project file's content; `path` is empty if it was never saved. Error: BadInput.
-Result<ProjectContent> contentOf(io::ProjectFile file, const std::filesystem::path& path);
+Result<ProjectContent> contentOf(ProjectFile file, const std::filesystem::path& path);
 
 [[nodiscard]] bool sceneIsGone(const ProjectContent& content);
 

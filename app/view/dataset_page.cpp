@@ -22,7 +22,7 @@ constexpr std::size_t kReserve = 20'000;       // bytes for parts that are not c
 Result<std::string> threeScript(const std::filesystem::path& folder) {
     std::string script;
     for (const char* name : {"three.min.js", "examples/js/controls/OrbitControls.js"}) {
-        const Result<std::string> text = io::readText(folder / name, 16);
+        const Result<std::string> text = readText(folder / name, 16);
         if (!text || text->find("</script") != std::string::npos) {
             return fail(ErrorCode::BadInput,
                         "three.js, which draws the 3D view, is missing; install Debian's package "
@@ -133,29 +133,28 @@ Error tooLarge(const PageOrder& order) {
 
 Result<DatasetPage> makeDatasetPage(const PageOrder& order, const JobContext& job) {
     const Result<std::string> three = threeScript(order.three_folder);
-    if (!three) return tl::unexpected<Error>(three.error());
+    if (!three) return tl::unexpected(three.error());
     if (leastDataBytes(order.dataset) > kMostPageBytes) {
-        return tl::unexpected<Error>(tooLarge(order));
+        return tl::unexpected(tooLarge(order));
     }
     const PageFiles& files = pageFiles();
     const Json data = pageData(order.dataset);
     std::string fixed = dataElement("three", "text/javascript", *three);
     const std::size_t known = files.size() + fixed.size() + scriptJson(data).size() + kReserve;
     if (known > kMostPageBytes / 2 + kMostPageBytes / 4) {
-        return tl::unexpected<Error>(tooLarge(order));
+        return tl::unexpected(tooLarge(order));
     }
     job.report(0.05);
     const RoomElements room =
         roomElements(order, known > kMostPageBytes / 2 ? kFewTriangles : kMostTriangles);
     job.report(0.4);
     const std::size_t taken = known + room.text.size();
-    if (taken > kMostPageBytes) return tl::unexpected<Error>(tooLarge(order));
+    if (taken > kMostPageBytes) return tl::unexpected(tooLarge(order));
     const Result<FramePictures> pictures =
         makeFramePictures(order.dataset, bestFrames(order.dataset), kMostPageBytes - taken,
                           job.stage(0.4, 0.95, "pictures"));
-    if (!pictures) return tl::unexpected<Error>(pictures.error());
-    const auto pictured = static_cast<std::size_t>(
-        std::count(pictures->chosen.begin(), pictures->chosen.end(), true));
+    if (!pictures) return tl::unexpected(pictures.error());
+    const std::size_t pictured = std::count(pictures->chosen.begin(), pictures->chosen.end(), true);
     DatasetPage page;
     page.triangles = room.triangles;
     page.pictures_of_frames = static_cast<int>(pictured);
@@ -170,7 +169,7 @@ Result<DatasetPage> makeDatasetPage(const PageOrder& order, const JobContext& jo
     page.html += fixed;
     page.html += dataElement("page", "text/javascript", files.script);
     page.html += files.end;
-    if (page.html.size() >= kMostPageBytes) return tl::unexpected<Error>(tooLarge(order));
+    if (page.html.size() >= kMostPageBytes) return tl::unexpected(tooLarge(order));
     return page;
 }
 

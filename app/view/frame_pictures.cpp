@@ -30,7 +30,7 @@ constexpr std::size_t kTried = 12;       // number of frames for estimating size
 constexpr double kSafety = 1.06;         // factor on the estimate
 constexpr std::size_t kJsonPerFile = 3;  // quotes and comma, also for missing images
 
-std::string fileOf(const io::GuardedFolder& folder, const std::string& modality, int frame) {
+std::string fileOf(const GuardedFolder& folder, const std::string& modality, int frame) {
     std::string name = verify::imageFile(modality, frame);
     if (modality != "rgb_sensor" || folder.has(name)) return name;
     return name.substr(0, name.size() - 4) + ".jpg";
@@ -39,7 +39,7 @@ std::string fileOf(const io::GuardedFolder& folder, const std::string& modality,
 /// Encodes images of a dataset.
 class PictureMaker {
   public:
-    PictureMaker(const verify::StoredDataset& dataset, const io::GuardedFolder& folder)
+    PictureMaker(const verify::StoredDataset& dataset, const GuardedFolder& folder)
         : dataset_(dataset), folder_(folder) {
         for (const ShownModality& one : kShown) {
             if (dataset.has(one.name)) kinds_.push_back({one.name, one.text, {}});
@@ -74,7 +74,7 @@ class PictureMaker {
             if (job.cancelled()) return;
             PictureKind& kind = made[i % made.size()];
             const int frame = frames[i / made.size()];
-            kind.files[static_cast<std::size_t>(frame)] =
+            kind.files[frame] =
                 render::encodeSmallPicture(folder_, fileOf(folder_, kind.modality, frame),
                                            kind.modality, dataset_.classes(), fitting);
         });
@@ -83,7 +83,7 @@ class PictureMaker {
 
   private:
     const verify::StoredDataset& dataset_;
-    const io::GuardedFolder& folder_;
+    const GuardedFolder& folder_;
     std::vector<PictureKind> kinds_;
 };
 
@@ -101,14 +101,14 @@ std::vector<int> evenly(std::size_t count, std::size_t end) {
 std::vector<int> choose(const std::vector<int>& first, std::size_t count, std::size_t frames) {
     std::vector<bool> taken(frames, false);
     for (const int at : evenly(count, first.size())) {
-        taken[static_cast<std::size_t>(first[static_cast<std::size_t>(at)])] = true;
+        taken[first[at]] = true;
     }
     std::vector<int> others;
     for (std::size_t i = 0; i < frames; ++i) {
         if (!taken[i]) others.push_back(static_cast<int>(i));
     }
     for (const int at : evenly(count - std::min(count, first.size()), others.size())) {
-        taken[static_cast<std::size_t>(others[static_cast<std::size_t>(at)])] = true;
+        taken[others[at]] = true;
     }
     std::vector<int> chosen;
     for (std::size_t i = 0; i < frames; ++i) {
@@ -162,7 +162,7 @@ int unreadableIn(const FramePictures& pictures) {
 Result<FramePictures> makeFramePictures(const verify::StoredDataset& dataset,
                                         const std::vector<int>& first, std::size_t most_bytes,
                                         const JobContext& job) {
-    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(dataset.folder);
+    const Result<GuardedFolder> folder = GuardedFolder::open(dataset.folder);
     if (!folder) return fail(ErrorCode::BadInput, folder.error().message, folder.error().where);
     const PictureMaker maker(dataset, *folder);
     const std::size_t frames = dataset.frames.size();
@@ -181,7 +181,7 @@ Result<FramePictures> makeFramePictures(const verify::StoredDataset& dataset,
             return fail(ErrorCode::Cancelled,
                         "The page was not made because the job was cancelled.");
         if (now.frames == 0 || PictureMaker::bytesIn(pictures.kinds) <= most) {
-            for (const int frame : chosen) pictures.chosen[static_cast<std::size_t>(frame)] = true;
+            for (const int frame : chosen) pictures.chosen[frame] = true;
             break;
         }
         now = nextTry(now);

@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "render/dataset/small_picture.h"
+#include "render/pictures/small_picture.h"
 #include "render/verify/read/stored_dataset.h"
 
 #include <cstddef>

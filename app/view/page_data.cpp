@@ -1,7 +1,7 @@
 #include "app/view/page_data.h"
 
 #include "engine/core/clean_text.h"
-#include "render/dataset/small_picture.h"
+#include "render/pictures/small_picture.h"
 #include "render/verify/read/number_table.h"
 
 #include <algorithm>

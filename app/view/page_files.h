@@ -5,7 +5,7 @@
 
 namespace dollytrack::view {
 
-/// The page's own files of assets/view, which are inside the program.
+/// The files of the web page (assets/view), which are compiled into the program.
 struct PageFiles {
     std::string head;    // from the doctype to the data, with the style
     std::string script;  // all scripts, in their order

@@ -42,7 +42,7 @@ Eigen::Vector3f texel(const Texture& texture, const Eigen::Vector2f& uv) {
 /// Mean texture colour of a triangle; white without a texture.
 Eigen::Vector3f meanTexel(const Scene& scene, int texture_index, const Triangle& corners) {
     if (texture_index < 0) return Eigen::Vector3f::Ones();
-    const Texture& texture = scene.textures[static_cast<std::size_t>(texture_index)];
+    const Texture& texture = scene.textures[texture_index];
     if (texture.width < 1 || texture.height < 1 || texture.rgba.empty()) {
         return Eigen::Vector3f::Ones();
     }

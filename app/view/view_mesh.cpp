@@ -47,7 +47,7 @@ struct Grid {
 };
 
 bool isShown(const Object& object, const std::vector<bool>& hidden) {
-    const auto id = static_cast<std::size_t>(object.id);
+    const std::size_t id = object.id;
     return object.triangle_count > 0 && (id >= hidden.size() || !hidden[id]);
 }
 

@@ -17,7 +17,7 @@ layout(location = 9) uniform int orthographic;
 layout(location = 10) uniform float glow;        // factor of emission
 layout(location = 17) uniform vec2 image_size;   // px
 
-#ifdef LOOKS  // multisampled surface buffer
+#ifdef MULTISAMPLED  // multisampled surface buffer
 const int kSamplesPerPixel = 4;  // as in multisample_buffer.h
 layout(location = 11) uniform float share;          // weight of each sample
 // Sample positions, from the pixel's centre, px.
@@ -76,7 +76,7 @@ float sunAt(vec3 p, vec3 n, vec3 face) {
 }
 #endif
 
-#ifdef LOOKS
+#ifdef MULTISAMPLED
 layout(binding = 0) uniform sampler2DMS colors;
 layout(binding = 1) uniform sampler2DMS normals;
 layout(binding = 2) uniform sampler2DMS depths;
@@ -133,7 +133,7 @@ float weightOfRow() {
 }
 #endif
 
-#if !defined(LOOKS) && !defined(SENSOR)
+#if !defined(MULTISAMPLED) && !defined(SENSOR)
 vec3 encode(vec3 linear) {
     return mix(12.92 * linear, 1.055 * pow(max(linear, 0.0031308), vec3(1.0 / 2.4)) - 0.055,
                step(0.0031308, linear));
@@ -149,7 +149,7 @@ struct Seen {
     float z;  // planar depth, m; 0: nothing was hit
 };
 
-#ifdef LOOKS
+#ifdef MULTISAMPLED
 // Converts a depth-buffer value to planar depth, m.
 float planarDepth(float depth) {
     float z = depth_span.y > 0.0 ? depth_span.x + (1.0 - depth) * depth_span.y
@@ -161,7 +161,7 @@ float planarDepth(float depth) {
 // @param number  sample number; 0 without multisampling
 Seen seenBy(int number) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-#ifdef LOOKS
+#ifdef MULTISAMPLED
     vec4 color = texelFetch(colors, pixel, number);
     vec4 facing = texelFetch(normals, pixel, number);
     float z = planarDepth(texelFetch(depths, pixel, number).r);
@@ -293,7 +293,7 @@ vec3 shown(Seen seen, vec2 pixel) {
     return seen.z > 0.0 ? light : sky;
 }
 
-#ifdef LOOKS
+#ifdef MULTISAMPLED
 // Whether two samples receive the same light and lie on a straight part of the tone curve.
 bool alike(Seen a, Seen b) {
     return abs(a.z - b.z) <= 0.02 * a.z && dot(a.normal, b.normal) >= 0.99 * sign(a.z) &&
@@ -320,7 +320,7 @@ void main() {
     mean.z /= float(kSamplesPerPixel);
     out_rgb = vec4(float(kSamplesPerPixel) * share * shown(mean, gl_FragCoord.xy), 1.0);
     if (!same) discard;  // last, because neighbouring pixels need its derivatives
-#elif defined(LOOKS)
+#elif defined(MULTISAMPLED)
     vec3 sum = vec3(0.0);
     for (int i = 0; i < kSamplesPerPixel; ++i) sum += shown(seenBy(i), gl_FragCoord.xy + offset[i]);
     out_rgb = vec4(share * sum, 1.0);  // averages linear light

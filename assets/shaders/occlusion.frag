@@ -7,7 +7,7 @@ layout(location = 1) uniform vec4 unproject;  // x scale, y scale, x offset, y o
 layout(location = 2) uniform float pixels_per_radian;  // orthographic: pixels per metre
 layout(location = 3) uniform int orthographic;
 
-#ifdef LOOKS  // reads the first sample of the multisampled buffer
+#ifdef MULTISAMPLED  // reads the first sample of the multisampled buffer
 layout(location = 4) uniform vec2 depth_span;  // see surface.vert
 
 layout(binding = 1) uniform sampler2DMS normals;
@@ -23,7 +23,7 @@ const float kRadius = 0.30;  // m
 const int kSamples = 8;
 
 vec3 pointAt(ivec2 pixel) {
-#ifdef LOOKS
+#ifdef MULTISAMPLED
     float depth = texelFetch(depths, pixel, 0).r;
     float z = depth_span.y > 0.0 ? depth_span.x + (1.0 - depth) * depth_span.y
                                  : depth_span.x / depth;
@@ -53,7 +53,7 @@ vec3 flatNormal(vec3 p, ivec2 pixel, ivec2 size) {
 #endif
 
 void main() {
-#ifdef LOOKS
+#ifdef MULTISAMPLED
     ivec2 size = textureSize(depths);
 #else
     ivec2 size = textureSize(surface, 0);

@@ -23,13 +23,13 @@ CameraMotion::CameraMotion(const Trajectory& trajectory) {
 
 const PoseSpline* CameraMotion::pathOf(std::size_t frame) const {
     const int path = frames_[frame].path;
-    return path < 0 ? nullptr : &paths_[static_cast<std::size_t>(path)];
+    return path < 0 ? nullptr : &paths_[path];
 }
 
 Pose CameraMotion::poseAt(std::size_t frame, double after_s) const {
     const Frame& from = frames_[frame];
     if (from.path < 0 || after_s == 0.0) return from.given.pose;
-    const PoseSpline& path = paths_[static_cast<std::size_t>(from.path)];
+    const PoseSpline& path = paths_[from.path];
     const double time = from.given.time_s + after_s;
     const double within = std::clamp(time, path.begin(), path.end());
     const PoseSpline::Point point = path.at(within);

@@ -13,8 +13,8 @@ Similarity align(const Trajectory& truth, const Trajectory& estimate,
     if (alignment == Alignment::None || matches.empty()) return {};
     std::vector<Eigen::Vector3d> from, onto;
     for (const auto& [i, k] : matches) {
-        onto.push_back(truth.frames[static_cast<std::size_t>(i)].pose.position);
-        from.push_back(estimate.frames[static_cast<std::size_t>(k)].pose.position);
+        onto.push_back(truth.frames[i].pose.position);
+        from.push_back(estimate.frames[k].pose.position);
     }
     return alignPoints(from, onto, alignment == Alignment::Similarity);
 }
@@ -73,8 +73,8 @@ std::vector<std::pair<int, int>> matchByTime(const Trajectory& truth, const Traj
     std::vector<bool> truth_taken(truth.frames.size()), estimate_taken(estimate.frames.size());
     std::vector<std::pair<int, int>> matches;
     for (const Candidate& one : candidates) {
-        const auto i = static_cast<std::size_t>(one.truth);
-        const auto k = static_cast<std::size_t>(one.estimate);
+        const std::size_t i = one.truth;
+        const std::size_t k = one.estimate;
         if (truth_taken[i] || estimate_taken[k]) continue;
         truth_taken[i] = estimate_taken[k] = true;
         matches.emplace_back(one.truth, one.estimate);
@@ -91,12 +91,8 @@ TrajectoryError trajectoryError(const Trajectory& truth, const Trajectory& estim
     error.measured = static_cast<int>(error.matches.size()) >= posesNeeded(settings.alignment);
     if (!error.measured) return error;
     error.world_from_estimate = align(truth, estimate, error.matches, settings.alignment);
-    const auto true_pose = [&](int i) -> const Pose& {
-        return truth.frames[static_cast<std::size_t>(i)].pose;
-    };
-    const auto estimated_pose = [&](int k) -> const Pose& {
-        return estimate.frames[static_cast<std::size_t>(k)].pose;
-    };
+    const auto true_pose = [&](int i) -> const Pose& { return truth.frames[i].pose; };
+    const auto estimated_pose = [&](int k) -> const Pose& { return estimate.frames[k].pose; };
     std::vector<double> distances, lengths, angles;
     for (const auto& [i, k] : error.matches) {
         distances.push_back(
@@ -108,8 +104,7 @@ TrajectoryError trajectoryError(const Trajectory& truth, const Trajectory& estim
         const auto later = estimate_of.find(i + settings.delta);
         if (later == estimate_of.end()) continue;
         const auto& frames = truth.frames;
-        if (frames[static_cast<std::size_t>(i)].path !=
-            frames[static_cast<std::size_t>(later->first)].path) {
+        if (frames[i].path != frames[later->first].path) {
             continue;
         }
         const Eigen::Isometry3d off =

@@ -43,7 +43,7 @@ class DisjointSets {
     }
 
   private:
-    Index& parentOf(Index i) { return parent_[static_cast<std::size_t>(i)]; }
+    Index& parentOf(Index i) { return parent_[i]; }
 
     std::vector<Index> parent_;
 };

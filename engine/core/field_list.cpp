@@ -124,9 +124,7 @@ std::string Field::valueText() const {
         Overloaded{[](const Integer& f) { return fmt::format("{}", *f.value); },
                    [](const Real& f) { return fmt::format("{}", *f.value); },
                    [](const Switch& f) { return std::string(*f.value ? "true" : "false"); },
-                   [](const Choice& f) {
-                       return std::string(f.info.names[static_cast<std::size_t>(f.get())]);
-                   }},
+                   [](const Choice& f) { return std::string(f.info.names[f.get()]); }},
         value);
 }
 

@@ -22,7 +22,7 @@ using Status = Result<void>;
 
 [[nodiscard]] inline tl::unexpected<Error> fail(ErrorCode code, std::string message,
                                                 std::string where = {}) {
-    return tl::unexpected<Error>(Error{code, std::move(message), std::move(where)});
+    return tl::unexpected(Error{code, std::move(message), std::move(where)});
 }
 
 /// "where: message", or the message alone.

@@ -63,7 +63,7 @@ void change(Scene& scene, const ObjectChange& wanted) {
         findAll(scene, {wanted.object}, fmt::format("the change of \"{}\"", wanted.object.name),
                 scene.report.warnings);
     if (ids.empty()) return;
-    Object& object = scene.objects[static_cast<std::size_t>(ids.front()) - 1];
+    Object& object = scene.objects[ids.front() - 1];
     if (wanted.role) object.role = *wanted.role;
     if (wanted.nyu40) object.nyu40 = *wanted.nyu40;
     if (wanted.front) {

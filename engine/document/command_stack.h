@@ -11,7 +11,7 @@
 namespace dollytrack {
 
 /// Undo and redo by snapshots: each step holds the whole state, so undoing restores exactly what
-/// was there. Steps share their states; none is copied when stepping.
+/// was there. States are shared pointers, so stepping copies none.
 class CommandStack {
   public:
     using State = std::shared_ptr<const ProjectState>;

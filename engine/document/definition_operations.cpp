@@ -30,7 +30,7 @@ void follow(std::vector<ObjectRef>& objects, const Scene& before, const Successo
             next.push_back(ref);  // does not exist in the scene; kept unchanged
             continue;
         }
-        const auto& made = successors[static_cast<std::size_t>(id) - 1];
+        const auto& made = successors[id - 1];
         next.insert(next.end(), made.begin(), made.end());
     }
     std::sort(next.begin(), next.end(),

@@ -310,7 +310,7 @@ Result<Edits> editsFromJson(const json& section) {
     edits.scene.only = readList<std::string>(from.at("only"), readPattern);
     edits.plan.start = readPinName(from.at("start"), edits.plan.pinned);
     edits.plan.end = readPinName(from.at("end"), edits.plan.pinned);
-    if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    if (!status) return tl::unexpected(std::move(status.error()));
     return edits;
 }
 

@@ -13,9 +13,9 @@ namespace dollytrack {
 nlohmann::json editsJson(const Edits& edits, const nlohmann::json& loaded);
 nlohmann::json editsJson(const Edits& edits);
 
-/// Reads that section; an absent one (null, or an empty object) gives no edits. Error: BadInput
-/// with the place ("edits.pinned[2].position") for wrong types and values, and for a section of a
-/// later version.
+/// Reads the section `edits`; an absent one (null, or an empty object) gives no edits. Error:
+/// BadInput with the place ("edits.pinned[2].position") for wrong types and values, and for a
+/// section of a later version.
 Result<Edits> editsFromJson(const nlohmann::json& section);
 
 /// Reads the members named in visitSplitLimits(). A missing one means no limit.

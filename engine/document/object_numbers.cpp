@@ -42,7 +42,7 @@ Result<Edits> numberObjects(Edits edits, const Scene& imported,
         if (definition.objects.size() < (merges ? 2U : 1U)) continue;
         before.definitions.push_back(definition);
         scene = applySceneEdits(imported, before);
-        if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+        if (!scene) return tl::unexpected(std::move(scene.error()));
     }
     edits.scene.definitions = std::move(before.definitions);
     std::erase_if(edits.scene.changes,

@@ -9,7 +9,7 @@ namespace dollytrack {
 namespace {
 
 bool isSet(const std::vector<bool>& flags, int id) {
-    return static_cast<std::size_t>(id) < flags.size() && flags[static_cast<std::size_t>(id)];
+    return static_cast<std::size_t>(id) < flags.size() && flags[id];
 }
 
 std::size_t highestNumber(const ObjectTrace& trace) {
@@ -50,12 +50,12 @@ std::vector<int> followObjects(const std::vector<int>& ids, const ObjectTrace& b
     std::vector<bool> wanted(highestNumber(before) + 1, false);
     for (const int id : ids) {
         if (id > 0 && static_cast<std::size_t>(id) < wanted.size()) {
-            wanted[static_cast<std::size_t>(id)] = true;
+            wanted[id] = true;
         }
     }
     std::vector<bool> found(highestNumber(after) + 1, false);
     for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
-        if (isSet(wanted, before[i])) found[static_cast<std::size_t>(after[i])] = true;
+        if (isSet(wanted, before[i])) found[after[i]] = true;
     }
     std::vector<int> followed;
     for (std::size_t id = 1; id < found.size(); ++id) {
@@ -69,7 +69,7 @@ std::vector<bool> followFlags(const std::vector<bool>& flags, const ObjectTrace&
     std::vector<bool> followed(highestNumber(after) + 1, false);
     std::vector<bool> without(followed.size(), false);
     for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
-        (isSet(flags, before[i]) ? followed : without)[static_cast<std::size_t>(after[i])] = true;
+        (isSet(flags, before[i]) ? followed : without)[after[i]] = true;
     }
     for (std::size_t id = 0; id < followed.size(); ++id) {
         if (without[id]) followed[id] = false;

@@ -281,7 +281,7 @@ Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scen
         const auto failed = [&](Error error) {
             const std::string number = fmt::format("operation {}", i + 1);
             error.where = error.where.empty() ? number : number + ", " + error.where;
-            return tl::unexpected<Error>(std::move(error));
+            return tl::unexpected(std::move(error));
         };
         if (!scene) return failed(scene.error());
         const SceneEdits before = next.edits.scene;
@@ -292,7 +292,7 @@ Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scen
         scene = applySceneEdits(without_pictures, next.edits.scene, rules);
         if (!scene) return failed(scene.error());
     }
-    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    if (!scene) return tl::unexpected(std::move(scene.error()));
     state = std::move(next);
     return names;
 }

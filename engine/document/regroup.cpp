@@ -1,7 +1,7 @@
 #include "engine/document/regroup.h"
 
+#include "engine/geometry/object_measure.h"
 #include "engine/geometry/piece_finder.h"
-#include "engine/scene/object_measure.h"
 
 #include <algorithm>
 #include <limits>
@@ -174,7 +174,7 @@ std::vector<TriangleList> findPieces(const Scene& scene, const Object& object) {
             piece = static_cast<int>(pieces.size());
             pieces.emplace_back();
         }
-        pieces[static_cast<std::size_t>(piece)].push_back(triangle);
+        pieces[piece].push_back(triangle);
     }
     return pieces;
 }
@@ -209,7 +209,7 @@ std::vector<double> pieceSizes(const Scene& scene, const Object& object) {
 std::size_t keptPieces(const std::vector<double>& sizes_m, const SplitLimits& limits) {
     const auto first_small = std::find_if(
         sizes_m.begin(), sizes_m.end(), [&](double size_m) { return size_m < limits.min_size_m; });
-    const auto large = static_cast<std::size_t>(first_small - sizes_m.begin());
+    const std::size_t large = first_small - sizes_m.begin();
     return limits.max_pieces == 0 ? large
                                   : std::min(large, static_cast<std::size_t>(limits.max_pieces));
 }

@@ -19,7 +19,8 @@ class FurniturePool {
     [[nodiscard]] const std::vector<const CatalogPiece*>& piecesOf(FurnitureRole role) const;
     /// Whether at least one piece has a role.
     [[nodiscard]] bool hasPieces() const;
-    /// Whether the model can be read, has all its textures and at most 80,000 triangles.
+    /// Whether the model can be read, has all its textures and at most 80,000 triangles. False if
+    /// the job was cancelled.
     bool isUsable(const CatalogPiece& piece, const JobContext& job);
     /// The model of a piece; null if it cannot be read.
     const homes::FurnitureModel* modelOf(const CatalogPiece& piece, const JobContext& job);

@@ -13,8 +13,8 @@ namespace dollytrack::generate {
 /// The name of a library's file within a home, which may contain files of several libraries.
 std::string nameInHome(std::size_t archive, const std::string& name);
 
-/// The files of all models that a layout uses, each once: the whole folder of each model, with
-/// materials, textures and often a licence. Error: as of reading a damaged library.
+/// The files of all models that a layout uses, each once: all files directly in the folder of each
+/// model, with materials, textures and often a licence. Error: as of reading a damaged library.
 Result<std::vector<ArchiveFile>> modelFiles(const RoomLayout& layout,
                                             const FurnitureCatalog& catalog);
 

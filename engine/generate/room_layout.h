@@ -54,9 +54,10 @@ class RoomLayout {
     [[nodiscard]] PlacedPiece atWall(const CatalogPiece& piece, FurnitureRole role,
                                      const WallPlace& place, double gap) const;
 
-    /// Adds the piece if it is inside the room and touches no other piece and no reserved box;
-    /// returns whether it does. A supported piece is not compared with its supporter, because the
-    /// caller has done so at triangle level, nor with reserved boxes.
+    /// Adds the piece if it is inside the room, touches no other piece (doors and windows do not
+    /// count) and no reserved box, and leaves the floor connected; returns whether it was added. A
+    /// supported piece is not compared with its supporter, because the caller has done so at
+    /// triangle level, nor with reserved boxes.
     bool add(const PlacedPiece& piece);
     /// Adds a door or a window to a wall and reserves a box before it.
     void addOpening(const PlacedPiece& piece, const UprightBox& clear);

@@ -26,8 +26,8 @@ void addWalls(const RoomLayout& layout, const homes::HomeSurface& surface, homes
                                              Vector2d(l + h, w + h), Vector2d(-h, w + h)};
     for (int i = 0; i < 4; ++i) {
         homes::HomeWall wall;
-        wall.start = corners[static_cast<std::size_t>(i)];
-        wall.end = corners[static_cast<std::size_t>((i + 1) % 4)];
+        wall.start = corners[i];
+        wall.end = corners[(i + 1) % 4];
         wall.thickness = kWallThickness;
         wall.height = layout.height();
         wall.height_at_end = layout.height();

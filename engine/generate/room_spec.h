@@ -35,7 +35,8 @@ struct RoomPreset {
 };
 
 std::span<const RoomPreset> roomPresets();
-/// Random variation for the room of this number: size within 5 %, objects within 10 % of `spec`.
+/// Random variation for room `number` of a set: its size is within 5 % of `spec`, its number of
+/// objects within 10 %.
 RoomSpec varied(const RoomSpec& spec, std::uint64_t seed, std::uint64_t number);
 /// The preset of this name; null if there is none.
 const RoomPreset* presetNamed(std::string_view name);

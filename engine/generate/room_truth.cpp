@@ -29,7 +29,7 @@ int classOf(const PlacedPiece& placed) {
 std::string heldBy(const PlacedPiece& placed, const std::vector<std::string>& names) {
     switch (placed.support) {
         case PlacedPiece::Support::Piece:
-            return names[static_cast<std::size_t>(placed.supporter)];
+            return names[placed.supporter];
         case PlacedPiece::Support::Wall:
         case PlacedPiece::Support::Opening:
             return "wall";

@@ -19,7 +19,7 @@ constexpr int kSide = 512;  // pixels
 class Noise {
   public:
     Noise(int across, int down, Random& random) : across_(across), down_(down) {
-        values_.resize(static_cast<std::size_t>(across * down));
+        values_.resize(across * down);
         for (double& value : values_) value = random.uniform(-1.0, 1.0);
     }
     [[nodiscard]] double at(int x, int y) const {
@@ -35,7 +35,7 @@ class Noise {
 
   private:
     [[nodiscard]] double value(int x, int y) const {
-        return values_[static_cast<std::size_t>((y % down_) * across_ + x % across_)];
+        return values_[(y % down_) * across_ + x % across_];
     }
     int across_;
     int down_;
@@ -46,7 +46,7 @@ class Noise {
 template <class Shade>
 Result<std::vector<std::uint8_t>> paint(const Vector3d& color, Shade&& shade) {
     std::vector<std::uint8_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(3 * kSide * kSide));
+    pixels.reserve(3 * kSide * kSide);
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
             const double value = shade(x, y);
@@ -56,7 +56,7 @@ Result<std::vector<std::uint8_t>> paint(const Vector3d& color, Shade&& shade) {
             }
         }
     }
-    return io::encodePng(kSide, kSide, io::PngFormat::Rgb8, pixels);
+    return encodePng(kSide, kSide, PngFormat::Rgb8, pixels);
 }
 
 Vector3d oneOf(std::initializer_list<Vector3d> colors, Random& random) {
@@ -81,7 +81,7 @@ Result<std::vector<std::uint8_t>> boardsPicture(Random& random) {
     const Noise grain(8, 128, random);
     const Noise fine(256, 256, random);
     return paint(color, [&](int x, int y) {
-        const auto board = static_cast<std::size_t>(y / kBoard);
+        const std::size_t board = y / kBoard;
         const bool seam = isAtEdge(y, kBoard, 2) || isAtEdge(x + joint[board], kSide, 2);
         return (seam ? 0.55 : tint[board]) + 0.09 * grain.at(x, y) + 0.04 * fine.at(x, y);
     });
@@ -98,7 +98,7 @@ Result<std::vector<std::uint8_t>> tilesPicture(Random& random) {
     const Noise fine(256, 256, random);
     return paint(color, [&](int x, int y) {
         const bool joint = isAtEdge(x, kTile, 3) || isAtEdge(y, kTile, 3);
-        const auto tile = static_cast<std::size_t>((y / kTile) * kTiles + x / kTile);
+        const std::size_t tile = (y / kTile) * kTiles + x / kTile;
         return (joint ? 0.6 : tint[tile]) + 0.05 * clouds.at(x, y) + 0.03 * fine.at(x, y);
     });
 }

@@ -93,9 +93,7 @@ class Stacker {
     }
 
   private:
-    [[nodiscard]] const PlacedPiece& at(int index) const {
-        return f_.layout.pieces()[static_cast<std::size_t>(index)];
-    }
+    [[nodiscard]] const PlacedPiece& at(int index) const { return f_.layout.pieces()[index]; }
 
     const SupportSurface* surfaceOf(int supporter) {
         auto found = surfaces_.find(supporter);

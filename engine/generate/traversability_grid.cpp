@@ -22,12 +22,12 @@ std::vector<std::size_t> joinedParts(const std::vector<bool>& open, int columns,
     part_of.assign(open.size(), 0);
     for (int start = 0; start < columns * rows; ++start) {
         const auto enter = [&](int cell) {
-            const auto index = static_cast<std::size_t>(cell);
+            const std::size_t index = cell;
             if (!open[index] || part_of[index] != 0) return;
             part_of[index] = static_cast<int>(sizes.size()) - 1;
             stack.push_back(cell);
         };
-        const auto first = static_cast<std::size_t>(start);
+        const std::size_t first = start;
         if (!open[first] || part_of[first] != 0) continue;
         sizes.push_back(0);
         enter(start);
@@ -56,7 +56,7 @@ TraversabilityGrid::TraversabilityGrid(double length, double width)
             const Vector2d at((column + 0.5) * kCell, (row + 0.5) * kCell);
             const double wall =
                 std::min(std::min(at.x(), length - at.x()), std::min(at.y(), width - at.y()));
-            if (wall < kReach) open_[static_cast<std::size_t>(row * columns_ + column)] = false;
+            if (wall < kReach) open_[row * columns_ + column] = false;
         }
     }
 }
@@ -83,8 +83,7 @@ void TraversabilityGrid::close(const UprightBox& box, std::vector<bool>& open) c
          ++row) {
         for (int column = first; column <= last; ++column) {
             camera.centre = {(column + 0.5) * kCell, (row + 0.5) * kCell};
-            if (near(camera, box, 0.0))
-                open[static_cast<std::size_t>(row * columns + column)] = false;
+            if (near(camera, box, 0.0)) open[row * columns + column] = false;
         }
     }
 }

@@ -68,7 +68,7 @@ FlatMesh triangulateRegion(const std::vector<Eigen::Vector2d>& outline,
             const auto [found, is_new] =
                 indices.try_emplace(vertex, static_cast<std::uint32_t>(mesh.corners.size()));
             if (is_new) mesh.corners.emplace_back(vertex->point().x(), vertex->point().y());
-            triangle[static_cast<std::size_t>(i)] = found->second;
+            triangle[i] = found->second;
         }
         mesh.triangles.push_back(triangle);
     }

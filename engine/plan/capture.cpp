@@ -32,13 +32,13 @@ std::vector<ObjectCapture> bestCaptures(const Scene& scene, const std::vector<Ob
                                         const CaptureRules& rules) {
     std::vector<ObjectCapture> all(scene.objects.size());
     for (const Object& object : scene.objects) {
-        ObjectCapture& row = all[static_cast<std::size_t>(object.id) - 1];
+        ObjectCapture& row = all[object.id - 1];
         row.object_id = object.id;
         row.best.frame = -1;
         row.best_well.frame = -1;
     }
     for (const ObjectView& view : views) {
-        ObjectCapture& row = all[static_cast<std::size_t>(view.object_id) - 1];
+        ObjectCapture& row = all[view.object_id - 1];
         row.captured |= isCaptured(view, rules);
         if (isBetter(view, row.best)) row.best = view;
         if (!isWellCaptured(view, rules)) continue;

@@ -1,6 +1,6 @@
 #include "engine/plan/ledger_json.h"
 
-#include "engine/document/remedy_operations.h"
+#include "engine/plan/remedy_operations.h"
 #include "engine/scene/labels.h"
 
 #include <nlohmann/json.hpp>

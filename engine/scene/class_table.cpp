@@ -20,7 +20,7 @@ struct NameForms {
 
 NameForms formsOf(std::string_view name) {
     NameForms forms{inSmallLetters(name), {}};
-    for (const std::string& word : splitWords(name)) {
+    for (const std::string& word : wordsOfName(name)) {
         if (!forms.words.empty()) forms.words += ' ';
         forms.words += word;
     }
@@ -78,7 +78,7 @@ const DatasetClass* ClassTable::find(int id) const {
 const DatasetClass& ClassTable::classFor(std::string_view object_name, int nyu40) const {
     if (is_nyu40_) {
         const bool known = nyu40 >= 1 && nyu40 <= kNyu40Count;
-        return known ? classes_[static_cast<std::size_t>(nyu40) - 1] : void_;
+        return known ? classes_[nyu40 - 1] : void_;
     }
     const NameForms name = formsOf(object_name);
     for (std::size_t i = 0; i < rules_.size(); ++i) {

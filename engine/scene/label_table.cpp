@@ -76,14 +76,14 @@ namespace {
 
 /// A name in the form of patterns: "bunk beds" becomes "bunk bed"; empty if it has no words.
 std::string asWords(const std::string& name) {
-    std::vector<std::string> words = splitWords(name);
+    std::vector<std::string> words = wordsOfName(name);
     for (std::string& word : words) word = singular(std::move(word));
     return words.empty() ? std::string() : join(words, 0, words.size());
 }
 
 }  // namespace
 
-std::vector<std::string> splitWords(std::string_view name) {
+std::vector<std::string> wordsOfName(std::string_view name) {
     std::vector<std::string> words;
     std::string word;
     const auto finish = [&] {
@@ -154,7 +154,7 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
                         place);
         }
         const bool whole_name = columns[0].starts_with('=');
-        std::vector<std::string> words = splitWords(columns[0]);
+        std::vector<std::string> words = wordsOfName(columns[0]);
         if (whole_name ? columns[0].size() == 1 : words.empty()) {
             return fail(ErrorCode::BadInput, "the pattern has no letters", place);
         }
@@ -211,7 +211,7 @@ const std::string* LabelTable::mostTelling(std::span<const std::string> words) c
 }
 
 bool LabelTable::mentions(std::string_view name, int nyu40) const {
-    const std::vector<std::string> words = splitWords(name);
+    const std::vector<std::string> words = wordsOfName(name);
     return std::ranges::any_of(words, [&](const std::string& word) {
         const Label label = find(word);
         return label.kind == LabelKind::Target && label.nyu40 == nyu40;
@@ -223,7 +223,7 @@ Label LabelTable::find(std::string_view name) const {
     if (whole != whole_names_.end()) {
         return {whole->second.kind, whole->second.nyu40, whole->first};
     }
-    std::vector<std::string> words = splitWords(name);
+    std::vector<std::string> words = wordsOfName(name);
     for (std::string& word : words) word = singular(std::move(word));
 
     Label best;

@@ -67,7 +67,7 @@ class LabelTable {
 bool isStructureClass(int nyu40);
 
 /// "SofaC_01.002" gives {"sofa", "c"}: lower case, no digits.
-std::vector<std::string> splitWords(std::string_view name);
+std::vector<std::string> wordsOfName(std::string_view name);
 
 /// The name without an appended number: "Sofa.001", "chair_2" and "Lamp 03" give "Sofa", "chair"
 /// and "Lamp". Never empty unless the name is.

@@ -69,21 +69,21 @@ std::string lettersOnly(std::string_view name) {
 
 std::string_view nyu40Name(int nyu40) {
     if (nyu40 < 0 || nyu40 > kNyu40Count) return {};
-    return kLabels[static_cast<std::size_t>(nyu40)].name;
+    return kLabels[nyu40].name;
 }
 
 int nyu40FromName(std::string_view name) {
     const std::string wanted = lettersOnly(name);
     if (wanted == "refridgerator") return nyu40FromName("refrigerator");
     for (int i = 1; i <= kNyu40Count; ++i) {
-        if (lettersOnly(kLabels[static_cast<std::size_t>(i)].name) == wanted) return i;
+        if (lettersOnly(kLabels[i].name) == wanted) return i;
     }
     return 0;
 }
 
 std::array<std::uint8_t, 3> nyu40Color(int nyu40) {
     if (nyu40 < 0 || nyu40 > kNyu40Count) return {0, 0, 0};
-    return kLabels[static_cast<std::size_t>(nyu40)].color;
+    return kLabels[nyu40].color;
 }
 
 }  // namespace dollytrack

@@ -32,7 +32,7 @@ Eigen::Vector3d turnLevel(const Eigen::Vector3d& vector, double turn_rad) {
 }
 
 void moveObject(Scene& scene, int object_id, const Eigen::Vector3d& offset_m, double turn_rad) {
-    Object& object = scene.objects[static_cast<std::size_t>(object_id) - 1];
+    Object& object = scene.objects[object_id - 1];
     const Eigen::Vector3d middle = object.box.center;
     const auto put = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
         if (turn_rad == 0.0) return point + offset_m;

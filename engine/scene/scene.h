@@ -51,9 +51,7 @@ struct Scene {
     Eigen::AlignedBox3d room_bounds;  // the building, without outliers, grounds and skies
     ImportReport report;
 
-    [[nodiscard]] const Object& object(int id) const {
-        return objects[static_cast<std::size_t>(id) - 1];
-    }
+    [[nodiscard]] const Object& object(int id) const { return objects[id - 1]; }
     /// The classes that datasets of the scene are written with.
     [[nodiscard]] const ClassTable& classes() const {
         return class_table ? *class_table : ClassTable::nyu40();

@@ -14,14 +14,14 @@ namespace dollytrack::planning {
 Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,
                                        const PlanParams& params, const JobContext& job) {
     if (Status status = validate(params); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     BaselineScene made;
     made.scene = std::move(scene);
     made.edits = edits;
     made.rays = std::make_shared<const RayCaster>(*made.scene);
     auto map = FreeSpace::build(*made.scene, *made.rays, params.camera, params.free_space, job);
-    if (!map) return tl::unexpected<Error>(std::move(map.error()));
+    if (!map) return tl::unexpected(std::move(map.error()));
     made.free_space = std::make_shared<const FreeSpace>(std::move(*map));
     const double radius = params.camera.camera_radius_m;
     made.region =
@@ -62,7 +62,7 @@ Eigen::Vector3d randomPlace(const BaselineScene& scene, int room, Random& random
         const Eigen::Vector3d place = cell + Eigen::Vector3d(dx, dy, dz);
         if (scene.sphere->fits(place)) return place;
     }
-    return scene.free_space->rooms()[static_cast<std::size_t>(room)].sample;
+    return scene.free_space->rooms()[room].sample;
 }
 
 int frameBudget(const PlanParams& params) {

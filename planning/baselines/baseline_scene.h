@@ -23,7 +23,8 @@ class FreeSpace;
 class SweptSphere;
 class ViewEstimator;
 
-/// Shared input of all planners: one scene, its free space map and one camera. Immutable.
+/// Shared input of all planners, Dollytrack's own included: one scene, its free space map and one
+/// camera. Immutable.
 struct BaselineScene {
     std::shared_ptr<const Scene> scene;
     PlanEdits edits;  // with object ids of this scene

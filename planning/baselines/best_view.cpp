@@ -51,7 +51,7 @@ std::vector<Eigen::Vector3d> candidatePlaces(const BaselineScene& scene, const R
     std::vector<Eigen::Vector3d> places;
     for (const auto& triangle : delaunay(corners)) {
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-        for (const int i : triangle) middle += corners[static_cast<std::size_t>(i)] / 3.0;
+        for (const int i : triangle) middle += corners[i] / 3.0;
         const Eigen::Vector3d place(middle.x(), middle.y(), z);
         if (scene.free_space->componentAt(place) == room.component && scene.sphere->fits(place)) {
             places.push_back(place);
@@ -84,7 +84,7 @@ BestView bestHeading(const BaselineScene& scene, const Room& room, const Eigen::
         const double to_side = reachInside(room.box, place, ray);
         const RayHit hit = scene.rays->cast(place, ray, to_side);
         const double reach = hit.object_id != 0 ? hit.distance : to_side;
-        slices[static_cast<std::size_t>(i)] = 0.5 * reach * reach * kSlice;
+        slices[i] = 0.5 * reach * reach * kSlice;
     }
     const int wedge = std::max(1, static_cast<int>(std::lround(hfov / kSlice)));
     BestView best{place, 0.0, -1.0};
@@ -93,7 +93,7 @@ BestView bestHeading(const BaselineScene& scene, const Room& room, const Eigen::
         double area = 0.0;
         for (int i = 0; i < wedge; ++i) {
             const int slice = (middle - wedge / 2 + i + kRaysPerTurn) % kRaysPerTurn;
-            area += slices[static_cast<std::size_t>(slice)];
+            area += slices[slice];
         }
         if (area > best.area_m2) best = {place, middle * kSlice, area};
     }

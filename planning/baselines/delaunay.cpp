@@ -21,7 +21,7 @@ double inCircle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
     Eigen::Matrix3d m;
     const std::array<Eigen::Vector2d, 3> from = {a - p, b - p, c - p};
     for (int i = 0; i < 3; ++i) {
-        const Eigen::Vector2d& v = from[static_cast<std::size_t>(i)];
+        const Eigen::Vector2d& v = from[i];
         m.row(i) << v.x(), v.y(), v.squaredNorm();
     }
     return m.determinant();
@@ -46,9 +46,7 @@ std::vector<Triangle> delaunay(const std::vector<Eigen::Vector2d>& points) {
     all.push_back(middle + 1e4 * size * Eigen::Vector2d(1.0, -1.0));
     all.push_back(middle + 1e4 * size * Eigen::Vector2d(0.0, 1.0));
     const int count = static_cast<int>(points.size());
-    const auto at = [&](int i) -> const Eigen::Vector2d& {
-        return all[static_cast<std::size_t>(i)];
-    };
+    const auto at = [&](int i) -> const Eigen::Vector2d& { return all[i]; };
     std::vector<Triangle> triangles = {{count, count + 1, count + 2}};
     for (int p = 0; p < count; ++p) {
         const bool known = std::any_of(points.begin(), points.begin() + p, [&](const auto& q) {

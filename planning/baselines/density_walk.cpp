@@ -40,8 +40,7 @@ class Walk {
             return {place, place + Eigen::Vector3d::UnitX()};
         }
         const std::vector<double> scores = scoreAll(candidates);
-        return candidates[static_cast<std::size_t>(std::max_element(scores.begin(), scores.end()) -
-                                                   scores.begin())];
+        return candidates[std::max_element(scores.begin(), scores.end()) - scores.begin()];
     }
 
     /// Returns the last view again if no candidate is found.

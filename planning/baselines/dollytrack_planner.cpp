@@ -27,8 +27,7 @@ std::vector<std::vector<Eigen::Vector3d>> waysAlong(const std::vector<SmoothPath
         const TrajectoryFrame& from = frames[i];
         const TrajectoryFrame& to = frames[i + 1];
         if (from.path != to.path) continue;
-        for (const auto& piece :
-             moveBetween(paths[static_cast<std::size_t>(from.path)], from, to)) {
+        for (const auto& piece : moveBetween(paths[from.path], from, to)) {
             const double longest =
                 (piece.control - piece.start).norm() + (piece.end - piece.control).norm();
             const int steps = std::max(1, static_cast<int>(std::ceil(longest / kFineStep)));

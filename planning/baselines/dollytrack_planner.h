@@ -22,7 +22,8 @@ Result<PlannedMotion> planWithDollytrack(const BaselineScene& scene, const PlanP
 Result<PlannedMotion> planPaperSmoothing(const BaselineScene& scene, const PlanParams& params,
                                          int seed, const JobContext& job);
 
-/// The same for a plan that was made with these parameters. Errors as timeTrajectory().
+/// Smooths the path of an existing plan as planPaperSmoothing() does, and gives it frame times. The
+/// plan must have been made with these parameters. Errors as timeTrajectory().
 Result<PlannedMotion> smoothAsThePaper(const BaselineScene& scene, const Plan& plan,
                                        const PlanParams& params);
 

@@ -6,7 +6,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/metrics/estimate_captures.h"
-#include "planning/metrics/shown_surface.h"
+#include "planning/visibility/shown_surface.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -136,7 +136,7 @@ Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const Pl
     result.corner_collision_rate = motion.corner_collision_rate;
     result.plan_ms = motion.plan_ms;
     auto estimate = estimateCaptures(*scene.views, motion.trajectory, job);
-    if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+    if (!estimate) return tl::unexpected(std::move(estimate.error()));
     result.captures = summarize(*scene.scene, estimate->captures);
     result.objects = std::move(estimate->captures);
     if (motion.trajectory.frames.empty()) return result;

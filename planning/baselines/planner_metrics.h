@@ -48,31 +48,35 @@ struct MetricInfo {
 };
 
 /// Visits all values. Calls visit(info, value); the value is a number or an optional number.
-template <class J, class Visitor>
-void visitPlannerMetrics(J& j, Visitor&& visit) {
+template <class Metrics, class Visitor>
+void visitPlannerMetrics(Metrics& metrics, Visitor&& visit) {
     using enum Better;
-    visit(MetricInfo{"objects", "objects", "", Neither}, j.captures.objects);
-    visit(MetricInfo{"capture_rate", "captured", "%", Higher}, j.captures.capture_rate);
-    visit(MetricInfo{"well_captured_rate", "well", "%", Higher}, j.captures.well_captured_rate);
-    visit(MetricInfo{"small_capture_rate", "small", "%", Higher}, j.captures.small_capture_rate);
-    visit(MetricInfo{"area_share_box", "box", "%", Higher}, j.captures.area_share_box);
-    visit(MetricInfo{"area_share_mask", "mask", "%", Higher}, j.captures.area_share_mask);
-    visit(MetricInfo{"object_pixels", "on objects", "%", Higher}, j.object_pixels);
-    visit(MetricInfo{"repeat_rate", "repeats", "%", Lower}, j.repeat_rate);
-    visit(MetricInfo{"frame_collision_rate", "hit frames", "%", Lower}, j.frame_collision_rate);
-    visit(MetricInfo{"move_collision_rate", "hit moves", "%", Lower}, j.move_collision_rate);
-    visit(MetricInfo{"corner_collision_rate", "hit corners", "%", Lower}, j.corner_collision_rate);
-    visit(MetricInfo{"outside_rate", "outside", "%", Lower}, j.outside_rate);
-    visit(MetricInfo{"min_clearance_m", "clearance", "m", Higher}, j.min_clearance_m);
-    visit(MetricInfo{"frames", "frames", "", Neither}, j.frames);
-    visit(MetricInfo{"path_length_m", "path", "m", Lower}, j.path_length_m);
-    visit(MetricInfo{"speed_median_mps", "speed", "m/s", Neither}, j.speed_median_mps);
-    visit(MetricInfo{"speed_max_mps", "max", "m/s", Neither}, j.speed_max_mps);
-    visit(MetricInfo{"turn_median_dps", "turn", "deg/s", Neither}, j.turn_median_dps);
-    visit(MetricInfo{"turn_max_dps", "max", "deg/s", Lower}, j.turn_max_dps);
-    visit(MetricInfo{"jerk_median_mps3", "jerk", "m/s3", Neither}, j.jerk_median_mps3);
-    visit(MetricInfo{"jerk_max_mps3", "max", "m/s3", Lower}, j.jerk_max_mps3);
-    visit(MetricInfo{"plan_ms", "plan", "ms", Lower}, j.plan_ms);
+    visit(MetricInfo{"objects", "objects", "", Neither}, metrics.captures.objects);
+    visit(MetricInfo{"capture_rate", "captured", "%", Higher}, metrics.captures.capture_rate);
+    visit(MetricInfo{"well_captured_rate", "well", "%", Higher},
+          metrics.captures.well_captured_rate);
+    visit(MetricInfo{"small_capture_rate", "small", "%", Higher},
+          metrics.captures.small_capture_rate);
+    visit(MetricInfo{"area_share_box", "box", "%", Higher}, metrics.captures.area_share_box);
+    visit(MetricInfo{"area_share_mask", "mask", "%", Higher}, metrics.captures.area_share_mask);
+    visit(MetricInfo{"object_pixels", "on objects", "%", Higher}, metrics.object_pixels);
+    visit(MetricInfo{"repeat_rate", "repeats", "%", Lower}, metrics.repeat_rate);
+    visit(MetricInfo{"frame_collision_rate", "hit frames", "%", Lower},
+          metrics.frame_collision_rate);
+    visit(MetricInfo{"move_collision_rate", "hit moves", "%", Lower}, metrics.move_collision_rate);
+    visit(MetricInfo{"corner_collision_rate", "hit corners", "%", Lower},
+          metrics.corner_collision_rate);
+    visit(MetricInfo{"outside_rate", "outside", "%", Lower}, metrics.outside_rate);
+    visit(MetricInfo{"min_clearance_m", "clearance", "m", Higher}, metrics.min_clearance_m);
+    visit(MetricInfo{"frames", "frames", "", Neither}, metrics.frames);
+    visit(MetricInfo{"path_length_m", "path", "m", Lower}, metrics.path_length_m);
+    visit(MetricInfo{"speed_median_mps", "speed", "m/s", Neither}, metrics.speed_median_mps);
+    visit(MetricInfo{"speed_max_mps", "max", "m/s", Neither}, metrics.speed_max_mps);
+    visit(MetricInfo{"turn_median_dps", "turn", "deg/s", Neither}, metrics.turn_median_dps);
+    visit(MetricInfo{"turn_max_dps", "max", "deg/s", Lower}, metrics.turn_max_dps);
+    visit(MetricInfo{"jerk_median_mps3", "jerk", "m/s3", Neither}, metrics.jerk_median_mps3);
+    visit(MetricInfo{"jerk_max_mps3", "max", "m/s3", Lower}, metrics.jerk_max_mps3);
+    visit(MetricInfo{"plan_ms", "plan", "ms", Lower}, metrics.plan_ms);
 }
 
 /// A PlannerMetrics as a row of numbers, in the order of plannerMetricInfos().

@@ -81,7 +81,7 @@ class AllowedRegion {
     /// Centres of the cells of a component of free space (see FreeSpace::cells) that are allowed.
     /// Requires restricts().
     [[nodiscard]] const std::vector<Eigen::Vector3f>& cells(int component) const {
-        return (levels_ ? levels_->cells() : cells_)[static_cast<std::size_t>(component)];
+        return (levels_ ? levels_->cells() : cells_)[component];
     }
 
   private:

@@ -92,8 +92,7 @@ bool FlatObstacles::addObject(const Scene& scene, const Object& object) {
         double low = std::numeric_limits<double>::infinity();
         double high = -low;
         for (int k = 0; k < 3; ++k) {
-            corners.push_back(
-                scene.positions[triangle[static_cast<std::size_t>(k)]].cast<double>());
+            corners.push_back(scene.positions[triangle[k]].cast<double>());
             low = std::min(low, corners.back().z());
             high = std::max(high, corners.back().z());
         }

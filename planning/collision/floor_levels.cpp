@@ -40,8 +40,8 @@ std::vector<char> grownColumns(const std::vector<char>& set, int width, int heig
                     const int nx = x + k * step_x;
                     const int ny = y + k * step_y;
                     if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;
-                    if (from[static_cast<std::size_t>(ny * width + nx)] == 0) continue;
-                    grown[static_cast<std::size_t>(y * width + x)] = 1;
+                    if (from[ny * width + nx] == 0) continue;
+                    grown[y * width + x] = 1;
                     break;
                 }
             }
@@ -184,7 +184,7 @@ FloorLevels::Level FloorLevels::makeLevel(const Scene& scene, const FloorHeights
         for (int x = 0; x < columns_x_; ++x) {
             const auto is = [&](int cx, int cy) {
                 return cx >= 0 && cy >= 0 && cx < columns_x_ && cy < columns_y_ &&
-                       floor[static_cast<std::size_t>(cy * columns_x_ + cx)] != 0;
+                       floor[cy * columns_x_ + cx] != 0;
             };
             if (is(x, y) || std::ranges::none_of(kAround, [&](const std::array<int, 2>& step) {
                     return is(x + step[0], y + step[1]);
@@ -231,7 +231,7 @@ void FloorLevels::reach(Level& level, const RayCaster& rays, const FreeSpace& fr
                 if (x + dx < 0 || y + dy < 0 || x + dx >= columns_x_ || y + dy >= columns_y_) {
                     continue;
                 }
-                const auto next = static_cast<std::size_t>((y + dy) * columns_x_ + x + dx);
+                const std::size_t next = (y + dy) * columns_x_ + x + dx;
                 if (component[next] != component[first] || seen[next] != 0) continue;
                 seen[next] = 1;
                 part.push_back(next);
@@ -245,8 +245,7 @@ void FloorLevels::reach(Level& level, const RayCaster& rays, const FreeSpace& fr
         std::ranges::sort(part);
         for (const std::size_t c : part) {
             level.reached[c] = 1;
-            cells_[static_cast<std::size_t>(room)].push_back(
-                placeOver(c, level.floor_m).cast<float>());
+            cells_[room].push_back(placeOver(c, level.floor_m).cast<float>());
         }
     }
 }
@@ -264,7 +263,7 @@ Eigen::Vector3d FloorLevels::onLevel(const Eigen::Vector3d& place) const {
     // Prefer a level with floor at this column, then a level below the position.
     const auto rank = [&](const Level& level) {
         const bool is_below = level.floor_m <= place.z() + kSameHeight_m;
-        const bool is_there = column >= 0 && level.floor[static_cast<std::size_t>(column)] != 0;
+        const bool is_there = column >= 0 && level.floor[column] != 0;
         return std::tuple(is_there, is_below, is_below ? level.floor_m : -level.floor_m);
     };
     for (const Level& level : levels_) {
@@ -278,26 +277,25 @@ bool FloorLevels::isReached(const Eigen::Vector3d& place) const {
     const int index = levelAt(place);
     const int column = columnOf(place);
     if (index < 0 || column < 0) return false;
-    const std::vector<char>& reached = levels_[static_cast<std::size_t>(index)].reached;
-    if (reached[static_cast<std::size_t>(column)] != 0) return true;
+    const std::vector<char>& reached = levels_[index].reached;
+    if (reached[column] != 0) return true;
     // A position may be free although the centre of its own column is not.
     return std::ranges::any_of(kAround, [&](const std::array<int, 2>& step) {
         const int x = column % columns_x_ + step[0];
         const int y = column / columns_x_ + step[1];
         return x >= 0 && y >= 0 && x < columns_x_ && y < columns_y_ &&
-               reached[static_cast<std::size_t>(y * columns_x_ + x)] != 0;
+               reached[y * columns_x_ + x] != 0;
     });
 }
 
 BodyClearance FloorLevels::clearance(const Eigen::Vector3d& place) const {
     const int index = levelAt(place);
     if (index < 0) return {0.0, 0};
-    const Level& level = levels_[static_cast<std::size_t>(index)];
+    const Level& level = levels_[index];
     const double limit = radius_m_ + kFarthest_m;
     const ClosestPoint closest = level.plan.closest({place.x(), place.y(), 0.0}, limit);
     if (closest.object_id == 0) return {kFarthest_m, 0};
-    return {closest.distance - radius_m_,
-            level.object_ids[static_cast<std::size_t>(closest.object_id) - 1]};
+    return {closest.distance - radius_m_, level.object_ids[closest.object_id - 1]};
 }
 
 std::vector<double> FloorLevels::heights() const {

@@ -47,8 +47,9 @@ class SweptSphere {
     /// margin.
     [[nodiscard]] bool fits(const Eigen::Vector3d& position) const;
 
-    /// Why fits() is false: InObstacle (sets `object_id`), OutsideRoom, NoGo or HeightBand; else
-    /// Legal. `object_id` is 0 if no object is to blame.
+    /// Why fits() is false: the first of NoGo, InObstacle, OutsideRoom and HeightBand that applies;
+    /// else Legal. With InObstacle `object_id` is the object in the way, or 0 if only the cell is
+    /// occupied.
     [[nodiscard]] Verdict verdict(const Eigen::Vector3d& position, int& object_id) const;
 
     /// Distance to the nearest surface, m: exact below `limit`, otherwise a value of at least

@@ -72,7 +72,7 @@ class Covering {
         });
         result_.seeable.assign(patches.size(), 0);
         for (const auto& list : seen_from_) {
-            for (const int p : list) result_.seeable[static_cast<std::size_t>(p)] = 1;
+            for (const int p : list) result_.seeable[p] = 1;
         }
         wanted_ = result_.seeable;
     }
@@ -82,7 +82,7 @@ class Covering {
         std::vector<std::vector<int>> shown(given.size());
         parallelFor(given.size(), [&](std::size_t i) { shown[i] = shownBy(given[i].pose); });
         const auto take = [&](std::size_t i) {
-            for (const int p : shown[i]) wanted_[static_cast<std::size_t>(p)] = 0;
+            for (const int p : shown[i]) wanted_[p] = 0;
             shown[i].clear();
         };
         for (std::size_t i = 0; i < given.size(); ++i) {
@@ -94,9 +94,8 @@ class Covering {
             std::size_t best = 0;
             std::ptrdiff_t most = 0;
             for (std::size_t i = 0; i < given.size(); ++i) {
-                const auto count = std::count_if(shown[i].begin(), shown[i].end(), [&](int p) {
-                    return wanted_[static_cast<std::size_t>(p)] != 0;
-                });
+                const auto count = std::count_if(shown[i].begin(), shown[i].end(),
+                                                 [&](int p) { return wanted_[p] != 0; });
                 if (count > most) {
                     most = count;
                     best = i;
@@ -115,7 +114,7 @@ class Covering {
                result_.views.size() < kMostViews && !job.cancelled()) {
             const auto before = left();
             const Pose best = nextView();
-            for (const int p : shownBy(best)) wanted_[static_cast<std::size_t>(p)] = 0;
+            for (const int p : shownBy(best)) wanted_[p] = 0;
             if (left() == before) break;
             result_.views.push_back(best);
         }
@@ -150,7 +149,7 @@ class Covering {
     [[nodiscard]] std::vector<int> wantedFrom(std::size_t place) const {
         std::vector<int> list;
         for (const int p : seen_from_[place]) {
-            if (wanted_[static_cast<std::size_t>(p)] != 0) list.push_back(p);
+            if (wanted_[p] != 0) list.push_back(p);
         }
         return list;
     }
@@ -182,16 +181,15 @@ class Covering {
             // Aim at single patches, and last at the centroid of all.
             Eigen::Vector3d at = Eigen::Vector3d::Zero();
             if (i < aims) {
-                at = patches[static_cast<std::size_t>(list[i * list.size() / aims])].point;
+                at = patches[list[i * list.size() / aims]].point;
             } else {
-                for (const int p : list) at += patches[static_cast<std::size_t>(p)].point;
+                for (const int p : list) at += patches[p].point;
                 at /= static_cast<double>(list.size());
             }
             if ((at - places_[place]).norm() < 1e-6) continue;
             Tried one{0, aim(places_[place], at, environment_.pitch)};
             for (const int p : list) {
-                one.shown +=
-                    views_.inImage(one.pose, patches[static_cast<std::size_t>(p)].point) ? 1 : 0;
+                one.shown += views_.inImage(one.pose, patches[p].point) ? 1 : 0;
             }
             if (one.shown > best.shown) best = one;
         }
@@ -231,7 +229,7 @@ Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                       "' contains no surface of the scene.");
         }
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-        for (const int kept : all.back().kept) given[static_cast<std::size_t>(kept)].fixed = true;
+        for (const int kept : all.back().kept) given[kept].fixed = true;
         for (const Pose& view : all.back().views) given.push_back({view, true});
     }
     return all;

@@ -25,7 +25,8 @@ Result<std::vector<SurfacePatch>> reachablePatches(const Scene& scene, const Ray
                                                    int rays_around, double spacing_m,
                                                    const JobContext& job);
 
-/// The first of the patches in each grid cell of edge `spacing_m` and orientation.
+/// Keeps the first patch per grid cell of edge `spacing_m` and axis direction (one of six) that is
+/// nearest to its normal.
 std::vector<SurfacePatch> thinnedOut(const std::vector<SurfacePatch>& patches, double spacing_m);
 
 }  // namespace dollytrack::planning

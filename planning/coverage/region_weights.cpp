@@ -29,7 +29,7 @@ std::vector<double> pointWeights(const std::vector<PositionPoint>& points,
     for (const PositionPoint& point : points) {
         double weight = point.captured.empty() ? 1.0 : 0.0;
         for (const int id : point.captured) {
-            weight = std::max(weight, object_weights[static_cast<std::size_t>(id) - 1]);
+            weight = std::max(weight, object_weights[id - 1]);
         }
         weights.push_back(weight);
     }

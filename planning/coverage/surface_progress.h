@@ -18,7 +18,7 @@ class DistinctDirections {
     /// Whether a unit direction would count, if up to `wanted` do.
     [[nodiscard]] bool adds(const Eigen::Vector3d& direction, int wanted) const;
     void add(const Eigen::Vector3d& direction, int wanted) {
-        if (adds(direction, wanted)) directions_[static_cast<std::size_t>(count_++)] = direction;
+        if (adds(direction, wanted)) directions_[count_++] = direction;
     }
     [[nodiscard]] int count() const { return count_; }
 

@@ -201,7 +201,7 @@ class SurfaceViewSearch {
                !job.cancelled()) {
             const std::ptrdiff_t index = queue.top().second;
             queue.pop();
-            const SurfaceCandidate& one = all[static_cast<std::size_t>(-index)];
+            const SurfaceCandidate& one = all[-index];
             const double gain = gainOf(one, progress);
             if (gain <= 0.0) continue;
             if (!queue.empty() && std::pair(gain, index) < queue.top()) {
@@ -231,7 +231,7 @@ Result<SurfaceViews> findSurfaceViews(const PlanningEnvironment& environment,
         evenPlaces(environment.free_space, environment.sphere, kSurfacePlaces);
     auto fine = reachablePatches(environment.views.scene(), environment.views.rays(), places,
                                  kSurfaceRaysAround, kFinestPatch_m, job);
-    if (!fine) return tl::unexpected<Error>(std::move(fine.error()));
+    if (!fine) return tl::unexpected(std::move(fine.error()));
     SurfaceGoal goal;
     goal.surface = patchesFor(std::move(*fine));
     goal.sharp_m = sharpWithin_m(params);

@@ -22,10 +22,11 @@ class CandidateTally {
     /// left.
     [[nodiscard]] Loss loss() const;
 
-    /// With Occluded: the object that hides it in most candidates; 0 if it hides itself.
+    /// If loss() is Occluded: the id of the object that hides the target in most candidate views; 0
+    /// if the target hides itself.
     [[nodiscard]] int occluder() const;
 
-    /// A sentence that explains loss() with numbers.
+    /// A sentence that says at which stage the last candidates were lost, with their counts.
     [[nodiscard]] std::string reason(const Scene& scene) const;
 
     /// "too close to wall (12), hidden by sofa (3)": the most frequent reasons, at most `kinds`.

@@ -38,7 +38,7 @@ double movedBySmoothing(const Plan& plan, int point) {
     for (const SmoothPath& path : plan.smooth_paths) {
         for (const SmoothPath::Key& key : path.keys) {
             if (key.position_point != point) continue;
-            const auto& p = plan.position_points[static_cast<std::size_t>(point)];
+            const auto& p = plan.position_points[point];
             moved = std::max(moved, (key.position - p.pose.position).norm());
         }
     }
@@ -64,7 +64,7 @@ class RowMaker {
     void takeFrame(const ObjectView& view) {
         // A fully occluded object is not shown by the frame.
         if (view.frame < 0 || view.visible_fraction <= 0.0) return;
-        const auto& frame = plan_.trajectory.frames[static_cast<std::size_t>(view.frame)];
+        const auto& frame = plan_.trajectory.frames[view.frame];
         row_.frame = view.frame;
         row_.time_s = frame.time_s;
         row_.key_frame = frame.position_point >= 0;
@@ -111,7 +111,7 @@ class RowMaker {
     }
 
     void lostBeforePath(int point) {
-        const int part = plan_.position_points[static_cast<std::size_t>(point)].component;
+        const int part = plan_.position_points[point].component;
         const bool visited =
             std::any_of(plan_.smooth_paths.begin(), plan_.smooth_paths.end(),
                         [&](const SmoothPath& path) { return path.component == part; });
@@ -151,7 +151,7 @@ class RowMaker {
         }
         const bool pinned = std::any_of(
             plan_.position_points.begin(), plan_.position_points.end(), [&](const auto& point) {
-                const auto o = static_cast<std::size_t>(point.observation_point);
+                const std::size_t o = point.observation_point;
                 return point.pin >= 0 && has(plan_.observation_points[o].objects, row_.object_id);
             });
         if (!pinned || row_.captured) return false;

@@ -15,7 +15,7 @@ namespace dollytrack::planning {
 template <class May>
 void floodFrom(std::vector<std::size_t> front, const VoxelGrid& plane, std::vector<int>& values,
                May&& may) {
-    const auto nx = static_cast<std::size_t>(plane.count[0]);
+    const std::size_t nx = plane.count[0];
     while (!front.empty()) {
         std::vector<std::size_t> next;
         for (const std::size_t from : front) {

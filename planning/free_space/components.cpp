@@ -30,7 +30,7 @@ void joinRows(const std::vector<CellRun>& runs, std::size_t a, std::size_t a_end
 CellComponents findComponents(const VoxelGrid& grid, const std::vector<std::uint8_t>& cells,
                               std::uint8_t mask) {
     const auto [nx, ny, nz] = grid.count;
-    std::vector<std::vector<CellRun>> slices(static_cast<std::size_t>(nz));
+    std::vector<std::vector<CellRun>> slices(nz);
     parallelFor(slices.size(), [&, nx = nx, ny = ny](std::size_t z) {
         for (int y = 0; y < ny; ++y) {
             const std::uint8_t* row = cells.data() + grid.rowOf(y, static_cast<int>(z));
@@ -62,7 +62,7 @@ CellComponents findComponents(const VoxelGrid& grid, const std::vector<std::uint
     std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
 
     RunSets sets(total);
-    const auto step_z = static_cast<std::size_t>(ny);
+    const std::size_t step_z = ny;
     for (std::size_t row = 0; row < rows; ++row) {
         if (row % step_z != 0) {
             joinRows(result.runs, row_begin[row - 1], row_begin[row], row_begin[row],
@@ -83,7 +83,7 @@ CellComponents findComponents(const VoxelGrid& grid, const std::vector<std::uint
         } else {
             run.component = result.runs[root].component;
         }
-        result.cells[static_cast<std::size_t>(run.component)] += run.x_end - run.x_begin;
+        result.cells[run.component] += run.x_end - run.x_begin;
     }
     return result;
 }

@@ -51,20 +51,20 @@ std::uint16_t largest(const Lanes& lanes) {
 /// Minimises the cells [begin, end) of `count` along one axis, for up to kLanes rows adjacent in x.
 void minimiseAlong(std::uint16_t* cells, std::size_t stride, int count, int begin, int end,
                    int lanes, std::vector<Lanes>& rows) {
-    rows.resize(static_cast<std::size_t>(count));
+    rows.resize(count);
     for (int i = 0; i < count; ++i) {
-        Lanes& row = rows[static_cast<std::size_t>(i)];
+        Lanes& row = rows[i];
         std::copy_n(cells + static_cast<std::size_t>(i) * stride, lanes, row.begin());
         std::fill(row.begin() + lanes, row.end(), std::uint16_t{0});
     }
     for (int i = begin; i < end; ++i) {
-        Lanes best = rows[static_cast<std::size_t>(i)];
+        Lanes best = rows[i];
         for (int step = 1; step <= kMaxGapCells; ++step) {
             const std::uint16_t extra = squaredGap(step);
             if (extra >= largest(best)) break;
             if (i - step < 0 && i + step >= count) break;
-            if (i - step >= 0) minimise(best, rows[static_cast<std::size_t>(i - step)], extra);
-            if (i + step < count) minimise(best, rows[static_cast<std::size_t>(i + step)], extra);
+            if (i - step >= 0) minimise(best, rows[i - step], extra);
+            if (i + step < count) minimise(best, rows[i + step], extra);
         }
         std::copy_n(best.begin(), lanes, cells + static_cast<std::size_t>(i) * stride);
     }
@@ -126,15 +126,15 @@ bool gapsIn(const CellBox& box, int reach, const VoxelGrid& grid,
     const int nx = box.size(0);
     const int ny = from.size(1);
     const int nz = from.size(2);
-    const auto row_stride = static_cast<std::size_t>(nx);
+    const std::size_t row_stride = nx;
     const std::size_t slice_stride = row_stride * static_cast<std::size_t>(ny);
     std::vector<std::uint16_t> part(slice_stride * static_cast<std::size_t>(nz));
     const int skip_x = box.begin[0] - from.begin[0];
     const int skip_y = box.begin[1] - from.begin[1];
     const int skip_z = box.begin[2] - from.begin[2];
-    parallelFor(static_cast<std::size_t>(nz), [&](std::size_t z) {
+    parallelFor(nz, [&](std::size_t z) {
         if (job.cancelled()) return;
-        std::vector<std::uint16_t> row(static_cast<std::size_t>(from.size(0)));
+        std::vector<std::uint16_t> row(from.size(0));
         std::uint16_t* slice = part.data() + z * slice_stride;
         for (int y = 0; y < ny; ++y) {
             const std::size_t at =
@@ -151,7 +151,7 @@ bool gapsIn(const CellBox& box, int reach, const VoxelGrid& grid,
     // Surfaces farther away have at least this gap; outside the grid there are none.
     const bool all = from == wholeGrid(grid) || reach >= kMaxGapCells;
     const int sure = all ? int{kMaxSquaredGap} : reach * reach;
-    std::vector<std::uint8_t> is_sure(static_cast<std::size_t>(box.size(1)), 1);
+    std::vector<std::uint8_t> is_sure(box.size(1), 1);
     parallelFor(is_sure.size(), [&](std::size_t y) {
         if (job.cancelled()) return;
         std::vector<Lanes> rows;
@@ -179,9 +179,9 @@ std::vector<std::uint16_t> squaredGaps(const VoxelGrid& grid,
                                        const JobContext& job) {
     std::vector<std::uint16_t> gaps(grid.size());
     const auto [nx, ny, nz] = grid.count;
-    const auto row_stride = static_cast<std::size_t>(nx);
+    const std::size_t row_stride = nx;
     const std::size_t slice_stride = row_stride * static_cast<std::size_t>(ny);
-    parallelFor(static_cast<std::size_t>(nz), [&, nx = nx, ny = ny](std::size_t z) {
+    parallelFor(nz, [&, nx = nx, ny = ny](std::size_t z) {
         if (job.cancelled()) return;
         std::uint16_t* slice = gaps.data() + z * slice_stride;
         for (std::size_t y = 0; y < static_cast<std::size_t>(ny); ++y) {
@@ -192,7 +192,7 @@ std::vector<std::uint16_t> squaredGaps(const VoxelGrid& grid,
             minimiseAlong(slice + x, row_stride, ny, 0, ny, std::min(kLanes, nx - x), rows);
         }
     });
-    parallelFor(static_cast<std::size_t>(ny), [&, nx = nx, nz = nz](std::size_t y) {
+    parallelFor(ny, [&, nx = nx, nz = nz](std::size_t y) {
         if (job.cancelled()) return;
         std::vector<Lanes> rows;
         for (int x = 0; x < nx; x += kLanes) {

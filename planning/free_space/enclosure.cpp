@@ -31,14 +31,14 @@ class Sides {
     [[nodiscard]] std::uint8_t ofAir(std::size_t i, std::size_t column, std::size_t z) const {
         const int part = plan_.part_of_column[column];
         if (part == kNoPart) return kOpen;
-        if (classifier_.inside()[static_cast<std::size_t>(part)][z] != 0) return kIn;
+        if (classifier_.inside()[part][z] != 0) return kIn;
         return classifier_.isRoofed() && isSurrounded(seen_.ray_bits[i]) ? kOpen : kOut;
     }
     /// Label of any cell.
     [[nodiscard]] std::uint8_t operator()(std::size_t i) const {
         const std::size_t column = i % columns_;
         const std::size_t z = i / columns_;
-        const auto width = static_cast<std::size_t>(seen_.grid.count[0]);
+        const std::size_t width = seen_.grid.count[0];
         const bool in_room =
             seen_.grid.inRoom(static_cast<int>(column % width), static_cast<int>(column / width),
                               static_cast<int>(z));
@@ -186,7 +186,7 @@ void Enclosure::fill(const EnclosureInput& seen, const FloorPlan& plan) {
     const std::size_t columns = grid.rowOf(0, 1);
     cells_.assign(grid.size(), 0);
     const Sides side(seen, plan, classifier_);
-    parallelFor(static_cast<std::size_t>(grid.count[2]), [&](std::size_t z) {
+    parallelFor(grid.count[2], [&](std::size_t z) {
         seen.visitAir(wholeGrid(grid), static_cast<int>(z),
                       [&](std::size_t i) { cells_[i] = side.ofAir(i, i - z * columns, z); });
     });

@@ -97,9 +97,9 @@ bool EnclosureClassifier::recount(const EnclosureInput& before, const EnclosureI
 }
 
 void EnclosureClassifier::countRoof(const EnclosureInput& seen, const CellBox& box, int sign) {
-    parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t slice) {
+    parallelFor(box.size(2), [&](std::size_t slice) {
         const int z = box.begin[2] + static_cast<int>(slice);
-        auto& count = roof_[static_cast<std::size_t>(z)];
+        auto& count = roof_[z];
         seen.visitAir(box, z, [&](std::size_t i) {
             if (classify(EnclosureRule::Walls, false, seen.ray_bits[i]) != CellEnclosure::Certain)
                 return;
@@ -122,15 +122,15 @@ bool EnclosureClassifier::hasRoof() const {
 void EnclosureClassifier::countCells(const EnclosureInput& seen, const FloorPlan& plan,
                                      const CellBox& box, int sign) {
     const std::size_t columns = seen.grid.rowOf(0, 1);
-    parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t slice) {
+    parallelFor(box.size(2), [&](std::size_t slice) {
         const int z = box.begin[2] + static_cast<int>(slice);
-        std::vector<EnclosureCounts>& counts = counts_[static_cast<std::size_t>(z)];
+        std::vector<EnclosureCounts>& counts = counts_[z];
         const std::size_t first = static_cast<std::size_t>(z) * columns;
         seen.visitAir(box, z, [&](std::size_t i) {
             const int part = plan.part_of_column[i - first];
             if (part == kNoPart) return;
             const CellEnclosure enclosure = classify(rule_, roofed_, seen.ray_bits[i]);
-            EnclosureCounts& count = counts[static_cast<std::size_t>(part)];
+            EnclosureCounts& count = counts[part];
             count.air += sign;
             count.possible += enclosure != CellEnclosure::Outside ? sign : 0;
             count.certain += enclosure == CellEnclosure::Certain ? sign : 0;
@@ -143,7 +143,7 @@ void EnclosureClassifier::countCells(const EnclosureInput& seen, const FloorPlan
 /// Marks the columns that hold surfaces of the building that are not structure.
 void EnclosureClassifier::findFurnitureColumns(const EnclosureInput& seen, const CellBox& box) {
     const VoxelGrid& grid = seen.grid;
-    parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
+    parallelFor(box.size(1), [&](std::size_t row_in_box) {
         const int y = box.begin[1] + static_cast<int>(row_in_box);
         std::uint8_t* furniture = furniture_.data() + grid.rowOf(y, 0);
         std::fill(furniture + box.begin[0], furniture + box.end[0], std::uint8_t{0});
@@ -160,10 +160,10 @@ void EnclosureClassifier::findFurnitureColumns(const EnclosureInput& seen, const
 /// By part: 1 if enough of its floor area holds furniture.
 std::vector<std::uint8_t> EnclosureClassifier::findFurnished(const VoxelGrid& grid,
                                                              const FloorPlan& plan) const {
-    std::vector<std::array<std::int64_t, 2>> columns(static_cast<std::size_t>(plan.parts));
+    std::vector<std::array<std::int64_t, 2>> columns(plan.parts);
     for (std::size_t i = 0; i < furniture_.size(); ++i) {
         if (plan.part_of_column[i] == kNoPart) continue;
-        auto& count = columns[static_cast<std::size_t>(plan.part_of_column[i])];
+        auto& count = columns[plan.part_of_column[i]];
         ++count[0];
         count[1] += furniture_[i];
     }
@@ -181,7 +181,7 @@ std::vector<std::uint8_t> EnclosureClassifier::findFurnished(const VoxelGrid& gr
 void EnclosureClassifier::decide(const VoxelGrid& grid, const FloorPlan& plan) {
     const std::vector<std::uint8_t> furnished = findFurnished(grid, plan);
     const std::size_t heights = counts_.size();
-    inside_.assign(static_cast<std::size_t>(plan.parts), std::vector<std::uint8_t>(heights, 0));
+    inside_.assign(plan.parts, std::vector<std::uint8_t>(heights, 0));
     for (std::size_t part = 0; part < inside_.size(); ++part) {
         EnclosureCounts sum;
         for (const auto& height : counts_) {

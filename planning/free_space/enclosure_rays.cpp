@@ -110,9 +110,9 @@ class Slice {
 /// box. The two bits must be 0 there.
 void lookUpAndDown(const VoxelGrid& grid, const std::vector<std::uint8_t>& surfaces,
                    const CellBox& box, std::vector<std::uint8_t>& ray_bits) {
-    parallelFor(static_cast<std::size_t>(box.size(1)), [&](std::size_t row_in_box) {
+    parallelFor(box.size(1), [&](std::size_t row_in_box) {
         const int y = box.begin[1] + static_cast<int>(row_in_box);
-        std::vector<std::uint8_t> seen(static_cast<std::size_t>(box.size(0)));
+        std::vector<std::uint8_t> seen(box.size(0));
         const auto pass = [&](int z, std::uint8_t bit) {
             const std::size_t row = grid.indexOf(box.begin[0], y, z);
             for (std::size_t x = 0; x < seen.size(); ++x) {
@@ -191,13 +191,12 @@ void clearBits(std::uint8_t bits, const CellBox& box, const VoxelGrid& grid,
 std::vector<int> slicesAfter(const std::vector<CellBox>& changed, const VoxelGrid& grid,
                              const std::vector<std::uint8_t>& before, std::uint8_t wall_before,
                              const std::vector<std::uint8_t>& now, std::uint8_t wall) {
-    std::vector<std::uint8_t> differs(static_cast<std::size_t>(grid.count[2]),
-                                      wall != wall_before ? 1 : 0);
+    std::vector<std::uint8_t> differs(grid.count[2], wall != wall_before ? 1 : 0);
     for (const CellBox& box : changed) {
         visitRows(box, grid, [&](std::size_t begin, std::size_t end, int, int, int z) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (((before[i] & wall) == wall) == ((now[i] & wall) == wall)) continue;
-                differs[static_cast<std::size_t>(z)] = 1;
+                differs[z] = 1;
                 return;
             }
         });
@@ -216,7 +215,7 @@ std::vector<std::uint8_t> castEnclosureRays(const VoxelGrid& grid,
                                             const JobContext& job) {
     std::vector<std::uint8_t> ray_bits(grid.size(), 0);
     lookUpAndDown(grid, surfaces, wholeGrid(grid), ray_bits);
-    std::vector<int> slices(static_cast<std::size_t>(grid.count[2]));
+    std::vector<int> slices(grid.count[2]);
     std::iota(slices.begin(), slices.end(), 0);
     lookLevel(grid, surfaces, wallBits(surfaces), slices, ray_bits, job);
     return ray_bits;

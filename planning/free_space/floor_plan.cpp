@@ -25,8 +25,8 @@ std::vector<std::uint8_t> findWalls(const VoxelGrid& grid,
     std::vector<std::uint8_t> walls(grid.rowOf(0, 1), 0);
     const int structure = static_cast<int>(std::ceil(kStructureHeight_m / grid.resolution_m));
     const int any = static_cast<int>(std::ceil(kAnyHeight_m / grid.resolution_m));
-    parallelFor(static_cast<std::size_t>(ny), [&, nx = nx, nz = nz](std::size_t y) {
-        std::vector<std::array<int, 2>> heights(static_cast<std::size_t>(nx));
+    parallelFor(ny, [&, nx = nx, nz = nz](std::size_t y) {
+        std::vector<std::array<int, 2>> heights(nx);
         for (int z = 0; z < nz; ++z) {
             const std::uint8_t* row = surfaces.data() + grid.rowOf(static_cast<int>(y), z);
             for (std::size_t x = 0; x < heights.size(); ++x) {

@@ -91,7 +91,7 @@ void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const 
                                const JobContext& job) {
     const SphereFitInput input{
         rays, grid, surfaces->surfaces().cells, surfaces->gaps(), inside(rule), camera_radius_m};
-    const auto index = static_cast<std::size_t>(rule);
+    const std::size_t index = static_cast<std::size_t>(rule);
     const bool known = moved != nullptr && !moved->before.fits[index].empty();
     fits[index] =
         known ? whereSphereFitsAfter(moved->before.fits[index],
@@ -160,7 +160,7 @@ void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& inside) {
     const CellComponents air = findComponents(grid, open, 1);
     std::vector<std::uint8_t> has_room(air.cells.size(), 0);
     for (const CellRun& run : air.runs) {
-        const auto component = static_cast<std::size_t>(run.component);
+        const std::size_t component = run.component;
         if (has_room[component] != 0) continue;
         const auto row = found.room_of_cell.begin() +
                          static_cast<std::ptrdiff_t>(grid.indexOf(run.x_begin, run.y, run.z));
@@ -168,7 +168,7 @@ void FreeSpace::Impl::setStates(const std::vector<std::uint8_t>& inside) {
                                           [](std::uint8_t room) { return room != kNoRoom; });
     }
     for (const CellRun& run : air.runs) {
-        if (has_room[static_cast<std::size_t>(run.component)] == 0) continue;
+        if (has_room[run.component] == 0) continue;
         std::fill_n(
             cells.begin() + static_cast<std::ptrdiff_t>(grid.indexOf(run.x_begin, run.y, run.z)),
             run.x_end - run.x_begin, kFreeCell);
@@ -266,8 +266,7 @@ Result<FreeSpace> FreeSpace::afterMoves(const FreeSpace& before,
         Eigen::Vector3d::Constant((camera.camera_radius_m + kHair_m) / grid.resolution_m);
     for (const int id : moved) {
         for (const SurfaceMap* map : {old.surfaces.get(), surfaces.get()}) {
-            const Eigen::AlignedBox3d& box =
-                map->surfaces().reach[static_cast<std::size_t>(id) - 1].box_in_cells;
+            const Eigen::AlignedBox3d& box = map->surfaces().reach[id - 1].box_in_cells;
             if (box.isEmpty()) continue;
             from.near.push_back(cellsAround(grid, {box.min() - reach, box.max() + reach}));
         }
@@ -393,7 +392,7 @@ const std::vector<Room>& FreeSpace::rooms() const {
 }
 
 const std::vector<Eigen::Vector3f>& FreeSpace::cells(int component) const {
-    return impl_->room_cells[static_cast<std::size_t>(component)];
+    return impl_->room_cells[component];
 }
 
 const octomap::OcTree& FreeSpace::octree() const {

@@ -5,8 +5,8 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
-#include "planning/free_space/free_space_params.h"
 #include "planning/free_space/opening_report.h"
+#include "planning/free_space_params.h"
 
 #include <Eigen/Geometry>
 

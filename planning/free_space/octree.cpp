@@ -40,10 +40,10 @@ Level finestLevel(const VoxelGrid& grid, const CellBox& box,
         level.first[k] = grid.first[k] + box.begin[k] + kKeyOffset;
         level.count[k] = box.size(k);
     }
-    const auto width = static_cast<std::size_t>(box.size(0));
-    const auto depth = static_cast<std::size_t>(box.size(1));
+    const std::size_t width = box.size(0);
+    const std::size_t depth = box.size(1);
     level.states.resize(width * depth * static_cast<std::size_t>(box.size(2)));
-    parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t z) {
+    parallelFor(box.size(2), [&](std::size_t z) {
         for (std::size_t y = 0; y < depth; ++y) {
             const std::uint8_t* from =
                 cells.data() + grid.indexOf(box.begin[0], box.begin[1] + static_cast<int>(y),
@@ -81,8 +81,8 @@ Level coarser(const Level& fine) {
     }
     level.states.resize(size);
     const auto [nx, ny, nz] = level.count;
-    const auto width = static_cast<std::size_t>(nx);
-    parallelFor(static_cast<std::size_t>(nz), [&, ny = ny](std::size_t z) {
+    const std::size_t width = nx;
+    parallelFor(nz, [&, ny = ny](std::size_t z) {
         const std::vector<std::uint8_t> unknown(width, kUnknownCell);
         std::vector<std::uint8_t> pairs(width);
         for (int y = 0; y < ny; ++y) {
@@ -124,7 +124,7 @@ std::vector<Level> levelsUpTo(int top, const VoxelGrid& grid, const CellBox& box
 void markIn(const CellBox& box, const std::vector<Level>& levels, const VoxelGrid& grid,
             std::vector<std::uint8_t>& cells) {
     const int top = static_cast<int>(levels.size()) - 1;
-    parallelFor(static_cast<std::size_t>(box.size(2)), [&](std::size_t slice) {
+    parallelFor(box.size(2), [&](std::size_t slice) {
         const int z = box.begin[2] + static_cast<int>(slice);
         for (int y = box.begin[1]; y < box.end[1]; ++y) {
             const std::size_t row = grid.rowOf(y, z);
@@ -132,9 +132,9 @@ void markIn(const CellBox& box, const std::vector<Level>& levels, const VoxelGri
                 const Cube key = {grid.first[0] + x + kKeyOffset, grid.first[1] + y + kKeyOffset,
                                   grid.first[2] + z + kKeyOffset};
                 int level = 0;
-                while (level < top && levels[static_cast<std::size_t>(level) + 1].at(
-                                          {key[0] >> (level + 1), key[1] >> (level + 1),
-                                           key[2] >> (level + 1)}) != kMixed) {
+                while (level < top &&
+                       levels[level + 1].at({key[0] >> (level + 1), key[1] >> (level + 1),
+                                             key[2] >> (level + 1)}) != kMixed) {
                     ++level;
                 }
                 // The leaf extends to the end of its cube.
@@ -207,7 +207,7 @@ class GrownTree : public octomap::OcTree {
   private:
     void growNode(octomap::OcTreeNode* node, const std::vector<Level>& levels, int at,
                   const Cube& cube) {
-        const std::uint8_t state = levels[static_cast<std::size_t>(at)].at(cube);
+        const std::uint8_t state = levels[at].at(cube);
         if (state != kMixed) {
             node->setLogOdds(state == kFreeCell ? clamping_thres_min : clamping_thres_max);
             return;
@@ -216,7 +216,7 @@ class GrownTree : public octomap::OcTree {
             const Cube part = {2 * cube[0] + static_cast<int>(child & 1U),
                                2 * cube[1] + static_cast<int>(child >> 1U & 1U),
                                2 * cube[2] + static_cast<int>(child >> 2U & 1U)};
-            if (levels[static_cast<std::size_t>(at) - 1].at(part) == kUnknownCell) continue;
+            if (levels[at - 1].at(part) == kUnknownCell) continue;
             growNode(createNodeChild(node, child), levels, at - 1, part);
         }
         node->updateOccupancyChildren();

@@ -45,7 +45,7 @@ class Finder {
         const CellComponents holes = findComponents(grid_, open_, bit);
         std::vector<OpenFaces> faces(holes.cells.size());
         for (const CellRun& run : holes.runs) {
-            OpenFaces& hole = faces[static_cast<std::size_t>(run.component)];
+            OpenFaces& hole = faces[run.component];
             for (int x = run.x_begin; x < run.x_end; ++x) addCell(x, run.y, run.z, bit, hole);
         }
         for (const OpenFaces& hole : faces) {
@@ -107,7 +107,7 @@ class Finder {
         opening.area_m2 = area;
         opening.at_scene_box = at_box;
 
-        const FoundRoom& room = rooms_.rooms[static_cast<std::size_t>(hole.room)];
+        const FoundRoom& room = rooms_.rooms[hole.room];
         const auto extent = [&](unsigned k) {
             return (room.high[k] - room.low[k] + 1) * grid_.resolution_m;
         };

@@ -96,7 +96,7 @@ std::vector<FoundRoom> measure(const VoxelGrid& grid, const CellComponents& piec
         rooms[i].high.fill(std::numeric_limits<int>::min());
     }
     for (const CellRun& run : pieces.runs) {
-        const auto index = static_cast<std::size_t>(run.component);
+        const std::size_t index = run.component;
         FoundRoom& room = rooms[index];
         const std::array<int, 3> begin = {run.x_begin, run.y, run.z};
         const std::array<int, 3> end = {run.x_end - 1, run.y, run.z};
@@ -151,7 +151,7 @@ bool isInsideFurniture(const FoundRoom& room, const Scene& scene, const RayCaste
         if (shell || object.structure) {
             ++structure;
         } else {
-            ++hits[static_cast<std::size_t>(hit.object_id)];
+            ++hits[hit.object_id];
         }
     }
     return *std::ranges::max_element(hits) >= kOneObjectShare * ray_count ||
@@ -188,7 +188,7 @@ std::vector<std::uint8_t> whereSphereFitsAfter(const std::vector<std::uint8_t>& 
                 }
             }
             if (inside_before.empty()) continue;
-            const auto width = static_cast<std::size_t>(grid.count[0]);
+            const std::size_t width = grid.count[0];
             const std::uint8_t* was = inside_before.data() + row;
             const std::uint8_t* is = input.inside.data() + row;
             if (std::equal(was, was + width, is)) continue;
@@ -240,16 +240,16 @@ FoundRooms findRooms(const Scene& scene, const RayCaster& rays, const VoxelGrid&
 
     result.room_of_cell.assign(grid.size(), kNoRoom);
     result.hollow.assign(grid.size(), 0);
-    const auto columns = static_cast<std::size_t>(grid.rowOf(0, 1));
+    const std::size_t columns = grid.rowOf(0, 1);
     std::vector<std::vector<std::uint8_t>> footprints(result.rooms.size(),
                                                       std::vector<std::uint8_t>(columns, 0));
     for (const CellRun& run : pieces.runs) {
-        const std::uint8_t room = number[static_cast<std::size_t>(run.component)];
+        const std::uint8_t room = number[run.component];
         const std::size_t begin = grid.indexOf(run.x_begin, run.y, run.z);
-        const auto length = static_cast<std::size_t>(run.x_end - run.x_begin);
+        const std::size_t length = run.x_end - run.x_begin;
         if (room == kNoRoom) {
             std::fill_n(result.hollow.begin() + static_cast<std::ptrdiff_t>(begin), length,
-                        hollow[static_cast<std::size_t>(run.component)]);
+                        hollow[run.component]);
             continue;
         }
         std::fill_n(result.room_of_cell.begin() + static_cast<std::ptrdiff_t>(begin), length, room);

@@ -33,7 +33,7 @@ double surfaceCoverage(const Scene& scene, const RayCaster& rays, const FreeSpac
             for (const Eigen::Vector3d& direction : directions) {
                 const int id = rays.cast(from, direction, reach).object_id;
                 ++asked;
-                ended += id != 0 && scene.object(id).name != io::kUnseenFloor;
+                ended += id != 0 && scene.object(id).name != kUnseenFloor;
             }
         }
         passed += room.size();

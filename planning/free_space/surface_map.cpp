@@ -73,7 +73,7 @@ Result<std::unique_ptr<SurfaceMap::Impl>> SurfaceMap::begin(const Scene& scene,
 Result<SurfaceMap> SurfaceMap::build(const Scene& scene, const FreeSpaceParams& params,
                                      const JobContext& job) {
     auto begun = begin(scene, params);
-    if (!begun) return tl::unexpected<Error>(std::move(begun.error()));
+    if (!begun) return tl::unexpected(std::move(begun.error()));
     std::unique_ptr<Impl>& impl = *begun;
     const VoxelGrid& grid = impl->grid;
     impl->surfaces = voxelize(scene, grid, job);
@@ -94,7 +94,7 @@ Result<SurfaceMap> SurfaceMap::afterMoves(const SurfaceMap& before, const Scene&
                                           const std::vector<int>& moved,
                                           const FreeSpaceParams& params, const JobContext& job) {
     auto begun = begin(scene, params);
-    if (!begun) return tl::unexpected<Error>(std::move(begun.error()));
+    if (!begun) return tl::unexpected(std::move(begun.error()));
     std::unique_ptr<Impl>& impl = *begun;
     const VoxelGrid& grid = impl->grid;
     Impl& old = *before.impl_;

@@ -4,9 +4,9 @@
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "planning/free_space/enclosure.h"
-#include "planning/free_space/free_space_params.h"
 #include "planning/free_space/voxel_grid.h"
 #include "planning/free_space/voxelize.h"
+#include "planning/free_space_params.h"
 
 #include <cstdint>
 #include <memory>

@@ -72,7 +72,7 @@ double gridValue(const Grid& grid, const Eigen::Vector3d& direction) {
     const int elevation = std::clamp(
         static_cast<int>(std::lround((elevationOf(direction) - kLowest) / kElevationStep)), 0,
         kElevations - 1);
-    return grid[static_cast<std::size_t>(elevation * kHeadings + heading)];
+    return grid[elevation * kHeadings + heading];
 }
 
 class GazeSearch {
@@ -98,8 +98,7 @@ class GazeSearch {
         parallelFor(places_.size(), [&](std::size_t i) {
             for (int e = 0; e < kElevations; ++e) {
                 for (int h = 0; h < kHeadings; ++h) {
-                    std::vector<Shown>& list =
-                        shown_[i][static_cast<std::size_t>(e * kHeadings + h)];
+                    std::vector<Shown>& list = shown_[i][e * kHeadings + h];
                     panoramas_[i].visitShown(
                         gridDirection(h, e, pitch_), [&](std::size_t target, double share) {
                             list.push_back(

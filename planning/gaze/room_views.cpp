@@ -260,7 +260,7 @@ void addRoomViews(const PlanParams& params, const PlanningEnvironment& environme
     std::vector<Pose> given;
     std::set<int> components;
     for (const int key : chooseKeyFrames(viewpoints.position_points)) {
-        const PositionPoint& point = viewpoints.position_points[static_cast<std::size_t>(key)];
+        const PositionPoint& point = viewpoints.position_points[key];
         search.count(point);
         given.push_back(point.pose);
         components.insert(point.component);

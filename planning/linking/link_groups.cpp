@@ -77,11 +77,11 @@ std::vector<Ends> closestEnds(const Roadmap& roadmap, const std::vector<Position
                               const std::vector<int>& keys, int group) {
     std::vector<Ends> ends;
     for (const int a : keys) {
-        if (roadmap.group[static_cast<std::size_t>(a)] != group) continue;
+        if (roadmap.group[a] != group) continue;
         for (const int b : keys) {
-            const PositionPoint& pa = points[static_cast<std::size_t>(a)];
-            const PositionPoint& pb = points[static_cast<std::size_t>(b)];
-            if (roadmap.group[static_cast<std::size_t>(b)] == group) continue;
+            const PositionPoint& pa = points[a];
+            const PositionPoint& pb = points[b];
+            if (roadmap.group[b] == group) continue;
             if (pa.component != pb.component || pa.room != pb.room) continue;
             ends.push_back({(pa.pose.position - pb.pose.position).norm(), a, b});
         }
@@ -105,8 +105,7 @@ void addSamples(Roadmap& roadmap, const RrtStarResult& way, const Ends& pair,
         step.index = first + static_cast<int>(i);
         step.parent = parent < 0 ? -1 : first + parent;
         step.point = way.samples[i].cast<float>();
-        step.from =
-            (parent < 0 ? start : way.samples[static_cast<std::size_t>(parent)]).cast<float>();
+        step.from = (parent < 0 ? start : way.samples[parent]).cast<float>();
         roadmap.steps.add(step);
         roadmap.samples.push_back(way.samples[i]);
         roadmap.sample_parents.push_back(step.parent);
@@ -124,10 +123,10 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
     while (true) {
         findGroups(roadmap, position_points.size(), key_frames);
         // The smallest part first: most of them are single points in narrow spaces.
-        std::vector<std::pair<int, int>> sizes(static_cast<std::size_t>(roadmap.group_count));
+        std::vector<std::pair<int, int>> sizes(roadmap.group_count);
         std::vector<int> smallest(sizes.size(), -1);
         for (const int key : key_frames) {
-            const auto g = static_cast<std::size_t>(roadmap.group[static_cast<std::size_t>(key)]);
+            const std::size_t g = roadmap.group[key];
             sizes[g].first += 1;
             sizes[g].second = static_cast<int>(g);
             if (smallest[g] < 0 || key < smallest[g]) smallest[g] = key;
@@ -135,13 +134,13 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
         std::sort(sizes.begin(), sizes.end());
         bool joined = false;
         for (const auto& [_, group] : sizes) {
-            const int name = smallest[static_cast<std::size_t>(group)];
+            const int name = smallest[group];
             if (given_up.contains(name)) continue;
             const auto pairs = closestEnds(roadmap, position_points, key_frames, group);
             for (const Ends& pair : pairs) {
                 if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-                const PositionPoint& a = position_points[static_cast<std::size_t>(pair.a)];
-                const PositionPoint& b = position_points[static_cast<std::size_t>(pair.b)];
+                const PositionPoint& a = position_points[pair.a];
+                const PositionPoint& b = position_points[pair.b];
                 // Grow the tree from the point of the smaller part: it is easier to find a path out
                 // of a narrow space than into it.
                 RrtStarProblem problem;
@@ -173,8 +172,7 @@ Status linkGroups(Roadmap& roadmap, const std::vector<PositionPoint>& position_p
                 roadmap.edges.push_back(std::move(edge));
                 // The joined part has new pairs of ends, so both halves may be tried again.
                 given_up.erase(name);
-                given_up.erase(smallest[static_cast<std::size_t>(
-                    roadmap.group[static_cast<std::size_t>(pair.b)])]);
+                given_up.erase(smallest[roadmap.group[pair.b]]);
                 joined = true;
                 break;
             }

@@ -56,13 +56,13 @@ class Tree {
             const double cost = least + (at(i).position - point).norm();
             if (i == parent || cost >= at(i).cost) continue;
             if (!problem_.is_move_free(point, at(i).position)) continue;
-            nodes_[static_cast<std::size_t>(i)].parent = self;
+            nodes_[i].parent = self;
             lower(i, at(i).cost - cost);
         }
         return true;
     }
 
-    [[nodiscard]] const Node& at(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const Node& at(int i) const { return nodes_[i]; }
     [[nodiscard]] int last() const { return static_cast<int>(nodes_.size()) - 1; }
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
@@ -100,7 +100,7 @@ class Tree {
         while (!branch.empty()) {
             const int i = branch.back();
             branch.pop_back();
-            nodes_[static_cast<std::size_t>(i)].cost -= gain;
+            nodes_[i].cost -= gain;
             for (std::size_t child = 0; child < nodes_.size(); ++child) {
                 if (nodes_[child].parent == i) branch.push_back(static_cast<int>(child));
             }

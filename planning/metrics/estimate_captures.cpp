@@ -48,9 +48,8 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
     take(safer);
     // One key frame was chosen for this object, and in cluttered scenes only a dense estimate shows
     // it.
-    std::erase_if(coarse, [&](const ObjectView& v) {
-        return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;
-    });
+    std::erase_if(
+        coarse, [&](const ObjectView& v) { return trajectory.frames[v.frame].position_point < 0; });
     take(safer);
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
@@ -60,9 +59,8 @@ std::vector<int> bestFrames(std::vector<ObjectView> coarse, const Trajectory& tr
 /// Key frames that show part of the object, the most visible first. Coincident surfaces give
 /// different results with few rays, so the coarse pass may miss what a key frame was chosen for.
 std::vector<int> keyFramesOf(std::vector<ObjectView> coarse, const Trajectory& trajectory) {
-    std::erase_if(coarse, [&](const ObjectView& v) {
-        return trajectory.frames[static_cast<std::size_t>(v.frame)].position_point < 0;
-    });
+    std::erase_if(
+        coarse, [&](const ObjectView& v) { return trajectory.frames[v.frame].position_point < 0; });
     std::ranges::sort(coarse, {}, [](const ObjectView& v) {
         return std::tuple(-v.visible_fraction, -v.box_share, v.frame);
     });
@@ -135,7 +133,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
             ObjectView view = one.view;
             view.frame = static_cast<int>(f);
             view.scanned_share = scanned[f];
-            coarse[static_cast<std::size_t>(view.object_id) - 1].push_back(view);
+            coarse[view.object_id - 1].push_back(view);
             if (!one.box.isEmpty()) estimate.frame_boxes[f].push_back(one.box);
         }
     }
@@ -143,7 +141,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
     parallelFor(scene.objects.size(), [&](std::size_t i) {
         const int id = static_cast<int>(i) + 1;
         const auto addExact = [&](int frame) {
-            const auto f = static_cast<std::size_t>(frame);
+            const std::size_t f = frame;
             const auto remembered = entries[f]->exact.find(id);
             ObjectView view =
                 remembered != entries[f]->exact.end()
@@ -172,7 +170,7 @@ Result<CaptureEstimate> estimateCaptures(const ViewEstimator& views, const Traje
         // Both are sorted by frame: the exact view replaces the coarse one.
         auto better = exact[i].begin();
         for (ObjectView& view : coarse[i]) {
-            const auto f = static_cast<std::size_t>(view.frame);
+            const std::size_t f = view.frame;
             if (better != exact[i].end() && better->frame == view.frame) {
                 view = *better++;
                 entries[f]->exact[view.object_id] = view;

@@ -2,7 +2,7 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/metrics/minimum_clearance.h"
-#include "planning/metrics/shown_surface.h"
+#include "planning/visibility/shown_surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -80,7 +80,7 @@ MinimumClearance findMinimumClearance(const std::vector<SmoothPath>& paths,
     for (std::size_t i = 0; i + 1 < trajectory.frames.size(); ++i) {
         const TrajectoryFrame& from = trajectory.frames[i];
         const TrajectoryFrame& to = trajectory.frames[i + 1];
-        const SmoothPath& path = paths[static_cast<std::size_t>(from.path)];
+        const SmoothPath& path = paths[from.path];
         if (!followsOn(trajectory, i + 1) || (!isOffPath(path, from) && !isOffPath(path, to))) {
             continue;
         }

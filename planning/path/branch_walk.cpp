@@ -9,9 +9,7 @@ class BranchWalk {
   public:
     BranchWalk(const RoadmapPart& part, const std::vector<double>& weights, const PartEnds& ends)
         : part_(part), closed_(ends.closed), wanted_(part.keys.size(), false) {
-        const auto weightOf = [&](int key) {
-            return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(key)];
-        };
+        const auto weightOf = [&](int key) { return weights.empty() ? 1.0 : weights[key]; };
         // Half of each end's weight, so that along a path every vertex but its ends counts fully.
         // Edges that are not in the tree are impassable.
         const auto steps = [&](const RoadmapEdge& edge) {
@@ -22,7 +20,7 @@ class BranchWalk {
         const auto furthest = [&](const ShortestPaths& shortest) {
             int best = 0;
             const auto worth = [&](int vertex) {
-                const auto v = static_cast<std::size_t>(vertex);
+                const std::size_t v = vertex;
                 return shortest.cost[v] + 0.5 * weightOf(part.keys[v]);
             };
             for (int vertex = 1; vertex < part.size(); ++vertex) {
@@ -36,13 +34,13 @@ class BranchWalk {
         const ShortestPaths shortest = shortestPathsFrom(part, one_end, steps);
         branch_ = trace(part, shortest, ends.last >= 0 ? ends.last : furthest(shortest));
         std::vector<bool> on_branch(part.keys.size(), false);
-        for (const auto& [vertex, e] : branch_) on_branch[static_cast<std::size_t>(vertex)] = true;
+        for (const auto& [vertex, e] : branch_) on_branch[vertex] = true;
         for (int i = 0; i < part.size(); ++i) {
             if (!part.point(i).fixed) continue;
             // The detour from the branch to the fixed point.
             const auto way = trace(part, shortest, i);
             for (auto step = way.rbegin(); step != way.rend(); ++step) {
-                const auto vertex = static_cast<std::size_t>(step->first);
+                const std::size_t vertex = step->first;
                 if (on_branch[vertex] || wanted_[vertex]) break;
                 wanted_[vertex] = true;
             }
@@ -71,10 +69,10 @@ class BranchWalk {
     }
 
     void makeDetours(int from) {
-        for (const int e : part_.edges[static_cast<std::size_t>(from)]) {
+        for (const int e : part_.edges[from]) {
             const int next = part_.otherEnd(e, from);
-            if (!part_.edge(e).in_tree || !wanted_[static_cast<std::size_t>(next)]) continue;
-            wanted_[static_cast<std::size_t>(next)] = false;
+            if (!part_.edge(e).in_tree || !wanted_[next]) continue;
+            wanted_[next] = false;
             moveTo(next, e);
             path_.push_back(keyVertex(part_, next));
             makeDetours(next);

@@ -25,7 +25,7 @@ std::vector<int> withinBudget(std::vector<int> keys, const std::vector<PositionP
     const auto visits = [&] {
         std::set<std::pair<int, int>> rooms;
         for (const int key : keys) {
-            const PositionPoint& point = points[static_cast<std::size_t>(key)];
+            const PositionPoint& point = points[key];
             rooms.emplace(point.component, point.room);
         }
         return keys.size() + (ends.loop && keys.size() > rooms.size() ? rooms.size() : 0);
@@ -57,8 +57,8 @@ void refusePinsOverBudget(const PlanEdits& edits, Plan& plan) {
         if (pin < 0 || std::find(keys.begin(), keys.end(), static_cast<int>(p)) != keys.end()) {
             continue;
         }
-        plan.refused_pins.push_back({pin, edits.pinned[static_cast<std::size_t>(pin)].name,
-                                     Verdict::Legal, 0, "dropped to keep within max_frames"});
+        plan.refused_pins.push_back(
+            {pin, edits.pinned[pin].name, Verdict::Legal, 0, "dropped to keep within max_frames"});
     }
 }
 

@@ -20,9 +20,10 @@ struct PlanParams;
                                             const std::vector<PositionPoint>& position_points,
                                             const PathEnds& ends);
 
-/// Whether walkTours() chooses the key frames, if both the length and the number of frames are
-/// limited: dropping them beforehand could remove ones on the way. False if the pinned points alone
-/// may exceed the limit.
+/// Whether walkTours() chooses which key frames to keep. With path_mode=tour it does so if both the
+/// path length and the number of frames are limited, because withinBudget() could drop key frames
+/// that lie on the path anyway. False if the stops that must stay (pinned points, and in a loop two
+/// per room) may exceed the limit of frames.
 [[nodiscard]] bool isChosenByTour(const PathParams& path,
                                   const std::vector<PositionPoint>& position_points,
                                   const PathEnds& ends);

@@ -31,9 +31,7 @@ double lengthOf(const BudgetedTour& tour) {
 /// Shortens the order of the same stops, if possible.
 void reorder(BudgetedTour& tour) {
     CostMatrix cost(tour.order.size(), std::vector<double>(tour.order.size()));
-    const auto at = [](const CostMatrix& matrix, int a, int b) {
-        return matrix[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-    };
+    const auto at = [](const CostMatrix& matrix, int a, int b) { return matrix[a][b]; };
     for (std::size_t i = 0; i < tour.order.size(); ++i) {
         for (std::size_t j = 0; j < tour.order.size(); ++j) {
             cost[i][j] = at(tour.cost, tour.order[i], tour.order[j]);
@@ -45,7 +43,7 @@ void reorder(BudgetedTour& tour) {
     };
     std::vector<int> order;
     for (const int i : shortTour(cost, {}, {place(tour.ends.first), place(tour.ends.last)}))
-        order.push_back(tour.order[static_cast<std::size_t>(i)]);
+        order.push_back(tour.order[i]);
     // An order with less cost, which includes turning, may be longer in metres.
     if (tourCost(tour.metres, order) < lengthOf(tour)) tour.order = std::move(order);
 }
@@ -96,8 +94,7 @@ class Budget {
     /// As leaveOutOneByOne(), but drops stops in reverse order of rank.
     void leaveOutByRank(std::vector<TourChoice>& on_the_way) {
         const auto last = [](const BudgetedTour& tour, int stop, double metres) {
-            return std::optional(
-                Rank(-static_cast<double>(tour.rank[static_cast<std::size_t>(stop)]), -metres));
+            return std::optional(Rank(-static_cast<double>(tour.rank[stop]), -metres));
         };
         while (dropOne(last)) on_the_way.push_back(choice());
     }
@@ -140,21 +137,21 @@ class Budget {
     };
 
     [[nodiscard]] double weightOf(int id) const {
-        return weights_.empty() || id <= 0 ? 1.0 : weights_[static_cast<std::size_t>(id) - 1];
+        return weights_.empty() || id <= 0 ? 1.0 : weights_[id - 1];
     }
 
     void count(const BudgetedTour& tour, int stop, int sign) {
-        for (const int id : tour.shows[static_cast<std::size_t>(stop)]) well_[id] += sign;
-        for (const int id : tour.shows_less[static_cast<std::size_t>(stop)]) captured_[id] += sign;
+        for (const int id : tour.shows[stop]) well_[id] += sign;
+        for (const int id : tour.shows_less[stop]) captured_[id] += sign;
     }
 
     /// Worth of the stop's objects that at most `others` stops of the tours show.
     double worthOf(const BudgetedTour& tour, int stop, int others) {
         double sum = 0.0;
-        for (const int id : tour.shows[static_cast<std::size_t>(stop)]) {
+        for (const int id : tour.shows[stop]) {
             sum += well_[id] <= others ? kWell * weightOf(id) : 0.0;
         }
-        for (const int id : tour.shows_less[static_cast<std::size_t>(stop)]) {
+        for (const int id : tour.shows_less[stop]) {
             sum += captured_[id] <= others ? weightOf(id) : 0.0;
         }
         return sum;
@@ -162,11 +159,7 @@ class Budget {
 
     /// Metres that a stop between two neighbours adds; -1: no neighbour.
     static double detour(const BudgetedTour& tour, int before, int stop, int after) {
-        const auto metres = [&](int a, int b) {
-            return a < 0 || b < 0
-                       ? 0.0
-                       : tour.metres[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-        };
+        const auto metres = [&](int a, int b) { return a < 0 || b < 0 ? 0.0 : tour.metres[a][b]; };
         return metres(before, stop) + metres(stop, after) - metres(before, after);
     }
 
@@ -175,8 +168,7 @@ class Budget {
     }
 
     static bool stays(const BudgetedTour& tour, int stop) {
-        return tour.fixed[static_cast<std::size_t>(stop)] || stop == tour.ends.first ||
-               stop == tour.ends.last;
+        return tour.fixed[stop] || stop == tour.ends.first || stop == tour.ends.last;
     }
 
     using Rank = std::pair<double, double>;  // the stop with the least rank is dropped first
@@ -245,7 +237,7 @@ class Budget {
     void considerLeftOut(std::size_t t, Choice& best) {
         const BudgetedTour& tour = tours_[t];
         std::vector<bool> in(tour.metres.size(), false);
-        for (const int stop : tour.order) in[static_cast<std::size_t>(stop)] = true;
+        for (const int stop : tour.order) in[stop] = true;
         for (std::size_t s = 0; s < in.size(); ++s) {
             const int stop = static_cast<int>(s);
             const double value = in[s] ? 0.0 : worthOf(tour, stop, 0);
@@ -284,7 +276,7 @@ class Budget {
 }  // namespace
 
 int addCopyOfStop(BudgetedTour& tour, int stop) {
-    const auto of = static_cast<std::size_t>(stop);
+    const std::size_t of = stop;
     for (CostMatrix* matrix : {&tour.metres, &tour.cost}) {
         for (std::vector<double>& row : *matrix) row.push_back(row[of]);
         matrix->push_back((*matrix)[of]);

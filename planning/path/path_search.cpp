@@ -22,10 +22,10 @@ void dropCycleEdges(const RoadmapPart& part) {
     while (!stack.empty()) {
         const int vertex = stack.back();
         bool went_deeper = false;
-        for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
+        for (const int e : part.edges[vertex]) {
             const int next = part.otherEnd(e, vertex);
-            if (reached[static_cast<std::size_t>(next)]) continue;
-            reached[static_cast<std::size_t>(next)] = true;
+            if (reached[next]) continue;
+            reached[next] = true;
             part.edge(e).in_tree = true;
             stack.push_back(next);
             went_deeper = true;
@@ -37,8 +37,8 @@ void dropCycleEdges(const RoadmapPart& part) {
 
 void addPruneSteps(const RoadmapPart& part, AlgorithmSteps& steps) {
     for (int vertex = 0; vertex < part.size(); ++vertex) {
-        const int key = part.keys[static_cast<std::size_t>(vertex)];
-        for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
+        const int key = part.keys[vertex];
+        for (const int e : part.edges[vertex]) {
             const RoadmapEdge& edge = part.edge(e);
             if (edge.in_tree || edge.a != key) continue;  // each edge once, at its first end
             steps.add({AlgorithmStep::Kind::Prune, edge.a, edge.b, e});

@@ -16,11 +16,11 @@ RoadmapPart::RoadmapPart(Roadmap& roadmap, const std::vector<PositionPoint>& poi
     edges.resize(keys.size());
     for (std::size_t e = 0; e < roadmap.edges.size(); ++e) {
         const RoadmapEdge& edge = roadmap.edges[e];
-        const int a = local_[static_cast<std::size_t>(edge.a)];
-        const int b = local_[static_cast<std::size_t>(edge.b)];
+        const int a = local_[edge.a];
+        const int b = local_[edge.b];
         if (a < 0 || b < 0) continue;
-        edges[static_cast<std::size_t>(a)].push_back(static_cast<int>(e));
-        edges[static_cast<std::size_t>(b)].push_back(static_cast<int>(e));
+        edges[a].push_back(static_cast<int>(e));
+        edges[b].push_back(static_cast<int>(e));
     }
 }
 
@@ -31,15 +31,15 @@ ShortestPaths shortestPathsFrom(const RoadmapPart& part, int start,
         std::vector<int>(part.keys.size(), -1)};
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>
         open;
-    shortest.cost[static_cast<std::size_t>(start)] = 0.0;
+    shortest.cost[start] = 0.0;
     open.emplace(0.0, start);
     while (!open.empty()) {
         const auto [cost, vertex] = open.top();
         open.pop();
-        if (cost > shortest.cost[static_cast<std::size_t>(vertex)]) continue;
-        for (const int e : part.edges[static_cast<std::size_t>(vertex)]) {
+        if (cost > shortest.cost[vertex]) continue;
+        for (const int e : part.edges[vertex]) {
             const double length = weigh(part.edge(e));
-            const auto next = static_cast<std::size_t>(part.otherEnd(e, vertex));
+            const std::size_t next = part.otherEnd(e, vertex);
             if (cost + length >= shortest.cost[next]) continue;
             shortest.cost[next] = cost + length;
             shortest.by_edge[next] = e;
@@ -53,7 +53,7 @@ std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const ShortestPa
                                        int end) {
     std::vector<std::pair<int, int>> result;
     for (int vertex = end;;) {
-        const int e = shortest.by_edge[static_cast<std::size_t>(vertex)];
+        const int e = shortest.by_edge[vertex];
         result.emplace_back(vertex, e);
         if (e < 0) break;
         vertex = part.otherEnd(e, vertex);
@@ -64,14 +64,14 @@ std::vector<std::pair<int, int>> trace(const RoadmapPart& part, const ShortestPa
 
 std::vector<Eigen::Vector3d> cornersAlong(const RoadmapPart& part, int e, int to) {
     std::vector<Eigen::Vector3d> corners = part.edge(e).via;
-    if (part.edge(e).b != part.keys[static_cast<std::size_t>(to)]) {
+    if (part.edge(e).b != part.keys[to]) {
         std::reverse(corners.begin(), corners.end());
     }
     return corners;
 }
 
 PathVertex keyVertex(const RoadmapPart& part, int vertex) {
-    return {part.point(vertex).pose.position, part.keys[static_cast<std::size_t>(vertex)]};
+    return {part.point(vertex).pose.position, part.keys[vertex]};
 }
 
 }  // namespace dollytrack::planning

@@ -15,21 +15,17 @@ class RoadmapPart {
   public:
     RoadmapPart(Roadmap& roadmap, const std::vector<PositionPoint>& points, int group);
 
-    [[nodiscard]] RoadmapEdge& edge(int e) const {
-        return roadmap_->edges[static_cast<std::size_t>(e)];
-    }
+    [[nodiscard]] RoadmapEdge& edge(int e) const { return roadmap_->edges[e]; }
     [[nodiscard]] int otherEnd(int e, int vertex) const {
-        const int a = local_[static_cast<std::size_t>(edge(e).a)];
-        const int b = local_[static_cast<std::size_t>(edge(e).b)];
+        const int a = local_[edge(e).a];
+        const int b = local_[edge(e).b];
         return a == vertex ? b : a;
     }
-    [[nodiscard]] const PositionPoint& point(int vertex) const {
-        return (*points_)[static_cast<std::size_t>(keys[static_cast<std::size_t>(vertex)])];
-    }
+    [[nodiscard]] const PositionPoint& point(int vertex) const { return (*points_)[keys[vertex]]; }
     [[nodiscard]] int size() const { return static_cast<int>(keys.size()); }
     /// The vertex of a position point; -1 if it is in another part or negative.
     [[nodiscard]] int vertexOf(int position_point) const {
-        return position_point < 0 ? -1 : local_[static_cast<std::size_t>(position_point)];
+        return position_point < 0 ? -1 : local_[position_point];
     }
 
     std::vector<int> keys;                // position points, by vertex

@@ -27,29 +27,29 @@ Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double m
     /// Keeps the paths of this length if they have few enough frames.
     const auto fits = [&](double length_m) -> Result<bool> {
         Result<Paths> taken = timed.take(length_m);
-        if (!taken) return tl::unexpected<Error>(std::move(taken.error()));
+        if (!taken) return tl::unexpected(std::move(taken.error()));
         const Result<std::size_t> frames = timed.frames(*taken);
-        if (!frames) return tl::unexpected<Error>(frames.error());
+        if (!frames) return tl::unexpected(frames.error());
         if (*frames > most_frames) return false;
         longest = std::move(*taken);
         return true;
     };
     Result<Paths> whole = timed.take(max_length_m);
-    if (!whole) return tl::unexpected<Error>(std::move(whole.error()));
+    if (!whole) return tl::unexpected(std::move(whole.error()));
     const Result<std::size_t> all = timed.frames(*whole);
-    if (!all) return tl::unexpected<Error>(all.error());
+    if (!all) return tl::unexpected(all.error());
     if (*all <= most_frames) return std::optional(std::move(*whole));
     double high = lengthOf(*whole);
     double low = 0.0;
     for (int halving = 0; halving < kHalvings; ++halving) {
         const double middle = 0.5 * (low + high);
         const Result<bool> few = fits(middle);
-        if (!few) return tl::unexpected<Error>(few.error());
+        if (!few) return tl::unexpected(few.error());
         (*few ? low : high) = middle;
     }
     if (longest) return longest;
     const Result<bool> few = fits(kShortest_m);
-    if (!few) return tl::unexpected<Error>(few.error());
+    if (!few) return tl::unexpected(few.error());
     return longest;
 }
 

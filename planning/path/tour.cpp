@@ -28,8 +28,7 @@ std::vector<std::vector<int>> nearestOf(const CostMatrix& cost) {
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         const auto end = others.begin() + static_cast<std::ptrdiff_t>(count);
         const auto nearer = [&](int a, int b) {
-            return std::pair(cost[i][static_cast<std::size_t>(a)], a) <
-                   std::pair(cost[i][static_cast<std::size_t>(b)], b);
+            return std::pair(cost[i][a], a) < std::pair(cost[i][b], b);
         };
         std::partial_sort(others.begin(), end, others.end(), nearer);
         nearest[i].assign(others.begin(), end);
@@ -76,30 +75,28 @@ class Tour {
         std::vector<bool> used(cost_.size(), false);
         const auto take = [&](int stop) {
             stops_.push_back(stop);
-            used[static_cast<std::size_t>(stop)] = true;
+            used[stop] = true;
         };
         take(start);
         const bool last_waits = ends_.last >= 0 && start != ends_.last;
-        if (last_waits) used[static_cast<std::size_t>(ends_.last)] = true;
+        if (last_waits) used[ends_.last] = true;
         while (stops_.size() + (last_waits ? 1 : 0) < cost_.size()) {
             int best = -1;
             for (int i = 0; i < static_cast<int>(cost_.size()); ++i) {
-                if (used[static_cast<std::size_t>(i)]) continue;
+                if (used[i]) continue;
                 if (best < 0 || link(stops_.back(), i) < link(stops_.back(), best)) best = i;
             }
             take(best);
         }
         if (last_waits) take(ends_.last);
         for (std::size_t i = 0; i < stops_.size(); ++i) {
-            at_[static_cast<std::size_t>(stops_[i])] = static_cast<int>(i);
+            at_[stops_[i]] = static_cast<int>(i);
         }
     }
 
     /// Cost of the step between two stops. Before the first and after the last stop (-1) it is 0,
     /// or kNever at a wrong end.
-    [[nodiscard]] double link(int a, int b) const {
-        return cost_[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-    }
+    [[nodiscard]] double link(int a, int b) const { return cost_[a][b]; }
     [[nodiscard]] double firstAt(int stop) const {
         return ends_.first < 0 || ends_.first == stop ? 0.0 : kNever;
     }
@@ -111,16 +108,15 @@ class Tour {
         return to < 0 ? lastAt(from) : link(from, to);
     }
     [[nodiscard]] int stop(int i) const {
-        return i < 0 || i >= static_cast<int>(stops_.size()) ? -1
-                                                             : stops_[static_cast<std::size_t>(i)];
+        return i < 0 || i >= static_cast<int>(stops_.size()) ? -1 : stops_[i];
     }
-    [[nodiscard]] int place(int stop) const { return at_[static_cast<std::size_t>(stop)]; }
+    [[nodiscard]] int place(int stop) const { return at_[stop]; }
 
     void turnRound(int i, int j) {
         for (; i < j; ++i, --j) {
-            std::swap(stops_[static_cast<std::size_t>(i)], stops_[static_cast<std::size_t>(j)]);
-            at_[static_cast<std::size_t>(stop(i))] = i;
-            at_[static_cast<std::size_t>(stop(j))] = j;
+            std::swap(stops_[i], stops_[j]);
+            at_[stop(i)] = i;
+            at_[stop(j)] = j;
         }
     }
     void reverse(int i, int j) {
@@ -129,8 +125,8 @@ class Tour {
         done_.emplace_back(i, j);
     }
     void lookAt(int stop) {
-        if (stop < 0 || waits_[static_cast<std::size_t>(stop)]) return;
-        waits_[static_cast<std::size_t>(stop)] = true;
+        if (stop < 0 || waits_[stop]) return;
+        waits_[stop] = true;
         waiting_.push_back(stop);
     }
 
@@ -139,7 +135,7 @@ class Tour {
         while (!waiting_.empty()) {
             const int stop = waiting_.back();
             waiting_.pop_back();
-            waits_[static_cast<std::size_t>(stop)] = false;
+            waits_[stop] = false;
             while (reverseFrom(stop) || moveFrom(stop)) continue;
         }
     }
@@ -165,7 +161,7 @@ class Tour {
         const int i = place(a);
         // A shorter tour has a new link that is shorter than an old one at the same stop.
         const double longest = std::max(step(stop(i - 1), a), step(a, stop(i + 1)));
-        for (const int c : nearest_[static_cast<std::size_t>(a)]) {
+        for (const int c : nearest_[a]) {
             if (link(a, c) >= longest) break;
             const int j = place(c);
             const auto [low, high] = std::minmax(i, j);
@@ -185,7 +181,7 @@ class Tour {
                 const int after = stop(last + 1);
                 const double freed =
                     step(before, stop(first)) + step(stop(last), after) - step(before, after);
-                for (const int c : nearest_[static_cast<std::size_t>(a)]) {
+                for (const int c : nearest_[a]) {
                     if (link(a, c) >= freed) break;
                     const int j = place(c);
                     if (j >= first && j <= last) continue;
@@ -258,7 +254,7 @@ class Tour {
 double tourCost(const CostMatrix& cost, const std::vector<int>& tour) {
     double sum = 0.0;
     for (std::size_t i = 1; i < tour.size(); ++i) {
-        sum += cost[static_cast<std::size_t>(tour[i - 1])][static_cast<std::size_t>(tour[i])];
+        sum += cost[tour[i - 1]][tour[i]];
     }
     return sum;
 }

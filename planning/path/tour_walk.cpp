@@ -58,7 +58,7 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         }
         plan.fixed.push_back(point.pin >= 0);
         tour.vertices.push_back(static_cast<int>(i));
-        if (!rank.empty()) plan.rank.push_back(rank[static_cast<std::size_t>(part.keys[i])]);
+        if (!rank.empty()) plan.rank.push_back(rank[part.keys[i]]);
     }
     plan.ends = {ends.first, ends.last};
     if (ends.closed) {
@@ -114,9 +114,7 @@ class Legs {
         double metres = 0.0;
     };
 
-    [[nodiscard]] int vertex(int stop) const {
-        return tour_.vertices[static_cast<std::size_t>(stop)];
-    }
+    [[nodiscard]] int vertex(int stop) const { return tour_.vertices[stop]; }
     [[nodiscard]] const Eigen::Vector3d& position(int stop) const {
         return part_.point(vertex(stop)).pose.position;
     }
@@ -141,8 +139,7 @@ class Legs {
         const Eigen::Vector3d& start = part_.point(from).pose.position;
         const Eigen::Vector3d& end = part_.point(to).pose.position;
         std::vector<Eigen::Vector3d> corners;
-        for (const auto& [vertex, e] :
-             trace(part_, tour_.shortest[static_cast<std::size_t>(from)], to)) {
+        for (const auto& [vertex, e] : trace(part_, tour_.shortest[from], to)) {
             if (e < 0) continue;
             for (const auto& corner : cornersAlong(part_, e, vertex)) corners.push_back(corner);
             if (vertex != to) corners.push_back(part_.point(vertex).pose.position);

@@ -106,7 +106,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
                                                   const JobContext& job,
                                                   const OnTrajectory& on_trajectory) {
     if (Status status = validate(params); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     if (params.constraints.loop && !edits.end.empty() && edits.end != edits.start) {
         return fail(ErrorCode::Usage,
@@ -114,7 +114,7 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
                     "loop");
     }
     if (Status status = validateClip(params); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     stages_->times.clear();
     stages_->exclusion_reasons = {leftOutOfPathFor(params), notChosenFor(params)};

@@ -2,6 +2,7 @@
 
 #include "engine/geometry/ray_caster.h"
 #include "planning/collision/allowed_region.h"
+#include "planning/constraints/constraint_viewpoints.h"
 #include "planning/explanations/capture_ledger.h"
 #include "planning/free_space/free_space.h"
 #include "planning/free_space/surface_map.h"
@@ -13,7 +14,6 @@
 #include "planning/pipeline/stage_inputs.h"
 #include "planning/repair/repair.h"
 #include "planning/rooms/room_plan.h"
-#include "planning/viewpoints/constraint_viewpoints.h"
 #include "planning/viewpoints/hand_placed.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"

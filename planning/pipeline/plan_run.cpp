@@ -24,7 +24,7 @@ int pointOfPin(const PlacedPoints& placed, const PlanEdits& edits, const std::st
     const std::vector<PositionPoint>& points = placed.viewpoints.position_points;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const int pin = points[i].pin;
-        if (pin >= 0 && edits.pinned[static_cast<std::size_t>(pin)].name == name) {
+        if (pin >= 0 && edits.pinned[pin].name == name) {
             return static_cast<int>(i);
         }
     }
@@ -222,8 +222,7 @@ Status Pipeline::Stages::PlanRun::selectKeyFrames() {
         .map([&] {
             ends_.rank.assign(positionPoints().size(), 0);
             for (std::size_t i = 0; i < stages_.key_frames->size(); ++i) {
-                ends_.rank[static_cast<std::size_t>((*stages_.key_frames)[i])] =
-                    static_cast<int>(i);
+                ends_.rank[(*stages_.key_frames)[i]] = static_cast<int>(i);
             }
             ends_.corner_distance_m = params_.smoothing.corner_distance_m;
             ends_.smooth_length_m = [this](const CameraPath& path) {
@@ -352,7 +351,7 @@ Status Pipeline::Stages::PlanRun::measure() {
 Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const JobContext& job) {
     const Trajectory& trajectory = stages_.repair->trajectory;
     auto estimate = estimateCaptures(*stages_.views, trajectory, job, &stages_.cache.frame_views);
-    if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+    if (!estimate) return tl::unexpected(std::move(estimate.error()));
     FrameSeries series = measureFrames(
         trajectory, estimate->frame_views, estimate->captures,
         imageScores(trajectory, estimate->frame_boxes, params_.repair.score), *stages_.rays);

@@ -22,7 +22,7 @@ class Stage {
         inputs_.reset();
         output_.reset();
         Result<Output> made = make();
-        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        if (!made) return tl::unexpected(std::move(made.error()));
         output_ = std::make_shared<const Output>(std::move(*made));
         inputs_ = inputs;
         ++version_;

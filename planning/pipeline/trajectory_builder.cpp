@@ -43,7 +43,7 @@ Result<std::vector<SmoothPath>> TrajectoryBuilder::smooth(
     std::vector<SmoothPath> smoothed;
     for (const CameraPath& path : paths) {
         auto made = smooth(path);
-        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        if (!made) return tl::unexpected(std::move(made.error()));
         smoothed.push_back(std::move(*made));
     }
     return smoothed;

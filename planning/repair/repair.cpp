@@ -79,10 +79,10 @@ std::set<SegmentId> lostOn(const Trial& before, const Trial& after) {
         const ObjectCapture& was = before.estimate.captures[i];
         const ObjectCapture& is = after.estimate.captures[i];
         if (was.captured && !is.captured) {
-            lost.insert(segments[static_cast<std::size_t>(was.best.frame)]);
+            lost.insert(segments[was.best.frame]);
         }
         if (was.well_captured && !is.well_captured) {
-            lost.insert(segments[static_cast<std::size_t>(was.best_well.frame)]);
+            lost.insert(segments[was.best_well.frame]);
         }
     }
     return lost;
@@ -97,7 +97,7 @@ class Repair {
         Trial trial;
         trial.smooth = withLookAsides(design.smooth, design.look_asides);
         Result<Trajectory> trajectory = context_.maker.time(trial.smooth);
-        if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
+        if (!trajectory) return tl::unexpected(std::move(trajectory.error()));
         trial.trajectory = std::move(*trajectory);
         return lookAt(std::move(trial));
     }
@@ -106,7 +106,7 @@ class Repair {
     [[nodiscard]] Result<Trial> lookAt(Trial trial) const {
         Result<CaptureEstimate> estimate =
             estimateCaptures(context_.environment.views, trial.trajectory, job_, memo_);
-        if (!estimate) return tl::unexpected<Error>(std::move(estimate.error()));
+        if (!estimate) return tl::unexpected(std::move(estimate.error()));
         trial.estimate = std::move(*estimate);
         trial.scores = imageScores(trial.trajectory, trial.estimate.frame_boxes, context_.weights);
         return trial;
@@ -156,7 +156,7 @@ class Repair {
         }
         for (const std::size_t path : rerouted) {
             Result<SmoothPath> smooth = context_.maker.smooth(design.paths[path]);
-            if (!smooth) return tl::unexpected<Error>(std::move(smooth.error()));
+            if (!smooth) return tl::unexpected(std::move(smooth.error()));
             design.smooth[path] = std::move(*smooth);
         }
         return design;
@@ -273,7 +273,7 @@ Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
     Repair repair(context, memo, job);
     Design design{found.paths, found.smooth_paths, {}};
     Result<Trial> first = repair.lookAt({found.smooth_paths, found.trajectory, {}, {}});
-    if (!first) return tl::unexpected<Error>(std::move(first.error()));
+    if (!first) return tl::unexpected(std::move(first.error()));
     Trial best = std::move(*first);
     context.threshold = lowThreshold(best.scores, params.score_threshold);
 
@@ -293,7 +293,7 @@ Result<RepairedTrajectory> repairTrajectory(const RepairedTrajectory& found,
             const std::size_t tried = changes.size();
             const Result<Design> changed = repair.apply(design, changes);
             Result<Trial> trial =
-                changed ? repair.carryOut(*changed) : tl::unexpected<Error>(changed.error());
+                changed ? repair.carryOut(*changed) : tl::unexpected(changed.error());
             if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
             if (trial) changes = repair.keepGood(changes, best, *trial);
             const bool loses = !trial || !lostOn(best, *trial).empty();

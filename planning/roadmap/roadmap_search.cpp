@@ -44,16 +44,12 @@ Cost cost(const PositionPoint& near, const PositionPoint& sample, double near_si
 std::vector<int> byPriority(const std::vector<PositionPoint>& points, const std::vector<int>& keys,
                             const std::vector<double>& sizes, int sample,
                             const RoadmapParams& params) {
-    const auto at = [&](int i) -> const PositionPoint& {
-        return points[static_cast<std::size_t>(i)];
-    };
+    const auto at = [&](int i) -> const PositionPoint& { return points[i]; };
     std::vector<std::pair<double, int>> order;
     for (const int other : keys) {
         if (other == sample || at(other).component != at(sample).component) continue;
         if (at(other).room != at(sample).room) continue;
-        order.emplace_back(
-            cost(at(other), at(sample), sizes[static_cast<std::size_t>(other)], params).sum(),
-            other);
+        order.emplace_back(cost(at(other), at(sample), sizes[other], params).sum(), other);
     }
     std::sort(order.begin(), order.end());
     std::vector<int> result;
@@ -87,7 +83,7 @@ std::vector<double> targetSizes(const Scene& scene,
     std::vector<double> sizes;
     for (const PositionPoint& point : position_points) {
         Eigen::AlignedBox3d box;
-        const auto o = static_cast<std::size_t>(point.observation_point);
+        const std::size_t o = point.observation_point;
         for (const int id : observation_points[o].objects) {
             for (const Eigen::Vector3d& corner : scene.object(id).box.corners()) box.extend(corner);
         }
@@ -102,13 +98,13 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
                               const SweptSphere& sphere, const RoadmapParams& params, int seed,
                               const JobContext& job) {
     const auto position = [&](int i) -> const Eigen::Vector3d& {
-        return position_points[static_cast<std::size_t>(i)].pose.position;
+        return position_points[i].pose.position;
     };
     // Samples never need more partners: they reach their limit of edges or refusals before.
     std::vector<std::vector<int>> partners(key_frames.size());
     parallelFor(key_frames.size(), [&](std::size_t i) {
         partners[i] = byPriority(position_points, key_frames, sizes, key_frames[i], params);
-        const auto tried = static_cast<std::size_t>(params.refusal_limit + kEdgesPerSample);
+        const std::size_t tried = params.refusal_limit + kEdgesPerSample;
         if (partners[i].size() > tried) partners[i].resize(tried);
     });
     std::vector<Pair> pairs;
@@ -149,7 +145,7 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
             const auto found =
                 std::lower_bound(pairs.begin(), pairs.end(), wanted,
                                  [&](const Pair& p, const auto& value) { return ends(p) < value; });
-            const auto index = static_cast<std::size_t>(found - pairs.begin());
+            const std::size_t index = found - pairs.begin();
             if (used[index]) {
                 roadmap.steps.add({Step::Skip, key_frames[i], near});
                 continue;
@@ -157,13 +153,9 @@ Result<Roadmap> searchRoadmap(const std::vector<PositionPoint>& position_points,
             used[index] = true;
             const Pair& pair = *found;
             ++(pair.sweep.free ? joined : refusals);
-            const auto point = [&](int p) -> const PositionPoint& {
-                return position_points[static_cast<std::size_t>(p)];
-            };
+            const auto point = [&](int p) -> const PositionPoint& { return position_points[p]; };
             addEdgeSteps(roadmap, key_frames[i], near,
-                         cost(point(near), point(key_frames[i]),
-                              sizes[static_cast<std::size_t>(near)], params),
-                         pair.sweep);
+                         cost(point(near), point(key_frames[i]), sizes[near], params), pair.sweep);
             if (pair.sweep.free) {
                 roadmap.edges.push_back(
                     {pair.a, pair.b, {}, (position(pair.a) - position(pair.b)).norm(), true});
@@ -187,9 +179,9 @@ void findGroups(Roadmap& roadmap, std::size_t position_point_count,
     roadmap.group.assign(position_point_count, -1);
     roadmap.group_count = 0;
     for (const int key : keys) {
-        int& first = roadmap.group[static_cast<std::size_t>(connected.find(key))];
+        int& first = roadmap.group[connected.find(key)];
         if (first < 0) first = roadmap.group_count++;
-        roadmap.group[static_cast<std::size_t>(key)] = first;
+        roadmap.group[key] = first;
     }
 }
 

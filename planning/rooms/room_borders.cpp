@@ -104,7 +104,7 @@ class Borders {
 
 FreeColumns freeColumnsOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
                             const FreeSpace& free_space, const FloorHeights& floors) {
-    const auto columns = static_cast<std::size_t>(grid.count[0] * grid.count[1]);
+    const std::size_t columns = grid.count[0] * grid.count[1];
     FreeColumns free_columns;
     free_columns.fits.assign(columns, 0);
     free_columns.walks.assign(columns, 0);
@@ -135,7 +135,7 @@ FreeColumns freeColumnsOver(const VoxelGrid& grid, const std::vector<int>& part_
     for (std::size_t i = 0; i < columns; ++i) {
         if (part_of_column[i] != kNoPart || free_columns.fits[i] == 0 || nearest[i] == kNoPart)
             continue;
-        const double beside = free_columns.low[static_cast<std::size_t>(nearest[i])];
+        const double beside = free_columns.low[nearest[i]];
         free_columns.walks[i] = free_columns.low[i] - beside <= kWalks_m ? 1 : 0;
     }
     return free_columns;

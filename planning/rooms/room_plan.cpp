@@ -25,11 +25,11 @@ constexpr double kCorridorShape = 2.5;  // length over width
 /// Area over which the camera can move, by part, m2.
 std::vector<double> walkedAreas(const VoxelGrid& plane, const FloorPlan& plan,
                                 const FreeColumns& free_columns) {
-    std::vector<double> area(static_cast<std::size_t>(plan.parts), 0.0);
+    std::vector<double> area(plan.parts, 0.0);
     for (std::size_t i = 0; i < plan.part_of_column.size(); ++i) {
         const int part = plan.part_of_column[i];
         if (part == kNoPart || free_columns.walks[i] == 0) continue;
-        area[static_cast<std::size_t>(part)] += plane.resolution_m * plane.resolution_m;
+        area[part] += plane.resolution_m * plane.resolution_m;
     }
     return area;
 }
@@ -40,7 +40,7 @@ void fillPlan(const VoxelGrid& plane, const FreeColumns& free_columns, FloorPlan
     const std::vector<double> area = walkedAreas(plane, plan, free_columns);
     std::vector<int>& parts = plan.part_of_column;
     for (int& part : parts) {
-        if (part != kNoPart && area[static_cast<std::size_t>(part)] < kLeastRoom_m2) part = kNoPart;
+        if (part != kNoPart && area[part] < kLeastRoom_m2) part = kNoPart;
     }
     spread(plane, parts, [&](std::size_t i) { return free_columns.walks[i] != 0; });
     spread(plane, parts, [](std::size_t) { return true; });
@@ -151,7 +151,7 @@ RoomPlan::RoomPlan(const Scene& scene, const RayCaster& rays, const FreeSpace& f
     fillPlan(plane_, free_columns, plan);
     const std::vector<RoomBorder> borders = joinRooms(plane_, free_columns, drawn, plan);
     const std::vector<int> room_of_part = numberRooms(plane_, free_columns, plan);
-    const auto roomOf = [&](int part) { return room_of_part[static_cast<std::size_t>(part)]; };
+    const auto roomOf = [&](int part) { return room_of_part[part]; };
     takeRooms(free_columns, plan.part_of_column, room_of_part);
     for (const RoomBorder& border : borders) {
         Doorway doorway = doorwayAt(border, plane_, free_columns);
@@ -171,16 +171,16 @@ void RoomPlan::takeRooms(const FreeColumns& free_columns, const std::vector<int>
     std::vector<std::vector<Eigen::Vector2d>> places(rooms_.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i] == kNoPart) continue;
-        room_of_column_[i] = room_of_part[static_cast<std::size_t>(parts[i])];
+        room_of_column_[i] = room_of_part[parts[i]];
         if (free_columns.fits[i] == 0) continue;
-        PlanRoom& room = rooms_[static_cast<std::size_t>(room_of_column_[i])];
+        PlanRoom& room = rooms_[room_of_column_[i]];
         const int column = static_cast<int>(i);
         const Eigen::Vector3d at =
             plane_.centerOf(column % plane_.count[0], column / plane_.count[0], 0);
         room.box.extend(Eigen::Vector3d(at.x(), at.y(), free_columns.low[i]));
         room.box.extend(Eigen::Vector3d(at.x(), at.y(), free_columns.high[i]));
         room.area_m2 += plane_.resolution_m * plane_.resolution_m;
-        places[static_cast<std::size_t>(room_of_column_[i])].emplace_back(at.x(), at.y());
+        places[room_of_column_[i]].emplace_back(at.x(), at.y());
     }
     for (std::size_t i = 0; i < rooms_.size(); ++i) {
         if (!places[i].empty()) judgeShape(rooms_[i], places[i]);

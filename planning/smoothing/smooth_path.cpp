@@ -121,7 +121,7 @@ class Smoother {
 
     [[nodiscard]] bool isFixed(std::size_t i) const {
         const int key = path_.vertices[i].position_point;
-        return key >= 0 && points_[static_cast<std::size_t>(key)].fixed;
+        return key >= 0 && points_[key].fixed;
     }
 
     /// Whether a camera that looks along its motion must stop here: at a sharp corner, or to turn
@@ -133,8 +133,8 @@ class Smoother {
         if (!limit.allows(in, out)) return true;
         const int key = path_.vertices[i].position_point;
         if (key < 0) return false;
-        const int target = points_[static_cast<std::size_t>(key)].observation_point;
-        const Eigen::Vector3d view = targets_[static_cast<std::size_t>(target)].position - at(i);
+        const int target = points_[key].observation_point;
+        const Eigen::Vector3d view = targets_[target].position - at(i);
         return !limit.allows(view, in) || !limit.allows(view, out);
     }
 
@@ -168,8 +168,8 @@ class Smoother {
     [[nodiscard]] bool keepsCaptures(std::size_t i, double set_back, Sampling sampling) const {
         const int key = path_.vertices[i].position_point;
         if (key < 0) return true;
-        const PositionPoint& point = points_[static_cast<std::size_t>(key)];
-        const auto& target = targets_[static_cast<std::size_t>(point.observation_point)];
+        const PositionPoint& point = points_[key];
+        const auto& target = targets_[point.observation_point];
         const Pose pose = aim(curveAt(i, set_back).middle(), target.position, environment_.pitch);
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
             const bool was_well =

@@ -35,7 +35,7 @@ Eigen::Vector3d turned(const Eigen::Vector3d& direction, const ViewpointParams& 
 /// supporter's normal, or the object's front.
 Eigen::Vector3d viewingDirection(const Scene& scene, const std::vector<SupportRelation>& supports,
                                  const std::vector<int>& objects) {
-    const SupportRelation& first = supports[static_cast<std::size_t>(objects.front()) - 1];
+    const SupportRelation& first = supports[objects.front() - 1];
     if (first.kind == TargetKind::Suspension || first.kind == TargetKind::Shelf) {
         return first.outward;
     }
@@ -79,7 +79,7 @@ class Grouping {
 
   private:
     [[nodiscard]] ObservationPoint make(const std::vector<int>& objects) const {
-        const SupportRelation& support = supports_[static_cast<std::size_t>(objects.front()) - 1];
+        const SupportRelation& support = supports_[objects.front() - 1];
         ObservationPoint point;
         point.kind = support.kind;
         point.supporter = support.supporter;
@@ -125,7 +125,7 @@ std::vector<ObservationPoint> setObservationPoints(const ViewEstimator& views,
     std::map<std::tuple<int, TargetKind, int, int, int>, std::vector<int>> groups;
     for (const Object& object : scene.objects) {
         if (object.role != Role::Target) continue;
-        const SupportRelation& support = supports[static_cast<std::size_t>(object.id) - 1];
+        const SupportRelation& support = supports[object.id - 1];
         int side = 0;
         int board = 0;
         if (support.kind == TargetKind::Shelf) {

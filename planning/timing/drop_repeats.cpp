@@ -1,6 +1,6 @@
 #include "planning/timing/drop_repeats.h"
 
-#include "planning/metrics/shown_surface.h"
+#include "planning/visibility/shown_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ Result<Trajectory> addFrames(Trajectory thinned, int low, int high, const TimeWi
         Result<Trajectory> more = time_within(between);
         if (!more) return more;
         const Result<bool> allowed = repeats_little(*more);
-        if (!allowed) return tl::unexpected<Error>(allowed.error());
+        if (!allowed) return tl::unexpected(allowed.error());
         (*allowed ? low : high) = between;
         if (*allowed) thinned = std::move(*more);
     }
@@ -77,7 +77,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     const int least = keyFrames(trajectory);
     if (max_repeat_rate >= 1.0 || least == 0) return trajectory;
     const auto coarse = samplers.coarse.sample(trajectory, job);
-    if (!coarse) return tl::unexpected<Error>(coarse.error());
+    if (!coarse) return tl::unexpected(coarse.error());
     const std::vector<std::size_t> keys = keysOf(trajectory);
     const auto isFew = [&](double share, double rate) {
         const auto frames = atLowerRate(keys, share);
@@ -98,7 +98,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     };
     const auto rateOf = [&](const Trajectory& sampled) -> Result<double> {
         const auto shown = samplers.fine.sample(sampled, job);
-        if (!shown) return tl::unexpected<Error>(shown.error());
+        if (!shown) return tl::unexpected(shown.error());
         return shown->repeats() / static_cast<double>(shown->frames());
     };
     const double limit = kBelow * max_repeat_rate;
@@ -109,7 +109,7 @@ Result<Trajectory> dropRepeats(Trajectory trajectory, double max_repeat_rate,
     Result<Trajectory> thinned = time_within(low);
     for (int trial = 0; trial < kMostReductions && thinned && low > least; ++trial) {
         const Result<double> found = rateOf(*thinned);
-        if (!found) return tl::unexpected<Error>(found.error());
+        if (!found) return tl::unexpected(found.error());
         if (*found <= limit) break;
         high = low;
         // Correct the target by the ratio found.

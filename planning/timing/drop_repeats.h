@@ -3,7 +3,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "planning/metrics/shown_surface.h"
+#include "planning/visibility/shown_surface.h"
 
 #include <functional>
 

@@ -25,7 +25,7 @@ class KeyViews {
 
   private:
     [[nodiscard]] const PositionPoint& point(const SmoothPath::Key& key) const {
-        return points_[static_cast<std::size_t>(key.position_point)];
+        return points_[key.position_point];
     }
 
     const std::vector<PositionPoint>& points_;

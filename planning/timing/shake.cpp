@@ -134,7 +134,7 @@ class Shaker {
 
     /// Whether the move to this frame is collision-free.
     [[nodiscard]] bool isFree(std::size_t i) const {
-        const auto path = static_cast<std::size_t>(steady_[i].path);
+        const std::size_t path = steady_[i].path;
         const auto move = moveBetween(paths_[path], movedFrame(i - 1), movedFrame(i));
         return std::ranges::all_of(move, [&](const SmoothPath::Piece& piece) {
             return sphere_.bezier(piece.start, piece.control, piece.end).free;
@@ -144,7 +144,7 @@ class Shaker {
     [[nodiscard]] bool keepsCaptures(std::size_t i, const Pose& pose) const {
         const int key = steady_[i].position_point;
         if (key < 0) return true;
-        const PositionPoint& point = points_[static_cast<std::size_t>(key)];
+        const PositionPoint& point = points_[key];
         if (point.fixed) return false;
         return std::all_of(point.captured.begin(), point.captured.end(), [&](int id) {
             const auto estimate = views_.estimate(pose, id, kSwayGrid);

@@ -229,8 +229,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
     }
     Trajectory trajectory;
     const double interval_s = 1.0 / params.frame_rate;
-    const auto most_frames =
-        static_cast<std::size_t>(keepsFrameRate(params) ? clipFrames(params) : params.max_frames);
+    const std::size_t most_frames = keepsFrameRate(params) ? clipFrames(params) : params.max_frames;
     const bool whole_clip = params.duration_s > 0.0;
     // Frame interval with motion at its limits; in a clip of given duration the motion is slower.
     const double settled_s = whole_clip ? settleInto(motions, interval_s, most_frames)

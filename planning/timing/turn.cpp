@@ -116,7 +116,7 @@ void Turn::measure() {
 /// step to step.
 double Turn::shareAt(double turned) const {
     const auto above = std::upper_bound(turned_.begin() + 1, turned_.end() - 1, turned);
-    const auto i = static_cast<std::size_t>(above - turned_.begin());
+    const std::size_t i = above - turned_.begin();
     const double width = turned_[i] - turned_[i - 1];
     constexpr double kStep = 1.0 / kSteps;
     const auto begin = static_cast<double>(i - 1) * kStep;

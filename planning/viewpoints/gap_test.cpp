@@ -45,7 +45,7 @@ bool isInGap(const SweptSphere& sphere, const ViewEstimator& views, const Eigen:
     static const std::vector<Eigen::Vector3d> directions = directionsOnSphere(kGapDirections);
     int found = 0;
     for (int i = 0; i < kGapLines; ++i) {
-        found += endsBetween(views, place, directions[static_cast<std::size_t>(i)], reach) ? 1 : 0;
+        found += endsBetween(views, place, directions[i], reach) ? 1 : 0;
         if (found >= kGapLinesNeeded) return true;
         if (found + kGapLines - i - 1 < kGapLinesNeeded) return false;
     }

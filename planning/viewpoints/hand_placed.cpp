@@ -137,8 +137,7 @@ class HandPlacing {
         Viewpoints& points = placed_.viewpoints;
         findCaptured(environment_.views, points.position_points, memo);
         for (const PositionPoint& point : points.position_points) {
-            auto& target =
-                points.observation_points[static_cast<std::size_t>(point.observation_point)];
+            auto& target = points.observation_points[point.observation_point];
             if (point.pin >= 0 && target.objects.empty()) target.objects = point.captured;
         }
         return std::move(placed_);
@@ -173,8 +172,7 @@ class HandPlacing {
             [&](const auto& removed) { return idsOf(removed.objects, scene_) == objects; });
         if (search.removed || searched < 0) return;
         search.position_point = static_cast<int>(points.position_points.size());
-        points.position_points.push_back(
-            found_.position_points[static_cast<std::size_t>(searched)]);
+        points.position_points.push_back(found_.position_points[searched]);
     }
 
     /// Adds a position point at a pin, for an existing observation point.
@@ -183,7 +181,7 @@ class HandPlacing {
         const ObservationPoint& target = points.observation_points[target_index];
         PositionPoint point;
         point.observation_point = static_cast<int>(target_index);
-        point.pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
+        point.pose = edits_.pinned[pin].pose;
         point.component = environment_.free_space.componentAt(point.pose.position);
         point.pin = pin;
         point.fixed = true;
@@ -221,9 +219,9 @@ class HandPlacing {
 
     /// Adds an observation point for a pin that matches none, and its position point.
     void addPin(int pin) {
-        const Pose& pose = edits_.pinned[static_cast<std::size_t>(pin)].pose;
+        const Pose& pose = edits_.pinned[pin].pose;
         ObservationPoint target;
-        for (const int id : pins_[static_cast<std::size_t>(pin)].objects) {
+        for (const int id : pins_[pin].objects) {
             if (scene_.object(id).role == Role::Target) target.objects.push_back(id);
         }
         if (target.objects.empty()) {

@@ -126,9 +126,7 @@ std::vector<int> chooseKeyFrames(const std::vector<PositionPoint>& position_poin
         well_missing.insert(point.well_captured.begin(), point.well_captured.end());
         missing.insert(point.captured.begin(), point.captured.end());
     }
-    const auto weightOf = [&](int id) {
-        return weights.empty() ? 1.0 : weights[static_cast<std::size_t>(id) - 1];
-    };
+    const auto weightOf = [&](int id) { return weights.empty() ? 1.0 : weights[id - 1]; };
     std::vector<int> chosen;
     const auto choose = [&](std::size_t i) {
         chosen.push_back(static_cast<int>(i));

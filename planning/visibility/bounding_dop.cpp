@@ -35,10 +35,10 @@ BoundingDop::BoundingDop(const Scene& scene, const Object& object) {
         Eigen::AngleAxisf(static_cast<float>(object.box.yaw), Eigen::Vector3f::UnitZ())
             .toRotationMatrix();
     for (int k = 0; k < kSlabs; ++k) {
-        const auto& n = kNormals[static_cast<std::size_t>(k)];
+        const auto& n = kNormals[k];
         const Eigen::Vector3f normal = turn * Eigen::Vector3f(n[0], n[1], n[2]).normalized();
         for (int axis = 0; axis < 3; ++axis) {
-            normals_[static_cast<std::size_t>(axis)][k] = normal[axis];
+            normals_[axis][k] = normal[axis];
         }
     }
     low_.head<kSlabs>().setConstant(std::numeric_limits<float>::infinity());

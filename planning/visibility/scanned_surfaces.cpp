@@ -16,7 +16,7 @@ constexpr double kFacesInwards = 0.1;  // mean cosine between normals and the di
                                        // centre
 
 bool isUnseenFloor(const Object& object) {
-    return object.name == io::kUnseenFloor;
+    return object.name == kUnseenFloor;
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ class ScannedSurfaces {
     [[nodiscard]] bool isScan() const { return is_scan_; }
 
     enum class HitSide { Nothing, Front, Back };
-    /// Side of the surface that a ray with this direction hit. The floor added under a point cloud
-    /// counts as Nothing. If the triangles do not mostly face the room's centre, their orientation
-    /// is unreliable and every hit counts as Front.
+    /// Side of the surface that a ray with this direction hit. Nothing: no hit, or a hit on the
+    /// floor that was added under a point cloud. If the triangles do not mostly face the room's
+    /// centre, their orientation is unreliable and every hit counts as Front.
     [[nodiscard]] HitSide hitSide(const RayHit& hit, const Eigen::Vector3d& direction) const;
 
   private:

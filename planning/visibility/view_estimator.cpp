@@ -222,8 +222,7 @@ ViewEstimator::Estimate ViewEstimator::estimate(const Pose& pose, int object_id,
     if (!area) return {};
     if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
     const double cell = cellFor(*area, grid);
-    const BoundingDop::FromOrigin bounds(bounds_[static_cast<std::size_t>(object_id) - 1],
-                                         pose.position);
+    const BoundingDop::FromOrigin bounds(bounds_[object_id - 1], pose.position);
     return trace(pose, object_id, cell, aimRays(pose, *area, cell, bounds));
 }
 
@@ -235,8 +234,7 @@ ViewEstimator::Estimate ViewEstimator::estimateClosely(const Pose& pose, int obj
     const auto area = extent(pose, object_id);
     if (!area) return {};
     if (!imageOf(intrinsics_).intersects(*area)) return outsideImage();
-    const BoundingDop::FromOrigin bounds(bounds_[static_cast<std::size_t>(object_id) - 1],
-                                         pose.position);
+    const BoundingDop::FromOrigin bounds(bounds_[object_id - 1], pose.position);
     const auto aim = [&](double sides) -> Scratch& {
         return aimRays(pose, *area, cellFor(*area, sides), bounds);
     };

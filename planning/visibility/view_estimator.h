@@ -49,8 +49,8 @@ class ViewEstimator {
         return estimate(pose, object_id, kExactGrid);
     }
 
-    /// As estimate(), with a denser grid if fewer than about `least_rays` rays hit the silhouette,
-    /// as for a thin object seen obliquely.
+    /// The same as estimate(), but repeated with a denser grid if fewer than about `least_rays`
+    /// rays hit the silhouette, as for a thin object seen obliquely.
     [[nodiscard]] Estimate estimateClosely(const Pose& pose, int object_id, int grid,
                                            int least_rays = 200) const;
 
@@ -65,7 +65,7 @@ class ViewEstimator {
     /// Up to 26 extreme points of a target, world, m; their convex hull is close to the object's.
     /// Empty for other objects.
     [[nodiscard]] const std::vector<Eigen::Vector3d>& extremes(int object_id) const {
-        return extremes_[static_cast<std::size_t>(object_id) - 1];
+        return extremes_[object_id - 1];
     }
 
     /// Whether the point lies in the image and beyond the near plane, hidden or not.

@@ -1,10 +1,10 @@
 #include "render/amodal/amodal_masks.h"
 
-#include "render/draw/view_uniforms.h"
-#include "render/frames/projected_box.h"
+#include "render/draw/passes/view_uniforms.h"
 #include "render/gl/context.h"
 #include "render/gl/image.h"
 #include "render/gl/shader.h"
+#include "render/view/projected_box.h"
 
 #include <GL/glew.h>
 
@@ -95,7 +95,7 @@ Result<std::vector<RenderedAmodalMask>> AmodalMaskRenderer::draw(const GpuScene&
             // A viewport clips triangles but not lines and points; the scissor does.
             glScissor(mask.x, mask.y, mask.rect.width(), mask.rect.height());
             setCamera(program_.get(), cutOut(view, mask.rect));
-            const Piece& piece = scene.whole_objects[static_cast<std::size_t>(mask.object_id) - 1];
+            const Piece& piece = scene.whole_objects[mask.object_id - 1];
             glDrawElements(
                 GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_INT,
                 reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets

@@ -1,6 +1,6 @@
 #include "render/amodal/silhouette_counter.h"
 
-#include "render/draw/view_uniforms.h"
+#include "render/draw/passes/view_uniforms.h"
 #include "render/gl/context.h"
 #include "render/gl/image.h"
 #include "render/gl/shader.h"
@@ -133,7 +133,7 @@ int SilhouetteCounter::count(const View& part, const Piece& piece, Canvas& canva
     if (query == static_cast<int>(queries_.size())) {
         queries_.push_back(gl::createQuery(GL_SAMPLES_PASSED));
     }
-    glBeginQuery(GL_SAMPLES_PASSED, queries_[static_cast<std::size_t>(query)].get());
+    glBeginQuery(GL_SAMPLES_PASSED, queries_[query].get());
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets
                        static_cast<std::uintptr_t>(piece.first_index) * sizeof(std::uint32_t)));
@@ -145,7 +145,7 @@ int SilhouetteCounter::count(const View& part, const Piece& piece, Canvas& canva
 std::uint64_t SilhouetteCounter::resultOf(int query) const {
     GLuint64 count = 0;
     if (query < 0) return count;
-    glGetQueryObjectui64v(queries_[static_cast<std::size_t>(query)].get(), GL_QUERY_RESULT, &count);
+    glGetQueryObjectui64v(queries_[query].get(), GL_QUERY_RESULT, &count);
     return count;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/draw/gpu_scene.h"
-#include "render/draw/view.h"
-#include "render/frames/projected_box.h"
+#include "render/draw/passes/gpu_scene.h"
 #include "render/gl/handle.h"
+#include "render/view/projected_box.h"
+#include "render/view/view.h"
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #include "render/dataset/contact_sheet.h"
 
 #include "engine/jobs/parallel.h"
-#include "render/dataset/shown_picture.h"
+#include "render/pictures/shown_picture.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -40,7 +40,7 @@ std::vector<int> chooseSheetFrames(const std::vector<bool>& is_key) {
     return chosen;
 }
 
-Result<std::vector<std::uint8_t>> encodeContactSheet(const io::GuardedFolder& folder,
+Result<std::vector<std::uint8_t>> encodeContactSheet(const GuardedFolder& folder,
                                                      const std::vector<SheetPicture>& pictures,
                                                      const Modality& modality,
                                                      const ClassTable& classes,

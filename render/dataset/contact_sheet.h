@@ -3,7 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/scene/class_table.h"
-#include "render/dataset/modalities.h"
+#include "render/dataset/contents/modality.h"
 
 #include <cstdint>
 #include <string>
@@ -24,7 +24,7 @@ struct SheetPicture {
 /// Encodes a JPEG page of thumbnails of one modality. Depth becomes grey (near is bright), ids and
 /// classes become colours. Returns BadInput if a file is missing or damaged.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeContactSheet(
-    const io::GuardedFolder& folder, const std::vector<SheetPicture>& pictures,
+    const GuardedFolder& folder, const std::vector<SheetPicture>& pictures,
     const Modality& modality, const ClassTable& classes, const std::string& title);
 
 }  // namespace dollytrack::render

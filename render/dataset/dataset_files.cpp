@@ -2,7 +2,7 @@
 
 #include "engine/io/files/sha256.h"
 #include "render/dataset/contact_sheet.h"
-#include "render/formats/media/picture_links.h"
+#include "render/formats/picture_links.h"
 #include "render/formats/tables/fold_files.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-Result<std::vector<std::uint8_t>> contactSheet(const io::GuardedFolder& folder,
+Result<std::vector<std::uint8_t>> contactSheet(const GuardedFolder& folder,
                                                const DatasetContents& contents,
                                                const std::string& title) {
     std::vector<bool> is_key;
@@ -27,7 +27,7 @@ Result<std::vector<std::uint8_t>> contactSheet(const io::GuardedFolder& folder,
     }
     std::vector<SheetPicture> pictures;
     for (const int index : chooseSheetFrames(is_key)) {
-        const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
+        const DatasetFrame& frame = contents.frames[index];
         // printf() would use the locale's decimal separator.
         pictures.push_back(
             {contents.pictureFile(index),
@@ -39,11 +39,11 @@ Result<std::vector<std::uint8_t>> contactSheet(const io::GuardedFolder& folder,
 
 }  // namespace
 
-Status writeDatasetFiles(const io::GuardedFolder& folder, const DatasetContents& contents,
+Status writeDatasetFiles(const GuardedFolder& folder, const DatasetContents& contents,
                          DatasetCard card, const std::string& title) {
     const auto put = [&](const std::string& name, std::span<const std::uint8_t> bytes) -> Status {
-        card.sha256s[name] = io::sha256Of(bytes);
-        return folder.write(name, bytes, io::Durability::Renamed);
+        card.sha256s[name] = sha256Of(bytes);
+        return folder.write(name, bytes, Durability::Renamed);
     };
     for (const Format* format : card.formats) {
         if (!format->write) continue;

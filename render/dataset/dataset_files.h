@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
-#include "render/dataset/dataset_contents.h"
+#include "render/dataset/contents/dataset_contents.h"
 #include "render/formats/tables/dataset_card.h"
 
 #include <string>
@@ -12,8 +12,7 @@ namespace dollytrack::render {
 /// Writes the dataset's files besides its images: the formats' files, the contact sheet with this
 /// title and, after all others are synced to disk, dataset.json. `card` must contain the images'
 /// hashes.
-[[nodiscard]] Status writeDatasetFiles(const io::GuardedFolder& folder,
-                                       const DatasetContents& contents, DatasetCard card,
-                                       const std::string& title);
+[[nodiscard]] Status writeDatasetFiles(const GuardedFolder& folder, const DatasetContents& contents,
+                                       DatasetCard card, const std::string& title);
 
 }  // namespace dollytrack::render

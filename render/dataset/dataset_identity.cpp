@@ -2,7 +2,7 @@
 
 #include "engine/io/files/sha256.h"
 #include "engine/io/settings/class_table_file.h"
-#include "render/dataset/exact_text.h"
+#include "render/scene/exact_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +18,7 @@ std::string sceneText(const Scene& scene, const DatasetCard& card) {
     for (int column = 0; column < 4; ++column) {
         result += exactText(scene.source_from_world.matrix().col(column));
     }
-    if (!scene.classes().isNyu40()) result += io::classTableToJson(scene.classes()).dump();
+    if (!scene.classes().isNyu40()) result += classTableToJson(scene.classes()).dump();
     for (const Object& object : scene.objects) {
         result += fmt::format("\n{} {} {} {}", object.id, static_cast<int>(object.role),
                               object.first_triangle, object.triangle_count) +
@@ -77,7 +77,7 @@ std::string lightText(LightParams params) {
 DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& settings,
                            const DatasetOrigin& origin) {
     const DatasetContents& contents = order.contents;
-    const auto hash = [](const std::string& of) { return io::sha256Of(std::string_view(of)); };
+    const auto hash = [](const std::string& of) { return sha256Of(std::string_view(of)); };
     const CameraParams& camera = contents.camera;
     const CaptureRules& rules = settings.rules;
     return {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/dataset/dataset_journal.h"
 #include "render/dataset/dataset_order.h"
+#include "render/dataset/folder/dataset_journal.h"
 
 namespace dollytrack::render {
 

@@ -6,8 +6,10 @@
 #include "render/dataset/dataset_resume.h"
 #include "render/dataset/frame_drawing.h"
 #include "render/dataset/size_estimate.h"
-#include "render/frames/frame_ledger.h"
-#include "render/frames/frame_writer.h"
+#include "render/encoders/modalities.h"
+#include "render/formats/formats.h"
+#include "render/pipeline/frame_ledger.h"
+#include "render/pipeline/frame_writer.h"
 #include "render/rig/rig_files.h"
 
 #include <array>
@@ -92,7 +94,7 @@ Result<DatasetSummary> DatasetJob::Impl::finish() {
     card.captures = summary.captures;
     for (int i = 0; i < frameCount(); ++i) {
         JournalEntry entry = ledger->take(i);
-        DatasetFrame& row = contents.frames[static_cast<std::size_t>(i)];
+        DatasetFrame& row = contents.frames[i];
         row.well_shown = std::move(entry.well_shown);
         row.quality = entry.quality;
         if (row.quality) card.pictures.add(i, *row.quality);
@@ -237,7 +239,7 @@ Result<DatasetSummary> exportDataset(std::unique_ptr<gl::Context> context, const
         } else if (!dataset->folderIsThere()) {
             error.message += "; the folder and its finished frames were removed meanwhile";
         }
-        return tl::unexpected<Error>(std::move(error));
+        return tl::unexpected(std::move(error));
     };
     while (true) {
         frames.reportItems(dataset->framesDone(), dataset->frameCount());

@@ -12,11 +12,11 @@
 #include "engine/plan/image_score.h"
 #include "engine/scene/light_params.h"
 #include "engine/scene/scene.h"
-#include "render/dataset/frame_folds.h"
+#include "render/dataset/contents/frame_folds.h"
 #include "render/dataset/frame_range.h"
-#include "render/dataset/picture_quality.h"
-#include "render/frames/object_motion.h"
 #include "render/gl/context.h"
+#include "render/pictures/picture_quality.h"
+#include "render/scene/object_motion.h"
 
 #include <Eigen/Geometry>
 

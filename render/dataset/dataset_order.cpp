@@ -1,8 +1,10 @@
 #include "render/dataset/dataset_order.h"
 
 #include "engine/io/files/bounded_json.h"
-#include "render/dataset/motion_hash.h"
-#include "render/dataset/scene_hash.h"
+#include "render/encoders/modalities.h"
+#include "render/formats/formats.h"
+#include "render/scene/motion_hash.h"
+#include "render/scene/scene_hash.h"
 #include "render/sensors/sensor_lens.h"
 
 #include <fmt/format.h>
@@ -14,7 +16,7 @@ namespace dollytrack::render {
 namespace {
 
 Result<nlohmann::json> parseJson(const std::string& text, const char* what) {
-    Result<nlohmann::json> value = io::parseBoundedJson(text, what);
+    Result<nlohmann::json> value = parseBoundedJson(text, what);
     if (!value) {
         return fail(ErrorCode::Failed,
                     std::string(what) + " passed to the export are not valid JSON");
@@ -26,7 +28,7 @@ std::vector<DatasetFrame> plannedFrames(const Trajectory& trajectory, const Fram
     std::vector<DatasetFrame> frames;
     for (const int source : framesOf(range, static_cast<int>(trajectory.frames.size()))) {
         DatasetFrame frame;
-        frame.camera = trajectory.frames[static_cast<std::size_t>(source)];
+        frame.camera = trajectory.frames[source];
         frame.source_frame = source;
         frame.room = "room " + std::to_string(std::max(frame.camera.component, 0) + 1);
         frames.push_back(std::move(frame));
@@ -41,7 +43,7 @@ std::vector<ObjectMotion> motionsOf(const std::vector<DatasetFrame>& frames,
     for (const ObjectMotion& motion : planned) {
         ObjectMotion& kept = motions.emplace_back(ObjectMotion{motion.object_id, {}});
         for (const DatasetFrame& frame : frames) {
-            kept.by_frame.push_back(motion.by_frame[static_cast<std::size_t>(frame.source_frame)]);
+            kept.by_frame.push_back(motion.by_frame[frame.source_frame]);
         }
     }
     return motions;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
+#include "render/dataset/contents/dataset_contents.h"
 #include "render/dataset/dataset_job.h"
 #include "render/formats/tables/dataset_card.h"
 

@@ -19,9 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool isWhole(const io::GuardedFolder& folder, const std::string& file, const std::string& sha256) {
+bool isWhole(const GuardedFolder& folder, const std::string& file, const std::string& sha256) {
     const auto bytes = folder.read(file);
-    return bytes && io::sha256Of(std::span<const std::uint8_t>(*bytes)) == sha256;
+    return bytes && sha256Of(std::span<const std::uint8_t>(*bytes)) == sha256;
 }
 
 /// Calls check(i) for all i in parallel, in portions; reports progress and checks for cancellation
@@ -37,7 +37,7 @@ void checkAll(std::size_t count, const JobContext& job, const Check& check) {
 }
 
 Json readCard(const DatasetFolder& folder) {
-    return io::readBoundedJson<Json>(folder.folder(), kCardFile).value_or(Json());
+    return readBoundedJson<Json>(folder.folder(), kCardFile).value_or(Json());
 }
 
 tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,
@@ -101,7 +101,7 @@ Result<RecordedResults> checkComplete(const DatasetFolder& folder, const Dataset
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
         const auto first = std::find(whole.begin(), whole.end(), 0);
         if (first != whole.end()) {
-            return damaged(folder, files[static_cast<std::size_t>(first - whole.begin())].first,
+            return damaged(folder, files[first - whole.begin()].first,
                            static_cast<std::size_t>(std::count(whole.begin(), whole.end(), 0)));
         }
         const Json& metrics = found.at("metrics");

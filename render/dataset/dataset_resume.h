@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/jobs/job.h"
-#include "render/dataset/dataset_folder.h"
-#include "render/dataset/dataset_journal.h"
 #include "render/dataset/dataset_order.h"
+#include "render/dataset/folder/dataset_folder.h"
+#include "render/dataset/folder/dataset_journal.h"
 
 #include <map>
 #include <optional>

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "render/dataset/contents/frame_context.h"
 #include "render/dataset/dataset_job.h"
 #include "render/dataset/dataset_order.h"
-#include "render/frames/frame_context.h"
-#include "render/frames/frame_pipeline.h"
-#include "render/frames/moving_objects.h"
-#include "render/sensors/object_paths.h"
+#include "render/pipeline/frame_pipeline.h"
+#include "render/scene/moving_objects.h"
+#include "render/scene/object_paths.h"
 #include "render/sensors/sensor_lens.h"
 
 #include <map>

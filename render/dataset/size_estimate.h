@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
-#include "render/dataset/modalities.h"
-#include "render/formats/formats.h"
+#include "render/dataset/contents/dataset_contents.h"
+#include "render/dataset/contents/format.h"
+#include "render/dataset/contents/modality.h"
 
 #include <cstddef>
 #include <cstdint>

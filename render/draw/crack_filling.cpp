@@ -43,7 +43,7 @@ Neighbours neighboursOf(std::size_t pixel, const Intrinsics& image,
 /// The ray through the pixel's centre, shifted by an offset.
 ViewRay rayThrough(const View& view, std::size_t pixel, double right_px = 0.0,
                    double down_px = 0.0) {
-    const auto width = static_cast<std::size_t>(view.intrinsics.width);
+    const std::size_t width = view.intrinsics.width;
     return view.rayThrough(static_cast<double>(pixel % width) + 0.5 + right_px,
                            static_cast<double>(pixel / width) + 0.5 + down_px);
 }
@@ -148,10 +148,10 @@ std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16
     return cracks;
 }
 
-void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
-                FrameRecord& record) {
+void fillCracks(std::span<const CrackPixel> cracks, const Scene& scene, const MovingObjects& moving,
+                const View& view, FrameRecord& record) {
     if (cracks.empty()) return;
-    const std::vector<Eigen::Isometry3d> to_rest = context.moving.toRest(record.index);
+    const std::vector<Eigen::Isometry3d> to_rest = moving.toRest(record.index);
     for (const CrackPixel& crack : cracks) {
         record.instance[crack.pixel] = crack.object_id;
         if (!record.depth_m.empty()) {
@@ -163,11 +163,10 @@ void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context,
         if (record.normals_in_world.empty()) continue;
         Eigen::Vector3f& normal = record.normals_in_world[crack.pixel];
         const ViewRay ray = rayThrough(view, crack.pixel);
-        normal = crack.object_id == 0
-                     ? Eigen::Vector3f(Eigen::Vector3f::Zero())
-                     : Eigen::Vector3f(shadingNormal(context.contents.scene, to_rest, crack.hit,
-                                                     ray.origin, ray.direction)
-                                           .cast<float>());
+        normal = crack.object_id == 0 ? Eigen::Vector3f(Eigen::Vector3f::Zero())
+                                      : Eigen::Vector3f(shadingNormal(scene, to_rest, crack.hit,
+                                                                      ray.origin, ray.direction)
+                                                            .cast<float>());
     }
 }
 
@@ -175,12 +174,12 @@ void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8
     for (const CrackPixel& crack : cracks) copyColour(rgb, crack);
 }
 
-void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record) {
+void fillRightCracks(const MovingObjects& moving, const View& right, FrameRecord& record) {
     std::vector<std::uint16_t> shown(record.depth_right_m.size());
     std::transform(record.depth_right_m.begin(), record.depth_right_m.end(), shown.begin(),
                    [](float depth) { return std::uint16_t{depth != 0.0F}; });
     for (const CrackPixel& crack :
-         findCracks(right, shown, record.depth_right_m, *context.moving.raysAt(record.index))) {
+         findCracks(right, shown, record.depth_right_m, *moving.raysAt(record.index))) {
         record.depth_right_m[crack.pixel] = depthOf(crack);
         if (!crack.drawn) copyColour(record.rgb_right, crack);
     }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/geometry/ray_caster.h"
-#include "render/draw/view.h"
-#include "render/frames/frame_context.h"
 #include "render/frames/frame_record.h"
+#include "render/scene/moving_objects.h"
+#include "render/view/view.h"
 
 #include <cstdint>
 #include <span>
@@ -37,14 +37,14 @@ struct CrackPixel {
                                                  const RayCaster& rays);
 
 /// Writes the ray-cast results into every image of the left camera that the record holds.
-void fillCracks(std::span<const CrackPixel> cracks, const FrameContext& context, const View& view,
-                FrameRecord& record);
+void fillCracks(std::span<const CrackPixel> cracks, const Scene& scene, const MovingObjects& moving,
+                const View& view, FrameRecord& record);
 
 /// Fills only the colours of an image, 3 bytes per pixel.
 void fillCrackColours(std::span<const CrackPixel> cracks, std::vector<std::uint8_t>& rgb);
 
 /// Finds and fills crack pixels in the right camera's depth and colour. The right camera has no
 /// labels; `record.depth_right_m` must hold the depth as drawn, with its marks.
-void fillRightCracks(const FrameContext& context, const View& right, FrameRecord& record);
+void fillRightCracks(const MovingObjects& moving, const View& right, FrameRecord& record);
 
 }  // namespace dollytrack::render

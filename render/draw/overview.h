@@ -3,9 +3,9 @@
 #include "engine/core/result.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
-#include "render/draw/view.h"
 #include "render/gl/context.h"
 #include "render/overlays/overlay.h"
+#include "render/view/view.h"
 
 #include <Eigen/Geometry>
 

@@ -1,12 +1,12 @@
 #include "render/draw/scene_renderer.h"
 
 #include "render/amodal/silhouette_counter.h"
-#include "render/draw/gpu_scene.h"
-#include "render/draw/light_pass.h"
-#include "render/draw/multisample_buffer.h"
-#include "render/draw/occlusion_culling.h"
-#include "render/draw/surface_pass.h"
-#include "render/draw/view_uniforms.h"
+#include "render/draw/passes/gpu_scene.h"
+#include "render/draw/passes/light_pass.h"
+#include "render/draw/passes/multisample_buffer.h"
+#include "render/draw/passes/occlusion_culling.h"
+#include "render/draw/passes/surface_pass.h"
+#include "render/draw/passes/view_uniforms.h"
 #include "render/gl/context.h"
 #include "render/light/traced_reflections.h"
 

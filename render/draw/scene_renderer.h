@@ -3,12 +3,12 @@
 #include "engine/core/result.h"
 #include "engine/scene/scene.h"
 #include "render/amodal/amodal_masks.h"
-#include "render/draw/gpu_scene.h"
-#include "render/draw/render_target.h"
-#include "render/draw/surface_target.h"
-#include "render/draw/view.h"
-#include "render/light/light_sum.h"
+#include "render/draw/passes/gpu_scene.h"
+#include "render/draw/passes/light_sum.h"
+#include "render/draw/passes/render_target.h"
+#include "render/draw/passes/surface_target.h"
 #include "render/light/light_volume.h"
+#include "render/view/view.h"
 
 #include <cstdint>
 #include <memory>

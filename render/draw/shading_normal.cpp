@@ -8,7 +8,7 @@ Eigen::Vector3d shadingNormal(const Scene& scene, const std::vector<Eigen::Isome
                               const RayHit& hit, const Eigen::Vector3d& origin,
                               const Eigen::Vector3d& direction) {
     Eigen::Isometry3d rest_from_now = Eigen::Isometry3d::Identity();
-    if (!to_rest.empty()) rest_from_now = to_rest[static_cast<std::size_t>(hit.object_id)];
+    if (!to_rest.empty()) rest_from_now = to_rest[hit.object_id];
     const Eigen::Vector3d point = rest_from_now * (origin + hit.distance * direction);
     const Eigen::Vector3d along = (rest_from_now.linear() * direction).normalized();
 

@@ -33,8 +33,7 @@ std::vector<bool> hidesRooms(const Scene& scene) {
     for (const Object& object : scene.objects) {
         if (!object.structure) continue;
         const double across = 2.0 * object.box.half_size.head<2>().norm();
-        hidden[static_cast<std::size_t>(object.id)] =
-            object.nyu40 == kNyuCeiling || across > 1.5 * building;
+        hidden[object.id] = object.nyu40 == kNyuCeiling || across > 1.5 * building;
     }
     return hidden;
 }
@@ -91,7 +90,7 @@ std::vector<bool> hiddenFor(const Scene& scene, const StoreyView& storey) {
     std::vector<bool> hidden = hidesRooms(scene);
     for (const Object& object : scene.objects) {
         if (object.box.center.z() - object.box.half_size.z() < storey.left_away_from) continue;
-        hidden[static_cast<std::size_t>(object.id)] = true;
+        hidden[object.id] = true;
     }
     return hidden;
 }
@@ -122,7 +121,7 @@ StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z, dou
 }
 
 bool isCutAway(const View& view, const Scene& scene, int object_id, const Eigen::Vector3d& at) {
-    const auto index = static_cast<std::size_t>(object_id);
+    const std::size_t index = object_id;
     if (index < view.hidden.size() && view.hidden[index]) return true;
     if (!view.structure_cut || !scene.object(object_id).structure) return false;
     const StructureCut& cut = *view.structure_cut;

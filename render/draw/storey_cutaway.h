@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene/scene.h"
-#include "render/draw/view.h"
+#include "render/view/view.h"
 
 #include <Eigen/Geometry>
 

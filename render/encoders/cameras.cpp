@@ -1,7 +1,6 @@
 #include "engine/io/files/png_writer.h"
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
-#include "render/formats/tables/rig_card.h"
 #include "render/rig/rig_files.h"
 #include "render/rig/rig_labels.h"
 
@@ -10,8 +9,6 @@
 
 namespace dollytrack::render {
 namespace {
-
-using io::PngFormat;
 
 std::vector<std::uint16_t> normalSteps(const std::vector<Eigen::Vector3f>& normals) {
     std::vector<std::uint16_t> image(3 * normals.size(), 0);
@@ -34,8 +31,8 @@ FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame) 
         const auto add = [&](const char* image, PngFormat format,
                              std::span<const std::uint8_t> bytes) -> Status {
             Result<std::vector<std::uint8_t>> png =
-                io::encodePng(camera.width_px, camera.height_px, format, bytes);
-            if (!png) return tl::unexpected<Error>(std::move(png.error()));
+                encodePng(camera.width_px, camera.height_px, format, bytes);
+            if (!png) return tl::unexpected(std::move(png.error()));
             files.push_back(
                 {frameFile(rigFolder(camera.name, image), frame.index), std::move(*png)});
             return {};
@@ -55,7 +52,7 @@ FrameFiles encodeCameras(const FrameContext& context, const FrameRecord& frame) 
             const auto normals = normalSteps(seen.normals_in_world);
             status = add("normal_world", PngFormat::Rgb16, bytesOf(normals));
         }
-        if (!status) return tl::unexpected<Error>(status.error());
+        if (!status) return tl::unexpected(status.error());
     }
     return files;
 }

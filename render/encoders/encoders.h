@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/frames/frame_context.h"
+#include "render/dataset/contents/frame_context.h"
 #include "render/frames/frame_file.h"
 #include "render/frames/frame_record.h"
 

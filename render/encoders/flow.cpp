@@ -36,9 +36,8 @@ FrameFiles encodeFlow(const FrameContext& context, const FrameRecord& frame, con
         const MotionField field = motionField(context, frame, other);
         files.push_back({pairFile(folder, frame.index, other, ".flo"),
                          middlebury(frame.width, frame.height, field)});
-        auto mask =
-            io::encodePng(frame.width, frame.height, io::PngFormat::Gray8, bytesOf(field.sight));
-        if (!mask) return tl::unexpected<Error>(std::move(mask.error()));
+        auto mask = encodePng(frame.width, frame.height, PngFormat::Gray8, bytesOf(field.sight));
+        if (!mask) return tl::unexpected(std::move(mask.error()));
         files.push_back({pairFile(folder, frame.index, other, "_mask.png"), std::move(*mask)});
     }
     return files;

@@ -14,13 +14,13 @@ using Json = nlohmann::ordered_json;
 
 FrameFiles encodeRgb(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(frameFile("rgb", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb8, frame.rgb));
+                   encodePng(frame.width, frame.height, PngFormat::Rgb8, frame.rgb));
 }
 
 FrameFiles encodeDepth(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(frameFile("depth", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,
-                                 bytesOf(depthInMillimetres(frame.depth_m))));
+                   encodePng(frame.width, frame.height, PngFormat::Gray16,
+                             bytesOf(depthInMillimetres(frame.depth_m))));
 }
 
 FrameFiles encodeDepthExr(const FrameContext& /*context*/, const FrameRecord& frame) {
@@ -31,14 +31,14 @@ FrameFiles encodeDepthExr(const FrameContext& /*context*/, const FrameRecord& fr
 FrameFiles encodeInstance(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(
         frameFile("instance", frame.index),
-        io::encodePng(frame.width, frame.height, io::PngFormat::Gray16, bytesOf(frame.instance)));
+        encodePng(frame.width, frame.height, PngFormat::Gray16, bytesOf(frame.instance)));
 }
 
 FrameFiles encodeSemantic(const FrameContext& context, const FrameRecord& frame) {
     const Scene& scene = context.contents.scene;
     return oneFile(frameFile("semantic", frame.index),
-                   io::encodePng(frame.width, frame.height, classFormat(scene.classes()),
-                                 classBytes(scene.classes(), classesOf(scene, frame.instance))));
+                   encodePng(frame.width, frame.height, classFormat(scene.classes()),
+                             classBytes(scene.classes(), classesOf(scene, frame.instance))));
 }
 
 Json rgbConvention(const DatasetContents& /*contents*/) {

@@ -36,7 +36,7 @@ inline void putNormal(const Eigen::Vector3d& normal, std::uint16_t* pixel) {
 /// A list of one file, or the error of its bytes.
 inline Result<std::vector<FrameFile>> oneFile(std::string path,
                                               Result<std::vector<std::uint8_t>> bytes) {
-    if (!bytes) return tl::unexpected<Error>(std::move(bytes.error()));
+    if (!bytes) return tl::unexpected(std::move(bytes.error()));
     std::vector<FrameFile> files;
     files.push_back({std::move(path), std::move(*bytes)});
     return files;

@@ -1,5 +1,5 @@
 #include "engine/io/files/png_writer.h"
-#include "render/dataset/modalities.h"
+#include "render/dataset/contents/modality.h"
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
 #include "render/sensors/depth_noise.h"
@@ -43,7 +43,7 @@ FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame
     return oneFile(frameFile("rgb_sensor", frame.index, pictureEnding(params)),
                    params.jpeg_quality < 100
                        ? encodeJpeg(frame.width, frame.height, params.jpeg_quality, rgb)
-                       : io::encodePng(frame.width, frame.height, io::PngFormat::Rgb8, rgb));
+                       : encodePng(frame.width, frame.height, PngFormat::Rgb8, rgb));
 }
 
 FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& frame) {
@@ -55,8 +55,8 @@ FrameFiles encodeDepthSensor(const FrameContext& context, const FrameRecord& fra
                                    frame.albedo};
     return oneFile(
         frameFile("depth_sensor", frame.index),
-        io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,
-                      bytesOf(depthInMillimetres(noisyDepth(context.contents.sensor, input)))));
+        encodePng(frame.width, frame.height, PngFormat::Gray16,
+                  bytesOf(depthInMillimetres(noisyDepth(context.contents.sensor, input)))));
 }
 
 Json rgbSensorConvention(const DatasetContents& contents) {

@@ -3,6 +3,7 @@
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
 #include "render/truth/motion_field.h"
+#include "render/view/view.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,26 +30,26 @@ std::vector<std::uint16_t> disparities(const FrameRecord& frame, double focal_ti
 
 FrameFiles encodeRgbRight(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(frameFile("rgb_right", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb8, frame.rgb_right));
+                   encodePng(frame.width, frame.height, PngFormat::Rgb8, frame.rgb_right));
 }
 
 FrameFiles encodeDepthRight(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(frameFile("depth_right", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,
-                                 bytesOf(depthInMillimetres(frame.depth_right_m))));
+                   encodePng(frame.width, frame.height, PngFormat::Gray16,
+                             bytesOf(depthInMillimetres(frame.depth_right_m))));
 }
 
 FrameFiles encodeDisparity(const FrameContext& context, const FrameRecord& frame) {
     const Intrinsics lens = makeIntrinsics(context.contents.camera);
     const double baseline = context.contents.stereo_baseline_m;
     FrameFiles files = oneFile(frameFile("disparity", frame.index),
-                               io::encodePng(frame.width, frame.height, io::PngFormat::Gray16,
-                                             bytesOf(disparities(frame, lens.fx * baseline))));
+                               encodePng(frame.width, frame.height, PngFormat::Gray16,
+                                         bytesOf(disparities(frame, lens.fx * baseline))));
     if (!files) return files;
     const MotionField field = parallaxField(context, frame, rightOf(frame.pose, baseline));
-    FrameFiles mask = oneFile(
-        frameFile("disparity", frame.index, "_mask.png"),
-        io::encodePng(frame.width, frame.height, io::PngFormat::Gray8, bytesOf(field.sight)));
+    FrameFiles mask =
+        oneFile(frameFile("disparity", frame.index, "_mask.png"),
+                encodePng(frame.width, frame.height, PngFormat::Gray8, bytesOf(field.sight)));
     if (!mask) return mask;
     files->push_back(std::move(mask->front()));
     return files;

@@ -20,7 +20,7 @@ FrameFiles encodeNormals(const FrameRecord& frame, const char* folder,
                   &image[3 * i]);
     }
     return oneFile(frameFile(folder, frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16, bytesOf(image)));
+                   encodePng(frame.width, frame.height, PngFormat::Rgb16, bytesOf(image)));
 }
 
 Json normalConvention(const char* folder, const char* axes) {
@@ -44,7 +44,7 @@ FrameFiles encodeNormalWorld(const FrameContext& /*context*/, const FrameRecord&
 
 FrameFiles encodeAlbedo(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(frameFile("albedo", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb8, frame.albedo));
+                   encodePng(frame.width, frame.height, PngFormat::Rgb8, frame.albedo));
 }
 
 FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecord& frame) {
@@ -54,7 +54,7 @@ FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecor
     std::vector<Eigen::Affine3d> box_from_world(scene.objects.size() + 1);
     const auto motions = context.moving.toRest(frame.index);
     for (const Object& object : scene.objects) {
-        const auto id = static_cast<std::size_t>(object.id);
+        const std::size_t id = object.id;
         const Eigen::Vector3d size = (2.0 * object.box.half_size).cwiseMax(1e-6);
         box_from_world[id] = Eigen::Translation3d(0.5, 0.5, 0.5) *
                              Eigen::Scaling(size.cwiseInverse().eval()) *
@@ -76,7 +76,7 @@ FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecor
         }
     }
     return oneFile(frameFile("object_coordinates", frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16, bytesOf(image)));
+                   encodePng(frame.width, frame.height, PngFormat::Rgb16, bytesOf(image)));
 }
 
 Json normalCameraConvention(const DatasetContents& /*contents*/) {

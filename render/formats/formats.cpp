@@ -1,6 +1,6 @@
 #include "render/formats/formats.h"
 
-#include "render/dataset/name_selection.h"
+#include "render/dataset/contents/name_selection.h"
 #include "render/formats/labels/bop.h"
 #include "render/formats/labels/coco.h"
 #include "render/formats/labels/kitti_objects.h"

@@ -38,8 +38,8 @@ std::vector<std::uint16_t> classesOf(const Scene& scene, std::span<const std::ui
     return result;
 }
 
-io::PngFormat classFormat(const ClassTable& table) {
-    return table.isWide() ? io::PngFormat::Gray16 : io::PngFormat::Gray8;
+PngFormat classFormat(const ClassTable& table) {
+    return table.isWide() ? PngFormat::Gray16 : PngFormat::Gray8;
 }
 
 std::vector<std::uint8_t> classBytes(const ClassTable& table,

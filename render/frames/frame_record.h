@@ -3,7 +3,7 @@
 #include "engine/io/files/png_writer.h"
 #include "engine/math/pose.h"
 #include "engine/scene/scene.h"
-#include "render/amodal/amodal_masks.h"
+#include "render/frames/amodal_mask.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,7 +56,7 @@ struct FrameRecord {
                                                    std::span<const std::uint16_t> instance);
 
 /// File format of class ids: 8 bits per pixel, or 16 if the table needs them.
-[[nodiscard]] io::PngFormat classFormat(const ClassTable& table);
+[[nodiscard]] PngFormat classFormat(const ClassTable& table);
 [[nodiscard]] std::vector<std::uint8_t> classBytes(const ClassTable& table,
                                                    std::span<const std::uint16_t> classes);
 

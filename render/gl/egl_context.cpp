@@ -144,7 +144,7 @@ std::vector<ContextChoice> graphicsCards(const ContextCheck& check) {
     std::array<EGLDeviceEXT, 32> devices{};
     EGLint count = 0;
     if (query_devices(devices.size(), devices.data(), &count) == EGL_FALSE) return cards;
-    for (EGLDeviceEXT device : std::span(devices).first(static_cast<std::size_t>(count))) {
+    for (EGLDeviceEXT device : std::span(devices).first(count)) {
         const std::string extensions = stringOf(query_string, device, EGL_EXTENSIONS);
         // Mesa's software driver is listed as a device, too.
         if (has(extensions.c_str(), "EGL_MESA_device_software")) continue;

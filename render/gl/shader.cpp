@@ -63,7 +63,7 @@ Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
     std::string words(4096, '\0');
     GLsizei size = 0;
     glGetProgramInfoLog(program.get(), 4096, &size, words.data());
-    words.resize(static_cast<std::size_t>(size));
+    words.resize(size);
     return fail(ErrorCode::Failed, "the shaders do not link: " + words, std::string(vertex));
 }
 

@@ -1,8 +1,8 @@
 #include "render/light/frame_lights.h"
 
 #include "engine/scene/resolved_light.h"
-#include "render/draw/surface_kind.h"
 #include "render/light/light_cache.h"
+#include "render/materials/surface_kind.h"
 
 #include <algorithm>
 #include <cmath>

@@ -53,7 +53,7 @@ void IrradianceGrid::link(const RayCaster& rays) {
     parallelRanges(open_.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             for (unsigned axis = 0; axis < 3; ++axis) {
-                const auto length = static_cast<std::size_t>(along_[axis]);
+                const std::size_t length = along_[axis];
                 if (i / step(axis) % length + 1 == length) continue;
                 if (rays.sees(center(i), center(i + step(axis)))) open_[i] |= 1U << axis;
             }

@@ -60,7 +60,7 @@ LightBounce LightBounces::cast(const Eigen::Vector3d& from, const Eigen::Vector3
         result.turned[axis] = static_cast<std::int16_t>(std::lround(32767.0F * normal[axis]));
     }
     result.material = static_cast<std::uint32_t>(scene_.triangle_material[hit.triangle]);
-    result.outside = outside_[static_cast<std::size_t>(hit.object_id) - 1];
+    result.outside = outside_[hit.object_id - 1];
     const Eigen::Vector3d at = from + way * hit.distance;
     result.cell = static_cast<std::uint32_t>(
         cells_.cellAt(at + normal.cast<double>() * (0.8 * cells_.size_m())));

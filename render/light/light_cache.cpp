@@ -3,10 +3,10 @@
 #include "engine/core/program_file.h"
 #include "engine/io/files/cache_eviction.h"
 #include "engine/io/files/guarded_folder.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/user_cache.h"
-#include "engine/io/sandbox/input_file.h"
-#include "render/dataset/scene_hash.h"
+#include "render/scene/scene_hash.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -165,7 +165,7 @@ void writeProgram(Writer& write) {
 }  // namespace
 
 std::optional<LightCache> LightCache::ofUser() {
-    std::optional<io::UserCache> cache = io::userCache("light");
+    std::optional<UserCache> cache = userCache("light");
     if (!cache) return std::nullopt;
     return LightCache(std::move(cache->folder), cache->most_bytes);
 }
@@ -181,20 +181,20 @@ std::string LightCache::keyOf(const Scene& scene, const LightRig& rig,
     write(params.rays_per_cell);
     write(params.bounces);
     write(params.limit_slopes);
-    io::Sha256 hash;
+    Sha256 hash;
     hash.add(geometryHash(scene) + appearanceHash(scene));
     hash.add(write.bytes);
     return hash.finish();
 }
 
 std::optional<LightVolume> LightCache::find(const std::string& key) const {
-    const Result<io::InputFile> file = folder_.openInput(key + kExtension);
+    const Result<InputFile> file = folder_.openInput(key + kExtension);
     if (!file) return std::nullopt;
     const Result<std::string> bytes = file->readAll(most_bytes_);
     if (!bytes || bytes->size() < kSumLength) return std::nullopt;
     const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()),
                          bytes->size() - kSumLength);
-    if (!bytes->ends_with(io::sha256Of(data))) return std::nullopt;
+    if (!bytes->ends_with(sha256Of(data))) return std::nullopt;
     LightVolume volume;
     Reader read(data);
     visitVolume(read, volume);
@@ -206,10 +206,10 @@ std::optional<LightVolume> LightCache::find(const std::string& key) const {
 void LightCache::keep(const std::string& key, const LightVolume& volume) const {
     Writer write;
     visitVolume(write, volume);
-    write.bytes += io::sha256Of(write.bytes);
+    write.bytes += sha256Of(write.bytes);
     if (write.bytes.size() > most_bytes_) return;
-    io::evictOldest(folder_, {kExtension}, most_bytes_ - write.bytes.size());
-    (void)folder_.write(key + kExtension, write.bytes, io::Durability::Renamed);
+    evictOldest(folder_, {kExtension}, most_bytes_ - write.bytes.size());
+    (void)folder_.write(key + kExtension, write.bytes, Durability::Renamed);
 }
 
 LightVolume lightVolumeOf(const Scene& scene, const RayCaster& rays, const LightRig& rig,

@@ -15,11 +15,11 @@ namespace dollytrack::render {
 /// A disk cache of light volumes, one file each. Damaged files are ignored.
 class LightCache {
   public:
-    /// The user's cache, see io::userCache(); none if it is unavailable.
+    /// The user's cache, see userCache(); none if it is unavailable.
     [[nodiscard]] static std::optional<LightCache> ofUser();
 
     /// Stores at most `most_bytes`; the oldest files are deleted to make room.
-    LightCache(io::GuardedFolder folder, std::uint64_t most_bytes)
+    LightCache(GuardedFolder folder, std::uint64_t most_bytes)
         : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
     /// Cache key: a hash of the scene, the light and the program file, because another build may
@@ -32,7 +32,7 @@ class LightCache {
     void keep(const std::string& key, const LightVolume& volume) const;
 
   private:
-    io::GuardedFolder folder_;
+    GuardedFolder folder_;
     std::uint64_t most_bytes_;
 };
 

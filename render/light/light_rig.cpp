@@ -188,7 +188,7 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
                                    room.min().y() + (j + 0.5) / along * size.y());
                 if (const Object* hangs = hungNear(scene, rays, room, at)) {
                     at = hangs->box.center.head<2>();
-                    taken[static_cast<std::size_t>(hangs->id) - 1] = true;
+                    taken[hangs->id - 1] = true;
                 }
                 rig.lamps.push_back(roomLamp(scene, rays, room, at));
             }

@@ -16,8 +16,8 @@ class Around {
         for (int axis = 0; axis < 3; ++axis) {
             const double place = (position[axis] - light.low[axis]) / light.cell_m - 0.5;
             const double whole = std::floor(place);
-            const int last = light.cells[static_cast<std::size_t>(axis)] - 1;
-            const auto i = static_cast<std::size_t>(axis);
+            const int last = light.cells[axis] - 1;
+            const std::size_t i = axis;
             toward[i] = static_cast<float>(place - whole);
             cells[i][0] = static_cast<int>(std::clamp(whole, 0.0, static_cast<double>(last)));
             cells[i][1] = static_cast<int>(std::clamp(whole + 1.0, 0.0, static_cast<double>(last)));

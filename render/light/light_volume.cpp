@@ -5,8 +5,8 @@
 #include "render/light/irradiance_grid.h"
 #include "render/light/lamp_light.h"
 #include "render/light/light_bounces.h"
-#include "render/pathtrace/layer_albedo.h"
-#include "render/pathtrace/sun_rays.h"
+#include "render/light/sun_rays.h"
+#include "render/materials/layer_albedo.h"
 
 #include <algorithm>
 #include <cmath>

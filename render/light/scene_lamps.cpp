@@ -120,9 +120,7 @@ double SceneLamp::shadowedFor(const Eigen::Vector3d& from, const Eigen::Vector3d
 
 std::vector<SceneLamp> findSceneLamps(const Scene& scene, const RayCaster& rays,
                                       const std::vector<bool>& taken) {
-    const auto isTaken = [&](const Object& object) {
-        return taken[static_cast<std::size_t>(object.id) - 1];
-    };
+    const auto isTaken = [&](const Object& object) { return taken[object.id - 1]; };
     std::vector<const Object*> found;
     std::vector<const Object*> wholes;  // lamps that others may be parts of
     for (const Object& object : scene.objects) {

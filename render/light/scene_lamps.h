@@ -9,7 +9,8 @@
 
 namespace dollytrack::render {
 
-/// A lamp that is an object of the scene, standing or on a wall. Its light comes from a small
+/// A lamp that is an object of the scene: standing, on a wall, or hanging where no room lamp takes
+/// its place. Its light comes from a small
 /// uniform ball within the object's shade. Cameras see the object, not the ball.
 struct SceneLamp {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  // centre, m

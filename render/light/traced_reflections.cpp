@@ -2,9 +2,9 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/mirror.h"
-#include "render/draw/tone_curve.h"
-#include "render/frames/projected_box.h"
 #include "render/light/light_sample.h"
+#include "render/light/tone_curve.h"
+#include "render/view/projected_box.h"
 
 #include <algorithm>
 #include <limits>
@@ -71,8 +71,8 @@ bool TracedReflections::trace(const View& view, int first_row, int last_row,
     std::vector<PixelRect> rects;
     for (const Smooth& object : smooth_) {
         if (view.reflections == Reflections::Mirrors && !object.mirrors) continue;
-        const bool hidden = static_cast<std::size_t>(object.id) < view.hidden.size() &&
-                            view.hidden[static_cast<std::size_t>(object.id)];
+        const bool hidden =
+            static_cast<std::size_t>(object.id) < view.hidden.size() && view.hidden[object.id];
         const PixelRect rect = projectBox(object.box, view, rows);
         if (!hidden && rect.width() > 0 && rect.height() > 0) rects.push_back(rect);
     }
@@ -181,7 +181,7 @@ Eigen::Vector3f TracedReflections::lightOf(const SurfacePoint& point, int object
         const double sun = sun_rays_.share(liftedOff(point, light_.sun.way), light_.sun.way);
         irradiance += light_.sun.irradiance * static_cast<float>(sun * slant);
     }
-    const bool outside = outside_[static_cast<std::size_t>(object_id) - 1];
+    const bool outside = outside_[object_id - 1];
     const float shines = outside ? light_.outside_shines : light_.lamps_shine;
     Eigen::Vector3f color = point.base_color;
     // Surfaces that emit daylight turn dark without it.

@@ -3,10 +3,10 @@
 #include "engine/camera/picture_params.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/scene/scene.h"
-#include "render/draw/view.h"
 #include "render/light/light_volume.h"
-#include "render/pathtrace/sun_rays.h"
-#include "render/pathtrace/traced_surface.h"
+#include "render/light/sun_rays.h"
+#include "render/materials/traced_surface.h"
+#include "render/view/view.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/draw/view.h"
 #include "render/overlays/overlay.h"
+#include "render/view/view.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "render/overlays/overlay_renderer.h"
 
-#include "render/draw/view_uniforms.h"
+#include "render/draw/passes/view_uniforms.h"
 #include "render/gl/context.h"
 #include "render/gl/shader.h"
 

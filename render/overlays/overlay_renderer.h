@@ -1,11 +1,11 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/draw/render_target.h"
-#include "render/draw/view.h"
+#include "render/draw/passes/render_target.h"
 #include "render/gl/handle.h"
 #include "render/overlays/overlay_buffers.h"
 #include "render/overlays/overlay_canvas.h"
+#include "render/view/view.h"
 
 #include <span>
 

@@ -34,10 +34,8 @@ void addPath(Overlay& overlay, const SmoothPath& path, const Plan& plan,
     }
     for (const SmoothPath::Key& key : path.keys) {
         if (key.position_point < 0) continue;
-        const auto& position_point =
-            plan.position_points[static_cast<std::size_t>(key.position_point)];
-        const auto& target =
-            plan.observation_points[static_cast<std::size_t>(position_point.observation_point)];
+        const auto& position_point = plan.position_points[key.position_point];
+        const auto& target = plan.observation_points[position_point.observation_point];
         const Eigen::Vector4f color = colorAlong(share(key.arc_m));
         addFrustum(overlay, lookAt(key.position, target.position), camera, 0.16, color, 1.3);
         overlay.marks.push_back({key.position, OverlayMark::Shape::Cross, color, 7.0});

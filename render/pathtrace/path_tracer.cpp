@@ -2,11 +2,11 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
-#include "render/draw/tone_curve.h"
+#include "render/light/sun_rays.h"
+#include "render/light/tone_curve.h"
+#include "render/materials/surface_brdf.h"
 #include "render/pathtrace/sample_sequence.h"
 #include "render/pathtrace/scene_lights.h"
-#include "render/pathtrace/sun_rays.h"
-#include "render/pathtrace/surface_brdf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -181,7 +181,7 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
         }
         const bool window = sendsDaylight(scene.object(hit.object_id));
         const bool daylight = !seen && window;
-        const bool shows_outside = outside[static_cast<std::size_t>(hit.object_id) - 1];
+        const bool shows_outside = outside[hit.object_id - 1];
         const float shines = rig.shineFactor(shows_outside);
         const Eigen::Vector3f sent = daylight
                                          ? rig.skyRadiance(way)

@@ -4,9 +4,9 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
-#include "render/draw/view.h"
 #include "render/light/light_rig.h"
-#include "render/pathtrace/traced_surface.h"
+#include "render/materials/traced_surface.h"
+#include "render/view/view.h"
 
 #include <Eigen/Core>
 

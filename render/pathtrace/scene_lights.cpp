@@ -39,8 +39,7 @@ double SceneLights::brightness(int object_id, std::uint32_t triangle) const {
     if (sendsDaylight(scene_.object(object_id))) {
         return rig_.sky_color.cwiseProduct(rig_.sky_factor).mean() * rig_.sky_strength;
     }
-    return emission_[scene_.triangle_material[triangle]] *
-           shines_[static_cast<std::size_t>(object_id) - 1];
+    return emission_[scene_.triangle_material[triangle]] * shines_[object_id - 1];
 }
 
 double SceneLights::choice(const Lamp& lamp, const Eigen::Vector3d& from) const {
@@ -145,8 +144,8 @@ std::optional<LightSample> SceneLights::sampleTriangle(const Eigen::Vector3d& fr
                                                        const std::array<double, 2>& where) const {
     if (power_.empty()) return std::nullopt;
     const auto found = std::upper_bound(power_.begin(), power_.end(), which * power_.back());
-    const auto index = static_cast<std::size_t>(
-        std::min(found - power_.begin(), static_cast<std::ptrdiff_t>(power_.size()) - 1));
+    const std::size_t index =
+        std::min(found - power_.begin(), static_cast<std::ptrdiff_t>(power_.size()) - 1);
     const auto& [triangle, object_id] = emitters_[index];
     const auto [a, b, c] = surface_.corners(triangle);
     const double root = std::sqrt(where[0]);
@@ -162,7 +161,7 @@ std::optional<LightSample> SceneLights::sampleTriangle(const Eigen::Vector3d& fr
     sample.radiance = sendsDaylight(scene_.object(object_id))
                           ? rig_.skyRadiance(sample.way)
                           : Eigen::Vector3f(rig_.emissionOf(surface_.emissionAt(triangle, v, w)) *
-                                            shines_[static_cast<std::size_t>(object_id) - 1]);
+                                            shines_[object_id - 1]);
     if (!(sample.density > 0.0) || !std::isfinite(sample.density)) return std::nullopt;
     return sample;
 }

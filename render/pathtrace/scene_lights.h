@@ -2,7 +2,7 @@
 
 #include "engine/scene/scene.h"
 #include "render/light/light_rig.h"
-#include "render/pathtrace/traced_surface.h"
+#include "render/materials/traced_surface.h"
 
 #include <Eigen/Core>
 

@@ -207,7 +207,7 @@ Status writeFigure(const Figure& figure, const std::filesystem::path& path) {
         if (bytes.empty()) {
             return fail(ErrorCode::Failed, "The figure cannot be encoded.", path.string());
         }
-        return io::writeWhole(path, bytes);
+        return writeWhole(path, bytes);
     });
 }
 

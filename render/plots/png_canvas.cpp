@@ -56,8 +56,8 @@ class PngCanvas : public Canvas {
     std::string finish() override {
         cv::Mat small;
         cv::resize(image_, small, {}, 1.0 / kOversize, 1.0 / kOversize, cv::INTER_AREA);
-        const auto png = io::encodePng(small.cols, small.rows, io::PngFormat::Rgb8,
-                                       {small.data, small.total() * small.elemSize()});
+        const auto png = encodePng(small.cols, small.rows, PngFormat::Rgb8,
+                                   {small.data, small.total() * small.elemSize()});
         return png ? std::string(png->begin(), png->end()) : std::string();
     }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/frames/frame_context.h"
+#include "render/dataset/contents/frame_context.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "render/rig/rig_files.h"
 
-#include "render/dataset/modalities.h"
+#include "render/dataset/contents/modality.h"
 
 namespace dollytrack::render {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/camera/lens_model.h"
-#include "render/frames/frame_context.h"
+#include "render/dataset/contents/frame_context.h"
 
 #include <Eigen/Core>
 

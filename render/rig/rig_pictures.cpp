@@ -3,7 +3,7 @@
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 #include "render/draw/crack_filling.h"
-#include "render/draw/tone_curve.h"
+#include "render/light/tone_curve.h"
 
 #include <algorithm>
 #include <array>
@@ -212,7 +212,7 @@ Status LensPictures::draw(const LensModel& lens, const Pose& pose, SceneRenderer
         view.reflections = look_.reflections;
         if (Status status = drawView(view, renderer, rays, one.rgb); !status) return status;
     }
-    const auto width = static_cast<std::size_t>(lens.width());
+    const std::size_t width = lens.width();
     rgb.assign(3 * width * static_cast<std::size_t>(lens.height()), 0);
     const auto fillRows = [&](std::size_t begin, std::size_t end) {
         for (std::size_t pixel = begin * width; pixel < end * width; ++pixel) {

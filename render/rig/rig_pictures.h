@@ -4,9 +4,9 @@
 #include "engine/camera/picture_params.h"
 #include "engine/core/result.h"
 #include "engine/geometry/ray_caster.h"
-#include "render/draw/render_target.h"
+#include "render/draw/passes/render_target.h"
 #include "render/draw/scene_renderer.h"
-#include "render/draw/view.h"
+#include "render/view/view.h"
 
 #include <Eigen/Geometry>
 

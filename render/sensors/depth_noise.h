@@ -46,8 +46,8 @@ inline constexpr double kMostDim = 4.0;
 /// Kinect and Its Comparison to Kinect V1 and Kinect V2, Sensors 21(2):413, 2021). It is multiplied
 /// by dimness(), because shot noise follows the square root of the returned light. Each pixel is
 /// read at a random offset of about a quarter pixel. Holes: depth below 0.5 m or above 5.46 m (the
-/// maker's range of the narrow binned mode), depth steps of 0.1 m and 5 %, where light of both
-/// sides mixes, and surfaces that return too little light.
+/// maker's range of the narrow binned mode), depth steps of more than 0.1 m and more than 5 %,
+/// where light of both sides mixes, and surfaces that return too little light.
 ///
 /// redwood, structured light: the first Kinect as simulated by Choi, Zhou and Koltun (Robust
 /// Reconstruction of Indoor Scenes, CVPR 2015) after Teichman, Miller and Thrun (Unsupervised

@@ -54,7 +54,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
     const PixelRandom random(static_cast<std::uint32_t>(params.sensor_seed), frame, 0);
     std::array<double, 4> start{};
     for (std::size_t d = 0; d < 4; ++d) start[d] = random.uniform(static_cast<std::uint32_t>(d));
-    std::vector<ExposureSample> points(static_cast<std::size_t>(period));
+    std::vector<ExposureSample> points(period);
     Eigen::Vector2d middle_aperture = Eigen::Vector2d::Zero();
     Eigen::Vector2d middle_aside_px = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -71,8 +71,7 @@ Exposure::Exposure(const SensorParams& params, int height, int frame)
     }
     // Offsets average to zero, so that the image is centred on the pixel centres, as labels are.
     for (int i = 0; i < count; ++i) {
-        ExposureSample& sample =
-            samples_.emplace_back(points[static_cast<std::size_t>(i % period)]);
+        ExposureSample& sample = samples_.emplace_back(points[i % period]);
         sample.after_s = sample_step_s_ * (i - 0.5 * (count - 1));
         sample.aperture -= middle_aperture;
         sample.aside_px -= middle_aside_px;

@@ -1,6 +1,6 @@
 #include "render/sensors/picture_noise.h"
 
-#include "render/draw/tone_curve.h"
+#include "render/light/tone_curve.h"
 #include "render/sensors/pixel_random.h"
 
 #include <algorithm>

@@ -156,7 +156,7 @@ std::pair<int, int> SensorLens::drawnRows(double first, double last) const {
     float low = 1e9F;
     float high = -1e9F;
     for (int y = begin; y < end; ++y) {
-        const auto& [least, largest] = drawn_reach_px_[static_cast<std::size_t>(y)];
+        const auto& [least, largest] = drawn_reach_px_[y];
         low = std::min(low, least);
         high = std::max(high, largest);
     }
@@ -189,8 +189,7 @@ std::vector<float> SensorLens::take(std::span<const float> drawn) const {
                 const float* from = &drawn[3 * (static_cast<std::size_t>(row) * drawn_.width +
                                                 static_cast<std::size_t>(column))];
                 const bool near = dx % 3 != 0 && dy % 3 != 0;
-                const float weight =
-                    across[static_cast<std::size_t>(dx)] * down[static_cast<std::size_t>(dy)];
+                const float weight = across[dx] * down[dy];
                 for (std::size_t c = 0; c < 3; ++c) {
                     sum[c] += weight * from[c];
                     if (!near) continue;

@@ -1,7 +1,7 @@
 #include "render/truth/motion_field.h"
 
 #include "engine/camera/intrinsics.h"
-#include "render/frames/moving_objects.h"
+#include "render/scene/moving_objects.h"
 
 #include <Eigen/Geometry>
 
@@ -42,7 +42,7 @@ MotionField fieldTo(const FrameContext& context, const FrameRecord& frame, const
 }  // namespace
 
 MotionField motionField(const FrameContext& context, const FrameRecord& frame, int other_frame) {
-    const Pose& other = context.contents.frames[static_cast<std::size_t>(other_frame)].camera.pose;
+    const Pose& other = context.contents.frames[other_frame].camera.pose;
     return fieldTo(context, frame, other, *context.moving.raysAt(other_frame),
                    context.moving.between(frame.index, other_frame));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/frames/frame_context.h"
+#include "render/dataset/contents/frame_context.h"
 #include "render/frames/frame_record.h"
 #include "render/truth/visibility_mask.h"
 

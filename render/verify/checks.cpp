@@ -1,6 +1,6 @@
-#include "render/verify/check/check_cameras.h"
-#include "render/verify/check/check_euroc.h"
-#include "render/verify/check_list.h"
+#include "render/verify/checks.h"
+
+#include "render/verify/check/check_list.h"
 
 #include <array>
 

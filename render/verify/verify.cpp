@@ -45,8 +45,8 @@ void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
 Status checkImagesAreThere(const StoredDataset& dataset) {
     constexpr std::size_t kAlwaysChecked = 20'000;  // images: below this number each missing one is
                                                     // reported
-    const std::size_t kinds = static_cast<std::size_t>(std::ranges::count_if(
-        imageKinds(), [&](const ImageKind& k) { return dataset.has(k.modality); }));
+    const std::size_t kinds = std::ranges::count_if(
+        imageKinds(), [&](const ImageKind& k) { return dataset.has(k.modality); });
     const std::size_t listed = kinds * dataset.frames.size();
     if (listed <= kAlwaysChecked) return {};
     std::size_t there = 0;
@@ -71,7 +71,7 @@ Result<std::vector<CheckResult>> verifyDataset(const Subject& subject, const std
                                                const JobContext& job) {
     const auto cancelled = [] { return fail(ErrorCode::Cancelled, "The check was stopped."); };
     if (const Status status = checkImagesAreThere(subject.dataset); !status) {
-        return tl::unexpected<Error>(status.error());
+        return tl::unexpected(status.error());
     }
     std::vector<CheckResult> results;
     std::vector<CheckWork> works;

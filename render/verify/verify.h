@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "render/verify/check.h"
+#include "render/verify/checks.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
+#include "engine/io/format_table/input_check.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/io/sandbox/scene_reading.h"
-#include "engine/io/settings/input_check.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"
 
@@ -80,7 +80,7 @@ void readBy(benchmark::State& state, const std::filesystem::path& path,
             const ImportOptions& options) {
     const SceneFormat* format = *checkSceneFile(path);
     for (auto _ : state) {
-        const auto reading = io::readSceneFile(*format, path, options, {});
+        const auto reading = readSceneFile(*format, path, options, {});
         if (!reading) state.SkipWithError(describe(reading.error()).c_str());
     }
 }

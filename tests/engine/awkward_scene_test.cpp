@@ -1,6 +1,6 @@
 #include "engine/io/assimp/model_text_repair.h"
-#include "engine/io/import/model_reader.h"
 #include "engine/io/import/scene_import.h"
+#include "engine/io/models/model_reader.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/obj_writer.h"
 #include "tests/support/temp_folder.h"

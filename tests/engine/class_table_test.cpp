@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 ClassTable tableOf(const char* text) {
-    Result<ClassTable> table = io::classTableFromJson(json::parse(text), "classes.json");
+    Result<ClassTable> table = classTableFromJson(json::parse(text), "classes.json");
     if (!table) ADD_FAILURE() << describe(table.error());
     return table ? std::move(*table) : ClassTable({}, std::nullopt, 0);
 }
@@ -49,13 +49,13 @@ TEST(ClassTable, WhatFitsNothingIsVoidOrTheOtherClass) {
 
     json with_other = json::parse(kSeats);
     with_other["other"] = "STOOL";
-    table = *io::classTableFromJson(with_other, "");
+    table = *classTableFromJson(with_other, "");
     EXPECT_EQ(table.classFor("mug", 0).name, "stool");
     EXPECT_EQ(table.indexOf(*table.boxClassFor("mug", 0)), 0);
     with_other["other"] = 3;
-    EXPECT_EQ(io::classTableFromJson(with_other, "")->classFor("mug", 0).name, "seat");
+    EXPECT_EQ(classTableFromJson(with_other, "")->classFor("mug", 0).name, "seat");
     with_other["other"] = "ignore";
-    EXPECT_EQ(io::classTableFromJson(with_other, "")->boxClassFor("mug", 0), nullptr);
+    EXPECT_EQ(classTableFromJson(with_other, "")->boxClassFor("mug", 0), nullptr);
 }
 
 TEST(ClassTable, MasksAreAsWideAsTheLargestIdNeeds) {
@@ -73,7 +73,7 @@ TEST(ClassTable, ColoursThatAreNotGivenAreDistinct) {
     for (int id = 1; id < 400; ++id) {
         many["classes"].push_back({{"id", id}, {"name", "class " + std::to_string(id)}});
     }
-    const Result<ClassTable> table = io::classTableFromJson(many, "");
+    const Result<ClassTable> table = classTableFromJson(many, "");
     ASSERT_TRUE(table);
     std::set<std::array<std::uint8_t, 3>> colors = {table->voidClass().color};
     for (const DatasetClass& one : table->classes()) colors.insert(one.color);
@@ -82,8 +82,8 @@ TEST(ClassTable, ColoursThatAreNotGivenAreDistinct) {
 }
 
 TEST(ClassTable, ItsJsonMakesTheSameTable) {
-    const auto once = io::classTableToJson(tableOf(kSeats));
-    const auto twice = io::classTableToJson(tableOf(once.dump().c_str()));
+    const auto once = classTableToJson(tableOf(kSeats));
+    const auto twice = classTableToJson(tableOf(once.dump().c_str()));
     EXPECT_EQ(once.dump(), twice.dump());
     EXPECT_EQ(once["void"], 255);
     EXPECT_EQ(once["classes"][2]["matches"], json::array({"Lamp"}));
@@ -108,7 +108,7 @@ TEST(ClassTable, ObjectsFollowEditsOfTheirClass) {
     scene.objects.resize(2);
     scene.objects[0].name = "thing";
     scene.objects[1].name = "BarStool";
-    for (int id : {1, 2}) scene.objects[static_cast<std::size_t>(id) - 1].id = id;
+    for (int id : {1, 2}) scene.objects[id - 1].id = id;
     scene.class_table = std::make_shared<const ClassTable>(tableOf(kSeats));
     assignDatasetClasses(scene);
     EXPECT_EQ(scene.objects[0].dataset_class->name, "void");
@@ -135,7 +135,7 @@ class BadTables : public testing::TestWithParam<BadTable> {};
 
 TEST_P(BadTables, AreRefusedWithTheirPlace) {
     const Result<ClassTable> table =
-        io::classTableFromJson(json::parse(GetParam().text), "classes.json");
+        classTableFromJson(json::parse(GetParam().text), "classes.json");
     ASSERT_FALSE(table);
     EXPECT_EQ(table.error().where, std::string("classes.json") + GetParam().where);
     EXPECT_NE(table.error().message.find(GetParam().words), std::string::npos)

@@ -22,11 +22,11 @@ rc::Gen<Pairs> anyPairs(int count) {
 
 /// A label for each element, by definition: joining two sets relabels all members of one.
 std::vector<int> labelsOf(int count, const Pairs& joined) {
-    std::vector<int> labels(static_cast<std::size_t>(count));
+    std::vector<int> labels(count);
     std::iota(labels.begin(), labels.end(), 0);
     for (const auto& [a, b] : joined) {
-        const int from = labels[static_cast<std::size_t>(a)];
-        const int to = labels[static_cast<std::size_t>(b)];
+        const int from = labels[a];
+        const int to = labels[b];
         std::replace(labels.begin(), labels.end(), from, to);
     }
     return labels;
@@ -41,8 +41,7 @@ RC_GTEST_PROP(DisjointSets, AJoinedRootIsTheSmallestMember, ()) {
 
     const std::vector<int> labels = labelsOf(count, pairs);
     for (int i = 0; i < count; ++i) {
-        const auto first =
-            std::find(labels.begin(), labels.end(), labels[static_cast<std::size_t>(i)]);
+        const auto first = std::find(labels.begin(), labels.end(), labels[i]);
         RC_ASSERT(sets.find(i) == static_cast<int>(first - labels.begin()));
     }
 }
@@ -56,7 +55,7 @@ RC_GTEST_PROP(DisjointSets, JoinToKeepsTheSecondRoot, ()) {
     for (const auto& [a, b] : pairs) sets.joinTo(a, b);
 
     const std::vector<int> labels = labelsOf(count, pairs);
-    for (int i = 0; i < count; ++i) RC_ASSERT(sets.find(i) == labels[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < count; ++i) RC_ASSERT(sets.find(i) == labels[i]);
 }
 
 TEST(DisjointSets, AnAddedNumberIsASetOfItsOwn) {

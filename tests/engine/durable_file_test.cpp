@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST(Sha256, MatchesThePublishedExamples) {
 }
 
 }  // namespace
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -196,12 +196,12 @@ TEST(UpAxis, IsReadAsItIsWritten) {
 TEST(UpAxis, StandsInImportSettings) {
     ImportOptions options;
     options.up_axis = UpAxis('y', true);
-    const nlohmann::json stored = io::importOptionsToJson(options);
+    const nlohmann::json stored = importOptionsToJson(options);
     EXPECT_EQ(stored["up_axis"], "-y");
-    const auto read = io::importOptionsFromJson(stored);
+    const auto read = importOptionsFromJson(stored);
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ(read->up_axis, options.up_axis);
-    const auto wrong = io::importOptionsFromJson({{"up_axis", "down"}});
+    const auto wrong = importOptionsFromJson({{"up_axis", "down"}});
     ASSERT_FALSE(wrong);
     EXPECT_EQ(wrong.error().code, ErrorCode::BadInput);
 }

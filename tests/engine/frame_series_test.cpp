@@ -82,7 +82,7 @@ TEST(FrameSeries, CountsEachCapturedObjectOnceAndOnlyThoseThatCount) {
         {viewOf(1, 2, 0.5), viewOf(3, 2, 1.0, 0.01)},
     };
     std::vector<ObjectCapture> captures(3);
-    for (int i = 0; i < 3; ++i) captures[static_cast<std::size_t>(i)].object_id = i + 1;
+    for (int i = 0; i < 3; ++i) captures[i].object_id = i + 1;
     captures[0].captured = captures[2].captured = true;
     const FrameSeries series = measureFrames(trajectory, views, captures, {}, rays);
     EXPECT_EQ(series.in_view, (std::vector<int>{2, 1, 2}));

@@ -47,7 +47,7 @@ TEST(Gltf, QuantizedPositions) {
         const MeshPart& part = raw.parts[0];
         expectSheet(part, 4e-3F);
         // The quantizer's node is not an object.
-        EXPECT_EQ(raw.nodes.at(static_cast<std::size_t>(part.node)).name, "sheet");
+        EXPECT_EQ(raw.nodes.at(part.node).name, "sheet");
     }
     expectSheet(read(quantizedSheet<std::int16_t>(kShort, true, 32767.0F).glb()).parts[0], 4e-5F);
     expectSheet(read(quantizedSheet<std::int16_t>(kShort, false, 5000.0F).glb()).parts[0], 2e-4F);

@@ -2,8 +2,8 @@
 
 // A curved sheet with heights z = x y for the tests of the glTF reader.
 
-#include "engine/io/import/model_reader.h"
 #include "engine/io/import/scene_import.h"
+#include "engine/io/models/model_reader.h"
 #include "tests/support/glb_writer.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/temp_folder.h"

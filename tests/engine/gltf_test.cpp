@@ -18,7 +18,7 @@ TEST(Gltf, PlainSheetFromBothContainers) {
     for (const RawScene& raw : {read(file.glb()), read(file.gltf(), "sheet.gltf")}) {
         ASSERT_EQ(raw.parts.size(), 1U);
         expectSheet(raw.parts[0], 1e-6F);
-        EXPECT_EQ(raw.nodes.at(static_cast<std::size_t>(raw.parts[0].node)).name, "sheet");
+        EXPECT_EQ(raw.nodes.at(raw.parts[0].node).name, "sheet");
         EXPECT_EQ(raw.file_unit_m, 1.0);
         EXPECT_EQ(raw.file_up_axis.letter, 'y');
     }
@@ -70,7 +70,7 @@ TEST(Gltf, EachInstanceIsANodeOfItsOwn) {
         return {p.x(), p.y(), 2.0F * p.z()};
     });
     for (std::size_t i = 0; i < 3; ++i) {
-        const SourceNode& node = raw.nodes.at(static_cast<std::size_t>(raw.parts[i].node));
+        const SourceNode& node = raw.nodes.at(raw.parts[i].node);
         EXPECT_EQ(node.name, "sheet_" + std::to_string(i + 1));
     }
     file.json["accessors"][turn]["count"] = 2;

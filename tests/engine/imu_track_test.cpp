@@ -22,7 +22,7 @@ Pose walk(double t) {
 }
 
 std::vector<TrajectoryFrame> sampled(Pose (*pose)(double), double interval_s, int count) {
-    std::vector<TrajectoryFrame> frames(static_cast<std::size_t>(count));
+    std::vector<TrajectoryFrame> frames(count);
     for (std::size_t i = 0; i < frames.size(); ++i) {
         frames[i].time_s = 3.0 + interval_s * static_cast<double>(i);
         frames[i].pose = pose(interval_s * static_cast<double>(i));

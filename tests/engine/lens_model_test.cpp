@@ -203,7 +203,7 @@ class RigFile : public ::testing::Test {
     Result<Rig> read(const std::string& text) {
         const auto file = folder_.path() / "rig.json";
         std::ofstream(file) << text;
-        return io::readRig(file);
+        return readRig(file);
     }
     static std::string with(const std::string& cameras) {
         return R"({"format": "dollytrack-rig", "version": 1, "cameras": [)" + cameras + "]}";
@@ -259,7 +259,7 @@ TEST_F(RigFile, RefusesWithTheSentenceAndThePlace) {
 }
 
 TEST(RigWords, MakeTheCameraThatAFileMakes) {
-    const auto camera = io::parseRigCamera("left:fov_deg=200,lens=fisheye,k1=0.01,level=true");
+    const auto camera = parseRigCamera("left:fov_deg=200,lens=fisheye,k1=0.01,level=true");
     ASSERT_TRUE(camera) << describe(camera.error());
     RigCamera expected = standardCamera(Lens::Fisheye);
     expected.name = "left";
@@ -267,10 +267,10 @@ TEST(RigWords, MakeTheCameraThatAFileMakes) {
     expected.k1 = 0.01;
     expected.level = true;
     EXPECT_TRUE(*camera == expected);
-    EXPECT_TRUE(io::parseRigCamera("plain"));
+    EXPECT_TRUE(parseRigCamera("plain"));
     for (const char* const wrong :
          {"", "a:lens=egg", "a:fov_deg=x", "a:px_per_m=3", "a:focus=2", "a:fov_deg"}) {
-        const auto none = io::parseRigCamera(wrong);
+        const auto none = parseRigCamera(wrong);
         ASSERT_FALSE(none) << wrong;
         EXPECT_EQ(none.error().code, ErrorCode::Usage);
     }

@@ -27,7 +27,7 @@ const Material& materialOf(const Scene& scene, const char* object) {
 }
 
 std::string nameOf(const Scene& scene, int map) {
-    return map < 0 ? "none" : scene.textures.at(static_cast<std::size_t>(map)).name;
+    return map < 0 ? "none" : scene.textures.at(map).name;
 }
 
 TEST(MaterialMaps, OfMtlFiles) {

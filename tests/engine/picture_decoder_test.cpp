@@ -74,7 +74,7 @@ TEST(PictureDecoder, AgreesWithOpenCv) {
           Case{".tiff", CV_8UC4, 0}, Case{".webp", CV_8UC3, 0}, Case{".ppm", CV_8UC3, 0}}) {
         const auto bytes = encoded(one.extension, gradient(37, 23, one.type));
         Texture texture;
-        ASSERT_TRUE(io::decodePicture(bytes, 1024, false, texture)) << one.extension << one.type;
+        ASSERT_TRUE(decodePicture(bytes, 1024, false, texture)) << one.extension << one.type;
         EXPECT_LE(differenceFromOpenCv(bytes, texture), one.most) << one.extension << one.type;
     }
 }
@@ -82,7 +82,7 @@ TEST(PictureDecoder, AgreesWithOpenCv) {
 TEST(PictureDecoder, MakesLargePicturesSmallerAndOpaqueOnesWhole) {
     const auto bytes = encoded(".png", cv::Mat(100, 400, CV_8UC4, cv::Scalar(10, 20, 30, 40)));
     Texture texture;
-    ASSERT_TRUE(io::decodePicture(bytes, 200, true, texture));
+    ASSERT_TRUE(decodePicture(bytes, 200, true, texture));
     EXPECT_EQ(texture.width, 200);
     EXPECT_EQ(texture.height, 50);
     EXPECT_EQ((std::vector<std::uint8_t>(texture.rgba.begin(), texture.rgba.begin() + 4)),
@@ -92,12 +92,12 @@ TEST(PictureDecoder, MakesLargePicturesSmallerAndOpaqueOnesWhole) {
 TEST(PictureDecoder, RefusesWhatIsTooLargeOrCutOff) {
     auto bytes = encoded(".png", gradient(16, 16, CV_8UC3));
     Texture texture;
-    EXPECT_FALSE(io::decodePicture({}, 1024, false, texture));
+    EXPECT_FALSE(decodePicture({}, 1024, false, texture));
     for (const std::size_t size : {4U, 20U, 40U, 60U}) {
-        EXPECT_FALSE(io::decodePicture(std::span(bytes).first(size), 1024, false, texture));
+        EXPECT_FALSE(decodePicture(std::span(bytes).first(size), 1024, false, texture));
     }
     bytes[16] = 0x7F;  // the width's first byte: 2^30 and more
-    EXPECT_FALSE(io::decodePicture(bytes, 1024, false, texture));
+    EXPECT_FALSE(decodePicture(bytes, 1024, false, texture));
     EXPECT_TRUE(texture.rgba.empty());
 }
 
@@ -113,7 +113,7 @@ TEST(PictureDecoder, OutlivesDamage) {
             }
             if (i % 3 == 0) bytes.resize(random() % bytes.size());
             Texture texture;
-            if (!io::decodePicture(bytes, 64, false, texture)) continue;
+            if (!decodePicture(bytes, 64, false, texture)) continue;
             ASSERT_EQ(texture.rgba.size(), 4U * static_cast<unsigned>(texture.width) *
                                                static_cast<unsigned>(texture.height));
             ASSERT_LE(std::max(texture.width, texture.height), 64);

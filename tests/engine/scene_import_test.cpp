@@ -408,7 +408,7 @@ TEST(SceneImport, CountsTexturesFoundAndMissing) {
     const Material& wood =
         scene.materials[scene.triangle_material[find(scene, "table")->first_triangle]];
     ASSERT_GE(wood.texture, 0);
-    const Texture& texture = scene.textures[static_cast<std::size_t>(wood.texture)];
+    const Texture& texture = scene.textures[wood.texture];
     EXPECT_EQ(texture.rgba, (std::vector<std::uint8_t>{0x10, 0x20, 0x30, 0xFF}));
 }
 
@@ -453,7 +453,7 @@ TEST(SceneImport, MakesEveryNameValidText) {
     EXPECT_EQ(wood.name, "h" + bad + "lz");
     // Found by its bytes on disk, shown as valid text.
     EXPECT_EQ(scene.report.textures_found, 1);
-    EXPECT_EQ(scene.textures[static_cast<std::size_t>(wood.texture)].name, "h" + bad + "lz.ppm");
+    EXPECT_EQ(scene.textures[wood.texture].name, "h" + bad + "lz.ppm");
     EXPECT_EQ(scene.report.textures_missing, std::vector<std::string>{"f" + bad + "r.png"});
     EXPECT_NO_THROW(static_cast<void>(toJson(scene).dump()));
 }

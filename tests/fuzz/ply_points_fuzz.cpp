@@ -3,6 +3,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const dollytrack::fuzz::MemoryFile file(data, size);
-    (void)dollytrack::io::readPlyPoints(file.path());
+    (void)dollytrack::readPlyPoints(file.path());
     return 0;
 }

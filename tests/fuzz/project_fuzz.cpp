@@ -6,9 +6,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace dollytrack;
     const fuzz::MemoryFile file(data, size);
-    const auto project = io::loadProject(file.path());
+    const auto project = loadProject(file.path());
     if (!project) return 0;
-    (void)io::importOptionsFromJson(project->import);
+    (void)importOptionsFromJson(project->import);
     (void)editsFromJson(project->edits);
     return 0;
 }

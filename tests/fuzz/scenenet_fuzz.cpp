@@ -6,6 +6,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    (void)dollytrack::io::parseSceneNet(text, "scene.txt");
+    (void)dollytrack::parseSceneNet(text, "scene.txt");
     return 0;
 }

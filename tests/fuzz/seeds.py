@@ -42,5 +42,5 @@ for name in ("room.gltf", "room.glb", "draco.glb", "sequential.glb", "meshopt.gl
 write("scenenet", "small", small_models.scenenet())
 write("home", "xml", small_models.home_xml())
 write("home", "archive", small_models.sh3d())
-write("frame", "zeros", bytes(200))
-write("frame", "one_node", struct.pack("<QQ4sii", 1, 4, b"room", -1, 0) + bytes(180))
+write("scene_serialization", "zeros", bytes(200))
+write("scene_serialization", "one_node", struct.pack("<QQ4sii", 1, 4, b"room", -1, 0) + bytes(180))

@@ -1,4 +1,4 @@
-#include "render/draw/coarse_mesh.h"
+#include "render/draw/passes/coarse_mesh.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

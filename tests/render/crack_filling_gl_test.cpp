@@ -1,5 +1,6 @@
 #include "render/draw/crack_filling.h"
 
+#include "render/dataset/contents/frame_context.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 
@@ -56,7 +57,7 @@ TEST_F(CrackFillingGl, NoPixelOfAClosedRoomShowsNothing) {
         drawn_as_nothing += unlabelled(*frame);
 
         const std::vector<CrackPixel> cracks = findCracks(view, frame->instance, rays);
-        fillCracks(cracks, context, view, *frame);
+        fillCracks(cracks, context.contents.scene, context.moving, view, *frame);
 
         EXPECT_EQ(unlabelled(*frame), 0) << "frame " << i;
         for (const CrackPixel& crack : cracks) {
@@ -138,7 +139,8 @@ TEST_F(CrackFillingGl, DepthOfASurfaceSeenAlongItselfIsThatOfItsRay) {
         drawn_wrong += depthsOfNothing(*frame, view, rays);
         std::vector<float> drawn;
         renderer->target().readDrawnDepth(drawn);
-        fillCracks(findCracks(view, frame->instance, drawn, rays), context, view, *frame);
+        fillCracks(findCracks(view, frame->instance, drawn, rays), context.contents.scene,
+                   context.moving, view, *frame);
         EXPECT_EQ(depthsOfNothing(*frame, view, rays), 0) << "frame " << i;
     }
     EXPECT_GT(drawn_wrong, 0) << "nothing here is seen along itself";

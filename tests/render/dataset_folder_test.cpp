@@ -1,6 +1,7 @@
-#include "render/dataset/dataset_folder.h"
+#include "render/dataset/folder/dataset_folder.h"
 
-#include "render/dataset/dataset_journal.h"
+#include "render/dataset/folder/dataset_journal.h"
+#include "render/encoders/modalities.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ std::set<std::string> treeOf(const fs::path& folder) {
 
 /// The journal of an export that was cut off.
 void writeJournal(const fs::path& folder, const DatasetNames& names) {
-    ASSERT_TRUE(DatasetJournal::begin(*io::GuardedFolder::open(folder), {{"the scene", "1"}},
+    ASSERT_TRUE(DatasetJournal::begin(*GuardedFolder::open(folder), {{"the scene", "1"}},
                                       "a driver", names));
 }
 
@@ -77,7 +78,7 @@ TEST(DatasetFolder, KeepsAnEarlierDatasetUntilTheNewOneIsComplete) {
         auto claimed = DatasetFolder::claim(folder.path(), true);
         ASSERT_TRUE(claimed);
         ASSERT_TRUE(claimed->begin(namesFor(), {}));
-        const io::GuardedFolder& beside = claimed->unfinished();
+        const GuardedFolder& beside = claimed->unfinished();
         ASSERT_TRUE(beside.write("rgb/000000.png", std::string_view("new")));
         EXPECT_TRUE(claimed->isComplete());
         EXPECT_TRUE(fs::exists(picture));

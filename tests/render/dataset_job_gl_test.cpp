@@ -33,7 +33,7 @@ TEST_F(DatasetJobGl, WritesADatasetThatAgreesWithItself) {
     EXPECT_EQ(files.size(), 7U * 4 + 5);
     ASSERT_EQ(card.at("files").size(), files.size());
     for (const auto& [name, bytes] : files) {
-        EXPECT_EQ(card.at("files").at(name), io::sha256Of(std::string_view(bytes))) << name;
+        EXPECT_EQ(card.at("files").at(name), sha256Of(std::string_view(bytes))) << name;
     }
 
     // COCO masks are the instance image's pixels.

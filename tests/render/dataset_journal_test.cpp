@@ -1,4 +1,4 @@
-#include "render/dataset/dataset_journal.h"
+#include "render/dataset/folder/dataset_journal.h"
 
 #include "tests/support/temp_folder.h"
 
@@ -42,7 +42,7 @@ class Journal : public testing::Test {
 
     test::TempFolder folder_;
     fs::path path_ = folder_.path() / kJournalFile;
-    io::GuardedFolder guarded_ = *io::GuardedFolder::open(folder_.path());
+    GuardedFolder guarded_ = *GuardedFolder::open(folder_.path());
     DatasetIdentity identity_ = {{"the scene", "1"}, {"the camera", "640 480"}};
 };
 

@@ -1,5 +1,5 @@
-#include "render/dataset/modalities.h"
-#include "render/frames/frame_context.h"
+#include "render/dataset/contents/frame_context.h"
+#include "render/encoders/modalities.h"
 #include "render/frames/frame_file.h"
 #include "tests/render/dataset_fixture.h"
 
@@ -265,7 +265,7 @@ TEST_F(DatasetResumeGl, TheFilesHoldWhatTheSceneRendererDraws) {
     const MovingObjects moving(scene_, rays_, {});
     const FrameContext context_of_frames{contents, moving};
     for (const int i : {2, 0}) {  // in another order than the export's
-        View view = makeView(smallCamera(), trajectory.frames[static_cast<std::size_t>(i)].pose);
+        View view = makeView(smallCamera(), trajectory.frames[i].pose);
         view.antialias = PictureParams{}.antialias;
         const auto frame = renderer->render(view);
         ASSERT_TRUE(frame);

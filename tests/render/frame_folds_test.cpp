@@ -1,6 +1,8 @@
-#include "render/dataset/frame_folds.h"
+#include "render/dataset/contents/frame_folds.h"
 
-#include "render/dataset/dataset_contents.h"
+#include "render/dataset/contents/dataset_contents.h"
+#include "render/encoders/modalities.h"
+#include "render/formats/formats.h"
 #include "render/formats/tables/fold_files.h"
 #include "tests/support/scene_builder.h"
 
@@ -37,7 +39,7 @@ void expectSplit(const FrameFolds& split, std::size_t frames, int count) {
     for (const Fold& fold : split.folds) {
         EXPECT_TRUE(std::is_sorted(fold.train.begin(), fold.train.end()));
         EXPECT_FALSE(fold.train.empty());
-        for (const int i : fold.val) ++held_back[static_cast<std::size_t>(i)];
+        for (const int i : fold.val) ++held_back[i];
         std::vector<int> both;
         std::set_intersection(fold.train.begin(), fold.train.end(), fold.val.begin(),
                               fold.val.end(), std::back_inserter(both));
@@ -54,8 +56,8 @@ TEST(FrameFolds, HoldsBackWholeRoomsWhereThereAreEnough) {
     expectSplit(*split, frames.size(), 5);
     for (const Fold& fold : split->folds) {
         std::set<std::string> learnt, held_back;
-        for (const int i : fold.train) learnt.insert(frames[static_cast<std::size_t>(i)].room);
-        for (const int i : fold.val) held_back.insert(frames[static_cast<std::size_t>(i)].room);
+        for (const int i : fold.train) learnt.insert(frames[i].room);
+        for (const int i : fold.val) held_back.insert(frames[i].room);
         EXPECT_EQ(learnt.size() + held_back.size(), 7U);
         EXPECT_EQ(fold.train.size() + fold.val.size(), frames.size());
     }

@@ -1,6 +1,6 @@
-#include "render/frames/frame_writer.h"
+#include "render/pipeline/frame_writer.h"
 
-#include "render/frames/moving_objects.h"
+#include "render/scene/moving_objects.h"
 #include "tests/support/scene_builder.h"
 #include "tests/support/temp_folder.h"
 
@@ -34,7 +34,7 @@ class FrameWriterTest : public testing::Test {
         std::atomic<int> done = 0;
         handed_over = 0;
         FrameWriter::Settings settings{
-            *io::GuardedFolder::open(folder_.path()), {&kSlow}, {}, 0, max_bytes};
+            *GuardedFolder::open(folder_.path()), {&kSlow}, {}, 0, max_bytes};
         FrameWriter writer(settings, context_, [&](WrittenFrame) -> Status {
             ++done;
             return {};

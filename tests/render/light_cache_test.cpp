@@ -32,7 +32,7 @@ class LightCacheTest : public testing::Test {
         volume_ = bakeLightVolume(scene_, rays_, rig_, coarse());
     }
 
-    io::GuardedFolder cacheFolder() const { return *io::GuardedFolder::open(folder_.path()); }
+    GuardedFolder cacheFolder() const { return *GuardedFolder::open(folder_.path()); }
     std::size_t files() const {
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), {}));
     }

@@ -1,9 +1,9 @@
 // Tests of the sun and the light settings in rendered images.
 
 #include "engine/scene/varied_materials.h"
-#include "render/draw/tone_curve.h"
+#include "render/light/tone_curve.h"
+#include "render/materials/surface_brdf.h"
 #include "render/pathtrace/path_tracer.h"
-#include "render/pathtrace/surface_brdf.h"
 #include "tests/render/dataset_fixture.h"
 #include "tests/render/lamp_room.h"
 #include "tests/render/sunny_room.h"

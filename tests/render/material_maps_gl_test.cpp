@@ -1,8 +1,8 @@
 // Normal, roughness, metallic and emission maps, and glass behind glass, against numbers computed
 // by hand.
 
+#include "render/materials/traced_surface.h"
 #include "render/pathtrace/path_tracer.h"
-#include "render/pathtrace/traced_surface.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 

@@ -1,4 +1,4 @@
-#include "render/verify/picture_edges.h"
+#include "render/verify/compare/picture_edges.h"
 
 #include "engine/core/random.h"
 
@@ -24,8 +24,7 @@ Image16 labels(const std::vector<Box>& boxes) {
     for (const Box& box : boxes) {
         for (int y = box.y0; y < box.y1; ++y) {
             for (int x = box.x0; x < box.x1; ++x) {
-                ids.values[static_cast<std::size_t>(y * kWidth + x)] =
-                    static_cast<std::uint16_t>(box.id);
+                ids.values[y * kWidth + x] = static_cast<std::uint16_t>(box.id);
             }
         }
     }
@@ -108,7 +107,7 @@ TEST(PictureEdges, ALineBesideAFaintBorderProvesNothing) {
     for (int y = 0; y < 90; ++y) {
         for (int x = 104; x < 106; ++x) {
             for (int c = 0; c < 3; ++c) {
-                picture.values[static_cast<std::size_t>(3 * (y * kWidth + x) + c)] = 60;
+                picture.values[3 * (y * kWidth + x) + c] = 60;
             }
         }
     }
@@ -126,8 +125,7 @@ TEST(PictureEdges, MirroredOutlinesAreThoseOfTheMirroredImage) {
     Image16 mirrored_ids = ids;
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            mirrored_ids.values[static_cast<std::size_t>(y * kWidth + x)] =
-                ids.at(kWidth - 1 - x, kHeight - 1 - y);
+            mirrored_ids.values[y * kWidth + x] = ids.at(kWidth - 1 - x, kHeight - 1 - y);
         }
     }
     const auto sorted = [](std::vector<std::array<int, 2>> places) {

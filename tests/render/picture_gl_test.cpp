@@ -244,7 +244,7 @@ TEST_F(PictureGl, TheOverviewHoldsTheWholeRoomWithoutItsCeiling) {
     std::vector<int> pixels(scene.objects.size() + 1, 0);
     for (const std::uint16_t id : frame->instance) ++pixels[id];
     for (const Object& object : scene.objects) {
-        const int seen = pixels[static_cast<std::size_t>(object.id)];
+        const int seen = pixels[object.id];
         if (object.nyu40 == kNyuCeiling) {
             EXPECT_EQ(seen, 0);
         }

@@ -1,4 +1,4 @@
-#include "render/dataset/picture_quality.h"
+#include "render/pictures/picture_quality.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "engine/camera/intrinsics.h"
 #include "engine/core/random.h"
 #include "engine/io/trajectories/trajectory_file.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/poses/colmap.h"
 #include "render/formats/poses/instant_ngp.h"
 #include "render/formats/poses/kitti.h"
@@ -60,10 +61,10 @@ class PoseFormats : public testing::Test {
     /// Checks that our reader of the format, which shares no code with the writer, returns the
     /// poses.
     void expectSame(const std::string& name, const std::string& format, bool relative = false) {
-        io::TrajectoryReading reading;
+        TrajectoryReading reading;
         reading.format = format;
         reading.world = relative ? "z-up" : "";
-        const auto loaded = io::loadTrajectory(folder_.path() / name, reading);
+        const auto loaded = loadTrajectory(folder_.path() / name, reading);
         ASSERT_TRUE(loaded) << describe(loaded.error());
         const auto& frames = loaded->trajectory.frames;
         ASSERT_EQ(frames.size(), contents_.frames.size());

@@ -1,5 +1,8 @@
 #include "render/dataset/size_estimate.h"
 
+#include "render/encoders/modalities.h"
+#include "render/formats/formats.h"
+
 #include <gtest/gtest.h>
 
 namespace dollytrack::render {

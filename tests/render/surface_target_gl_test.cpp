@@ -1,6 +1,6 @@
 // Normals and base colours of the labelled surfaces, rendered together with the labels.
 
-#include "render/draw/surface_target.h"
+#include "render/draw/passes/surface_target.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 

@@ -99,8 +99,7 @@ std::vector<std::uint8_t> mirrored(const std::vector<std::uint8_t>& rgb, int wid
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             for (int c = 0; c < 3; ++c) {
-                turned[static_cast<std::size_t>(3 * (y * width + x) + c)] =
-                    rgb[static_cast<std::size_t>(3 * (y * width + width - 1 - x) + c)];
+                turned[3 * (y * width + x) + c] = rgb[3 * (y * width + width - 1 - x) + c];
             }
         }
     }
@@ -124,16 +123,14 @@ TEST_F(TracedReflectionsGl, AMirrorShowsWhatACameraBehindItSees) {
     EXPECT_GT(differenceInMirror(traced.ids, blurred.rgb, wanted), 15.0);
     // Outside the mirror nothing differs, except right beside it, where antialiasing blends the
     // edge.
-    const auto isMirror = [&](int x, int y) {
-        return traced.ids[static_cast<std::size_t>(y * 128 + x)] == kMirror;
-    };
+    const auto isMirror = [&](int x, int y) { return traced.ids[y * 128 + x] == kMirror; };
     for (int y = 3; y < 93; ++y) {
         for (int x = 3; x < 125; ++x) {
             bool near_mirror = false;
             for (int k = -3; k <= 3; ++k) {
                 near_mirror = near_mirror || isMirror(x + k, y) || isMirror(x, y + k);
             }
-            const auto i = static_cast<std::size_t>(3 * (y * 128 + x));
+            const std::size_t i = 3 * (y * 128 + x);
             if (!near_mirror) {
                 ASSERT_EQ(traced.rgb[i], blurred.rgb[i]) << x << " " << y;
             }

@@ -1,4 +1,4 @@
-#include "render/dataset/modalities.h"
+#include "render/encoders/modalities.h"
 #include "render/frames/frame_file.h"
 #include "render/frames/mask_rle.h"
 #include "render/truth/visibility_mask.h"
@@ -96,8 +96,7 @@ class TruthGl : public test::DatasetGlTest {
             const Object& object = scene_.object(motion.object_id);
             for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
                 Eigen::Vector3f& p = moved.positions[object.first_vertex + v];
-                p = (motion.by_frame[static_cast<std::size_t>(frame)] * p.cast<double>())
-                        .cast<float>();
+                p = (motion.by_frame[frame] * p.cast<double>()).cast<float>();
             }
         }
         return moved;
@@ -117,8 +116,8 @@ TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
         const Flow flow = this->flow(to > from ? "flow_forward" : "flow_backward", from, to);
         const RayCaster now(sceneAt(from));
         const RayCaster then(sceneAt(to));
-        const Pose& camera = trajectory_.frames[static_cast<std::size_t>(from)].pose;
-        const Pose& other = trajectory_.frames[static_cast<std::size_t>(to)].pose;
+        const Pose& camera = trajectory_.frames[from].pose;
+        const Pose& other = trajectory_.frames[to].pose;
         for (int y = 2; y < lens.height; y += 5) {
             for (int x = 1; x < lens.width; x += 5) {
                 const Eigen::Vector2d at(x + 0.5, y + 0.5);
@@ -133,8 +132,7 @@ TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
                 }
                 Eigen::Vector3d place = camera.position + hit.distance * ahead;
                 if (!motions_.empty() && hit.object_id == motions_[0].object_id) {
-                    place = motions_[0].by_frame[static_cast<std::size_t>(to)] *
-                            motions_[0].by_frame[static_cast<std::size_t>(from)].inverse() * place;
+                    place = motions_[0].by_frame[to] * motions_[0].by_frame[from].inverse() * place;
                     ++of_moving;
                 }
                 const Eigen::Vector3d there = other.toCamera(place);
@@ -265,7 +263,7 @@ TEST_F(TruthGl, NormalsAreOnTheSideThatIsSeenAlsoWhereFacesAreSmoothed) {
     for (int frame = 0; frame < 4; ++frame) {
         const cv::Mat normals = image(frameFile("normal_world", frame));
         const cv::Mat instance = image(frameFile("instance", frame));
-        const Pose& camera = trajectory_.frames[static_cast<std::size_t>(frame)].pose;
+        const Pose& camera = trajectory_.frames[frame].pose;
         for (int y = 0; y < lens.height; ++y) {
             for (int x = 0; x < lens.width; ++x) {
                 const Eigen::Vector3d ahead =

@@ -1,4 +1,4 @@
-#include "ui/panels/plan/edits_panel.h"
+#include "ui/panels/edits/edits_panel.h"
 
 #include "engine/document/operation.h"
 #include "tests/support/scene_builder.h"

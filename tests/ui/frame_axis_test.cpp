@@ -1,4 +1,4 @@
-#include "ui/widgets/frame_axis.h"
+#include "ui/panels/timeline/frame_axis.h"
 
 #include <gtest/gtest.h>
 
@@ -69,13 +69,12 @@ TEST(PlotColumns, KeepExtremes) {
     };
     for (int round = 0; round < 300; ++round) {
         const int count = between(1, 5000);
-        std::vector<double> values(static_cast<std::size_t>(count));
+        std::vector<double> values(count);
         for (double& value : values) value = between(-1000, 1000);
         values[random() % values.size()] = 1e6;  // a spike of one frame
         FrameAxis axis(count, 0, between(2, 900), 0, 0);
         for (int i = between(0, 5); i > 0; --i) axis.zoom(between(0, 900), 0.5);
-        const auto columns =
-            plotColumns(axis, count, [&](int i) { return values[static_cast<std::size_t>(i)]; });
+        const auto columns = plotColumns(axis, count, [&](int i) { return values[i]; });
         ASSERT_FALSE(columns.empty());
         const auto begin = values.begin() + axis.frameAt(axis.left());
         const auto end = values.begin() + axis.endFrame();

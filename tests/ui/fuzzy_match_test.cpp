@@ -1,4 +1,4 @@
-#include "ui/widgets/commands/fuzzy_match.h"
+#include "ui/widgets/fuzzy_match.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/forms/number_input.h"
+#include "ui/widgets/fields/number_input.h"
 
 #include "tests/ui/screen.h"
 

@@ -13,11 +13,11 @@ namespace {
 /// A timeline as the editor uses it: requests are carried out.
 struct Timeline {
     explicit Timeline(int count) {
-        series.clearance_m.assign(static_cast<std::size_t>(count), 0.5);
+        series.clearance_m.assign(count, 0.5);
         series.speed_mps = series.turn_dps = series.score = series.clearance_m;
-        series.in_view.assign(static_cast<std::size_t>(count), 3);
+        series.in_view.assign(count, 3);
         series.captured_so_far = series.in_view;
-        series.newly_captured.resize(static_cast<std::size_t>(count));
+        series.newly_captured.resize(count);
         view.frame_count = count;
         view.series = &series;
         view.keys = &keys;
@@ -162,8 +162,8 @@ TEST(TimelineTime, FollowsTheTimesWhereFramesWereLeftOut) {
     EXPECT_NEAR(timeOf(view, 3), 0.3, 1e-12);
     view.times_s = &times;
     for (int i = 0; i < 4; ++i) {
-        EXPECT_EQ(timeOf(view, i), times[static_cast<std::size_t>(i)]);
-        EXPECT_NEAR(frameAt(view, times[static_cast<std::size_t>(i)]), i, 1e-12);
+        EXPECT_EQ(timeOf(view, i), times[i]);
+        EXPECT_NEAR(frameAt(view, times[i]), i, 1e-12);
     }
     EXPECT_NEAR(timeOf(view, 1.25), 0.2, 1e-12);
     EXPECT_NEAR(frameAt(view, 0.2), 1.25, 1e-12);

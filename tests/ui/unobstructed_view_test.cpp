@@ -94,7 +94,7 @@ TEST(ClearLook, PicturesLeaveAwayWhatIsHiddenAndStructureAboveTheCut) {
     EXPECT_FALSE(render::isCutAway(view, scene, wall, {0, 0, 2.3}));
     EXPECT_FALSE(render::isCutAway(view, scene, cube, {2, 1.5, 2.45}));
     view.hidden.assign(static_cast<std::size_t>(cube) + 1, false);
-    view.hidden[static_cast<std::size_t>(cube)] = true;
+    view.hidden[cube] = true;
     EXPECT_TRUE(render::isCutAway(view, scene, cube, {2, 1.5, 2}));
 }
 

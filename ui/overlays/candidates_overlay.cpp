@@ -135,7 +135,7 @@ Eigen::Vector4f colorOf(Verdict verdict) {
 
 bool isInCone(const Plan& plan, const CandidatesOverlayOptions& options,
               const Eigen::Vector3d& eye) {
-    const auto index = static_cast<std::size_t>(options.observation_point);
+    const std::size_t index = options.observation_point;
     if (options.observation_point < 0 ||
         index >= std::min(plan.observation_points.size(), plan.searches.size())) {
         return false;
@@ -161,8 +161,8 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
     const auto count =
         static_cast<int>(std::min(plan.observation_points.size(), plan.searches.size()));
     if (index < 0 || index >= count) return layer;
-    const ObservationPoint& point = plan.observation_points[static_cast<std::size_t>(index)];
-    const ViewpointSearch& search = plan.searches[static_cast<std::size_t>(index)];
+    const ObservationPoint& point = plan.observation_points[index];
+    const ViewpointSearch& search = plan.searches[index];
     if (options.cone) {
         addCone(layer.overlay, point, search.candidates, options);
     }
@@ -197,8 +197,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
         entries.push_back({std::move(words), EntryShape::SmallDot, colorOf(kind), number});
     }
     if (search.position_point >= 0) {
-        const Eigen::Vector3d& best =
-            plan.position_points[static_cast<std::size_t>(search.position_point)].pose.position;
+        const Eigen::Vector3d& best = plan.position_points[search.position_point].pose.position;
         const std::int32_t tag = toTag(Picked::PositionPoint, search.position_point);
         layer.overlay.lines.push_back({best, point.position, kKeyFrameColor, 2.0, 0.0, tag});
         layer.overlay.marks.push_back(
@@ -209,7 +208,7 @@ PlanLayer candidatesLayer(const Plan& plan, const CandidatesOverlayOptions& opti
     }
     const int selected = options.selected_candidate;
     if (selected >= 0 && selected < static_cast<int>(search.candidates.size())) {
-        const Eigen::Vector3d& at = search.candidates[static_cast<std::size_t>(selected)].position;
+        const Eigen::Vector3d& at = search.candidates[selected].position;
         const std::int32_t tag = toTag(Picked::Candidate, selected);
         layer.overlay.lines.push_back({at, point.position, kSelectedColor, 1.6, 5.0, tag});
         layer.overlay.marks.push_back(

@@ -75,7 +75,7 @@ class FreeSpaceBuilder {
         }
         if (options.slice) {
             const CellRange range = cellsOf(*options.slice, cell_m_);
-            const auto k = static_cast<std::size_t>(options.slice->axis);
+            const std::size_t k = options.slice->axis;
             region_.low[k] = std::max(region_.low[k], range.begin);
             region_.high[k] = std::min(region_.high[k], range.end);
         }
@@ -144,7 +144,7 @@ class FreeSpaceBuilder {
         if (state == CellState::Occupied) return withOpacity(kOccupied, options_.opacity);
         if (state == CellState::Unknown) return withOpacity(kUnknown, options_.opacity);
         if (options_.color == CellColor::Level) {
-            const auto at = static_cast<std::size_t>(std::clamp(level, 0, kMostLevels - 1));
+            const std::size_t at = std::clamp(level, 0, kMostLevels - 1);
             ++levels_[at];
             return withOpacity(levelColor(level), options_.opacity);
         }
@@ -155,7 +155,7 @@ class FreeSpaceBuilder {
             return withOpacity(kSpareColor, options_.opacity);
         }
         rooms_.resize(std::max(rooms_.size(), static_cast<std::size_t>(room) + 1));
-        ++rooms_[static_cast<std::size_t>(room)];
+        ++rooms_[room];
         return withOpacity(partColor(room), options_.opacity);
     }
 
@@ -244,7 +244,7 @@ class FreeSpaceBuilder {
         }
         if (options_.free && options_.color == CellColor::Level) {
             for (int level = 0; level < kMostLevels; ++level) {
-                const int number = levels_[static_cast<std::size_t>(level)];
+                const int number = levels_[level];
                 if (number == 0) continue;
                 legend.entries.push_back(
                     {fmt::format("Free, level {}: {:.2f} m", level, cell_m_ * std::exp2(level)),
@@ -295,8 +295,7 @@ std::optional<Voxel> voxelAt(const FreeSpace& free_space, const render::View& vi
     double leave = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
         if (ray.direction[k] == 0.0) {
-            const bool outside =
-                ray.origin[k] < region.min()[k] || ray.origin[k] > region.max()[k];
+            const bool outside = ray.origin[k] < region.min()[k] || ray.origin[k] > region.max()[k];
             if (outside) return std::nullopt;
             continue;
         }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planning/free_space/free_space.h"
-#include "render/draw/view.h"
+#include "render/view/view.h"
 #include "ui/overlays/legend.h"
 #include "ui/overlays/slice.h"
 

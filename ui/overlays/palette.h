@@ -4,7 +4,7 @@
 
 namespace dollytrack::ui {
 
-/// Colours with the same meaning in all overlays. sRGB with alpha.
+/// Colours of the overlays, sRGB with alpha.
 inline const Eigen::Vector4f kLargeTargetColor(0.98F, 0.80F, 0.10F, 1.0F);
 inline const Eigen::Vector4f kSmallTargetColor(0.90F, 0.12F, 0.12F, 1.0F);
 inline const Eigen::Vector4f kKeyFrameColor(0.10F, 0.78F, 0.93F, 1.0F);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/draw/view.h"
 #include "render/overlays/overlay.h"
+#include "render/view/view.h"
 #include "ui/overlays/pick_tag.h"
 
 #include <optional>

@@ -21,7 +21,7 @@ class PointsBuilder {
           camera_(camera),
           options_(options),
           is_key_(plan.position_points.size(), false) {
-        for (const int key : plan.key_frames) is_key_[static_cast<std::size_t>(key)] = true;
+        for (const int key : plan.key_frames) is_key_[key] = true;
     }
 
     PlanLayer build() {
@@ -103,10 +103,9 @@ class PointsBuilder {
     void addSelected() {
         const int p = options_.selected_position_point;
         if (p >= 0 && p < static_cast<int>(plan_.position_points.size())) {
-            const auto& point = plan_.position_points[static_cast<std::size_t>(p)];
+            const auto& point = plan_.position_points[p];
             const Eigen::Vector3d& target =
-                plan_.observation_points[static_cast<std::size_t>(point.observation_point)]
-                    .position;
+                plan_.observation_points[point.observation_point].position;
             const std::int32_t tag = toTag(Picked::PositionPoint, p);
             layer_.overlay.lines.push_back(
                 {point.pose.position, target, kSelectedColor, 1.6, 5.0, tag});
@@ -118,20 +117,17 @@ class PointsBuilder {
         }
         const int o = options_.selected_observation_point;
         if (o >= 0 && o < static_cast<int>(plan_.observation_points.size())) {
-            layer_.overlay.marks.push_back(
-                {plan_.observation_points[static_cast<std::size_t>(o)].position,
-                 Mark::Shape::Ring,
-                 kSelectedColor,
-                 22.0,
-                 {0, 0, 0},
-                 toTag(Picked::ObservationPoint, o)});
+            layer_.overlay.marks.push_back({plan_.observation_points[o].position,
+                                            Mark::Shape::Ring,
+                                            kSelectedColor,
+                                            22.0,
+                                            {0, 0, 0},
+                                            toTag(Picked::ObservationPoint, o)});
             layer_.legend.entries.push_back({"Selected", Shape::Ring, kSelectedColor, 1});
         }
     }
 
-    [[nodiscard]] const Pose& pose(int index) const {
-        return plan_.position_points[static_cast<std::size_t>(index)].pose;
-    }
+    [[nodiscard]] const Pose& pose(int index) const { return plan_.position_points[index].pose; }
 
     const Scene& scene_;
     const Plan& plan_;

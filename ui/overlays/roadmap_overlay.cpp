@@ -39,8 +39,8 @@ struct Parts {
         count = static_cast<int>(sizes.size());
         for (int part = 0; part < count; ++part) {
             for (const int key : plan.key_frames) {
-                if (connected.find(key) == sizes[static_cast<std::size_t>(part)].second) {
-                    of_point[static_cast<std::size_t>(key)] = part;
+                if (connected.find(key) == sizes[part].second) {
+                    of_point[key] = part;
                 }
             }
         }
@@ -120,7 +120,7 @@ class RoadmapBuilder {
             } else {
                 const int color = colorIndex(edge);
                 by_color.resize(std::max(by_color.size(), static_cast<std::size_t>(color) + 1));
-                ++by_color[static_cast<std::size_t>(color)];
+                ++by_color[color];
                 if (options_.accepted) addEdge(edge, partColor(color), 3.4, 0.0, tag);
             }
         }
@@ -160,12 +160,11 @@ class RoadmapBuilder {
         const auto& roadmap = plan_.roadmap;
         const int e = options_.selected_edge;
         if (e >= 0 && e < static_cast<int>(roadmap.edges.size())) {
-            addEdge(roadmap.edges[static_cast<std::size_t>(e)], kSelectedColor, 4.0, 0.0,
-                    toTag(Picked::Edge, e));
+            addEdge(roadmap.edges[e], kSelectedColor, 4.0, 0.0, toTag(Picked::Edge, e));
         }
         const int r = options_.selected_refused;
         if (r >= 0 && r < static_cast<int>(roadmap.refused.size())) {
-            const RefusedEdge& edge = roadmap.refused[static_cast<std::size_t>(r)];
+            const RefusedEdge& edge = roadmap.refused[r];
             const std::int32_t tag = toTag(Picked::RefusedEdge, r);
             addLine(at(edge.a), at(edge.b), kSelectedColor, 3.0, 0.0, tag);
             layer_.overlay.marks.push_back(
@@ -174,7 +173,7 @@ class RoadmapBuilder {
     }
 
     [[nodiscard]] int colorIndex(const RoadmapEdge& edge) const {
-        const auto a = static_cast<std::size_t>(edge.a);
+        const std::size_t a = edge.a;
         return std::max(0, options_.color == EdgeColor::Room ? plan_.position_points[a].component
                                                              : parts_.of_point[a]);
     }
@@ -190,7 +189,7 @@ class RoadmapBuilder {
     }
 
     [[nodiscard]] const Eigen::Vector3d& at(int position_point) const {
-        return plan_.position_points[static_cast<std::size_t>(position_point)].pose.position;
+        return plan_.position_points[position_point].pose.position;
     }
 
     const Plan& plan_;

@@ -5,9 +5,9 @@
 namespace dollytrack::ui {
 
 std::string nameOf(const Scene& scene, const Plan& plan, int position_point) {
-    const auto p = static_cast<std::size_t>(position_point);
+    const std::size_t p = position_point;
     if (position_point < 0 || p >= plan.position_points.size()) return "nothing";
-    const auto o = static_cast<std::size_t>(plan.position_points[p].observation_point);
+    const std::size_t o = plan.position_points[p].observation_point;
     const std::vector<int>& objects = plan.observation_points[o].objects;
     if (objects.empty()) {
         const PositionPoint& point = plan.position_points[p];
@@ -33,7 +33,7 @@ std::string describe(const Scene& scene, const Plan& plan, const AlgorithmStep& 
     using Kind = AlgorithmStep::Kind;
     const std::string a = nameOf(scene, plan, step.a);
     const std::string b = nameOf(scene, plan, step.b);
-    const auto index = static_cast<std::size_t>(step.index);
+    const std::size_t index = step.index;
     switch (step.kind) {
         case Kind::Sample:
             return fmt::format("Sample: the view of {}.", a);

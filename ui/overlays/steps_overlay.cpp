@@ -24,7 +24,7 @@ class Replay {
     void take(const AlgorithmStep& step) {
         switch (step.kind) {
             case Kind::Sample:
-                sampled_[static_cast<std::size_t>(step.a)] = true;
+                sampled_[step.a] = true;
                 break;
             case Kind::Accepted:
             case Kind::LinkFound:
@@ -38,7 +38,7 @@ class Replay {
                 samples_.push_back(&step);
                 break;
             case Kind::Prune:
-                pruned_[static_cast<std::size_t>(step.index)] = true;
+                pruned_[step.index] = true;
                 break;
             case Kind::Visit:
                 visits_.push_back(&step);
@@ -65,7 +65,7 @@ class Replay {
   private:
     void drawRefused() {
         for (const int index : refused_) {
-            const RefusedEdge& edge = plan_.roadmap.refused[static_cast<std::size_t>(index)];
+            const RefusedEdge& edge = plan_.roadmap.refused[index];
             const std::int32_t tag = toTag(Picked::RefusedEdge, index);
             line(at(edge.a), edge.collision, withOpacity(kRefusedColor, 0.5F), 1.2, 0.0, tag);
             line(edge.collision, at(edge.b), withOpacity(kRefusedColor, 0.25F), 1.0, 4.0, tag);
@@ -93,9 +93,9 @@ class Replay {
         std::size_t links = 0;
         std::size_t dropped = 0;
         for (const int index : edges_) {
-            const RoadmapEdge& edge = plan_.roadmap.edges[static_cast<std::size_t>(index)];
+            const RoadmapEdge& edge = plan_.roadmap.edges[index];
             const std::int32_t tag = toTag(Picked::Edge, index);
-            if (pruned_[static_cast<std::size_t>(index)]) {
+            if (pruned_[index]) {
                 ++dropped;
                 addEdge(layer_.overlay, plan_, edge, kDroppedColor, 1.3, 5.0, tag);
             } else if (edge.is_link) {
@@ -122,7 +122,7 @@ class Replay {
     void drawKeyFrames() {
         std::size_t sampled = 0;
         for (const int key : plan_.key_frames) {
-            const bool done = sampled_[static_cast<std::size_t>(key)];
+            const bool done = sampled_[key];
             sampled += done;
             mark(at(key), Mark::Shape::Cross, done ? kKeyFrameColor : kSpareColor, 8.0,
                  toTag(Picked::PositionPoint, key));
@@ -146,13 +146,11 @@ class Replay {
                 break;
             case Kind::Accepted:
             case Kind::LinkFound:
-                addEdge(layer_.overlay, plan_,
-                        plan_.roadmap.edges[static_cast<std::size_t>(step.index)], kAcceptedColor,
-                        4.5, 0.0, toTag(Picked::Edge, step.index));
+                addEdge(layer_.overlay, plan_, plan_.roadmap.edges[step.index], kAcceptedColor, 4.5,
+                        0.0, toTag(Picked::Edge, step.index));
                 break;
             case Kind::Refused: {
-                const RefusedEdge& edge =
-                    plan_.roadmap.refused[static_cast<std::size_t>(step.index)];
+                const RefusedEdge& edge = plan_.roadmap.refused[step.index];
                 line(at(edge.a), at(edge.b), kRefusedColor, 3.0, 0.0, render::kNoTag);
                 mark(edge.collision, Mark::Shape::Cross, kRefusedColor, 15.0,
                      toTag(Picked::RefusedEdge, step.index));
@@ -165,9 +163,8 @@ class Replay {
                      toTag(Picked::Sample, step.index));
                 break;
             case Kind::Prune:
-                addEdge(layer_.overlay, plan_,
-                        plan_.roadmap.edges[static_cast<std::size_t>(step.index)], kSelectedColor,
-                        3.0, 6.0, toTag(Picked::Edge, step.index));
+                addEdge(layer_.overlay, plan_, plan_.roadmap.edges[step.index], kSelectedColor, 3.0,
+                        6.0, toTag(Picked::Edge, step.index));
                 break;
             default:
                 break;
@@ -191,7 +188,7 @@ class Replay {
         layer_.legend.entries.push_back({name, shape, rgba, static_cast<int>(count)});
     }
     [[nodiscard]] const Eigen::Vector3d& at(int position_point) const {
-        return plan_.position_points[static_cast<std::size_t>(position_point)].pose.position;
+        return plan_.position_points[position_point].pose.position;
     }
 
     const Plan& plan_;

@@ -126,7 +126,7 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
     if (values.scale.max > values.scale.min) layer.legend.scale = values.scale;
     const int selected = options.selected_frame;
     if (selected >= 0 && selected < static_cast<int>(frames.size())) {
-        layer.overlay.marks.push_back({frames[static_cast<std::size_t>(selected)].pose.position,
+        layer.overlay.marks.push_back({frames[selected].pose.position,
                                        Mark::Shape::Ring,
                                        kSelectedColor,
                                        18.0,

@@ -46,8 +46,7 @@ std::vector<Eigen::Vector3f> colorsOfClasses(const ClassTable& table) {
     if (table.isNyu40()) return {};
     std::vector<Eigen::Vector3f> colors(ClassTable::kLargestId + 1, Eigen::Vector3f::Zero());
     for (const DatasetClass& one : table.classes()) {
-        colors[static_cast<std::size_t>(one.id)] =
-            Eigen::Vector3f(one.color[0], one.color[1], one.color[2]) / 255.0F;
+        colors[one.id] = Eigen::Vector3f(one.color[0], one.color[1], one.color[2]) / 255.0F;
     }
     return colors;
 }

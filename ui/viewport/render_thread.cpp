@@ -1,7 +1,7 @@
 #include "ui/viewport/render_thread.h"
 
 #include "engine/scene/scene.h"
-#include "render/draw/render_target.h"
+#include "render/draw/passes/render_target.h"
 #include "render/draw/scene_renderer.h"
 #include "render/gl/picture_texture.h"
 #include "render/light/traced_reflections.h"
@@ -57,12 +57,12 @@ struct Relay {
             std::swap(shown, finished);
         }
         // The render thread does not touch the shown image.
-        Image& image = images[static_cast<std::size_t>(shown)];
+        Image& image = images[shown];
         picture.upload(image.width, image.height, image.rgba);
         image.texture = picture.get();
     }
 
-    [[nodiscard]] const Image& newest() const { return images[static_cast<std::size_t>(shown)]; }
+    [[nodiscard]] const Image& newest() const { return images[shown]; }
 };
 
 /// Whether two views of an unchanged scene give the same image.
@@ -195,7 +195,7 @@ Status fitTarget(std::optional<render::RenderTarget>& target, const Intrinsics& 
     if (target && target->width() == image.width && target->height() == image.height) return {};
     target.reset();
     Result<render::RenderTarget> made = render::RenderTarget::create(image.width, image.height);
-    if (!made) return tl::unexpected<Error>(std::move(made.error()));
+    if (!made) return tl::unexpected(std::move(made.error()));
     target.emplace(std::move(*made));
     return {};
 }
@@ -274,14 +274,14 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     if (same) {
         if (request.light != lit_by) {
             if (Status status = renderer->setLight(light); !status) {
-                return tl::unexpected<Error>(std::move(status.error()));
+                return tl::unexpected(std::move(status.error()));
             }
         }
     } else {
         renderer.reset();  // released first: both may not fit into memory
         Result<render::SceneRenderer> made =
             render::SceneRenderer::create(*scene, light, render::Detail::FullAndCoarse);
-        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        if (!made) return tl::unexpected(std::move(made.error()));
         renderer.emplace(std::move(*made));
     }
     lit_by = request.light;
@@ -300,7 +300,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
     const auto begin = std::chrono::steady_clock::now();
     if (!overlays) {
         Result<render::OverlayRenderer> made = render::OverlayRenderer::create();
-        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        if (!made) return tl::unexpected(std::move(made.error()));
         overlays.emplace(std::move(*made));
     }
     const bool same = last_view && samePicture(*last_view, request.view);
@@ -309,7 +309,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
     if (!drawn) return tl::unexpected(drawn.error());
     last_view = request.view;
     const auto end = std::chrono::steady_clock::now();
-    ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
+    ViewImage& image = views.images[views.drawn];
     image.geometry = geometry;
     image.view = request.view;
     image.serial = ++serial;
@@ -331,21 +331,21 @@ Result<bool> RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& reque
         on.drawn.reset();
         Status status = fitTarget(on.target, size);
         if (status) status = renderer->draw(view, *on.target);
-        if (!status) return tl::unexpected<Error>(std::move(status.error()));
+        if (!status) return tl::unexpected(std::move(status.error()));
         on.drawn = view;
     }
     if (!on.canvas || on.canvas->width() != size.width || on.canvas->height() != size.height) {
         Result<render::OverlayCanvas> made = render::OverlayCanvas::create(size.width, size.height);
-        if (!made) return tl::unexpected<Error>(std::move(made.error()));
+        if (!made) return tl::unexpected(std::move(made.error()));
         on.canvas.emplace(std::move(*made));
     }
     const std::vector<render::OverlayLayer> prepared = layers.prepare(request.layers);
     if (Status status =
             overlays->draw(prepared, view, *on.target, *on.canvas, request.pixel_scale / shrink);
         !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
-    ViewImage& image = views.images[static_cast<std::size_t>(views.drawn)];
+    ViewImage& image = views.images[views.drawn];
     on.target->readDepth(image.depth_m);
     on.target->readIds(image.ids);
     on.canvas->readRgba(image.rgba);
@@ -357,7 +357,7 @@ Result<bool> RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& reque
 Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     if (Status status = fitTarget(preview_target, request.view.intrinsics); !status) return status;
     if (Status status = renderer->draw(request.view, *preview_target); !status) return status;
-    PreviewImage& image = previews.images[static_cast<std::size_t>(previews.drawn)];
+    PreviewImage& image = previews.images[previews.drawn];
     render::FrameRecord& record = image.record;
     record.index = request.frame;
     record.time_s = request.time_s;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "render/draw/view.h"
 #include "render/frames/frame_record.h"
 #include "render/gl/context.h"
 #include "render/light/light_volume.h"
 #include "render/overlays/overlay.h"
+#include "render/view/view.h"
 
 #include <cstdint>
 #include <functional>

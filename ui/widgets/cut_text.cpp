@@ -1,6 +1,6 @@
 #include "ui/widgets/cut_text.h"
 
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "ui/widgets/icon_button.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>

@@ -1,7 +1,7 @@
 #include "ui/widgets/message_box.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <GLFW/glfw3.h>
@@ -60,7 +60,7 @@ int drawButtons(const MessageBox& box) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x +
                                                                      style.ItemSpacing.x - width));
     for (int i = 0; i < static_cast<int>(box.buttons.size()); ++i) {
-        const std::string& label = box.buttons[static_cast<std::size_t>(i)];
+        const std::string& label = box.buttons[i];
         const float wide =
             std::max(scaled(80), ImGui::CalcTextSize(label.c_str()).x + 2 * style.FramePadding.x);
         if (i > 0) ImGui::SameLine();

@@ -2,9 +2,9 @@
 
 #include "engine/core/log.h"
 #include "engine/geometry/ray_caster.h"
+#include "planning/analysis/capture_bound.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
-#include "planning/metrics/capture_bound.h"
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -42,18 +42,18 @@ class SceneComparison {
             Result<PlannedMotion> motion =
                 planner.plan(scene_, params_, params_.seed + i, part.stage(0.0, 0.6, planner.name));
             if (!motion && motion.error().code == ErrorCode::Cancelled) {
-                return tl::unexpected<Error>(std::move(motion.error()));
+                return tl::unexpected(std::move(motion.error()));
             }
             if (!motion) {
                 log::warn("compare",
-                          fmt::format("{} has no trajectory for seed {}: {}", planner.name,
-                                      params_.seed + i, describe(motion.error())));
+                          fmt::format("planner {} found no trajectory for seed {}: {}",
+                                      planner.name, params_.seed + i, describe(motion.error())));
                 ++result_.failures;
                 continue;
             }
             if (!motion->plan_ms) motion->plan_ms = millisecondsSince(begin);
             Result<MetricsRow> row = measureOne(*motion, part.stage(0.6, 1.0, planner.name));
-            if (!row) return tl::unexpected<Error>(std::move(row.error()));
+            if (!row) return tl::unexpected(std::move(row.error()));
             rows.push_back(std::move(*row));
         }
         if (!rows.empty()) {
@@ -64,7 +64,7 @@ class SceneComparison {
 
     Status add(const ExternalTrajectory& given, const JobContext& job) {
         Result<MetricsRow> row = measureOne(given.motion, job);
-        if (!row) return tl::unexpected<Error>(std::move(row.error()));
+        if (!row) return tl::unexpected(std::move(row.error()));
         const auto& metrics = planning::plannerMetricInfos();
         for (std::size_t i = 0; i < metrics.size(); ++i) {
             if (metrics[i].name != "outside_rate" || !(*row)[i] || *(*row)[i] < 0.9) continue;
@@ -82,7 +82,7 @@ class SceneComparison {
         const auto begin = std::chrono::steady_clock::now();
         const auto bound = planning::boundCaptures(
             {*scene_.views, *scene_.free_space, *scene_.sphere}, found, params_.seed, job);
-        if (!bound) return tl::unexpected<Error>(bound.error());
+        if (!bound) return tl::unexpected(bound.error());
         MetricsRow row;
         for (const planning::MetricInfo& metric : planning::plannerMetricInfos()) {
             std::optional<double> value;
@@ -132,7 +132,7 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
     const auto begin = std::chrono::steady_clock::now();
     const auto map = planning::mapBaselineScene(std::move(scene), edits, params,
                                                 job.stage(0.0, 0.1, "free space"));
-    if (!map) return tl::unexpected<Error>(map.error());
+    if (!map) return tl::unexpected(map.error());
     const double map_ms = millisecondsSince(begin);
     SceneComparison comparison(*map, params);
     const std::size_t total = order.planners.size() + given.size() + (order.bound ? 1 : 0);
@@ -146,17 +146,17 @@ Result<ComparedScene> compareIn(std::shared_ptr<const Scene> scene, const PlanEd
     };
     for (const planning::Planner* planner : order.planners) {
         if (Status status = comparison.run(*planner, order.seeds, next(planner->name)); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     for (const ExternalTrajectory& one : given) {
         if (Status status = comparison.add(one, next(one.name)); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     if (order.bound) {
         if (Status status = comparison.addBound(next("dense search")); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     ComparedScene compared = comparison.take();

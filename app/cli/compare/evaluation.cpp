@@ -1,8 +1,8 @@
 #include "app/cli/compare/evaluation.h"
 
 #include "app/cli/terminal/terminal_text.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/trajectory_file.h"
 #include "render/verify/read/number_table.h"
 
@@ -89,9 +89,9 @@ std::string row(const RunFigures& run) {
 }
 
 bool holdsNoPose(const std::string& text) {
-    const auto lines = io::splitLines(text);
+    const auto lines = splitLines(text);
     return std::all_of(lines.begin(), lines.end(), [](std::string_view line) {
-        const auto words = io::splitWords(line);
+        const auto words = splitWords(line);
         return words.empty() || words.front().front() == '#';
     });
 }
@@ -113,14 +113,14 @@ Trajectory trueTrajectory(const verify::StoredDataset& dataset) {
 }
 
 Result<Trajectory> readEstimate(const std::string& path) {
-    Result<std::string> text = io::readText(path);
-    if (!text) return tl::unexpected<Error>(std::move(text.error()));
+    Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(std::move(text.error()));
     if (holdsNoPose(*text)) return Trajectory{};
-    io::TrajectoryReading reading;
+    TrajectoryReading reading;
     reading.world = "z-up";  // not converted: aligned later, or in the right world
     reading.has_options = false;
-    Result<io::LoadedTrajectory> loaded = io::loadTrajectory(path, reading);
-    if (!loaded) return tl::unexpected<Error>(std::move(loaded.error()));
+    Result<LoadedTrajectory> loaded = loadTrajectory(path, reading);
+    if (!loaded) return tl::unexpected(std::move(loaded.error()));
     if (!loaded->timed) {
         return fail(ErrorCode::BadInput,
                     "Its poses have no times, so they cannot be assigned to frames; use the TUM "

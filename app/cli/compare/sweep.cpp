@@ -83,13 +83,13 @@ Result<SweptParameter> parseSweptParameter(const std::string& text) {
     SweptParameter swept;
     swept.name = text.substr(0, equals);
     auto values = valuesOf(text.substr(equals + 1), text);
-    if (!values) return tl::unexpected<Error>(std::move(values.error()));
+    if (!values) return tl::unexpected(std::move(values.error()));
     swept.values = std::move(*values);
     planning::PlanParams params;
     const FieldList fields = planning::listFields(params);
     for (const std::string& value : swept.values) {
         if (Status status = setField(fields, swept.name + "=" + value); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     for (const Field& field : fields) {
@@ -104,7 +104,7 @@ Status Sweeper::open(const std::vector<std::string>& assignments, const JobConte
     SceneArguments arguments = arguments_;
     arguments.assignments.insert(arguments.assignments.end(), with.begin(), with.end());
     Result<OpenedScene> opened = openScene(arguments, job);
-    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+    if (!opened) return tl::unexpected(std::move(opened.error()));
     opened_ = std::move(*opened);
     opened_with_ = std::move(with);
     pipeline_ = std::make_unique<planning::Pipeline>(opened_->scene);
@@ -115,7 +115,7 @@ Status Sweeper::open(const std::vector<std::string>& assignments, const JobConte
 Status Sweeper::map(const planning::PlanParams& params, const JobContext& job) {
     if (mapped_ && mapped_camera_ == params.camera && mapped_space_ == params.free_space) return {};
     auto mapped = planning::mapBaselineScene(opened_->scene, opened_->plan_edits, params, job);
-    if (!mapped) return tl::unexpected<Error>(std::move(mapped.error()));
+    if (!mapped) return tl::unexpected(std::move(mapped.error()));
     mapped_ = std::move(*mapped);
     mapped_camera_ = params.camera;
     mapped_space_ = params.free_space;
@@ -142,7 +142,7 @@ Result<planning::PlannedMotion> Sweeper::planMotion(const planning::Planner& pla
     }
     if (!plan_) {
         auto plan = pipeline_->run(params, opened_->plan_edits, job);
-        if (!plan) return tl::unexpected<Error>(std::move(plan.error()));
+        if (!plan) return tl::unexpected(std::move(plan.error()));
         plan_ = std::move(*plan);
     }
     if (!ours) return planning::smoothAsThePaper(*mapped_, *plan_, params);
@@ -154,20 +154,20 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
                                             const std::vector<const planning::Planner*>& planners,
                                             const JobContext& job) {
     if (Status status = open(assignments, job.stage(0.0, 0.1, "loading")); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     planning::PlanParams params = opened_->params;
     const FieldList fields = planning::listFields(params);
     for (const std::string& assignment : assignments) {
         if (Status status = setField(fields, assignment); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     params.timing.max_frames = planning::frameBudget(params);
     std::vector<SweepPoint> points;
     if (Status status = map(params, job.stage(0.1, 0.2, "free space")); !status) {
         if (status.error().code == ErrorCode::Cancelled) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
         for (const planning::Planner* one : planners) points.push_back(gapOf(*one, status.error()));
         return points;
@@ -186,10 +186,10 @@ Result<std::vector<SweepPoint>> Sweeper::at(const std::vector<std::string>& assi
             points.push_back(gapOf(*planners[i], motion.error()));
             continue;
         }
-        if (!motion) return tl::unexpected<Error>(motion.error());
+        if (!motion) return tl::unexpected(motion.error());
         const auto measured = planning::measurePlannedMotion(
             *mapped_, *motion, job.stage(share(0.5), share(1.0), "metrics"));
-        if (!measured) return tl::unexpected<Error>(measured.error());
+        if (!measured) return tl::unexpected(measured.error());
         point.metrics = planning::toRow(*measured);
         points.push_back(std::move(point));
     }

@@ -8,11 +8,11 @@ namespace dollytrack::cli {
 namespace {
 
 const planning::MetricInfo& metricAt(int index) {
-    return planning::plannerMetricInfos()[static_cast<std::size_t>(index)];
+    return planning::plannerMetricInfos()[index];
 }
 
 std::optional<double> shown(int metric, const SweepPoint& point) {
-    const auto& value = point.metrics[static_cast<std::size_t>(metric)];
+    const auto& value = point.metrics[metric];
     if (!value) return value;
     return metricAt(metric).unit == "%" ? 100.0 * *value : *value;
 }

@@ -8,7 +8,7 @@
 #include "engine/io/settings/annotation_file.h"
 #include "engine/io/settings/rig_file.h"
 #include "engine/plan/plan_json.h"
-#include "render/dataset/modalities.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/tables/dataset_card.h"
 #include "render/sensors/sensor_lens.h"
 
@@ -47,12 +47,12 @@ void addTally(render::PictureTally& all, const render::PictureTally& one) {
 }
 
 /// The annotations file that the project names, or that lies beside the scene.
-Result<io::Annotations> annotationsOf(const OpenedScene& opened) {
+Result<Annotations> annotationsOf(const OpenedScene& opened) {
     std::optional<std::filesystem::path> given;
     if (opened.import.contains("annotations")) {
         given = opened.import["annotations"].get<std::string>();
     }
-    return io::findAnnotations(opened.imported->source, given);
+    return findAnnotations(opened.imported->source, given);
 }
 
 bool wants(const render::DatasetSettings& settings, std::string_view modality) {
@@ -92,8 +92,8 @@ Result<render::DatasetOrigin> originOf(const Trajectory& trajectory, const RayCa
         origin.motions = objectMotions(*planned.scene, opened.edits.scene, trajectory);
     }
     origin.relations = relationsOf(*planned.scene, rays, planned.params.targets);
-    const Result<io::Annotations> said = annotationsOf(opened);
-    if (!said) return tl::unexpected<Error>(said.error());
+    const Result<Annotations> said = annotationsOf(opened);
+    if (!said) return tl::unexpected(said.error());
     overrideRelations(*planned.scene, said->relations, origin.relations);
     return origin;
 }
@@ -106,7 +106,7 @@ Result<render::DatasetSummary> renderTrajectory(
     settings.folder = folder;
     Result<render::DatasetOrigin> origin =
         originOf(trajectory, rays, settings, order.still, opened, planned);
-    if (!origin) return tl::unexpected<Error>(std::move(origin.error()));
+    if (!origin) return tl::unexpected(std::move(origin.error()));
     return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
                                  planned.params.camera, std::move(settings), std::move(*origin),
                                  job);
@@ -131,11 +131,11 @@ Result<std::vector<ExportedDataset>> exportRooms(
         checked.folder = settings.folder / one.room;
         if (!std::filesystem::exists(checked.folder)) continue;
         if (Status status = render::checkSettings(checked); !status) {
-            return tl::unexpected<Error>(std::move(status.error()));
+            return tl::unexpected(std::move(status.error()));
         }
     }
     if (Status status = claimForRooms(settings.folder, settings.root, rooms); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     std::vector<ExportedDataset> written;
     int before = 0;
@@ -144,7 +144,7 @@ Result<std::vector<ExportedDataset>> exportRooms(
         const int count = static_cast<int>(one.trajectory.frames.size());
         auto summary =
             render(one.trajectory, folder, countedOn(job, cancel_flag, before, count, all));
-        if (!summary) return tl::unexpected<Error>(summary.error());
+        if (!summary) return tl::unexpected(summary.error());
         before += count;
         on_written(written.emplace_back(ExportedDataset{one.room, folder, std::move(*summary)}));
     }
@@ -172,17 +172,17 @@ Status checkSensor(const std::vector<std::string>& assignments,
 Result<Rig> rigOf(const std::string& file, const std::vector<std::string>& cameras) {
     Rig rig;
     if (!file.empty()) {
-        Result<Rig> read = io::readRig(file);
+        Result<Rig> read = readRig(file);
         if (!read) return read;
         rig = std::move(*read);
     }
     for (const std::string& text : cameras) {
-        Result<RigCamera> camera = io::parseRigCamera(text);
-        if (!camera) return tl::unexpected<Error>(std::move(camera.error()));
+        Result<RigCamera> camera = parseRigCamera(text);
+        if (!camera) return tl::unexpected(std::move(camera.error()));
         rig.push_back(std::move(*camera));
     }
     if (Status status = validate(rig); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     return rig;
 }
@@ -207,14 +207,14 @@ Result<std::vector<ExportedDataset>> exportPlanned(
     const std::function<void(const ExportedDataset&)>& on_written,
     std::shared_ptr<const std::atomic<bool>> cancel_flag, const JobContext& job) {
     if (Status status = checkNotEmpty(order, opened, planned); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     render::DatasetSettings& settings = order.settings;
     addParameters(planned, settings);
     Result<std::vector<RoomExport>> rooms = roomExports(planned);
-    if (!rooms) return tl::unexpected<Error>(rooms.error());
+    if (!rooms) return tl::unexpected(rooms.error());
     if (Status status = checkRooms(*rooms, settings.range, settings.folds); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     for (RoomExport& one : *rooms) {  // the number of exported frames, not of planned ones
         const int count = static_cast<int>(one.trajectory.frames.size());
@@ -225,7 +225,7 @@ Result<std::vector<ExportedDataset>> exportPlanned(
                             const JobContext& part) -> Result<render::DatasetSummary> {
         if (!context) {  // consumed by the previous dataset
             auto created = order.backend.createContext();
-            if (!created) return tl::unexpected<Error>(std::move(created.error()));
+            if (!created) return tl::unexpected(std::move(created.error()));
             context = std::move(*created);
         }
         return renderTrajectory(trajectory, std::move(context), rays, order, folder, opened,
@@ -238,7 +238,7 @@ Result<std::vector<ExportedDataset>> exportPlanned(
     }
     const std::string folder = settings.folder.string();
     auto summary = render(planned.trajectory, folder, job);
-    if (!summary) return tl::unexpected<Error>(summary.error());
+    if (!summary) return tl::unexpected(summary.error());
     std::vector<ExportedDataset> written;
     on_written(written.emplace_back(ExportedDataset{"", folder, std::move(*summary)}));
     return written;
@@ -249,12 +249,12 @@ Result<render::FrameSeries> beginFrames(const OpenedScene& opened, const Planned
                                         std::unique_ptr<gl::Context> context,
                                         const JobContext& job) {
     if (Status status = checkNotEmpty(order, opened, planned); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     addParameters(planned, order.settings);
     Result<render::DatasetOrigin> origin =
         originOf(planned.trajectory, rays, order.settings, order.still, opened, planned);
-    if (!origin) return tl::unexpected<Error>(std::move(origin.error()));
+    if (!origin) return tl::unexpected(std::move(origin.error()));
     return render::FrameSeries::begin(std::move(context), *planned.scene, rays, planned.trajectory,
                                       planned.params.camera, std::move(order.settings),
                                       std::move(*origin), job);

@@ -46,8 +46,7 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
         const auto rows = scene.at("source_from_world").get<std::array<std::array<double, 4>, 4>>();
         for (Eigen::Index row = 0; row < 4; ++row) {
             for (Eigen::Index column = 0; column < 4; ++column) {
-                said.source_from_world(row, column) =
-                    rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+                said.source_from_world(row, column) = rows[row][column];
             }
         }
         // Datasets exported without plan parameters, as in tests, use the default size rules.
@@ -91,7 +90,7 @@ std::vector<fs::path> foldersOfBatch(const fs::path& dataset) {
         const fs::path list = job.parent_path() / "jobs.json";
         if (!fs::is_regular_file(list, error)) continue;
         try {
-            const auto json = io::readBoundedJson(list).value_or(nlohmann::json());
+            const auto json = readBoundedJson(list).value_or(nlohmann::json());
             if (!json.is_object() || json.value("format", "") != "dollytrack-batch") continue;
             for (const auto& one : json.at("jobs")) {
                 if (one.at("name").get<std::string>() != job.filename().string()) continue;
@@ -116,7 +115,7 @@ std::vector<fs::path> foldersOfProjects(const fs::path& folder, const std::strin
     projects.resize(std::min(projects.size(), kMost));
     std::vector<fs::path> folders;
     for (const fs::path& path : projects) {
-        const Result<io::ProjectFile> project = io::loadProject(path);
+        const Result<ProjectFile> project = loadProject(path);
         if (project && project->scene_sha256 == scene_sha256) {
             folders.push_back(project->scene.parent_path());
         }
@@ -131,7 +130,7 @@ fs::path findScene(const fs::path& dataset, const SaidOfScene& said) {
     if (name.empty()) return {};
     const auto isIt = [&](const fs::path& path) {
         if (!fs::is_regular_file(path, error)) return false;
-        const Result<std::string> is = io::sha256OfFile(path);
+        const Result<std::string> is = sha256OfFile(path);
         return is && *is == said.sha256;
     };
     const auto first_in = [&](const std::vector<fs::path>& folders) -> fs::path {
@@ -192,7 +191,7 @@ Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidO
                                                const JobContext& job) {
     if (path.extension() != ".dolly") {
         Result<Scene> scene = importAsThen(path, said, given, job);
-        if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+        if (!scene) return tl::unexpected(std::move(scene.error()));
         return std::make_shared<const Scene>(std::move(*scene));
     }
     SceneArguments arguments;
@@ -202,7 +201,7 @@ Result<std::shared_ptr<const Scene>> openGiven(const fs::path& path, const SaidO
     arguments.models = given.models;
     arguments.annotations = given.annotations;
     Result<OpenedScene> opened = openScene(arguments, job);
-    if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+    if (!opened) return tl::unexpected(std::move(opened.error()));
     return opened->scene;
 }
 
@@ -235,7 +234,7 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
                                       const DatasetSceneArguments& arguments,
                                       const JobContext& job) {
     const Result<SaidOfScene> said = readSaid(dataset);
-    if (!said) return tl::unexpected<Error>(said.error());
+    if (!said) return tl::unexpected(said.error());
     const fs::path path =
         arguments.path.empty() ? findScene(dataset.folder, *said) : fs::path(arguments.path);
     DatasetScene opened;
@@ -246,7 +245,7 @@ Result<DatasetScene> openDatasetScene(const verify::StoredDataset& dataset,
         return opened;
     }
     Result<std::shared_ptr<const Scene>> scene = openGiven(path, *said, arguments, job);
-    if (!scene) return tl::unexpected<Error>(std::move(scene.error()));
+    if (!scene) return tl::unexpected(std::move(scene.error()));
     if (said->light.light_variation > 0.0) {
         Scene varied = **scene;
         varyMaterials(varied, said->light);

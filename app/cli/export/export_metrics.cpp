@@ -1,6 +1,6 @@
 #include "app/cli/export/export_metrics.h"
 
-#include "app/cli/compare/baseline_plan.h"
+#include "app/cli/plan/baseline_plan.h"
 #include "engine/plan/plan_json.h"
 #include "render/formats/tables/dataset_card.h"
 

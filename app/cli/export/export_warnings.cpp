@@ -2,7 +2,7 @@
 
 #include "engine/core/log.h"
 #include "engine/scene/resolved_light.h"
-#include "render/dataset/modalities.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 
 #include <fmt/format.h>
@@ -56,13 +56,14 @@ void warnOfPictures(const PictureParams& picture) {
 }
 
 /// Warns of blur settings without exposure samples; a rolling shutter always has several samples.
-void warnOfLooks(const SensorParams& sensor, const render::DatasetSettings& settings) {
+void warnOfMissingSamples(const SensorParams& sensor, const render::DatasetSettings& settings) {
     const bool blurs = sensor.shutter_s > 0.0 || sensor.aperture_mm > 0.0;
     if (sensor.looks > 1 || sensor.readout_s > 0.0 || !blurs) return;
     const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
     if (!chosen || !render::contains(*chosen, render::kRgbSensor)) return;
-    log::warn("export", fmt::format("{} has no effect with looks=1; set looks=16",
-                                    sensor.shutter_s > 0.0 ? "shutter_s" : "aperture_mm"));
+    log::warn("export",
+              fmt::format("{} has no effect with one exposure sample (looks=1); set looks=16",
+                          sensor.shutter_s > 0.0 ? "shutter_s" : "aperture_mm"));
 }
 
 /// Whether a rig camera has the pose and lens of the planned camera, so that its images would be
@@ -81,7 +82,7 @@ void warnOfExport(const planning::PlanParams& params, const render::DatasetSetti
     warnOfLight(params.light, settings);
     warnOfSun(params.light);
     warnOfPictures(params.picture);
-    warnOfLooks(params.sensor, settings);
+    warnOfMissingSamples(params.sensor, settings);
     for (const RigCamera& camera : settings.rig) {
         if (!repeats(camera, params.camera)) continue;
         log::warn("export", fmt::format("camera '{}' duplicates the planned camera's pose and "

@@ -89,7 +89,7 @@ Status claimForRooms(const fs::path& folder, const fs::path& root,
                     "dataset per room, or plan with rooms=joined",
                     folder.string());
     }
-    const Result<io::GuardedFolder> own = io::GuardedFolder::makeBelow(folder, root);
+    const Result<GuardedFolder> own = GuardedFolder::makeBelow(folder, root);
     if (!own) return tl::unexpected(own.error());
     nlohmann::json list = {{"rooms", nlohmann::json::array()}};
     for (const RoomExport& one : exports) list["rooms"].push_back(one.about);
@@ -97,14 +97,14 @@ Status claimForRooms(const fs::path& folder, const fs::path& root,
 }
 
 bool holdsRooms(const fs::path& folder) {
-    const auto list = io::readBoundedJson(folder / kList).value_or(nlohmann::json());
+    const auto list = readBoundedJson(folder / kList).value_or(nlohmann::json());
     return list.is_object() && list.contains("rooms");
 }
 
 Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
     std::vector<fs::path> folders;
-    const Result<nlohmann::json> list = io::readBoundedJson(folder / kList);
-    if (!list) return tl::unexpected<Error>(list.error());
+    const Result<nlohmann::json> list = readBoundedJson(folder / kList);
+    if (!list) return tl::unexpected(list.error());
     try {
         for (const nlohmann::json& room : list->at("rooms")) {
             const auto name = room.at("name").get<std::string>();

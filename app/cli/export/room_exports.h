@@ -4,7 +4,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "render/dataset/frame_folds.h"
+#include "render/dataset/contents/frame_folds.h"
 #include "render/dataset/frame_range.h"
 
 #include <nlohmann/json.hpp>

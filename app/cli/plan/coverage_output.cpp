@@ -102,7 +102,7 @@ Status checkCoverageFiles(const std::vector<std::string>& paths) {
 
 Status writeCoverage(const std::string& title, const planning::CoverageCurves& curves,
                      const std::string& path) {
-    if (isTable(path)) return io::writeWhole(path, coverageCsv(curves));
+    if (isTable(path)) return writeWhole(path, coverageCsv(curves));
     return render::writeFigure(coverageFigure(title, curves), path);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planning/metrics/coverage_curve.h"
+#include "planning/analysis/coverage_curve.h"
 #include "render/plots/figure.h"
 
 #include <string>

@@ -34,9 +34,10 @@ std::string scoreRows(const nlohmann::json& repair) {
     }
     return row("image score", tallyText(repair["before"])) +
            row("  after repair", tallyText(repair["after"])) +
-           row("  by", fmt::format("{} look-aside views, {} detours, {} dropped frames; {} rounds",
-                                   repair.value("glances", 0), repair.value("replanned", 0),
-                                   dropped, repair.value("rounds", 0)));
+           row("  repairs",
+               fmt::format("{} look-aside views, {} detours, {} dropped frames; {} rounds",
+                           repair.value("glances", 0), repair.value("replanned", 0), dropped,
+                           repair.value("rounds", 0)));
 }
 
 /// Rows for the objects: captured, possible, missed, share of the image.
@@ -61,15 +62,15 @@ std::string captureRows(const nlohmann::json& m) {
         }
     }
     const std::string small = percent(m, "small_capture_rate");
-    text += row("  of the small ones",
-                small == "-" ? "none is below 0.1 m3" : small + " captured; small: below 0.1 m3");
+    text += row("  small objects",
+                small == "-" ? "none is below 0.1 m3" : small + " captured (below 0.1 m3)");
     text +=
         row("area share", fmt::format("{} of the image (box), {} (mask)",
                                       percent(m, "area_share_box"), percent(m, "area_share_mask")));
     return text;
 }
 
-/// Rows for collisions and the smallest clearance.
+/// Rows for collisions and the minimum clearance.
 std::string collisionRows(const nlohmann::json& m) {
     std::string text;
     text += row("collisions",
@@ -90,7 +91,7 @@ std::string collisionRows(const nlohmann::json& m) {
                                  at["position"][0].get<double>(), at["position"][1].get<double>(),
                                  at["position"][2].get<double>());
     }
-    text += row("smallest clearance", clearance);
+    text += row("minimum clearance", clearance);
     return text;
 }
 
@@ -103,14 +104,14 @@ std::string motionRows(const nlohmann::json& m) {
             const double measured = m.value(name + "_" + what + "_" + unit, 0.0);
             return std::abs(measured) < 1e-6 ? 0.0 : measured;  // smaller: rounding error
         };
-        return fmt::format("{:.3g} {} median, {:.3g} for 95 %, {:.3g} at most", value("median"),
-                           unit_text, value("p95"), value("max"));
+        return fmt::format("{:.3g} {} median, {:.3g} 95th percentile, {:.3g} maximum",
+                           value("median"), unit_text, value("p95"), value("max"));
     };
     text += row("speed", spread("speed", "mps", "m/s"));
     text += row("acceleration", spread("acceleration", "mps2", "m/s2"));
     text += row("jerk", spread("jerk", "mps3", "m/s3"));
     text += row("turning", spread("turn", "dps", "deg/s"));
-    text += row("  its change", spread("turn_acceleration", "dps2", "deg/s2"));
+    text += row("  acceleration", spread("turn_acceleration", "dps2", "deg/s2"));
     text += row("path", fmt::format("{:.1f} m", m.value("path_length_m", 0.0)));
     return text;
 }

@@ -3,7 +3,7 @@
 #include "engine/camera/trajectory.h"
 #include "engine/document/edits.h"
 #include "engine/scene/scene.h"
-#include "render/frames/object_motion.h"
+#include "render/scene/object_motion.h"
 
 #include <vector>
 

@@ -33,10 +33,10 @@ std::vector<render::ObjectRelation> relationsOf(const Scene& scene, const RayCas
     return relations;
 }
 
-void overrideRelations(const Scene& scene, const std::vector<io::AnnotatedRelation>& said,
+void overrideRelations(const Scene& scene, const std::vector<AnnotatedRelation>& said,
                        std::vector<render::ObjectRelation>& relations) {
     std::vector<render::ObjectRelation> stated;
-    for (const io::AnnotatedRelation& one : said) {
+    for (const AnnotatedRelation& one : said) {
         const int object = findObject(scene, {0, one.object});
         const int holder = findObject(scene, {0, one.holder});
         if (object == 0 || holder == 0) {

@@ -3,7 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/io/settings/annotation_file.h"
 #include "planning/plan_params.h"
-#include "render/frames/object_motion.h"
+#include "render/scene/object_motion.h"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ namespace dollytrack::cli {
 /// Replaces detected relations by those in the annotations: for each object named there, only the
 /// annotated relations count. Relations of objects that the scene does not contain (or that are
 /// ambiguous) are skipped with a warning.
-void overrideRelations(const Scene& scene, const std::vector<io::AnnotatedRelation>& said,
+void overrideRelations(const Scene& scene, const std::vector<AnnotatedRelation>& said,
                        std::vector<render::ObjectRelation>& relations);
 
 }  // namespace dollytrack::cli

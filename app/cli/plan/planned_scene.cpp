@@ -121,8 +121,7 @@ Status checkEnds(const OpenedScene& opened, const Plan& plan) {
             return pin.name == name && pin.verdict != Verdict::Legal;
         });
         if (refused == plan.refused_pins.end()) continue;
-        const Eigen::Vector3d& at =
-            opened.plan_edits.pinned[static_cast<std::size_t>(refused->pin)].pose.position;
+        const Eigen::Vector3d& at = opened.plan_edits.pinned[refused->pin].pose.position;
         return fail(ErrorCode::Usage,
                     fmt::format("The camera cannot be at ({:.2f}, {:.2f}, {:.2f}): {}.", at.x(),
                                 at.y(), at.z(), refused->reason),
@@ -136,9 +135,9 @@ Status checkEnds(const OpenedScene& opened, const Plan& plan) {
 Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pipeline,
                                const JobContext& job) {
     const auto plan = pipeline.run(opened.params, opened.plan_edits, job);
-    if (!plan) return tl::unexpected<Error>(plan.error());
+    if (!plan) return tl::unexpected(plan.error());
     if (Status status = checkEnds(opened, **plan); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     for (const RefusedPin& pin : (*plan)->refused_pins) {
         log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
@@ -182,14 +181,14 @@ Result<PlannedScene> planOrReuse(const OpenedScene& opened, const JobContext& jo
     planned.metrics = opened.stored_result.value("metrics", nlohmann::json::object());
     Result<Trajectory> trajectory =
         trajectoryFromJson(opened.stored_result.value("trajectory", nlohmann::json::object()));
-    if (!trajectory) return tl::unexpected<Error>(std::move(trajectory.error()));
+    if (!trajectory) return tl::unexpected(std::move(trajectory.error()));
     planned.trajectory = std::move(*trajectory);
     if (planned.trajectory.frames.empty()) {  // planned again to find the reason
         planning::Pipeline pipeline(opened.scene);
         return planScene(opened, pipeline, job);
     }
     Result<std::vector<Eigen::AlignedBox3d>> rooms = roomsFromJson(opened.stored_result);
-    if (!rooms) return tl::unexpected<Error>(std::move(rooms.error()));
+    if (!rooms) return tl::unexpected(std::move(rooms.error()));
     planned.rooms = std::move(*rooms);
     return planned;
 }

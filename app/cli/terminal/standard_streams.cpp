@@ -19,7 +19,7 @@ ssize_t writeClean(void* cleaner, const char* text, std::size_t size) {
         const ssize_t written = ::write(STDOUT_FILENO, rest.data(), rest.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) return 0;
-        rest.remove_prefix(static_cast<std::size_t>(written));
+        rest.remove_prefix(written);
     }
     return static_cast<ssize_t>(size);
 }

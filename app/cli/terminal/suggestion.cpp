@@ -80,7 +80,7 @@ std::string explainUnknownName(const CLI::App& app, const std::vector<std::strin
             if (command != nullptr) continue;  // a positional value
             const auto found = std::find(subcommands.begin(), subcommands.end(), argument);
             if (found == subcommands.end()) return sentence("subcommand", argument, subcommands);
-            command = all[static_cast<std::size_t>(found - subcommands.begin())];
+            command = all[found - subcommands.begin()];
             continue;
         }
         if (!isKnown(&app, name) && !isKnown(command, name)) {

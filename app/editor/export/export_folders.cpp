@@ -95,7 +95,7 @@ const ui::ExportJob* jobThatWillWrite(const fs::path& folder,
 
 fs::path contactSheetIn(const fs::path& folder) {
     std::vector<fs::path> sheets = {folder / "contact_sheet.jpg"};
-    const auto rooms = io::readBoundedJson(folder / "rooms.json").value_or(nlohmann::json());
+    const auto rooms = readBoundedJson(folder / "rooms.json").value_or(nlohmann::json());
     if (rooms.is_object() && rooms.contains("rooms")) {
         for (const auto& room : rooms["rooms"]) {
             if (room.is_object())

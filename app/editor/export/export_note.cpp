@@ -1,7 +1,7 @@
 #include "app/editor/export/export_note.h"
 
-#include "app/editor/export/owner_mark.h"
-#include "app/editor/project/folder_entries.h"
+#include "app/editor/files/folder_entries.h"
+#include "app/editor/files/owner_mark.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/durable_file.h"
@@ -82,7 +82,7 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
         {"snapshot", note.snapshot},      {"frames_done", note.frames_done},
         {"frames", note.frames},          {"end", kEnds[static_cast<std::size_t>(note.end)]}};
     try {
-        return io::writeWhole(file, text.dump(1) + "\n");
+        return writeWhole(file, text.dump(1) + "\n");
     } catch (const json::exception&) {
         // A replaced character would name another folder.
         return fail(ErrorCode::CannotWrite,
@@ -94,7 +94,7 @@ Status writeNote(const fs::path& file, const ExportNote& note) {
 Result<ExportNote> readNote(const fs::path& file) {
     ExportNote note;
     try {
-        const json read = io::readBoundedJson(file).value_or(json());
+        const json read = readBoundedJson(file).value_or(json());
         note.request.name = read.at("name").get<std::string>();
         note.request.folder = read.at("folder").get<std::string>();
         note.request.range = read.at("range").get<std::string>();
@@ -141,7 +141,7 @@ Result<ExportNote> takeOverNote(const fs::path& left, const fs::path& folder,
         }
     }
     if (Status written = writeNote(exportFile(folder, mark, job, ".json"), *note); !written) {
-        return tl::unexpected<Error>(written.error());
+        return tl::unexpected(written.error());
     }
     fs::remove(left, error);
     if (note->snapshot) fs::remove(old_snapshot, error);

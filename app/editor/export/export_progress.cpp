@@ -94,7 +94,7 @@ bool LineSplitter::take(std::string& line) {
 
 void readProgressLine(const std::string& line, ui::ExportJob& job) {
     if (line.empty()) return;
-    const json told = io::parseBoundedJson(line, "").value_or(json());
+    const json told = parseBoundedJson(line, "").value_or(json());
     if (!told.is_object()) {
         remember(line.substr(0, 500), job);
         return;

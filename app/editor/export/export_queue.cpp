@@ -65,7 +65,7 @@ ExportNote ExportQueue::Entry::noteOf() const {
     return {job.request, project_file, ownsSnapshot(), job.frames_done, job.frames, end};
 }
 
-int ExportQueue::add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project) {
+int ExportQueue::add(ui::ExportRequest request, std::shared_ptr<const ProjectFile> project) {
     Entry entry;
     entry.job.request = std::move(request);
     entry.project = std::move(project);
@@ -349,7 +349,7 @@ void ExportQueue::removeIfGone(int id, const fs::path& file) {
 }
 
 Status ExportQueue::writeSnapshot(int id) {
-    std::shared_ptr<const io::ProjectFile> project;
+    std::shared_ptr<const ProjectFile> project;
     fs::path file;
     // Uses the entry's flag rather than the disk, where a file of that name could belong to another
     // program.
@@ -365,7 +365,7 @@ Status ExportQueue::writeSnapshot(int id) {
                     "The folder for snapshots cannot be created: " + error.message() + ".",
                     file.parent_path().string());
     }
-    if (Status saved = io::saveProject(*project, file); !saved) return saved;
+    if (Status saved = saveProject(*project, file); !saved) return saved;
     removeIfGone(id, file);
     update(id, [](Entry& entry) { entry.snapshot_written = true; });
     return {};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editor/export/export_note.h"
-#include "app/editor/export/owner_mark.h"
+#include "app/editor/files/owner_mark.h"
 #include "engine/core/result.h"
 #include "engine/io/settings/project_file.h"
 #include "ui/export_job.h"
@@ -38,7 +38,7 @@ class ExportQueue {
     ExportQueue& operator=(const ExportQueue&) = delete;
 
     /// Adds an export of the project's current state. Returns the job's id.
-    int add(ui::ExportRequest request, std::shared_ptr<const io::ProjectFile> project);
+    int add(ui::ExportRequest request, std::shared_ptr<const ProjectFile> project);
     /// Adds an export of a project file, read when the job starts. Returns the job's id.
     int addFile(ui::ExportRequest request, std::filesystem::path project_file);
 
@@ -70,7 +70,7 @@ class ExportQueue {
   private:
     struct Entry {
         ui::ExportJob job;
-        std::shared_ptr<const io::ProjectFile> project;  // null: the project is a file
+        std::shared_ptr<const ProjectFile> project;  // null: the project is a file
         std::filesystem::path project_file;
         bool snapshot_written = false;
         bool stored = false;                    // its note was written, or writing failed

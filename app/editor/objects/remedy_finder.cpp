@@ -1,7 +1,7 @@
 #include "app/editor/objects/remedy_finder.h"
 
-#include "engine/document/remedy_operations.h"
-#include "planning/explanations/remedies.h"
+#include "engine/plan/remedy_operations.h"
+#include "planning/remedies/remedies.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +25,7 @@ void RemedyFinder::find(const PlanOutcome& shown, int object_id) {
         if (rows) {
             latest->put({question, std::move(rows->front())});
         } else {
-            latest->put({question, tl::unexpected<Error>(std::move(rows.error()))});
+            latest->put({question, tl::unexpected(std::move(rows.error()))});
         }
     });
 }

@@ -24,7 +24,7 @@ class RemedyFinder {
     void forget();
     /// The state of the search for this object in this plan.
     [[nodiscard]] ui::RemedySearch state(const PlanOutcome& shown, int object_id);
-    /// The operations that apply the remedy (engine/document/remedy_operations.h); empty if there
+    /// The operations that apply the remedy (engine/plan/remedy_operations.h); empty if there
     /// is none.
     [[nodiscard]] nlohmann::json operations() const;
     /// Name of the remedy as a step of the history.

@@ -42,7 +42,7 @@ void SelectionTracker::set(ui::Selection selection, const Plan* plan,
     pin_of_point_.clear();
     const PositionPoint* point = positionPoint(plan);
     if (point == nullptr || point->pin < 0) return;
-    const auto pin = static_cast<std::size_t>(point->pin);
+    const std::size_t pin = point->pin;
     if (pin < pinned.size()) pin_of_point_ = pinned[pin].name;
 }
 
@@ -56,7 +56,7 @@ bool SelectionTracker::selectPin(const std::string& name, const Plan& plan,
     for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
         const int pin = plan.position_points[i].pin;
         if (pin < 0 || static_cast<std::size_t>(pin) >= pinned.size()) continue;
-        if (pinned[static_cast<std::size_t>(pin)].name != name) continue;
+        if (pinned[pin].name != name) continue;
         set(ui::Selection::ofItem(SelectionKind::PositionPoint, static_cast<int>(i)), &plan,
             pinned);
         return true;
@@ -138,14 +138,14 @@ void SelectionTracker::forget() {
 }
 
 void SelectionTracker::toggleHidden(int object) {
-    const auto at = static_cast<std::size_t>(object);
+    const std::size_t at = object;
     if (at < hidden_.size()) hidden_[at] = !hidden_[at];
 }
 
 void SelectionTracker::hideObjects() {
     for (const int id : now_.objects) {
         if (static_cast<std::size_t>(id) < hidden_.size()) {
-            hidden_[static_cast<std::size_t>(id)] = true;
+            hidden_[id] = true;
         }
     }
 }

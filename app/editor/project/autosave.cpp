@@ -1,7 +1,7 @@
 #include "app/editor/project/autosave.h"
 
-#include "app/editor/project/folder_entries.h"
-#include "app/editor/shell/local_time.h"
+#include "app/editor/files/folder_entries.h"
+#include "app/editor/files/local_time.h"
 #include "app/editor/shell/settings.h"
 #include "engine/core/log.h"
 #include "engine/document/history_json.h"
@@ -27,7 +27,7 @@ std::vector<RecoveredWork> findRecoveredWork() {
             OwnerMark::isHeld(folder(), entry.path().stem().string())) {
             continue;
         }
-        const Result<io::ProjectFile> file = io::loadProject(entry.path());
+        const Result<ProjectFile> file = loadProject(entry.path());
         if (!file) continue;
         RecoveredWork work;
         work.file = entry.path();
@@ -78,7 +78,7 @@ bool Autosave::isDue(const CommandStack::State& state) {
     return std::chrono::steady_clock::now() - last_ >= (failing_ ? kRetry : kInterval);
 }
 
-void Autosave::store(const CommandStack::History& history, io::ProjectFile snapshot,
+void Autosave::store(const CommandStack::History& history, ProjectFile snapshot,
                      const Origin& origin) {
     last_ = std::chrono::steady_clock::now();
     stored_ = history.steps[history.position].state;
@@ -93,9 +93,9 @@ void Autosave::store(const CommandStack::History& history, io::ProjectFile snaps
         mark->hold();
         Status status;
         try {
-            io::ProjectFile whole = snapshot;
+            ProjectFile whole = snapshot;
             whole.others[kSection]["history"] = historyJson(history);
-            status = io::saveProject(whole, file);
+            status = saveProject(whole, file);
         } catch (const std::exception& failure) {
             status = fail(ErrorCode::Failed, failure.what(), file.string());
         }

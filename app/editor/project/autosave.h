@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/editor/export/owner_mark.h"
+#include "app/editor/files/owner_mark.h"
 #include "engine/document/command_stack.h"
 #include "engine/io/settings/project_file.h"
 #include "engine/jobs/background_worker.h"
@@ -41,8 +41,7 @@ class Autosave {
     /// is due: because the state is new, or because the last write failed.
     [[nodiscard]] bool isDue(const CommandStack::State& state);
     /// Starts writing a copy. `origin` needs no history; that is taken from `history`.
-    void store(const CommandStack::History& history, io::ProjectFile snapshot,
-               const Origin& origin);
+    void store(const CommandStack::History& history, ProjectFile snapshot, const Origin& origin);
     /// Number of copies started so far.
     [[nodiscard]] int count() const { return count_; }
     /// The open work was restored from this copy (empty: it was not), which is deleted when the

@@ -45,7 +45,7 @@ Status LivePlanner::WorkerState::prepareScene(const PlanRequest& request,
     const bool same_geometry = goes_on && sameGeometry(scene_edits, edits);
     const bool same_objects = goes_on && scene_edits.definitions == edits.definitions;
     Result<Scene> edited = applySceneEdits(*request.imported, edits, rules);
-    if (!edited) return tl::unexpected<Error>(std::move(edited.error()));
+    if (!edited) return tl::unexpected(std::move(edited.error()));
     if (!same_objects) {
         objects =
             std::make_shared<const ObjectTrace>(traceObjects(*request.imported, edits.definitions));

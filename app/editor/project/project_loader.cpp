@@ -6,11 +6,11 @@ namespace dollytrack::editor {
 
 Result<OpenedProject> openProject(ProjectContent content, const JobContext& job) {
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(content, job);
-    if (!imported) return tl::unexpected<Error>(std::move(imported.error()));
+    if (!imported) return tl::unexpected(std::move(imported.error()));
     OpenedProject opened;
     opened.imported = std::move(*imported);
     Result<std::vector<std::string>> lost = numberEdits(content, *opened.imported);
-    if (!lost) return tl::unexpected<Error>(std::move(lost.error()));
+    if (!lost) return tl::unexpected(std::move(lost.error()));
     for (const std::string& one : *lost) opened.warnings.push_back("Annotations: " + one + ".");
     const bool changed = sceneHasChanged(content, *opened.imported);
     if (changed) {

@@ -63,7 +63,7 @@ void Workspace::readAgain(const nlohmann::json& import) {
     LoadOutcome outcome{path().empty() ? sceneFile() : path(), fail(ErrorCode::Failed, "")};
     outcome.history = stack_.history();
     outcome.import_before = opened_->import;
-    io::ProjectFile file = snapshot(false);
+    ProjectFile file = snapshot(false);
     file.import = import;
     file.file_sha256 = fileContent();
     startLoading(std::move(outcome), [file, project = path()] { return contentOf(file, project); });
@@ -198,8 +198,8 @@ void Workspace::finishReadingAgain(LoadOutcome outcome) {
     stack_.markUnsaved();
 }
 
-io::ProjectFile Workspace::snapshot(bool with_plan) const {
-    io::ProjectFile file;
+ProjectFile Workspace::snapshot(bool with_plan) const {
+    ProjectFile file;
     file.scene = opened_->scene_file;
     file.scene_sha256 = opened_->imported->source_sha256;
     file.import = opened_->import;
@@ -242,9 +242,9 @@ void Workspace::write(SaveOrder& order, KnownFiles& known) {
     if (done.was_there || done.changed_elsewhere) return;
     try {
         if (order.plan) order.file.result = resultJson(*order.scene, *order.plan);
-        const std::string text = io::projectText(order.file, done.path);
-        done.status = io::writeWhole(done.path, text);
-        if (done.status) known.remember(done.path, io::sha256Of(text));
+        const std::string text = projectText(order.file, done.path);
+        done.status = writeWhole(done.path, text);
+        if (done.status) known.remember(done.path, sha256Of(text));
     } catch (const std::exception& failure) {
         done.status = fail(ErrorCode::Failed,
                            std::string("The project cannot be written: ") + failure.what() +
@@ -298,7 +298,7 @@ Status Workspace::apply(const nlohmann::json& operation, const std::string& merg
     ProjectState next = state();
     Result<std::string> name =
         applyOperation(next, {*shown_.scene, planning::setParameter}, operation);
-    if (!name) return tl::unexpected<Error>(std::move(name.error()));
+    if (!name) return tl::unexpected(std::move(name.error()));
     const CommandStack::State before = stack_.state();
     stack_.push(*name, std::move(next), merge_key);
     if (stack_.state() != before) replan();
@@ -310,7 +310,7 @@ Status Workspace::applyAll(const nlohmann::json& operations, const std::string& 
     ProjectState next = state();
     if (auto done = applyOperations(next, *shown_.scene, planning::setParameter, operations);
         !done) {
-        return tl::unexpected<Error>(std::move(done.error()));
+        return tl::unexpected(std::move(done.error()));
     }
     const CommandStack::State before = stack_.state();
     stack_.push(name, std::move(next));

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "app/editor/files/file_watch.h"
+#include "app/editor/files/known_files.h"
 #include "app/editor/project/autosave.h"
-#include "app/editor/project/file_watch.h"
-#include "app/editor/project/known_files.h"
 #include "app/editor/project/live_planner.h"
 #include "app/editor/project/project_loader.h"
 #include "engine/document/command_stack.h"
@@ -58,7 +58,7 @@ class Workspace {
         return std::exchange(changed_file_, std::nullopt);
     }
     /// The project in its current state, with the plan if it is current.
-    [[nodiscard]] io::ProjectFile snapshot(bool with_plan = true) const;
+    [[nodiscard]] ProjectFile snapshot(bool with_plan = true) const;
 
     // Changing the project; each change is one undo step and starts planning
     /// Applies one operation (engine/document/operation.h). Consecutive operations with the same
@@ -154,7 +154,7 @@ class Workspace {
 
     struct SaveOrder {
         SaveOutcome outcome;  // the parts known in advance
-        io::ProjectFile file;
+        ProjectFile file;
         std::shared_ptr<const Scene> scene;
         std::shared_ptr<const Plan> plan;  // null: the file gets no plan
         bool asks = false;                 // do not overwrite changes by other programs

@@ -91,7 +91,7 @@ bool InputQueue::deliver(bool hold_keys) {
                 break;
             case Event::Kind::Button:
                 if (event.code >= 0 && event.code < static_cast<int>(down_.size())) {
-                    const auto button = static_cast<std::size_t>(event.code);
+                    const std::size_t button = event.code;
                     down_[button] = event.action == GLFW_PRESS;
                     if (down_[button]) {
                         follows_closely_ = event.earliest_s - pressed_s_[button] < kDoubleClick_s;

@@ -16,7 +16,8 @@ class InputQueue {
     /// Installs the window's callbacks. Only one queue per program; it must outlive the window.
     void attach(GLFWwindow* window);
 
-    /// To be called before polling or waiting for window events.
+    /// Notes the time at which the program begins to receive events, which tells events that waited
+    /// while a frame was drawn from new ones. To be called before polling or waiting for events.
     void listen();
     /// To be called before ImGui's new frame. Returns whether events remain for the next one. With
     /// `hold_keys`, typed keys and everything after them stay in the queue.

@@ -9,10 +9,10 @@
 #include "ui/panels/selection/selection_panel.h"
 #include "ui/panels/timeline/steps_panel.h"
 #include "ui/panels/timeline/timeline_panel.h"
+#include "ui/viewport/legend_view.h"
 #include "ui/viewport/viewport_pane.h"
 #include "ui/widgets/commands/command_palette.h"
 #include "ui/widgets/commands/help_overlay.h"
-#include "ui/widgets/legend_view.h"
 
 namespace dollytrack::editor {
 

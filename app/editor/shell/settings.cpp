@@ -53,7 +53,7 @@ EditorSettings loadSettings() {
     std::error_code error;
     if (!std::filesystem::exists(settingsFile(), error)) return settings;
     try {
-        const nlohmann::json json = io::readBoundedJson(settingsFile()).value_or(nlohmann::json());
+        const nlohmann::json json = readBoundedJson(settingsFile()).value_or(nlohmann::json());
         const nlohmann::json window = json.value("window", nlohmann::json::object());
         settings.window.width = std::clamp(window.value("width", 1440), 800, 16384);
         settings.window.height = std::clamp(window.value("height", 900), 500, 16384);
@@ -123,8 +123,8 @@ Status saveSettings(const EditorSettings& settings) {
     if (settings.layout.show_legend) json["layout"]["show_legend"] = *settings.layout.show_legend;
     std::error_code error;
     std::filesystem::create_directories(configFolder(), error);
-    return io::writeWhole(
-        settingsFile(), json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    return writeWhole(settingsFile(),
+                      json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace dollytrack::editor

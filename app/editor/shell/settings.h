@@ -2,7 +2,7 @@
 
 #include "app/editor/shell/window.h"
 #include "engine/core/result.h"
-#include "ui/layers.h"
+#include "ui/overlays/layers.h"
 #include "ui/panels/timeline/timeline_panel.h"
 #include "ui/theme.h"
 

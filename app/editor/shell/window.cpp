@@ -37,8 +37,9 @@ class HiddenWindow : public gl::Context {
     Status makeCurrent() override {
         glfwMakeContextCurrent(window_);
         if (glfwGetCurrentContext() == window_) return {};
-        return fail(ErrorCode::NoOpenGl,
-                    "the second OpenGL context cannot be used: " + last_glfw_error);
+        return fail(
+            ErrorCode::NoOpenGl,
+            "the OpenGL context for drawing in the background cannot be used: " + last_glfw_error);
     }
 
   private:
@@ -135,7 +136,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowSettings& settings) {
     glfwMakeContextCurrent(window->window_);
     glfwSwapInterval(1);
     if (Status status = gl::loadFunctions(); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     glfwSetWindowUserPointer(window->window_, window.get());
     glfwSetDropCallback(window->window_, [](GLFWwindow* handle, int count, const char** paths) {
@@ -185,7 +186,8 @@ Result<std::unique_ptr<gl::Context>> Window::drawingContext() {
     glfwMakeContextCurrent(window_);
     if (hidden_ == nullptr) {
         return fail(ErrorCode::NoOpenGl,
-                    "the second OpenGL context cannot be created: " + last_glfw_error);
+                    "the OpenGL context for drawing in the background cannot be created: " +
+                        last_glfw_error);
     }
     return std::unique_ptr<gl::Context>(std::make_unique<HiddenWindow>(hidden_));
 }

@@ -107,7 +107,7 @@ PlanLayer cameraLayer(const LayersRequest& request) {
     PlanLayer layer;
     const auto& frames = request.plan->trajectory.frames;
     if (request.frame < 0 || static_cast<std::size_t>(request.frame) >= frames.size()) return layer;
-    const Pose& pose = frames[static_cast<std::size_t>(request.frame)].pose;
+    const Pose& pose = frames[request.frame].pose;
     render::addFrustum(layer.overlay, pose, request.camera, 0.45, {1, 1, 1, 1}, 2.5);
     layer.overlay.marks.push_back(
         {pose.position, render::OverlayMark::Shape::Dot, {1, 1, 1, 1}, 11.0});

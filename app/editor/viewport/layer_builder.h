@@ -4,7 +4,7 @@
 #include "engine/document/edits.h"
 #include "engine/jobs/background_worker.h"
 #include "engine/plan/plan.h"
-#include "ui/layers.h"
+#include "ui/overlays/layers.h"
 #include "ui/overlays/legend.h"
 #include "ui/overlays/picking.h"
 #include "ui/selection.h"

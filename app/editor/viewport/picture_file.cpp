@@ -1,6 +1,6 @@
 #include "app/editor/viewport/picture_file.h"
 
-#include "render/dataset/picture_file.h"
+#include "render/pictures/picture_file.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>

@@ -16,20 +16,20 @@ namespace {
 
 /// Pixels in PNG layout.
 struct Pixels {
-    io::PngFormat format = io::PngFormat::Rgb8;
+    PngFormat format = PngFormat::Rgb8;
     std::vector<std::uint8_t> bytes;
 };
 
 Pixels gray16(const std::vector<std::uint16_t>& values) {
     const auto* first = reinterpret_cast<const std::uint8_t*>(values.data());  // NOLINT
-    return {io::PngFormat::Gray16, {first, first + 2 * values.size()}};
+    return {PngFormat::Gray16, {first, first + 2 * values.size()}};
 }
 
 Pixels pixelsOf(const ui::PreviewImage& image) {
     const render::FrameRecord& record = image.record;
     switch (image.modality) {
         case ui::Modality::Rgb:
-            return {io::PngFormat::Rgb8, record.rgb};
+            return {PngFormat::Rgb8, record.rgb};
         case ui::Modality::Depth:
             return gray16(render::depthInMillimetres(record.depth_m));
         case ui::Modality::Instance:
@@ -51,9 +51,9 @@ Pixels pixelsOf(const ui::PreviewImage& image) {
 
 Status write(const std::filesystem::path& file, const ui::PreviewImage& image) {
     const Pixels pixels = pixelsOf(image);
-    return io::encodePng(image.record.width, image.record.height, pixels.format, pixels.bytes)
+    return encodePng(image.record.width, image.record.height, pixels.format, pixels.bytes)
         .and_then([&](const std::vector<std::uint8_t>& png) -> Status {
-            return io::writeWhole(file, std::span<const std::uint8_t>(png));
+            return writeWhole(file, std::span<const std::uint8_t>(png));
         });
 }
 

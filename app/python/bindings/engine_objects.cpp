@@ -1,7 +1,7 @@
 #include "app/python/bindings/engine_objects.h"
 
-#include "app/cli/compare/baseline_plan.h"
 #include "app/cli/export/export_warnings.h"
+#include "app/cli/plan/baseline_plan.h"
 #include "app/cli/plan/coverage_output.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/python/bindings/arrays.h"
@@ -9,8 +9,9 @@
 #include "engine/io/settings/project_file.h"
 #include "engine/plan/ledger_json.h"
 #include "engine/scene/scene_report.h"
-#include "planning/explanations/remedies.h"
-#include "planning/metrics/coverage_curve.h"
+#include "planning/analysis/coverage_curve.h"
+#include "planning/remedies/remedies.h"
+#include "render/encoders/modalities.h"
 
 #include <Eigen/Geometry>
 
@@ -76,7 +77,7 @@ Result<Trajectory> trajectoryOf(const py::array& given_poses, const py::array& g
 /// Stores a result's value and returns its status.
 template <class T, class U>
 Status put(Result<T> result, U& value) {
-    if (!result) return tl::unexpected<Error>(std::move(result.error()));
+    if (!result) return tl::unexpected(std::move(result.error()));
     value = std::move(*result);
     return {};
 }
@@ -89,7 +90,7 @@ std::shared_ptr<OpenScene> OpenScene::open(const cli::SceneArguments& arguments,
     waitFor(progress, [&](const JobContext& job) -> Status {
         if (Status status = cli::checkArguments(arguments); !status) return status;
         Result<cli::OpenedScene> opened = cli::openScene(arguments, job.stage(0.0, 1.0, "loading"));
-        if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+        if (!opened) return tl::unexpected(std::move(opened.error()));
         scene = std::make_shared<OpenScene>(std::move(*opened));
         return {};
     });
@@ -130,7 +131,7 @@ std::string OpenScene::judge(const py::array& poses, const py::array& times_s,
     nlohmann::json metrics;
     waitFor(progress, [&](const JobContext& job) -> Status {
         Result<cli::OpenedScene> opened = cli::openedWith(opened_, arguments);
-        if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+        if (!opened) return tl::unexpected(std::move(opened.error()));
         return put(cli::evaluateTrajectory(*opened, *trajectory, job), metrics);
     });
     return cli::jsonText(metrics);
@@ -153,10 +154,10 @@ std::shared_ptr<ScenePlan> ScenePlan::make(std::shared_ptr<OpenScene> scene,
     std::shared_ptr<ScenePlan> plan;
     waitFor(progress, [&](const JobContext& job) -> Status {
         Result<cli::OpenedScene> opened = cli::openedWith(scene->opened(), arguments);
-        if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+        if (!opened) return tl::unexpected(std::move(opened.error()));
         return scene->withPipeline(opened->scene, [&](planning::Pipeline& pipeline) -> Status {
             auto planned = cli::planScene(*opened, pipeline, job.stage(0.0, 1.0, "planning"));
-            if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
+            if (!planned) return tl::unexpected(std::move(planned.error()));
             plan = std::make_shared<ScenePlan>(scene, std::move(*opened), std::move(*planned));
             return {};
         });
@@ -170,7 +171,7 @@ std::shared_ptr<ScenePlan> ScenePlan::stored(std::shared_ptr<OpenScene> scene,
     std::shared_ptr<ScenePlan> plan;
     waitFor(progress, [&](const JobContext& job) -> Status {
         auto planned = cli::planOrReuse(scene->opened(), job);
-        if (!planned) return tl::unexpected<Error>(std::move(planned.error()));
+        if (!planned) return tl::unexpected(std::move(planned.error()));
         plan = std::make_shared<ScenePlan>(scene, scene->opened(), std::move(*planned));
         return {};
     });
@@ -235,7 +236,7 @@ std::string ScenePlan::explain(const std::vector<int>& ids, const py::object& pr
         auto found = planning::findRemedies(opened_.scene, opened_.params, opened_.plan_edits,
                                             *planned_.plan, std::move(asked),
                                             job.stage(0.0, 1.0, "remedies"));
-        if (!found) return tl::unexpected<Error>(std::move(found.error()));
+        if (!found) return tl::unexpected(std::move(found.error()));
         rows = ledgerJson(*opened_.scene, *found);
         return {};
     });
@@ -252,7 +253,7 @@ std::string ScenePlan::coverage(const std::vector<std::string>& files,
             const auto curves =
                 planning::coverageCurves(pipeline, opened_.params, opened_.plan_edits,
                                          *planned_.plan, job.stage(0.0, 1.0, "coverage"));
-            if (!curves) return tl::unexpected<Error>(curves.error());
+            if (!curves) return tl::unexpected(curves.error());
             const std::string title =
                 opened_.scene->source.filename().string() + ": coverage by budget";
             for (const std::string& file : files) {
@@ -272,16 +273,16 @@ void ScenePlan::save(const std::string& file) const {
         if (std::filesystem::path(file).extension() != ".dolly") {
             return fail(ErrorCode::Usage, "A project's name must end in .dolly.", file);
         }
-        io::ProjectFile project = cli::projectOf(opened_);
+        ProjectFile project = cli::projectOf(opened_);
         project.result = planned_.result;
-        return io::saveProject(project, file);
+        return saveProject(project, file);
     });
 }
 
 Result<std::pair<cli::OpenedScene, cli::PlannedScene>> ScenePlan::with(
     const std::vector<std::string>& assignments, const render::DatasetSettings& settings) const {
     if (Status status = cli::checkSensor(assignments, settings); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     std::pair<cli::OpenedScene, cli::PlannedScene> changed{opened_, planned_};
     planning::PlanParams& params = changed.first.params;
@@ -289,7 +290,7 @@ Result<std::pair<cli::OpenedScene, cli::PlannedScene>> ScenePlan::with(
         cli::SceneArguments arguments;
         arguments.assignments = assignments;
         Result<cli::OpenedScene> opened = cli::openedWith(opened_, arguments);
-        if (!opened) return tl::unexpected<Error>(std::move(opened.error()));
+        if (!opened) return tl::unexpected(std::move(opened.error()));
         if (!planning::makeSamePlan(opened_.params, opened->params)) {
             return fail(ErrorCode::Usage,
                         "Only parameters of picture, light and sensor can be changed here; pass "
@@ -298,7 +299,7 @@ Result<std::pair<cli::OpenedScene, cli::PlannedScene>> ScenePlan::with(
         params = opened->params;
     }
     if (Status status = cli::fitSensor(changed.first, settings); !status) {
-        return tl::unexpected<Error>(std::move(status.error()));
+        return tl::unexpected(std::move(status.error()));
     }
     cli::warnOfExport(params, settings);
     changed.second.params = params;
@@ -314,15 +315,15 @@ std::string ScenePlan::exportTo(const cli::ExportOrder& order,
         if (Status status = render::checkChoices(order.settings); !status) return status;
         if (Status status = cli::checkFolder(order.settings); !status) return status;
         auto changed = with(assignments, order.settings);
-        if (!changed) return tl::unexpected<Error>(std::move(changed.error()));
+        if (!changed) return tl::unexpected(std::move(changed.error()));
         const auto turn = turnToDraw(job);
-        if (!turn) return tl::unexpected<Error>(turn.error());
+        if (!turn) return tl::unexpected(turn.error());
         auto context = order.backend.createContext();
-        if (!context) return tl::unexpected<Error>(std::move(context.error()));
+        if (!context) return tl::unexpected(std::move(context.error()));
         const auto datasets = cli::exportPlanned(
             changed->first, changed->second, order, std::move(*context),
             [](const cli::ExportedDataset&) {}, cancel_flag, job);
-        if (!datasets) return tl::unexpected<Error>(datasets.error());
+        if (!datasets) return tl::unexpected(datasets.error());
         summary = cli::exportJson(order, *datasets, changed->second.metrics);
         return {};
     };
@@ -365,7 +366,7 @@ Status checkDrawable(const std::vector<std::string>& names) {
         if (std::ranges::find(kDrawn, name) != kDrawn.end()) continue;
         // A misspelt name gets a suggestion.
         if (const auto known = render::chooseModalities({name}); !known) {
-            return tl::unexpected<Error>(known.error());
+            return tl::unexpected(known.error());
         }
         std::string all;
         for (const char* drawn : kDrawn) all += (all.empty() ? "" : ", ") + std::string(drawn);
@@ -386,16 +387,16 @@ PlanFrames::PlanFrames(const std::shared_ptr<ScenePlan>& plan, cli::ExportOrder 
     const auto work = [&](const JobContext& job) -> Status {
         if (Status status = checkDrawable(modalities_); !status) return status;
         auto changed = plan->with(assignments, order.settings);
-        if (!changed) return tl::unexpected<Error>(std::move(changed.error()));
+        if (!changed) return tl::unexpected(std::move(changed.error()));
         planned_ = std::move(changed->second);
         const auto turn = turnToDraw(job);
-        if (!turn) return tl::unexpected<Error>(turn.error());
+        if (!turn) return tl::unexpected(turn.error());
         auto context = order.backend.createContext();
-        if (!context) return tl::unexpected<Error>(std::move(context.error()));
+        if (!context) return tl::unexpected(std::move(context.error()));
         rays_ = std::make_unique<const RayCaster>(*planned_.scene);
         auto series = cli::beginFrames(changed->first, planned_, *rays_, std::move(order),
                                        std::move(*context), job);
-        if (!series) return tl::unexpected<Error>(std::move(series.error()));
+        if (!series) return tl::unexpected(std::move(series.error()));
         series_.emplace(std::move(*series));
         count_ = static_cast<int>(series_->contents().frames.size());
         return {};
@@ -423,7 +424,7 @@ py::object PlanFrames::next() {
             py::none(),
             [&](const JobContext& job) -> Status {
                 const auto turn = turnToDraw(job);
-                if (!turn) return tl::unexpected<Error>(turn.error());
+                if (!turn) return tl::unexpected(turn.error());
                 return put(series_->next(), frame);
             },
             *thread_, cancel_flag_);
@@ -437,8 +438,7 @@ py::object PlanFrames::next() {
         close();
         return py::none();
     }
-    const render::DatasetFrame& of =
-        series_->contents().frames[static_cast<std::size_t>(frame->index)];
+    const render::DatasetFrame& of = series_->contents().frames[frame->index];
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> pose =
         frame->pose.worldFromCamera().matrix();
     py::dict images;

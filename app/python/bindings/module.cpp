@@ -8,7 +8,7 @@
 #include "engine/jobs/parallel.h"
 #include "planning/plan_params.h"
 #include "render/dataset/frame_range.h"
-#include "render/dataset/modalities.h"
+#include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 
 #include <pybind11/stl.h>

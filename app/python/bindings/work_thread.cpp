@@ -106,7 +106,7 @@ Status outcomeOf(const std::function<Status(const JobContext&)>& work, const Job
     try {
         return work(job);
     } catch (const std::exception& exception) {
-        return tl::unexpected<Error>(cli::errorOf(exception));
+        return tl::unexpected(cli::errorOf(exception));
     } catch (...) {
         return fail(ErrorCode::Failed, "unexpected failure");
     }

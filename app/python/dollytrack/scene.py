@@ -245,8 +245,9 @@ def judge(scene: Scene, poses: npt.ArrayLike, times: Optional[npt.ArrayLike] = N
     times: (N,) increasing seconds; None: ten frames per second.
     paths: (N,) whole numbers; there is no motion between frames of different numbers. None: one path.
 
-    The result has the metrics of 'dollytrack compare' (rates 0 .. 1; None if not applicable), and in
-    "ledger" for each target the frame that shows it best (-1: none).
+    The result has the metrics of 'dollytrack compare' (rates 0 .. 1; None if not applicable), and as
+    "ledger" a list with a dictionary per target: object, id, captured, well_captured, and the frame
+    that shows it best (-1: never seen) with visible_fraction and box_share.
     """
     if not isinstance(scene, Scene):
         raise failure(Usage, f"The scene must be a Scene, not {type(scene).__name__}.", "scene")

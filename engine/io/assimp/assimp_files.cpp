@@ -1,7 +1,7 @@
 #include "engine/io/assimp/assimp_files.h"
 
 #include "engine/io/assimp/model_text_repair.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/files/file_type.h"
 
 #include <algorithm>
 #include <cstring>

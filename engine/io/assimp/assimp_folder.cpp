@@ -2,13 +2,13 @@
 
 #include "engine/io/assimp/assimp_files.h"
 #include "engine/io/assimp/model_text_repair.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/files/file_type.h"
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 class FileStream : public Assimp::IOStream {
@@ -68,4 +68,4 @@ void AssimpFolder::Close(Assimp::IOStream* stream) {
     delete stream;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "engine/io/assimp/model_text_repair.h"
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/files/confined_folder.h"
 
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
 #include <filesystem>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// assimp's view of the file system: the model file itself and what lies beneath its folder, to be
 /// read only.
@@ -31,4 +31,4 @@ class AssimpFolder : public Assimp::IOSystem {
     ModelTextRepairs& repairs_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

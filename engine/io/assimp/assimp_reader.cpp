@@ -4,7 +4,7 @@
 #include "engine/io/assimp/assimp_files.h"
 #include "engine/io/assimp/assimp_folder.h"
 #include "engine/io/assimp/collada_asset.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
 
@@ -151,7 +151,7 @@ class TextureList {
             }
             raw_.textures.push_back(std::move(request));
         }
-        TextureRequest& texture = raw_.textures[static_cast<std::size_t>(found->second)];
+        TextureRequest& texture = raw_.textures[found->second];
         texture.opaque = texture.opaque && opaque;
         return found->second;
     }
@@ -267,7 +267,7 @@ std::vector<Placement> collectPlacements(const aiScene& scene, const Eigen::Affi
         stack.pop_back();
         const auto index = static_cast<int>(raw.nodes.size());
         raw.nodes.push_back({cleanText(visit.node->mName.C_Str()), visit.parent, 0});
-        if (visit.parent >= 0) ++raw.nodes[static_cast<std::size_t>(visit.parent)].children;
+        if (visit.parent >= 0) ++raw.nodes[visit.parent].children;
         const Eigen::Affine3d here =
             visit.source_from_parent * toAffine(visit.node->mTransformation);
         for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
@@ -424,7 +424,7 @@ Result<RawScene> readWithAssimp(const Path& path, const JobContext& job) {
     auto importer = std::make_unique<Assimp::Importer>();
     // The importer may live on after this function, but opens nothing then.
     ModelTextRepairs repairs;
-    importer->SetIOHandler(new io::AssimpFolder(path, repairs));  // the importer owns it
+    importer->SetIOHandler(new AssimpFolder(path, repairs));  // the importer owns it
     return read(std::move(importer), path, repairs, job);
 }
 

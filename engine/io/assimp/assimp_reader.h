@@ -2,14 +2,14 @@
 
 #include "engine/core/result.h"
 #include "engine/io/files/file_source.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
 
 namespace dollytrack {
 
-/// Reads OBJ, FBX, DAE, PLY or STL through assimp; the one place that calls it. See readModel().
+/// Reads OBJ, FBX, DAE or STL through assimp; the one place that calls it. See readModel().
 [[nodiscard]] Result<RawScene> readWithAssimp(const std::filesystem::path& path,
                                               const JobContext& job);
 

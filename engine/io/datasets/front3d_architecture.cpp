@@ -1,9 +1,9 @@
 #include "engine/io/datasets/front3d_architecture.h"
 
+#include "engine/core/object_names.h"
 #include "engine/io/datasets/front3d_materials.h"
-#include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/scene/labels.h"
 
 #include <limits>
@@ -11,7 +11,7 @@
 #include <numeric>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -193,4 +193,4 @@ void addFront3dArchitecture(const json& document, const LabelTable& labels,
     architecture.finish();
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/scene/label_table.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Adds the "mesh" list of a 3D-FRONT scene: walls, floors and built-in parts, in the house's
 /// frame. Meshes with the same type and owner (the first part of their uid) become one object, and
@@ -17,4 +17,4 @@ void addFront3dArchitecture(const nlohmann::json& document, const LabelTable& la
                             const std::vector<std::filesystem::path>& texture_folders,
                             RawScene& scene);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

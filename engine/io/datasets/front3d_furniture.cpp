@@ -1,10 +1,10 @@
 #include "engine/io/datasets/front3d_furniture.h"
 
+#include "engine/core/object_names.h"
 #include "engine/io/datasets/model_info.h"
 #include "engine/io/datasets/model_library.h"
-#include "engine/io/datasets/object_names.h"
-#include "engine/io/import/model_placement.h"
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/raw_scene/model_placement.h"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +12,12 @@
 #include <map>
 #include <set>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNone = -1;
 
 /// The object's name: the last part of the title ("bed/king-size bed"), otherwise the first part of
 /// the category ("Cabinet/Shelf/Desk").
@@ -248,4 +248,4 @@ Status addFront3dFurniture(const Front3dScene& source, const LabelTable& labels,
     return {};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

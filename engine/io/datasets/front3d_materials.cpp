@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -101,4 +101,4 @@ int Front3dMaterials::request(const std::string& name, const std::filesystem::pa
     return at->second;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

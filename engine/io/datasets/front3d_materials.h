@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The "material" list of a 3D-FRONT scene. Materials are added to the scene when first used.
 class Front3dMaterials {
@@ -39,4 +39,4 @@ class Front3dMaterials {
     int plain_ = -1;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,20 +1,20 @@
 #include "engine/io/datasets/front3d_reader.h"
 
+#include "engine/core/object_names.h"
 #include "engine/io/datasets/front3d_architecture.h"
 #include "engine/io/datasets/front3d_furniture.h"
 #include "engine/io/datasets/front3d_scene.h"
 #include "engine/io/datasets/model_info.h"
 #include "engine/io/datasets/model_library.h"
-#include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/import/import_labels.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/settings/import_labels.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// Notes the content of rooms that is not used.
@@ -120,4 +120,4 @@ std::vector<std::filesystem::path> front3dInputs(const std::filesystem::path& pa
     return inputs;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Whether a file that begins with `head` may be a 3D-FRONT scene.
 bool likeFront3d(std::string_view head);
@@ -22,4 +22,4 @@ Result<RawScene> readFront3dScene(const std::filesystem::path& path, const Impor
 std::vector<std::filesystem::path> front3dInputs(const std::filesystem::path& path,
                                                  const ImportOptions& options);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

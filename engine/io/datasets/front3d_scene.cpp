@@ -2,7 +2,7 @@
 
 #include "engine/io/files/bounded_json.h"
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -112,4 +112,4 @@ Result<Front3dScene> parseFront3d(const json& document, const std::string& where
     return scene;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// An entry in the furniture list of a 3D-FRONT scene. Texts are clean.
 struct Front3dFurniture {
@@ -44,4 +44,4 @@ struct Front3dScene {
 /// Parses a scene. `where` is the file, for errors. Error: BadInput if it is not a 3D-FRONT scene.
 Result<Front3dScene> parseFront3d(const nlohmann::json& document, const std::string& where);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

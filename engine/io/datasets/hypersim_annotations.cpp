@@ -1,10 +1,10 @@
 #include "engine/io/datasets/hypersim_annotations.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/datasets/object_names.h"
+#include "engine/core/object_names.h"
+#include "engine/io/files/confined_folder.h"
 #include "engine/io/files/hdf5_reader.h"
-#include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <set>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ std::string describeHypersimFolder(const fs::path& folder) {
            "; put the scene's OBJ file, which Evermotion sells, beside it and name that file";
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

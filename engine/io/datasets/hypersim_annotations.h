@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The annotated box of a semantic instance, in asset units, z up.
 struct HypersimBox {
@@ -45,4 +45,4 @@ std::vector<std::filesystem::path> hypersimInputs(const std::filesystem::path& m
 /// A sentence about the content of a Hypersim folder without geometry; empty for other folders.
 std::string describeHypersimFolder(const std::filesystem::path& folder);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,9 +1,9 @@
 #include "engine/io/datasets/hypersim_objects.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/object_names.h"
 #include "engine/geometry/oriented_box.h"
-#include "engine/io/datasets/object_names.h"
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/files/confined_folder.h"
 #include "engine/scene/label_table.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,9 +94,9 @@ struct Matches {
 };
 
 void noteMatches(const HypersimAnnotations& annotations, const Matches& matches, RawScene& scene) {
-    scene.notes.push_back(fmt::format("{} of {} with Hypersim annotations are in the file",
-                                      matches.nodes,
-                                      counted(annotations.objects.size(), "mesh", "meshes")));
+    scene.notes.push_back(
+        fmt::format("{} of {} that the Hypersim annotations list are in the scene file",
+                    matches.nodes, counted(annotations.objects.size(), "mesh", "meshes")));
     if (matches.unknown > 0) {
         scene.warnings.push_back(counted(
             matches.unknown, "mesh has no Hypersim annotation, so its class is found by its name",
@@ -131,11 +131,11 @@ void applyHypersim(const HypersimAnnotations& annotations, RawScene& scene) {
     std::map<int, std::size_t> object_of_instance;
     std::vector<SourceObject> objects;
     for (const auto& [node, parts] : parts_of_node) {
-        const std::string& name = scene.nodes[static_cast<std::size_t>(node)].name;
+        const std::string& name = scene.nodes[node].name;
         const int row = rows.take(name);
         ++(row < 0 ? matches.unknown : matches.nodes);
-        const int nyu40 = row < 0 ? 0 : annotations.nyu40[static_cast<std::size_t>(row)];
-        const int instance = row < 0 ? 0 : annotations.instance[static_cast<std::size_t>(row)];
+        const int nyu40 = row < 0 ? 0 : annotations.nyu40[row];
+        const int instance = row < 0 ? 0 : annotations.instance[row];
         const auto known = object_of_instance.find(instance);
         if (instance > 0 && known != object_of_instance.end()) {
             SourceObject& whole = objects[known->second];
@@ -165,4 +165,4 @@ void applyHypersim(const HypersimAnnotations& annotations, RawScene& scene) {
     compareBoxes(annotations, object_of_instance, scene);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,11 +2,11 @@
 
 #include "engine/core/result.h"
 #include "engine/io/datasets/hypersim_annotations.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <filesystem>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The annotation folder of an OBJ file, in its folder or the one above; empty if there is none.
 std::filesystem::path findHypersimBeside(const std::filesystem::path& scene_file);
@@ -16,4 +16,4 @@ std::filesystem::path findHypersimBeside(const std::filesystem::path& scene_file
 /// notes compare the annotated boxes with those of the meshes.
 void applyHypersim(const HypersimAnnotations& annotations, RawScene& scene);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,9 +1,9 @@
 #include "engine/io/datasets/model_info.h"
 
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/files/confined_folder.h"
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr const char* kName = "model_info.json";
@@ -47,4 +47,4 @@ std::filesystem::path findModelInfo(const std::vector<std::filesystem::path>& fo
     return {};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The entry of a 3D-FUTURE model in model_info.json; missing values are empty. Texts are clean.
 struct ModelInfo {
@@ -27,4 +27,4 @@ std::vector<std::filesystem::path> modelInfoBeside(
 /// Path of model_info.json in one of the folders or beside it; empty if there is none.
 std::filesystem::path findModelInfo(const std::vector<std::filesystem::path>& folders);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

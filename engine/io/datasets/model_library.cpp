@@ -1,15 +1,15 @@
 #include "engine/io/datasets/model_library.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/datasets/object_names.h"
-#include "engine/io/import/model_reader.h"
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/core/object_names.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/models/model_reader.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
 #include <cctype>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ Status TriangleBudget::take(std::size_t triangles, const std::string& where) {
     return {};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

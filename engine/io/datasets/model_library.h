@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/jobs/job.h"
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Whether a text from a file is safe as a folder name: at most 128 letters, digits, '-', '_' and
 /// '.', without "..".
@@ -42,7 +42,8 @@ class ModelLibrary {
     std::size_t add(const std::filesystem::path& path);
     /// Reads all added models in parallel. Error: Cancelled.
     Status read(const JobContext& job);
-    /// The model; null if it is empty or cannot be read, with the cause in reason().
+    /// A model, after read(); null if it has no triangles or could not be read, with the cause in
+    /// reason().
     [[nodiscard]] RawScene* model(std::size_t index);
     [[nodiscard]] const std::string& reason(std::size_t index) const;
     [[nodiscard]] const std::filesystem::path& path(std::size_t index) const {
@@ -98,4 +99,4 @@ class TriangleBudget {
     std::size_t used_ = 0;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,13 +1,13 @@
 #include "engine/io/datasets/scenenet_description.h"
 
 #include "engine/io/datasets/model_library.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::string_view kLayout = "layout_file:";
@@ -122,8 +122,7 @@ Result<SceneNetObject> readObject(Lines& lines, bool has_words) {
         const auto values = lines.numbers("A row of the transformation", 4);
         if (!values) return tl::unexpected(values.error());
         for (Eigen::Index column = 0; column < 4; ++column) {
-            object.scene_from_object.matrix()(row, column) =
-                (*values)[static_cast<std::size_t>(column)];
+            object.scene_from_object.matrix()(row, column) = (*values)[column];
         }
     }
     return object;
@@ -149,4 +148,4 @@ Result<SceneNetDescription> parseSceneNet(std::string_view text, const std::stri
     return scene;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

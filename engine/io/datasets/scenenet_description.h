@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A ShapeNet model in a SceneNet RGB-D scene.
 struct SceneNetObject {
@@ -30,4 +30,4 @@ struct SceneNetDescription {
 /// poses may follow. Error: BadInput, with the line.
 Result<SceneNetDescription> parseSceneNet(std::string_view text, const std::string& file);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

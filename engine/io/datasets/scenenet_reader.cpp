@@ -1,15 +1,15 @@
 #include "engine/io/datasets/scenenet_reader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/object_names.h"
 #include "engine/io/datasets/model_library.h"
-#include "engine/io/datasets/object_names.h"
 #include "engine/io/datasets/scenenet_description.h"
-#include "engine/io/import/import_labels.h"
-#include "engine/io/import/model_placement.h"
-#include "engine/io/import/model_reader.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/models/model_reader.h"
 #include "engine/io/object_parts/object_grouping.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/raw_scene/model_placement.h"
+#include "engine/io/settings/import_labels.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 #include <optional>
 #include <set>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ std::vector<fs::path> sceneNetInputs(const fs::path& path, const ImportOptions& 
     return inputs;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Whether a text file that begins with `head` may be a SceneNet RGB-D scene.
 bool likeSceneNet(std::string_view head);
@@ -23,4 +23,4 @@ Result<RawScene> readSceneNetScene(const std::filesystem::path& path, const Impo
 std::vector<std::filesystem::path> sceneNetInputs(const std::filesystem::path& path,
                                                   const ImportOptions& options);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

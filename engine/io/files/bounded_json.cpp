@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::uint64_t kMostMemory = std::uint64_t{2} << 30U;  // bytes of parsed values
@@ -154,4 +154,4 @@ std::string textIn(const nlohmann::json& object, const char* key) {
                : std::string();
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

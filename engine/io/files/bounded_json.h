@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 class GuardedFolder;
 
@@ -48,4 +48,4 @@ const nlohmann::json::array_t& listIn(const nlohmann::json& object, const char* 
 /// The text under this key, clean; empty where there is none.
 std::string textIn(const nlohmann::json& object, const char* key);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

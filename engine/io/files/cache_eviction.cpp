@@ -7,7 +7,7 @@
 
 #include <ctime>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 void evictOldest(const GuardedFolder& folder, std::initializer_list<std::string_view> endings,
                  std::uint64_t most_bytes) {
@@ -46,4 +46,4 @@ void evictOldest(const GuardedFolder& folder, std::initializer_list<std::string_
     }
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

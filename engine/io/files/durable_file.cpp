@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 int writeTemporary(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
@@ -49,7 +49,7 @@ int writeAll(int descriptor, std::string_view bytes) {
         // Regular files accept at least one byte or fail; this prevents an endless loop in any
         // case.
         if (written == 0) return ENOSPC;
-        bytes.remove_prefix(static_cast<std::size_t>(written));
+        bytes.remove_prefix(written);
     }
     return 0;
 }
@@ -105,7 +105,7 @@ Status writeWhole(const std::filesystem::path& path, std::span<const std::uint8_
     const int error = folder.valid()
                           ? writeWholeAt(folder.get(), path.filename().string(), bytes, durability)
                           : errno;
-    if (error != 0) return tl::unexpected<Error>(writeError(error, path));
+    if (error != 0) return tl::unexpected(writeError(error, path));
     return {};
 }
 
@@ -118,9 +118,9 @@ Status writeWhole(const std::filesystem::path& path, std::string_view text, Dura
 Status syncFolder(const std::filesystem::path& folder) {
     const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!directory.valid() || ::syncfs(directory.get()) != 0) {
-        return tl::unexpected<Error>(writeError(errno, folder));
+        return tl::unexpected(writeError(errno, folder));
     }
     return {};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

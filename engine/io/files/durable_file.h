@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// How much a finished write promises if the power fails.
 enum class Durability {
@@ -33,4 +33,4 @@ enum class Durability {
 /// The sentence and code for a failed write or folder creation, from errno.
 [[nodiscard]] Error writeError(int error_number, const std::filesystem::path& path);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A file descriptor that is closed with this object; -1 is none.
 class FileDescriptor {
@@ -37,4 +37,4 @@ class FileDescriptor {
     int descriptor_ = -1;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,5 +1,5 @@
+#include "engine/io/files/confined_folder.h"
 #include "engine/io/files/file_source.h"
-#include "engine/io/sandbox/confined_folder.h"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ class FolderSource : public FileSource {
         const std::optional<std::string> safe = safeRelativeName(name);
         if (!safe) return std::optional<std::vector<std::uint8_t>>{};
         if (!files_.has(*safe)) return std::optional<std::vector<std::uint8_t>>{};
-        const Result<io::InputFile> file = files_.open(*safe);
+        const Result<InputFile> file = files_.open(*safe);
         if (!file) return tl::unexpected(file.error());
         if (file->size() > kMostFileBytes) {
             return fail(ErrorCode::BadInput, "the file is larger than 512 MiB",
@@ -34,7 +34,7 @@ class FolderSource : public FileSource {
     }
 
   private:
-    io::ConfinedFolder files_;
+    ConfinedFolder files_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,14 +50,14 @@ GuardedFolder::GuardedFolder(fs::path path, FileDescriptor folder)
 
 Result<GuardedFolder> GuardedFolder::open(const fs::path& folder) {
     FileDescriptor opened(::open(folder.empty() ? "." : folder.c_str(), kStep));
-    if (!opened.valid()) return tl::unexpected<Error>(writeError(errno, folder));
+    if (!opened.valid()) return tl::unexpected(writeError(errno, folder));
     return GuardedFolder(folder, std::move(opened));
 }
 
 Result<GuardedFolder> GuardedFolder::make(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) return tl::unexpected<Error>(writeError(error.value(), folder));
+    if (error) return tl::unexpected(writeError(error.value(), folder));
     return open(folder);  // create_directories accepts a file instead of a folder
 }
 
@@ -89,7 +89,7 @@ tl::unexpected<Error> GuardedFolder::failure(int error, const Place& at) const {
                     "another folder",
                     path.string());
     }
-    return tl::unexpected<Error>(writeError(error, path));
+    return tl::unexpected(writeError(error, path));
 }
 
 int GuardedFolder::walk(const std::string& name, bool make, Place& place) const {
@@ -124,7 +124,7 @@ Result<std::optional<GuardedFolder::Place>> GuardedFolder::findPlace(const std::
 Result<GuardedFolder::Place> GuardedFolder::placeOf(const std::string& name, bool make) const {
     Result<std::optional<Place>> place = findPlace(name, make);
     if (!place) return tl::unexpected(place.error());
-    if (!*place) return tl::unexpected<Error>(writeError(ENOENT, path_ / name));
+    if (!*place) return tl::unexpected(writeError(ENOENT, path_ / name));
     return std::move(**place);
 }
 
@@ -165,7 +165,7 @@ Result<FileDescriptor> GuardedFolder::openFile(const std::string& name, int flag
 Result<FileDescriptor> GuardedFolder::openEmptied(const std::string& name) const {
     Result<FileDescriptor> file = openFile(name, O_WRONLY | O_CREAT);
     if (file && ::ftruncate(file->get(), 0) != 0) {
-        return tl::unexpected<Error>(writeError(errno, path_ / name));
+        return tl::unexpected(writeError(errno, path_ / name));
     }
     return file;
 }
@@ -186,7 +186,7 @@ std::optional<std::vector<std::uint8_t>> GuardedFolder::read(const std::string& 
     const Stream file = openStream(name);
     struct stat status {};
     if (!file || ::fstat(::fileno(file.get()), &status) != 0) return std::nullopt;
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
+    std::vector<std::uint8_t> bytes(status.st_size);
     bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
     if (bytes.size() != static_cast<std::size_t>(status.st_size)) return std::nullopt;
     return bytes;
@@ -202,7 +202,7 @@ Result<std::vector<std::string>> GuardedFolder::list(const std::string& name) co
     FileDescriptor folder;
     if (name.empty()) {
         folder = readable(folder_->get());
-        if (!folder.valid()) return tl::unexpected<Error>(writeError(errno, path_));
+        if (!folder.valid()) return tl::unexpected(writeError(errno, path_));
     } else {
         const Result<std::optional<Place>> place = findPlace(name, false);
         if (!place) return tl::unexpected(place.error());
@@ -213,7 +213,7 @@ Result<std::vector<std::string>> GuardedFolder::list(const std::string& name) co
         if (!folder.valid()) return failure(errno, **place);
     }
     DIR* reading = ::fdopendir(::fcntl(folder.get(), F_DUPFD_CLOEXEC, 0));
-    if (reading == nullptr) return tl::unexpected<Error>(writeError(errno, path_ / name));
+    if (reading == nullptr) return tl::unexpected(writeError(errno, path_ / name));
     errno = 0;
     while (const dirent* entry = ::readdir(reading)) {
         const std::string_view found = entry->d_name;
@@ -221,7 +221,7 @@ Result<std::vector<std::string>> GuardedFolder::list(const std::string& name) co
     }
     const int error = errno;
     ::closedir(reading);
-    if (error != 0) return tl::unexpected<Error>(writeError(error, path_ / name));
+    if (error != 0) return tl::unexpected(writeError(error, path_ / name));
     std::ranges::sort(names);
     return names;
 }
@@ -290,7 +290,7 @@ Status GuardedFolder::link(const std::string& name, const std::string& new_name)
     if (Status removed = remove(new_name); !removed) return removed;
     if (::linkat(from->folder, from->name.c_str(), to->folder, to->name.c_str(), 0) == 0) return {};
     const auto bytes = read(name);
-    if (!bytes) return tl::unexpected<Error>(writeError(errno, path_ / name));
+    if (!bytes) return tl::unexpected(writeError(errno, path_ / name));
     return write(new_name, *bytes, Durability::Renamed);
 }
 
@@ -316,13 +316,13 @@ Status GuardedFolder::syncNames() const {
     const FileDescriptor folder = readable(folder_->get());
     // EINVAL: the file system does not support it.
     if (folder.valid() && (::fsync(folder.get()) == 0 || errno == EINVAL)) return {};
-    return tl::unexpected<Error>(writeError(errno, path_));
+    return tl::unexpected(writeError(errno, path_));
 }
 
 Status GuardedFolder::syncAll() const {
     const FileDescriptor folder = readable(folder_->get());
     if (folder.valid() && ::syncfs(folder.get()) == 0) return {};
-    return tl::unexpected<Error>(writeError(errno, path_));
+    return tl::unexpected(writeError(errno, path_));
 }
 
 std::optional<std::uint64_t> GuardedFolder::freeBytes() const {
@@ -331,4 +331,4 @@ std::optional<std::uint64_t> GuardedFolder::freeBytes() const {
     return std::uint64_t{space.f_bavail} * space.f_frsize;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

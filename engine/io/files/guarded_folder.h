@@ -3,7 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/file_descriptor.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/files/input_file.h"
 
 #include <sys/stat.h>
 
@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// writeWhole() in an open folder, on which it is built; 0 or errno.
 [[nodiscard]] int writeWholeAt(int folder, const std::string& name,
@@ -111,4 +111,4 @@ class GuardedFolder {
     std::shared_ptr<const FileDescriptor> folder_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 template <class Symbol>
@@ -39,4 +39,4 @@ const Hdf5Functions* hdf5Functions() {
     return functions ? &*functions : nullptr;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,7 +2,7 @@
 
 #include <hdf5.h>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 // Each name once: its type is the header's, its symbol the library's.
 // clang-format off
@@ -32,4 +32,4 @@ struct Hdf5Functions {
 /// no files any more has to have called it before.
 const Hdf5Functions* hdf5Functions();
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -4,7 +4,7 @@
 
 #include <mutex>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Held while the library is in use: it may be built without locks of its own, as Debian's is.
 class Hdf5Lock {
@@ -35,4 +35,4 @@ class Hdf5Handle {
     herr_t (*close_)(hid_t);
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

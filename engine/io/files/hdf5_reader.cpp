@@ -2,12 +2,12 @@
 
 #include "engine/io/files/hdf5_functions.h"
 #include "engine/io/files/hdf5_library.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/files/input_file.h"
 
 #include <algorithm>
 #include <memory>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr unsigned kReadOnly = 0;  // H5F_ACC_RDONLY; the macro itself calls the library
@@ -92,7 +92,7 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std
     }
     std::vector<hsize_t> size;
     Hdf5Numbers numbers;
-    size.resize(static_cast<std::size_t>(rank));
+    size.resize(rank);
     h5.H5Sget_simple_extent_dims(space, size.data(), nullptr);
     hsize_t count = 1;
     for (const hsize_t length : size) {
@@ -136,4 +136,4 @@ Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::s
     return read;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A table of numbers, rows first.
 struct Hdf5Numbers {
@@ -24,4 +24,4 @@ Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path,
 /// A text of fixed length, up to 16 MiB. From any thread. Error: BadInput.
 Result<std::string> readHdf5Text(const std::filesystem::path& path, const std::string& name);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using Handle = Hdf5Handle;
@@ -69,7 +69,7 @@ Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
     good = good && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
     const ssize_t size = good ? H5Fget_file_image(file, nullptr, 0) : -1;
     if (size > 0) {
-        bytes.resize(static_cast<std::size_t>(size));
+        bytes.resize(size);
         good = H5Fget_file_image(file, bytes.data(), bytes.size()) == size;
     }
     if (!good || size <= 0) {
@@ -78,4 +78,4 @@ Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
     return bytes;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 enum class Hdf5Type { Uint8, Uint16, Float32 };
 
@@ -29,4 +29,4 @@ struct Hdf5Text {
 [[nodiscard]] Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
                                                          const std::vector<Hdf5Text>& texts);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

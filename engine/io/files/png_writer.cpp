@@ -7,10 +7,10 @@
 #include <csetjmp>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
-struct PngLook {
+struct PngSettings {
     int color_type;
     int bit_depth;
     std::size_t bytes_per_pixel;
@@ -18,9 +18,9 @@ struct PngLook {
     int strategy;
 };
 
-/// Measured on rendered rooms (render/README.md): Z_RLE compresses filtered colour images and
-/// labels faster and smaller than level 1's match search; depth needs the search.
-PngLook lookOf(PngFormat format) {
+/// Measured on rendered rooms (render/encoders/README.md): Z_RLE compresses filtered colour images
+/// and labels faster and smaller than level 1's match search; depth needs the search.
+PngSettings settingsOf(PngFormat format) {
     switch (format) {
         case PngFormat::Rgb8:
             return {PNG_COLOR_TYPE_RGB, 8, 3, PNG_FILTER_SUB, Z_RLE};
@@ -55,20 +55,20 @@ void ignoreWriterWarning(png_structp, png_const_charp) {}
 
 /// Contains all calls that libpng may leave by longjmp(), and no objects with destructors.
 bool write(png_structp png, png_infop info, PngWrite& target, int width, int height,
-           const PngLook& look, const std::uint8_t* pixels) {
+           const PngSettings& settings, const std::uint8_t* pixels) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, &target, appendBytes, nullptr);
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
     png_set_compression_level(png, 1);
-    png_set_compression_strategy(png, look.strategy);
+    png_set_compression_strategy(png, settings.strategy);
     png_set_compression_buffer_size(png, 1U << 16U);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, look.filter);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, settings.filter);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
-                 look.bit_depth, look.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
+                 settings.bit_depth, settings.color_type, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
-    if (look.bit_depth == 16 && std::endian::native == std::endian::little) png_set_swap(png);
-    const std::size_t stride = look.bytes_per_pixel * static_cast<std::size_t>(width);
+    if (settings.bit_depth == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+    const std::size_t stride = settings.bytes_per_pixel * static_cast<std::size_t>(width);
     for (int y = 0; y < height; ++y) {
         png_write_row(png, pixels + static_cast<std::size_t>(y) * stride);
     }
@@ -80,9 +80,9 @@ bool write(png_structp png, png_infop info, PngWrite& target, int width, int hei
 
 Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat format,
                                             std::span<const std::uint8_t> pixels) {
-    const PngLook look = lookOf(format);
+    const PngSettings settings = settingsOf(format);
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (pixels.size() != count * look.bytes_per_pixel) {
+    if (pixels.size() != count * settings.bytes_per_pixel) {
         return fail(ErrorCode::Failed, "an image of " + std::to_string(width) + " x " +
                                            std::to_string(height) + " px came with " +
                                            std::to_string(pixels.size()) + " bytes");
@@ -93,10 +93,10 @@ Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat for
         png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keepPngError, ignoreWriterWarning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     const bool done =
-        info != nullptr && write(png, info, target, width, height, look, pixels.data());
+        info != nullptr && write(png, info, target, width, height, settings, pixels.data());
     png_destroy_write_struct(&png, &info);
     if (!done) return fail(ErrorCode::Failed, "libpng: " + target.problem);
     return std::move(target.bytes);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

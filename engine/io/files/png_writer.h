@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 enum class PngFormat {
     Rgb8,    // 3 bytes a pixel, sRGB
@@ -21,4 +21,4 @@ enum class PngFormat {
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat format,
                                                           std::span<const std::uint8_t> pixels);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

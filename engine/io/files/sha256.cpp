@@ -1,6 +1,6 @@
 #include "engine/io/files/sha256.h"
 
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/files/input_file.h"
 #include "engine/jobs/job.h"
 
 #include <openssl/evp.h>
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 struct Sha256::Impl {
     EVP_MD_CTX* context = EVP_MD_CTX_new();
@@ -65,7 +65,7 @@ Result<std::string> sha256OfFile(const std::filesystem::path& path) {
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path, const JobContext& job) {
     const Result<InputFile> file = openNamedFile(path);
-    if (!file) return tl::unexpected<Error>(file.error());
+    if (!file) return tl::unexpected(file.error());
     Sha256 hash;
     std::vector<std::uint8_t> block(1UL << 16U);
     std::uint64_t done = 0;
@@ -81,4 +81,4 @@ Result<std::string> sha256OfFile(const std::filesystem::path& path, const JobCon
     return hash.finish();
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -13,7 +13,7 @@ namespace dollytrack {
 class JobContext;
 }
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// SHA-256 of bytes that come in pieces.
 class Sha256 {
@@ -42,4 +42,4 @@ class Sha256 {
 [[nodiscard]] Result<std::string> sha256OfFile(const std::filesystem::path& path,
                                                const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// What is read whole into memory, where nothing else is said.
 inline constexpr std::uint64_t kMostTextBytes = std::uint64_t{512} << 20U;
@@ -16,4 +16,4 @@ inline constexpr std::uint64_t kMostTextBytes = std::uint64_t{512} << 20U;
 [[nodiscard]] Result<std::string> readText(const std::filesystem::path& path,
                                            std::size_t most_mebibytes = 512);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

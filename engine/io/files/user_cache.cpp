@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +54,4 @@ std::optional<UserCache> userCache(const char* name) {
     return UserCache{std::move(*folder), mebibytes << 20U};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A folder of the user's cache that can be written to, made if missing.
 struct UserCache {
@@ -19,4 +19,4 @@ struct UserCache {
 /// not followed, and a warning says so.
 [[nodiscard]] std::optional<UserCache> userCache(const char* name);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

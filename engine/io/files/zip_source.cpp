@@ -1,6 +1,6 @@
 #include "engine/core/clean_text.h"
 #include "engine/io/files/file_source.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/files/input_file.h"
 
 #include <fmt/format.h>
 #include <zip.h>
@@ -138,7 +138,7 @@ Result<std::unique_ptr<Archive>> openArchive(std::vector<std::uint8_t> bytes,
 }
 
 Result<std::unique_ptr<Archive>> openArchive(const std::filesystem::path& path) {
-    const Result<std::string> bytes = io::readNamedFile(path, kMostArchiveBytes);
+    const Result<std::string> bytes = readNamedFile(path, kMostArchiveBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     return openArchive({bytes->begin(), bytes->end()}, path.string());
 }

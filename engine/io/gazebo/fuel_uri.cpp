@@ -29,7 +29,7 @@ bool isVersionNumber(const std::string& text) {
 }
 
 /// The subfolder with this name; case does not count.
-std::optional<fs::path> folderIn(const io::ReachableFiles& files, const fs::path& folder,
+std::optional<fs::path> folderIn(const ReachableFiles& files, const fs::path& folder,
                                  const std::string& name) {
     const auto names = files.namesIn(folder);
     if (!names) return std::nullopt;
@@ -40,13 +40,13 @@ std::optional<fs::path> folderIn(const io::ReachableFiles& files, const fs::path
     return std::nullopt;
 }
 
-bool isModelFolder(const io::ReachableFiles& files, const fs::path& folder) {
+bool isModelFolder(const ReachableFiles& files, const fs::path& folder) {
     return files.find(folder, "model.config").has_value() ||
            files.find(folder, "model.sdf").has_value();
 }
 
 /// The folder of a version; without a version, of the newest one that exists.
-std::optional<fs::path> versionIn(const io::ReachableFiles& files, const fs::path& model,
+std::optional<fs::path> versionIn(const ReachableFiles& files, const fs::path& model,
                                   const std::string& version) {
     if (!version.empty()) {
         const fs::path folder = model / version;
@@ -102,7 +102,7 @@ std::optional<FuelUri> fuelUriOf(const std::string& uri) {
     return found;
 }
 
-std::optional<fs::path> findFuelModel(const io::ReachableFiles& files, const FuelUri& uri) {
+std::optional<fs::path> findFuelModel(const ReachableFiles& files, const FuelUri& uri) {
     for (const fs::path& root : files.folders()) {
         const auto plain = folderIn(files, root, uri.model);
         if (plain && isModelFolder(files, *plain)) return plain;

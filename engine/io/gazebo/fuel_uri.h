@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/sandbox/reachable_files.h"
+#include "engine/io/files/reachable_files.h"
 
 #include <filesystem>
 #include <optional>
@@ -29,7 +29,7 @@ struct FuelUri {
 /// The folder of a downloaded model: MODEL in one of the folders, or
 /// SERVER/OWNER/models/MODEL/VERSION as stored by `gz fuel download` in ~/.gz/fuel. Case does not
 /// count.
-[[nodiscard]] std::optional<std::filesystem::path> findFuelModel(const io::ReachableFiles& files,
+[[nodiscard]] std::optional<std::filesystem::path> findFuelModel(const ReachableFiles& files,
                                                                  const FuelUri& uri);
 
 }  // namespace dollytrack::gazebo

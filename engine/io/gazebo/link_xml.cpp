@@ -1,8 +1,8 @@
 #include "engine/io/gazebo/link_xml.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/sandbox/input_file.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/srgb.h"
 
@@ -27,11 +27,11 @@ std::string XmlFile::placeOf(const std::filesystem::path& path,
     const auto line =
         std::lower_bound(line_ends.begin(), line_ends.end(), static_cast<std::size_t>(offset)) -
         line_ends.begin() + 1;
-    return io::placeOf(path, static_cast<int>(line));
+    return dollytrack::placeOf(path, static_cast<int>(line));
 }
 
 Result<XmlFile> readXml(const std::filesystem::path& path, std::uint64_t most) {
-    const Result<std::string> text = io::readNamedFile(path, kMostXmlBytes);
+    const Result<std::string> text = readNamedFile(path, kMostXmlBytes);
     if (!text) return tl::unexpected(text.error());
     if (text->size() > most) {
         return fail(ErrorCode::BadInput,
@@ -75,7 +75,7 @@ std::optional<std::vector<double>> numbersOf(std::string_view text) {
         const auto begin = text.find_first_not_of(kBlanks);
         if (begin == text.npos) return numbers;
         const auto end = std::min(text.find_first_of(kBlanks, begin), text.size());
-        const auto number = io::numberFrom(text.substr(begin, end - begin));
+        const auto number = numberFrom(text.substr(begin, end - begin));
         if (!number || !std::isfinite(*number)) return std::nullopt;
         numbers.push_back(*number);
         text.remove_prefix(end);
@@ -97,7 +97,7 @@ Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_ya
 bool isPlainLinkName(std::string_view name) {
     static constexpr std::array<std::string_view, 10> kPlain = {
         "link", "base", "body", "part", "root", "visual", "mesh", "object", "node", "child"};
-    const std::vector<std::string> words = splitWords(name);
+    const std::vector<std::string> words = wordsOfName(name);
     return std::ranges::all_of(words, [](const std::string& word) {
         return word.size() < 2 || std::ranges::find(kPlain, word) != kPlain.end();
     });

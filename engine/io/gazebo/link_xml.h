@@ -22,7 +22,7 @@ inline constexpr std::size_t kMostVisuals = 100'000;
 /// Largest amount of XML in all files of a scene together, in bytes.
 constexpr std::uint64_t kMostXmlBytes = std::uint64_t{64} << 20U;
 
-/// An XML file and its size.
+/// An XML file, its size in bytes, and its line ends, which tell the line of an element.
 struct XmlFile {
     pugi::xml_document document;
     std::uint64_t bytes = 0;
@@ -53,7 +53,8 @@ struct XmlFile {
 /// Whether a link's name is generic: "link", "link_3", "base_link", "body".
 [[nodiscard]] bool isPlainLinkName(std::string_view name);
 
-/// Counts the unsupported shape of a <geometry>, such as <heightmap> or <capsule>, in `shapes`.
+/// To be called for a <geometry> without a supported shape: counts its first element, such as
+/// <heightmap> or <capsule>, in `shapes`; <empty> does not count.
 void noteUnknownShape(const pugi::xml_node& geometry, UnknownShapes& shapes);
 
 /// A linear colour from three or four sRGB values in 0..1, of which the fourth is the opacity

@@ -412,9 +412,9 @@ Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
                     "the XML has no <sdf>, so it is not a Gazebo world; give a world or model",
                     path.string());
     }
-    const ModelPath files(io::ReachableFiles(foldersOfWorld(path, options)));
+    const ModelPath files(ReachableFiles(foldersOfWorld(path, options)));
     SdfReader reader(files, job);
-    if (Status read = reader.read(sdf, io::absoluteNormal(path), *xml); !read) {
+    if (Status read = reader.read(sdf, absoluteNormal(path), *xml); !read) {
         return tl::unexpected(read.error());
     }
     Result<RawScene> scene = sceneOfLinks(

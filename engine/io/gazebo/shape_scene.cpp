@@ -1,6 +1,6 @@
 #include "engine/io/gazebo/shape_scene.h"
 
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 
 #include <cmath>
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/field_list.h"
-#include "engine/io/datasets/object_names.h"
+#include "engine/core/object_names.h"
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/visuals.h"
 
@@ -135,7 +135,7 @@ class UrdfReader {
         for (const std::string& name : cut_off_) names.push_back(cleanText(name));
         doubts_.push_back(
             fmt::format("{} left out because a joint above names a parent that does not exist: {}",
-                        io::counted(names.size(), "link is", "links are"), io::listOf(names)));
+                        counted(names.size(), "link is", "links are"), listOf(names)));
     }
 
     static bool isMovable(const pugi::xml_node& joint) {
@@ -319,7 +319,7 @@ class UrdfReader {
 
 }  // namespace
 
-Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& files,
+Result<RawScene> readUrdfModel(const fs::path& path, const ReachableFiles& files,
                                const JobContext& job) {
     const Result<XmlFile> xml = readXml(path, kMostXmlBytes);
     if (!xml) return tl::unexpected(xml.error());
@@ -338,8 +338,7 @@ Result<RawScene> readUrdfModel(const fs::path& path, const io::ReachableFiles& f
 
 Result<RawScene> readUrdf(const fs::path& path, const ImportOptions& options,
                           const JobContext& job) {
-    return readUrdfModel(io::absoluteNormal(path),
-                         io::ReachableFiles(foldersOfWorld(path, options)), job);
+    return readUrdfModel(absoluteNormal(path), ReachableFiles(foldersOfWorld(path, options)), job);
 }
 
 }  // namespace dollytrack::gazebo

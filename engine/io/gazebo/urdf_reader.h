@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
-#include "engine/io/sandbox/reachable_files.h"
+#include "engine/io/files/reachable_files.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
@@ -17,7 +17,7 @@ Result<RawScene> readUrdf(const std::filesystem::path& path, const ImportOptions
                           const JobContext& job);
 
 /// The same for a model to be placed in another scene; meshes are searched for below `files`.
-Result<RawScene> readUrdfModel(const std::filesystem::path& path, const io::ReachableFiles& files,
+Result<RawScene> readUrdfModel(const std::filesystem::path& path, const ReachableFiles& files,
                                const JobContext& job);
 
 }  // namespace dollytrack::gazebo

@@ -1,16 +1,16 @@
 #include "engine/io/gazebo/visuals.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/object_names.h"
 #include "engine/io/datasets/model_library.h"
-#include "engine/io/datasets/object_names.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/files/percent_text.h"
 #include "engine/io/gazebo/fuel_uri.h"
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/shape_scene.h"
-#include "engine/io/import/model_placement.h"
-#include "engine/io/import/scene_format.h"
-#include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/raw_scene/model_placement.h"
 
 #include <pugixml.hpp>
 
@@ -42,7 +42,7 @@ std::vector<fs::path> foldersAround(const fs::path& folder) {
 
 /// The package's name in a package.xml, or the description's file name in a model.config.
 std::string nameIn(const fs::path& config) {
-    const Result<std::string> text = io::readNamedFile(config, kMostConfigBytes);
+    const Result<std::string> text = readNamedFile(config, kMostConfigBytes);
     pugi::xml_document document;
     if (!text || !document.load_buffer(text->data(), text->size())) return {};
     if (const pugi::xml_node package = document.child("package")) {
@@ -75,7 +75,7 @@ Submeshes submeshesOf(const RawScene& model) {
     Submeshes parts;
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const std::string& mesh = model.parts[i].name;
-        const std::string& node = model.nodes[static_cast<std::size_t>(model.parts[i].node)].name;
+        const std::string& node = model.nodes[model.parts[i].node].name;
         parts[""].push_back(i);
         if (!mesh.empty()) parts[mesh].push_back(i);
         if (!node.empty() && node != mesh) parts[node].push_back(i);
@@ -135,7 +135,7 @@ class SceneOfLinks {
             RawScene* model = number ? library_.model(*number) : nullptr;
             if (model != nullptr) lookUpTexturesAroundMeshes(files_, *model);
         }
-        io::ObjectNames names;
+        ObjectNames names;
         for (const LinkObject& link : links) {
             if (job_.cancelled()) return cancelled();
             SourceObject object;
@@ -159,8 +159,8 @@ class SceneOfLinks {
         const std::size_t shown = std::min(doubts.size(), kMostDoubts);
         for (std::size_t i = 0; i < shown; ++i) scene_.warnings.push_back(doubts[i]);
         if (shown == doubts.size()) return;
-        scene_.warnings.push_back(io::counted(doubts.size() - shown, "more problem of this kind",
-                                              "more problems of this kind"));
+        scene_.warnings.push_back(counted(doubts.size() - shown, "more problem of this kind",
+                                          "more problems of this kind"));
     }
 
     Status placeMesh(const Visual& visual, std::size_t number, SourceObject& object) {
@@ -256,7 +256,7 @@ class SceneOfLinks {
             for (std::string& name : names) name = cleanText(name);
             std::sort(names.begin(), names.end());
             names.erase(std::unique(names.begin(), names.end()), names.end());
-            scene_.warnings.push_back(io::counted(count, one, many) + ": " + io::listOf(names));
+            scene_.warnings.push_back(counted(count, one, many) + ": " + listOf(names));
         };
         std::vector<std::string> fuel;
         std::vector<std::string> web;
@@ -285,7 +285,7 @@ class SceneOfLinks {
             "submeshes are not in their meshes and are left out; correct their names");
         remarks_.addTo(scene_);
         for (const auto& [shape, count] : unknown_shapes_) {
-            scene_.warnings.push_back(io::counted(count, "visual is", "visuals are") +
+            scene_.warnings.push_back(counted(count, "visual is", "visuals are") +
                                       " left out, since <" + shape +
                                       "> is not supported; replace it by a mesh");
         }
@@ -306,9 +306,9 @@ class SceneOfLinks {
     std::string where_;
     JobContext job_;
     RawScene scene_;
-    io::ModelLibrary library_;
-    io::ModelRemarks remarks_;
-    io::TriangleBudget budget_;
+    ModelLibrary library_;
+    ModelRemarks remarks_;
+    TriangleBudget budget_;
     std::map<std::size_t, ModelPlacement> placements_;  // by index in the library
     std::map<Visual::Shape, Shape> shapes_;
     std::map<std::size_t, Submeshes> submeshes_;
@@ -382,17 +382,17 @@ std::optional<fs::path> ModelPath::findModel(const fs::path& folder, const std::
 }
 
 std::vector<fs::path> foldersOfWorld(const fs::path& scene, const ImportOptions& options) {
-    const fs::path own = io::absoluteNormal(scene).parent_path();
+    const fs::path own = absoluteNormal(scene).parent_path();
     std::vector<fs::path> absolute;
     for (const fs::path& folder : options.model_folders) {
-        absolute.push_back(io::absoluteNormal(folder));
+        absolute.push_back(absoluteNormal(folder));
     }
-    std::vector<fs::path> folders = io::foldersFor(own / scene.filename(), absolute,
-                                                   {"models", "meshes", "media", "materials"});
+    std::vector<fs::path> folders =
+        foldersFor(own / scene.filename(), absolute, {"models", "meshes", "media", "materials"});
     folders.insert(folders.begin(), own);
-    if (io::hasFile(own / "model.config")) folders.push_back(own.parent_path());
+    if (hasFile(own / "model.config")) folders.push_back(own.parent_path());
     for (const fs::path& around : foldersAround(own)) {
-        if (!io::hasFile(around / "package.xml")) continue;
+        if (!hasFile(around / "package.xml")) continue;
         folders.push_back(around);
         break;
     }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
-#include "engine/io/sandbox/reachable_files.h"
+#include "engine/io/files/reachable_files.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <Eigen/Geometry>
@@ -52,7 +52,7 @@ struct LinkObject {
 /// read. Not thread-safe.
 class ModelPath {
   public:
-    explicit ModelPath(io::ReachableFiles files) : files_(std::move(files)) {}
+    explicit ModelPath(ReachableFiles files) : files_(std::move(files)) {}
 
     /// The file that `uri`, written in a file of `folder`, refers to; nullopt if it is not found.
     [[nodiscard]] std::optional<std::filesystem::path> find(const std::filesystem::path& folder,
@@ -69,7 +69,7 @@ class ModelPath {
   private:
     const std::string& nameOf(const std::filesystem::path& config) const;
 
-    io::ReachableFiles files_;
+    ReachableFiles files_;
     mutable std::map<std::filesystem::path, std::string> names_;  // cache of nameOf()
 };
 

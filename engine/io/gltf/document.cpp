@@ -89,11 +89,11 @@ Chunks findChunks(std::string_view file) {
 }
 
 Json parseJson(std::string_view text) {
-    Result<Json> json = io::parseBoundedJson(text, {});
+    Result<Json> json = parseBoundedJson(text, {});
     // Some exporters write names in a local encoding instead of UTF-8.
     if (!json) {
         const std::string clean = cleanText(text);
-        if (clean != text) json = io::parseBoundedJson(clean, {});
+        if (clean != text) json = parseBoundedJson(clean, {});
     }
     if (!json) throw damaged("its JSON " + describe(json.error()));
     if (!json->is_object()) throw damaged("its JSON is not an object");

@@ -1,7 +1,7 @@
 #include "engine/io/gltf/gltf_materials.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/import/import_notes.h"
+#include "engine/core/object_names.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ class TextureList {
         auto found = indices_.find(*image);
         if (found == indices_.end()) found = indices_.emplace(*image, add(*image)).first;
         if (found->second < 0) return -1;
-        TextureRequest& request = raw_.textures[static_cast<std::size_t>(found->second)];
+        TextureRequest& request = raw_.textures[found->second];
         request.opaque = request.opaque && opaque;
         return found->second;
     }

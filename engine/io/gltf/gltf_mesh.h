@@ -2,7 +2,7 @@
 
 #include "engine/io/gltf/document.h"
 #include "engine/io/gltf/gltf_materials.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 
 #include <Eigen/Core>
 
@@ -22,8 +22,8 @@ struct Primitive {
     std::vector<Eigen::Vector3f> normals;
     std::vector<Eigen::Vector3f> uvs;  // v upwards
     std::vector<std::uint32_t> indices;
-    std::size_t lines = 0;                // points and lines, which are left out
-    std::vector<Eigen::Vector3f> colors;  // of each vertex, as in the file; may be empty
+    std::size_t lines = 0;                      // points and lines, which are left out
+    std::vector<Eigen::Vector3f> colors;        // of each vertex, as in the file; may be empty
     std::optional<Eigen::Vector3f> mean_color;  // of all vertices, linear; multiplies base_color
 };
 

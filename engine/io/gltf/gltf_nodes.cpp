@@ -193,7 +193,7 @@ class NodeWalk {
     int addNode(std::string name, int parent) {
         raw_.nodes.push_back({std::move(name), parent, 0});
         holds_quantized_.push_back(false);
-        if (parent >= 0) ++raw_.nodes[static_cast<std::size_t>(parent)].children;
+        if (parent >= 0) ++raw_.nodes[parent].children;
         return static_cast<int>(raw_.nodes.size()) - 1;
     }
 
@@ -210,7 +210,7 @@ class NodeWalk {
         // Quantizers insert a node between an object's node and its mesh, which undoes the scaling
         // of integers.
         if (mesh && name.empty() && children.empty() && visit.parent >= 0 &&
-            holds_quantized_[static_cast<std::size_t>(visit.parent)]) {
+            holds_quantized_[visit.parent]) {
             return place(*mesh, visit.parent, here);
         }
         const bool is_named = !name.empty();
@@ -238,7 +238,7 @@ class NodeWalk {
                         const Eigen::Affine3d& here) {
         instances_ += instances.size();
         checkInstances(instances_);
-        const int parent = std::max(raw_.nodes[static_cast<std::size_t>(node)].parent, 0);
+        const int parent = std::max(raw_.nodes[node].parent, 0);
         for (std::size_t i = 0; i < instances.size(); ++i) {
             place(mesh, addNode(fmt::format("{}_{}", name, i + 1), parent), here * instances[i]);
         }

@@ -3,7 +3,7 @@
 #include "engine/io/gltf/gltf_materials.h"
 #include "engine/io/gltf/gltf_mesh.h"
 #include "engine/io/gltf/gltf_nodes.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "engine/io/gltf/document.h"
 #include "engine/io/gltf/gltf_mesh.h"
 #include "engine/io/gltf/gltf_nodes.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/jobs/job.h"
 
 #include <string>

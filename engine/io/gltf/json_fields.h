@@ -39,7 +39,7 @@ template <class Vector>
 void readNumbers(const Json& object, const char* key, Vector& into) {
     const Json& list = member(object, key);
     if (list.is_null()) return;
-    const auto wanted = static_cast<std::size_t>(into.size());
+    const std::size_t wanted = into.size();
     if (!list.is_array() || list.size() != wanted) {
         throw damaged(std::string(key) + " does not hold " + std::to_string(wanted) + " numbers");
     }

@@ -25,7 +25,7 @@ std::optional<Eigen::Vector3d> vectorIn(const json& object, const char* key,
     if (!found->is_array() || found->size() != 3) return std::nullopt;
     Eigen::Vector3d value;
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::optional<double> number = io::numberIn((*found)[i]);
+        const std::optional<double> number = numberIn((*found)[i]);
         if (!number) return std::nullopt;
         value[static_cast<Eigen::Index>(i)] = *number;
     }
@@ -33,12 +33,12 @@ std::optional<Eigen::Vector3d> vectorIn(const json& object, const char* key,
 }
 
 std::optional<Eigen::Quaterniond> rotationIn(const json& object, const char* key) {
-    const json::array_t& list = io::listIn(object, key);
+    const json::array_t& list = listIn(object, key);
     if (list.empty()) return Eigen::Quaterniond::Identity();
     if (list.size() != 4) return std::nullopt;
     Eigen::Vector4d q;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::optional<double> number = io::numberIn(list[i]);
+        const std::optional<double> number = numberIn(list[i]);
         if (!number) return std::nullopt;
         q[static_cast<Eigen::Index>(i)] = *number;
     }
@@ -49,7 +49,7 @@ std::optional<Eigen::Quaterniond> rotationIn(const json& object, const char* key
 
 std::optional<double> numberAt(const json& object, const char* key) {
     const auto found = object.find(key);
-    return found == object.end() ? std::nullopt : io::numberIn(*found);
+    return found == object.end() ? std::nullopt : numberIn(*found);
 }
 
 bool isOff(const json& object, const char* key) {
@@ -111,7 +111,7 @@ std::string withConfigName(std::string name, const fs::path& description) {
 }
 
 std::optional<fs::path> assetOf(const Template& found, const char* key,
-                                const io::ReachableFiles& files) {
+                                const ReachableFiles& files) {
     const auto at = found.attributes.find(key);
     if (at == found.attributes.end() || !at->is_string()) return std::nullopt;
     return files.find(found.folder, withConfigName(at->get<std::string>(), found.file));

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/io/files/reachable_files.h"
 #include "engine/io/habitat/dataset_config.h"
-#include "engine/io/sandbox/reachable_files.h"
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -59,7 +59,7 @@ struct AxisKeys {
 
 /// The file that a description names under `key`; nullopt if it names none or it does not exist.
 [[nodiscard]] std::optional<std::filesystem::path> assetOf(const Template& found, const char* key,
-                                                           const io::ReachableFiles& files);
+                                                           const ReachableFiles& files);
 
 /// Whether the attributes rotate, move or scale a mesh.
 [[nodiscard]] bool changesGeometry(const Template& found);

@@ -1,6 +1,6 @@
 #include "engine/io/habitat/config_choice.h"
 
-#include "engine/io/sandbox/reachable_files.h"
+#include "engine/io/files/reachable_files.h"
 
 #include <algorithm>
 #include <string_view>
@@ -38,7 +38,7 @@ bool isDatasetConfig(const fs::path& path) {
 
 std::vector<fs::path> findDatasetConfigs(const fs::path& scene) {
     constexpr int kMostFoldersUp = 4;
-    fs::path folder = io::absoluteNormal(scene).parent_path();
+    fs::path folder = absoluteNormal(scene).parent_path();
     for (int up = 0; up <= kMostFoldersUp && folder.has_relative_path(); ++up) {
         std::vector<fs::path> configs = configsIn(folder);
         if (!configs.empty()) return configs;
@@ -56,7 +56,7 @@ const ConfigChoice::Listed& ConfigChoice::listedBy(const fs::path& config) {
     const auto [at, is_new] = listed_.try_emplace(config);
     if (!is_new) return at->second;
     const fs::path folder = config.parent_path();
-    const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job_, scope_);
+    const auto dataset = Dataset::open(config, folder, ReachableFiles({folder}), job_, scope_);
     if (!dataset) return at->second;
     for (const DatasetScene& scene : dataset->scenes()) {
         at->second.scenes.insert(scene.file);
@@ -68,7 +68,7 @@ const ConfigChoice::Listed& ConfigChoice::listedBy(const fs::path& config) {
 fs::path ConfigChoice::choose(const std::vector<fs::path>& configs, const fs::path& scene) {
     if (configs.empty()) return {};
     if (configs.size() == 1) return configs.front();
-    const fs::path own = io::absoluteNormal(scene).parent_path();
+    const fs::path own = absoluteNormal(scene).parent_path();
     for (const fs::path& config : configs) {
         if (listedBy(config).folders.contains(own)) return config;
     }
@@ -76,7 +76,7 @@ fs::path ConfigChoice::choose(const std::vector<fs::path>& configs, const fs::pa
 }
 
 bool ConfigChoice::lists(const fs::path& config, const fs::path& scene) {
-    return listedBy(config).scenes.contains(io::absoluteNormal(scene));
+    return listedBy(config).scenes.contains(absoluteNormal(scene));
 }
 
 }  // namespace dollytrack::habitat

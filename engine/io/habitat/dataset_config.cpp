@@ -4,10 +4,10 @@
 #include "engine/core/field_list.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
-#include "engine/io/datasets/object_names.h"
+#include "engine/core/object_names.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/habitat/folder_search.h"
-#include "engine/io/sandbox/input_file.h"
 
 #include <fmt/format.h>
 
@@ -86,9 +86,9 @@ json merged(json defaults, const json& changes) {
 }
 
 Result<json> readConfig(const fs::path& path, std::uint64_t most_bytes) {
-    const Result<std::string> text = io::readNamedFile(path, most_bytes);
+    const Result<std::string> text = readNamedFile(path, most_bytes);
     if (!text) return tl::unexpected(text.error());
-    return io::parseBoundedJson(*text, path.string());
+    return parseBoundedJson(*text, path.string());
 }
 
 const json& sectionOf(const json& document, const char* key) {
@@ -99,9 +99,8 @@ const json& sectionOf(const json& document, const char* key) {
 
 }  // namespace
 
-Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder,
-                              io::ReachableFiles files, const JobContext& job,
-                              const DatasetScope& scope) {
+Result<Dataset> Dataset::open(const fs::path& config, const fs::path& folder, ReachableFiles files,
+                              const JobContext& job, const DatasetScope& scope) {
     Dataset dataset(folder, std::move(files));
     json document = json::object();
     if (!config.empty()) {
@@ -141,16 +140,16 @@ Status Dataset::readSection(const json& values, Kind kind, FolderSearch& search)
     const KindWords& words = wordsOf(kind);
     Section& section = sections_[kind];
     section.defaults = sectionOf(values, "default_attributes");
-    section.configs = io::listIn(values, "configs");
+    section.configs = listIn(values, "configs");
     checkKeys(section.defaults, kind, config_name_);
     // In the section of semantic files, all other keys are handles.
     if (kind != Kind::SemanticScene) {
         keys_.check(values, KeyCheck::Place::Section, config_name_);
     }
     for (std::size_t i = 0; i < section.configs.size(); ++i) {
-        std::string name = io::textIn(section.configs[i], "template_handle");
+        std::string name = textIn(section.configs[i], "template_handle");
         if (name.empty()) {
-            const std::string original = io::textIn(section.configs[i], "original_file");
+            const std::string original = textIn(section.configs[i], "original_file");
             name = lastName(original);
             name = withoutEnding(name, words.ending).value_or(name);
         }
@@ -254,7 +253,7 @@ Result<std::shared_ptr<const Template>> Dataset::findConfigured(const Section& s
     const auto [known, is_new] = by_handle_.try_emplace({kind, handle});
     if (!is_new) return known->second;
     const json& config = section.configs[at->second];
-    const std::string original = io::textIn(config, "original_file");
+    const std::string original = textIn(config, "original_file");
     Template found{section.defaults, folder_, {}};
     if (!original.empty()) {
         const auto file = files_.find(folder_, original);
@@ -369,7 +368,7 @@ std::string Dataset::uselessPaths(Kind kind) const {
     if (section.patterns == 0 || section.useless_patterns.size() < section.patterns) return {};
     return fmt::format("the paths of {} in {} match no file ({}); correct them",
                        wordsOf(kind).section, cleanText(config_name_),
-                       cleanText(io::listOf(section.useless_patterns, 5)));
+                       cleanText(listOf(section.useless_patterns, 5)));
 }
 
 std::vector<std::string> Dataset::warnings(bool something_missing) const {
@@ -382,7 +381,7 @@ std::vector<std::string> Dataset::warnings(bool something_missing) const {
         if (line.empty() && something_missing && !section.useless_patterns.empty()) {
             line = fmt::format("some paths of {} in {} match no file: {}", wordsOf(kind).section,
                                cleanText(config_name_),
-                               cleanText(io::listOf(section.useless_patterns, 5)));
+                               cleanText(listOf(section.useless_patterns, 5)));
         }
         if (!line.empty()) lines.push_back(std::move(line));
     }
@@ -392,7 +391,7 @@ std::vector<std::string> Dataset::warnings(bool something_missing) const {
         lines.push_back(
             cleanText(fmt::format("the template name \"{}\" matches several files ({}), and the "
                                   "first is used; name one of them",
-                                  name, io::listOf(files, 3))));
+                                  name, listOf(files, 3))));
     }
     if (several_.size() > kMostNames) {
         lines.push_back(fmt::format("{} more template names match several files",
@@ -434,11 +433,11 @@ std::vector<DatasetScene> Dataset::scenes() const {
 std::string Dataset::semanticPathOf(const std::string& handle) const {
     const Section& section = sections_.at(Kind::SemanticScene);
     const auto at = section.config_of.find(handle);
-    if (at == section.config_of.end()) return io::textIn(lexicons_, handle.c_str());
+    if (at == section.config_of.end()) return textIn(lexicons_, handle.c_str());
     const json& config = section.configs[at->second];
-    std::string written = io::textIn(config, "original_file");
+    std::string written = textIn(config, "original_file");
     if (!written.empty()) return written;
-    return io::textIn(sectionOf(config, "attributes"), kSemanticDescriptor);
+    return textIn(sectionOf(config, "attributes"), kSemanticDescriptor);
 }
 
 std::optional<fs::path> Dataset::findSemanticFile(const std::string& name) const {
@@ -476,7 +475,7 @@ const json& Dataset::semanticDefaults() const {
 }
 
 std::optional<fs::path> Dataset::defaultLexicon() const {
-    const std::string named = io::textIn(semanticDefaults(), kSemanticDescriptor);
+    const std::string named = textIn(semanticDefaults(), kSemanticDescriptor);
     if (named.empty()) return std::nullopt;
     std::set<fs::path> folders;
     for (const fs::path& file : semanticFiles()) folders.insert(file.parent_path());

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/files/reachable_files.h"
 #include "engine/io/habitat/key_check.h"
-#include "engine/io/sandbox/reachable_files.h"
 #include "engine/jobs/job.h"
 
 #include <nlohmann/json.hpp>
@@ -55,7 +55,7 @@ class Dataset {
     /// start at `folder`. Errors: Cancelled; BadInput for a damaged config or one whose paths lead
     /// to too many folders or files.
     static Result<Dataset> open(const std::filesystem::path& config,
-                                const std::filesystem::path& folder, io::ReachableFiles files,
+                                const std::filesystem::path& folder, ReachableFiles files,
                                 const JobContext& job, const DatasetScope& scope = {});
 
     /// Finds a template by a handle of the config, a file name, a path, or a part of a file name,
@@ -104,11 +104,11 @@ class Dataset {
     /// The lexicon named by the default attributes, searched for in the folders of semantic files.
     [[nodiscard]] std::optional<std::filesystem::path> defaultLexicon() const;
 
-    [[nodiscard]] const io::ReachableFiles& files() const { return files_; }
+    [[nodiscard]] const ReachableFiles& files() const { return files_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
-    Dataset(std::filesystem::path folder, io::ReachableFiles files)
+    Dataset(std::filesystem::path folder, ReachableFiles files)
         : folder_(std::move(folder)), files_(std::move(files)) {}
 
     /// The config's section for one kind of template.
@@ -134,7 +134,7 @@ class Dataset {
                                                                 const std::string& name) const;
 
     std::filesystem::path folder_;
-    io::ReachableFiles files_;
+    ReachableFiles files_;
     std::map<Kind, Section> sections_;
     nlohmann::json lexicons_;  // semantic files by handle
     /// Templates read so far, by file and by handle of the config's list (null: file missing).

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/sandbox/reachable_files.h"
+#include "engine/io/files/reachable_files.h"
 #include "engine/jobs/job.h"
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class FolderSearch {
 
     /// Patterns are relative to `root`; `where` names the config in errors. `files` must outlive
     /// this object.
-    FolderSearch(const io::ReachableFiles& files, std::filesystem::path root, std::string where,
+    FolderSearch(const ReachableFiles& files, std::filesystem::path root, std::string where,
                  JobContext job, std::size_t most_names)
         : files_(files),
           root_(std::move(root)),
@@ -44,7 +44,7 @@ class FolderSearch {
     [[nodiscard]] tl::unexpected<Error> tooMany(const char* what) const;
 
   private:
-    const io::ReachableFiles& files_;
+    const ReachableFiles& files_;
     std::filesystem::path root_;
     std::string where_;
     JobContext job_;

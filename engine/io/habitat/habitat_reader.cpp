@@ -2,15 +2,15 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
-#include "engine/io/datasets/object_names.h"
+#include "engine/core/object_names.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/files/input_record.h"
 #include "engine/io/habitat/attributes.h"
 #include "engine/io/habitat/config_choice.h"
 #include "engine/io/habitat/dataset_config.h"
 #include "engine/io/habitat/scene_builder.h"
-#include "engine/io/import/import_labels.h"
-#include "engine/io/import/scene_format.h"
-#include "engine/io/sandbox/input_record.h"
 #include "engine/io/semantics/label_files.h"
+#include "engine/io/settings/import_labels.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 /// The configs of the dataset that a scene belongs to; for a config, the config itself.
 std::vector<fs::path> configsOf(const fs::path& path) {
-    if (isDatasetConfig(path)) return {io::absoluteNormal(path)};
+    if (isDatasetConfig(path)) return {absoluteNormal(path)};
     return findDatasetConfigs(path);
 }
 
@@ -32,7 +32,7 @@ std::vector<fs::path> configsOf(const fs::path& path) {
 /// and the like around the scene. Never the file system's root, unless the scene is in it.
 fs::path datasetFolder(const fs::path& path, const std::vector<fs::path>& configs) {
     if (!configs.empty()) return configs.front().parent_path();
-    fs::path folder = io::absoluteNormal(path).parent_path();
+    fs::path folder = absoluteNormal(path).parent_path();
     for (const char* name : {"scenes", "scene_instances", "stages", "objects", "configs"}) {
         const bool above = folder.parent_path().has_relative_path();
         if (folder.filename() == name && above) folder = folder.parent_path();
@@ -44,9 +44,9 @@ fs::path datasetFolder(const fs::path& path, const std::vector<fs::path>& config
 std::vector<fs::path> foldersOf(const fs::path& path, const std::vector<fs::path>& configs,
                                 const ImportOptions& options) {
     std::vector<fs::path> folders = {datasetFolder(path, configs),
-                                     io::absoluteNormal(path).parent_path()};
+                                     absoluteNormal(path).parent_path()};
     for (const fs::path& folder : options.model_folders) {
-        folders.push_back(io::absoluteNormal(folder));
+        folders.push_back(absoluteNormal(folder));
     }
     return folders;
 }
@@ -58,15 +58,15 @@ Result<Dataset> datasetOf(const fs::path& path, const ImportOptions& options,
     if (!isDatasetConfig(path)) {
         // A config added to one of these folders would change the scene, so their listings are
         // recorded as inputs.
-        fs::path folder = io::absoluteNormal(path).parent_path();
-        io::InputRecord::note(io::InputUse::Listing, folder);
+        fs::path folder = absoluteNormal(path).parent_path();
+        InputRecord::note(InputUse::Listing, folder);
         while (folder != folders.front() && folder.has_relative_path()) {
             folder = folder.parent_path();
-            io::InputRecord::note(io::InputUse::Listing, folder);
+            InputRecord::note(InputUse::Listing, folder);
         }
     }
     return Dataset::open(ConfigChoice({}, job).choose(configs, path), folders.front(),
-                         io::ReachableFiles(folders), job);
+                         ReachableFiles(folders), job);
 }
 
 /// Dataset::uselessPaths() of scene instances, as a continuation of an error message.
@@ -89,7 +89,7 @@ tl::unexpected<Error> severalScenes(const std::vector<DatasetScene>& scenes, con
     return fail(ErrorCode::BadInput,
                 fmt::format("the dataset has {} scenes ({}); name the file of one, such as {}, or "
                             "plan all of them with 'dollytrack batch'{}",
-                            scenes.size(), io::listOf(names, 5), scenes.front().file.string(),
+                            scenes.size(), listOf(names, 5), scenes.front().file.string(),
                             uselessScenePaths(dataset)),
                 path.string());
 }
@@ -140,7 +140,7 @@ Result<RawScene> readHabitat(const fs::path& path, const ImportOptions& options,
     if (!labels) return tl::unexpected(labels.error());
     const Result<Dataset> dataset = datasetOf(path, options, job);
     if (!dataset) return tl::unexpected(dataset.error());
-    fs::path scene = io::absoluteNormal(path);
+    fs::path scene = absoluteNormal(path);
     if (isDatasetConfig(path)) {
         const std::vector<DatasetScene> scenes = dataset->scenes();
         if (scenes.size() != 1) return severalScenes(scenes, path, *dataset);
@@ -165,10 +165,10 @@ std::vector<fs::path> habitatInputs(const fs::path& path, const ImportOptions& o
 Result<std::vector<fs::path>> scenesOfDataset(const fs::path& given,
                                               const std::vector<fs::path>& also_named) {
     constexpr DatasetScope kScope = {true, std::uint64_t{1} << 20U, 100'000};
-    const fs::path config = io::absoluteNormal(given);
+    const fs::path config = absoluteNormal(given);
     const fs::path folder = config.parent_path();
     const JobContext job;
-    const auto dataset = Dataset::open(config, folder, io::ReachableFiles({folder}), job, kScope);
+    const auto dataset = Dataset::open(config, folder, ReachableFiles({folder}), job, kScope);
     if (!dataset) return tl::unexpected(dataset.error());
     ConfigChoice choice(kScope, job);
     std::map<fs::path, fs::path> chosen;  // config by the scenes' folder

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>

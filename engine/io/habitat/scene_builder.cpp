@@ -2,16 +2,16 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
+#include "engine/core/object_names.h"
 #include "engine/io/datasets/model_library.h"
-#include "engine/io/datasets/object_names.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/gazebo/urdf_reader.h"
 #include "engine/io/habitat/attributes.h"
 #include "engine/io/habitat/key_check.h"
 #include "engine/io/habitat/semantic_classes.h"
-#include "engine/io/import/model_placement.h"
-#include "engine/io/import/model_reader.h"
+#include "engine/io/models/model_reader.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/raw_scene/model_placement.h"
 #include "engine/io/semantics/labelled_reader.h"
 #include "engine/scene/labels.h"
 
@@ -51,12 +51,12 @@ class SceneReader {
     }
 
     Result<RawScene> readInstance(const json& instance) {
-        com_by_default_ = !isLocal(io::textIn(instance, "translation_origin"));
+        com_by_default_ = !isLocal(textIn(instance, "translation_origin"));
         classes_ = SemanticClasses::read(dataset_, instance, path_);
         const auto stage = instance.find("stage_instance");
         if (stage != instance.end() && stage->is_object()) {
             keys_.check(*stage, KeyCheck::Place::Instance, path_.filename().string());
-            const std::string name = io::textIn(*stage, "template_name");
+            const std::string name = textIn(*stage, "template_name");
             auto found = dataset_.find(Kind::Stage, name);
             if (!found) return tl::unexpected(found.error());
             if (!*found) {
@@ -65,8 +65,8 @@ class SceneReader {
                 return tl::unexpected(added.error());
             }
         }
-        const json::array_t& objects = io::listIn(instance, "object_instances");
-        const json::array_t& articulated = io::listIn(instance, "articulated_object_instances");
+        const json::array_t& objects = listIn(instance, "object_instances");
+        const json::array_t& articulated = listIn(instance, "articulated_object_instances");
         if (objects.size() + articulated.size() > kMostInstances) {
             return fail(ErrorCode::BadInput, "the scene has more than 100,000 objects",
                         path_.string());
@@ -99,8 +99,8 @@ class SceneReader {
     }
 
     Status addStage(const Template& found, const json& instance) {
-        const std::string name = shortName(
-            found.file.empty() ? io::textIn(instance, "template_name") : found.file.string());
+        const std::string name =
+            shortName(found.file.empty() ? textIn(instance, "template_name") : found.file.string());
         const auto asset = assetOf(found, "render_asset", dataset_.files());
         if (!asset) {
             missing_.push_back("the model of stage " + name);
@@ -171,7 +171,7 @@ class SceneReader {
         for (const SourceNode& node : model.nodes) {
             SourceNode copy = node;
             copy.parent = node.parent < 0 ? stage : node.parent + first_node;
-            if (node.parent < 0) ++scene_.nodes[static_cast<std::size_t>(stage)].children;
+            if (node.parent < 0) ++scene_.nodes[stage].children;
             scene_.nodes.push_back(std::move(copy));
         }
         for (std::size_t i = 0; i < model.parts.size(); ++i) {
@@ -230,13 +230,13 @@ class SceneReader {
         if (!*found) return ObjectTemplate{nullptr, {}, withoutDescription(Kind::Object, name)};
         const auto asset = assetOf(**found, "render_asset", dataset_.files());
         if (asset) return ObjectTemplate{std::move(*found), *asset, {}};
-        const std::string named = io::textIn((*found)->attributes, "render_asset");
+        const std::string named = textIn((*found)->attributes, "render_asset");
         return ObjectTemplate{
             nullptr, {}, fmt::format("{} ({})", name, named.empty() ? "no render_asset" : named)};
     }
 
     Status addObjects(const json::array_t& instances) {
-        io::ModelLibrary library;
+        ModelLibrary library;
         std::vector<Wanted> wanted;
         std::map<std::string, ObjectTemplate> known;
         for (const json& instance : instances) {
@@ -247,7 +247,7 @@ class SceneReader {
                 ++hidden_;
                 continue;
             }
-            const std::string name = io::textIn(instance, "template_name");
+            const std::string name = textIn(instance, "template_name");
             auto at = known.find(name);
             if (at == known.end()) {
                 auto found = findObject(name);
@@ -292,7 +292,7 @@ class SceneReader {
                                                   const Placement& placement) const {
         const json& attributes = one.found->attributes;
         const Eigen::Affine3d scaled = scaling(placement.scale) * modelFromAsset(attributes);
-        const std::string said = io::textIn(*one.instance, "translation_origin");
+        const std::string said = textIn(*one.instance, "translation_origin");
         const bool by_center = said.empty() ? com_by_default_ : !isLocal(said);
         Eigen::Vector3d center = Eigen::Vector3d::Zero();
         if (by_center) {
@@ -359,7 +359,7 @@ class SceneReader {
             ++hidden_;
             return {};
         }
-        const std::string name = io::textIn(instance, "template_name");
+        const std::string name = textIn(instance, "template_name");
         if (job_.cancelled()) return cancelled();
         const auto found = dataset_.find(Kind::ArticulatedObject, name);
         if (!found) return tl::unexpected(found.error());
@@ -423,8 +423,7 @@ class SceneReader {
             for (const std::string& name : names) {
                 if (++counts[name] == 1) order.push_back(cleanText(name));
             }
-            scene_.warnings.push_back(io::counted(names.size(), one, many) + ": " +
-                                      io::listOf(order));
+            scene_.warnings.push_back(counted(names.size(), one, many) + ": " + listOf(order));
         };
         say(missing_, "model is not in the dataset's folder and was left out",
             "models are not in the dataset's folder and were left out");
@@ -445,8 +444,8 @@ class SceneReader {
         }
         remarks_.addTo(scene_);
         if (hidden_ > 0) {
-            scene_.notes.push_back(io::counted(hidden_, "object is marked as invisible",
-                                               "objects are marked as invisible"));
+            scene_.notes.push_back(counted(hidden_, "object is marked as invisible",
+                                           "objects are marked as invisible"));
         }
         bool anything = false;
         for (const MeshPart& part : scene_.parts) anything = anything || !part.triangles.empty();
@@ -467,9 +466,9 @@ class SceneReader {
     std::map<fs::path, ArticulatedModel> articulated_;  // by URDF file
     SemanticClasses classes_;
     KeyCheck keys_;  // for instances
-    io::ModelRemarks remarks_;
-    io::TriangleBudget budget_;
-    io::ObjectNames names_;
+    ModelRemarks remarks_;
+    TriangleBudget budget_;
+    ObjectNames names_;
     bool com_by_default_ = true;
     bool stage_labelled_ = false;
     UpAxis stage_up_axis_;  // of the stage's file

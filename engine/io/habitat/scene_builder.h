@@ -2,7 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/io/habitat/dataset_config.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/label_table.h"
 

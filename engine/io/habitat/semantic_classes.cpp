@@ -2,11 +2,11 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
-#include "engine/io/datasets/object_names.h"
+#include "engine/core/object_names.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/habitat/attributes.h"
-#include "engine/io/sandbox/input_file.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -70,8 +70,7 @@ std::string shownName(const fs::path& file) {
 SemanticClasses SemanticClasses::read(const Dataset& dataset, const json& instance,
                                       const fs::path& scene) {
     SemanticClasses classes;
-    const std::string handle =
-        withConfigName(io::textIn(instance, "semantic_scene_instance"), scene);
+    const std::string handle = withConfigName(textIn(instance, "semantic_scene_instance"), scene);
     if (handle.empty()) {
         classes.readOnlyLexicon(dataset);
     } else if (const auto file = dataset.findSemanticFile(handle)) {
@@ -106,7 +105,7 @@ void SemanticClasses::readDescriptor(const Dataset& dataset, const fs::path& fil
         readLexicon(file);
         return;
     }
-    const Result<json> document = io::readBoundedJson(file);
+    const Result<json> document = readBoundedJson(file);
     if (!document) {
         problems_.push_back(
             "the semantic file " + shownName(file) +
@@ -114,8 +113,8 @@ void SemanticClasses::readDescriptor(const Dataset& dataset, const fs::path& fil
         return;
     }
     if (takeClasses(*document, file)) return;
-    std::string named = io::textIn(*document, kDescriptorKey);
-    if (named.empty()) named = io::textIn(dataset.semanticDefaults(), kDescriptorKey);
+    std::string named = textIn(*document, kDescriptorKey);
+    if (named.empty()) named = textIn(dataset.semanticDefaults(), kDescriptorKey);
     if (named.empty()) {
         no_lexicon_ = "the semantic file " + shownName(file) + " has neither \"classes\" nor a " +
                       kDescriptorKey + ", so that classes are found by name";
@@ -147,7 +146,7 @@ void SemanticClasses::readOnlyLexicon(const Dataset& dataset) {
     }
     std::vector<std::string> names;
     for (const fs::path& file : lexicons) names.push_back(shownName(file));
-    problems_.push_back("the dataset has several semantic lexicons (" + io::listOf(names, 5) +
+    problems_.push_back("the dataset has several semantic lexicons (" + listOf(names, 5) +
                         ") and the scene names none; name one as semantic_scene_instance");
 }
 
@@ -158,7 +157,7 @@ void SemanticClasses::readLexicon(const fs::path& file) {
             " is not a lexicon of classes (JSON), so that classes are found by name");
         return;
     }
-    const Result<json> document = io::readBoundedJson(file);
+    const Result<json> document = readBoundedJson(file);
     if (!document) {
         problems_.push_back(
             "the semantic lexicon " + shownName(file) +
@@ -172,10 +171,10 @@ void SemanticClasses::readLexicon(const fs::path& file) {
 
 /// Stores the classes of a lexicon. Returns false if the file has no list of classes.
 bool SemanticClasses::takeClasses(const json& document, const fs::path& file) {
-    for (const json& entry : io::listIn(document, "classes")) {
+    for (const json& entry : listIn(document, "classes")) {
         if (!entry.is_object()) continue;
         const std::optional<double> id = numberAt(entry, "id");
-        const std::string name = io::textIn(entry, "name");
+        const std::string name = textIn(entry, "name");
         if (id && std::abs(*id) < kMostSemanticId && !name.empty()) {
             by_id_[static_cast<std::int64_t>(*id)] = name;
         }
@@ -183,14 +182,14 @@ bool SemanticClasses::takeClasses(const json& document, const fs::path& file) {
     if (by_id_.empty()) return false;
     lexicon_ = file;
     notes_.push_back(fmt::format("{} of the semantic lexicon {}",
-                                 io::counted(by_id_.size(), "class", "classes"), shownName(file)));
+                                 counted(by_id_.size(), "class", "classes"), shownName(file)));
     return true;
 }
 
 /// Reads a table of models (CSV with a header line). HSSD's has many columns, such as id and
 /// main_category.
 void SemanticClasses::readTable(const fs::path& file) {
-    const Result<std::string> text = io::readNamedFile(file, kMostTableBytes);
+    const Result<std::string> text = readNamedFile(file, kMostTableBytes);
     if (!text) {
         problems_.push_back("the table of models " + shownName(file) +
                             " cannot be read and was left out: " + text.error().message);
@@ -199,7 +198,7 @@ void SemanticClasses::readTable(const fs::path& file) {
     std::optional<std::size_t> id;
     std::optional<std::size_t> word;
     bool first = true;
-    for (const std::string_view line : io::splitLines(*text)) {
+    for (const std::string_view line : splitLines(*text)) {
         const std::vector<std::string> cells = cellsOf(line);
         if (first) {
             first = false;
@@ -220,7 +219,7 @@ void SemanticClasses::readTable(const fs::path& file) {
 std::string SemanticClasses::classOf(const json& instance, const json& attributes,
                                      const std::string& model) {
     for (const json* said : {&instance, &attributes}) {
-        std::string word = io::textIn(*said, "semantic_category");
+        std::string word = textIn(*said, "semantic_category");
         if (!saysNothing(word)) return word;
     }
     std::optional<double> id = numberAt(instance, "semantic_id");
@@ -248,10 +247,10 @@ std::vector<std::string> SemanticClasses::warnings() const {
         objects += count;
         ids.push_back(std::to_string(id));
     }
-    const std::string have = io::counted(objects, "object has", "objects have");
+    const std::string have = counted(objects, "object has", "objects have");
     if (!lexicon_.empty()) {
         lines.push_back(fmt::format("{} a semantic_id that {} does not list: {}", have,
-                                    shownName(lexicon_), io::listOf(ids, 10)));
+                                    shownName(lexicon_), listOf(ids, 10)));
     } else if (!no_lexicon_.empty()) {
         lines.push_back(fmt::format("{} a semantic_id, but {}", have, no_lexicon_));
     } else if (problems_.empty()) {

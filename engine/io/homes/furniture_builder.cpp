@@ -4,7 +4,7 @@
 #include "engine/io/homes/furniture_placement.h"
 #include "engine/io/homes/surface_mesh.h"
 #include "engine/io/homes/wall_builder.h"
-#include "engine/io/import/model_placement.h"
+#include "engine/io/raw_scene/model_placement.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 

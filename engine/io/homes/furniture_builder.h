@@ -3,7 +3,7 @@
 #include "engine/io/homes/home.h"
 #include "engine/io/homes/home_materials.h"
 #include "engine/io/homes/model_library.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/label_table.h"
 

@@ -2,7 +2,7 @@
 
 #include "engine/io/files/file_source.h"
 #include "engine/io/homes/home.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <map>
 #include <string>

@@ -1,12 +1,12 @@
 #include "engine/io/homes/home_reader.h"
 
 #include "engine/io/files/file_source.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/homes/furniture_builder.h"
 #include "engine/io/homes/home_xml.h"
 #include "engine/io/homes/room_builder.h"
 #include "engine/io/homes/wall_builder.h"
-#include "engine/io/import/import_labels.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/settings/import_labels.h"
 #include "engine/scene/labels.h"
 
 namespace dollytrack::homes {
@@ -92,7 +92,7 @@ Result<RawScene> readHome(const fs::path& path, const ImportOptions& options,
     const std::string where = path.string();
     std::vector<std::unique_ptr<FileSource>> places;
     Result<Home> home = tl::unexpected(Error{});
-    const Result<std::string> bytes = io::readNamedFile(path, std::uint64_t{4} << 30);
+    const Result<std::string> bytes = readNamedFile(path, std::uint64_t{4} << 30);
     if (!bytes) return tl::unexpected(bytes.error());
     std::vector<std::uint8_t> raw(bytes->begin(), bytes->end());
     if (bytes->starts_with("PK")) {

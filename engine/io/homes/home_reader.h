@@ -2,8 +2,8 @@
 
 #include "engine/core/result.h"
 #include "engine/io/homes/home.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>

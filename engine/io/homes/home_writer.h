@@ -6,8 +6,9 @@
 
 namespace dollytrack::homes {
 
-/// Writes a home without levels, groups and cameras as Home.xml: walls, rooms and pieces with
-/// colours and textures. parseHomeXml() reads the same home from it, except that colours are 8-bit.
+/// Writes a home as Home.xml: walls, rooms and pieces with colours (8 bits per channel) and
+/// textures. Not written: levels, groups, cameras, wall tops, baseboards, staircase holes, and the
+/// pitch, roll, centring and material colours of pieces.
 std::string homeXml(const Home& home, const std::string& name);
 
 }  // namespace dollytrack::homes

@@ -225,9 +225,7 @@ class HomeParser {
     /// Removes what is on hidden levels. Walls keep their indices, which other walls refer to, but
     /// lose their size.
     void dropHidden() {
-        const auto hidden = [&](int level) {
-            return level >= 0 && !home_.levels[static_cast<std::size_t>(level)].viewable;
-        };
+        const auto hidden = [&](int level) { return level >= 0 && !home_.levels[level].viewable; };
         home_.hidden += std::erase_if(home_.pieces, [&](const auto& p) { return hidden(p.level); });
         home_.hidden += std::erase_if(home_.rooms, [&](const auto& r) { return hidden(r.level); });
         for (HomeWall& wall : home_.walls) {

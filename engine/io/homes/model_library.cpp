@@ -1,8 +1,8 @@
 #include "engine/io/homes/model_library.h"
 
+#include "engine/io/files/file_type.h"
 #include "engine/io/homes/standard_colors.h"
-#include "engine/io/import/model_reader.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/models/model_reader.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/io/files/file_source.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/jobs/job.h"
 
 #include <Eigen/Geometry>

@@ -81,7 +81,7 @@ double wallTop(const Home& home, int level, const Vector2d& place, double otherw
 
 bool isLastLevel(const Home& home, int level) {
     if (level < 0) return true;
-    const double own = home.levels[static_cast<std::size_t>(level)].elevation;
+    const double own = home.levels[level].elevation;
     return std::none_of(home.levels.begin(), home.levels.end(),
                         [&](const auto& other) { return other.elevation > own + 1e-6; });
 }
@@ -99,7 +99,7 @@ SurfaceMesh buildFloor(const Home& home, const HomeRoom& room, HomeMaterials& ma
         room, holes, room.floor, material, [&](const Vector2d&) { return height; },
         Vector3d::UnitY(), mesh);
     if (room.level < 0 || mesh.empty()) return mesh;
-    const double below = height - home.levels[static_cast<std::size_t>(room.level)].floor_thickness;
+    const double below = height - home.levels[room.level].floor_thickness;
     for (const Outline& hole : holes) {
         Vector2d middle = Vector2d::Zero();
         for (const Vector2d& p : hole) middle += p / static_cast<double>(hole.size());
@@ -121,8 +121,7 @@ SurfaceMesh buildCeiling(const Home& home, const HomeRoom& room, HomeMaterials& 
     if (!room.ceiling_visible || room.points.size() < 3) return mesh;
     const double flat = room.level < 0
                             ? home.wall_height
-                            : levelElevation(home, room.level) +
-                                  home.levels[static_cast<std::size_t>(room.level)].height;
+                            : levelElevation(home, room.level) + home.levels[room.level].height;
     const bool last = isLastLevel(home, room.level);
     addFlat(
         room, stairHoles(home, flat), room.ceiling, materials.of(room.ceiling, kCeiling),

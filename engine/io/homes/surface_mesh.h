@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <Eigen/Core>
 

@@ -57,7 +57,7 @@ class PathReader {
         if (status != std::errc{} || !std::isfinite(value) || std::abs(value) > 1e3) {
             return std::nullopt;
         }
-        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        rest_.remove_prefix(end - rest_.data());
         return value;
     }
 

@@ -224,7 +224,7 @@ class WallSegmentBuilder {
 /// Elevation of a wall's bottom. Walls of upper levels extend down through their floor.
 double wallBottom(const Home& home, int level) {
     if (level < 0) return 0.0;
-    const HomeLevel& own = home.levels[static_cast<std::size_t>(level)];
+    const HomeLevel& own = home.levels[level];
     const bool above = std::any_of(home.levels.begin(), home.levels.end(), [&](const auto& other) {
         return other.elevation < own.elevation;
     });
@@ -234,7 +234,7 @@ double wallBottom(const Home& home, int level) {
 }  // namespace
 
 double levelElevation(const Home& home, int level) {
-    return level < 0 ? 0.0 : home.levels[static_cast<std::size_t>(level)].elevation;
+    return level < 0 ? 0.0 : home.levels[level].elevation;
 }
 
 SurfaceMesh buildWall(const Home& home, const HomeWall& wall,

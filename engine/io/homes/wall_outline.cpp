@@ -85,8 +85,8 @@ std::optional<WallEnd> otherEnd(const std::vector<HomeWall>& walls,
                                 const std::vector<std::vector<WallSegment>>& outlines,
                                 std::size_t self, int neighbour, const Vector2d& corner) {
     if (neighbour < 0 || static_cast<std::size_t>(neighbour) == self) return std::nullopt;
-    const HomeWall& other = walls[static_cast<std::size_t>(neighbour)];
-    const auto& outline = outlines[static_cast<std::size_t>(neighbour)];
+    const HomeWall& other = walls[neighbour];
+    const auto& outline = outlines[neighbour];
     if (outline.empty()) return std::nullopt;
     const bool by_start = other.at_start == static_cast<int>(self);
     const bool by_end = other.at_end == static_cast<int>(self);
@@ -129,7 +129,7 @@ std::vector<std::vector<WallSegment>> wallOutlines(const std::vector<HomeWall>& 
         const HomeWall& wall = walls[i];
         if (plain[i].empty()) continue;
         const auto reach = [&](int neighbour) {
-            const HomeWall& other = walls[static_cast<std::size_t>(neighbour)];
+            const HomeWall& other = walls[neighbour];
             return 2.0 * std::max(wall.thickness, other.thickness);
         };
         if (const auto other = otherEnd(walls, plain, i, wall.at_start, wall.start)) {

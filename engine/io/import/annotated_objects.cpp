@@ -10,12 +10,12 @@ namespace dollytrack {
 namespace {
 
 const std::string& nodeNameOf(const RawScene& raw, const MeshPart& part) {
-    return raw.nodes[static_cast<std::size_t>(part.node)].name;
+    return raw.nodes[part.node].name;
 }
 
 bool isBelow(const RawScene& raw, int node, const std::string& name) {
-    for (; node >= 0; node = raw.nodes[static_cast<std::size_t>(node)].parent) {
-        if (raw.nodes[static_cast<std::size_t>(node)].name == name) return true;
+    for (; node >= 0; node = raw.nodes[node].parent) {
+        if (raw.nodes[node].name == name) return true;
     }
     return false;
 }
@@ -59,9 +59,9 @@ class Taker {
         result_.taken.assign(raw_.parts.size(), false);
     }
 
-    void take(const io::AnnotatedObject& object, ObjectDraft& draft) {
+    void take(const AnnotatedObject& object, ObjectDraft& draft) {
         // Ranges first, because they refer to triangles of the whole mesh.
-        for (const io::AnnotatedTriangles& range : object.triangles) cut(range, object, draft);
+        for (const AnnotatedTriangles& range : object.triangles) cut(range, object, draft);
         for (const std::string& name : object.nodes) {
             takeWhere(object, draft, "node", name,
                       [&](const MeshPart& part) { return isBelow(raw_, part.node, name); });
@@ -73,9 +73,9 @@ class Taker {
     }
 
     /// Finds the meshes that have ranges of any object.
-    void noteRanges(const std::vector<io::AnnotatedObject>& objects) {
-        for (const io::AnnotatedObject& object : objects) {
-            for (const io::AnnotatedTriangles& range : object.triangles) meshes_.insert(range.mesh);
+    void noteRanges(const std::vector<AnnotatedObject>& objects) {
+        for (const AnnotatedObject& object : objects) {
+            for (const AnnotatedTriangles& range : object.triangles) meshes_.insert(range.mesh);
         }
         const std::size_t parts = raw_.parts.size();
         for (std::size_t i = 0; i < parts; ++i) {
@@ -96,7 +96,7 @@ class Taker {
 
   private:
     template <class Wanted>
-    void takeWhere(const io::AnnotatedObject& object, ObjectDraft& draft, const char* kind,
+    void takeWhere(const AnnotatedObject& object, ObjectDraft& draft, const char* kind,
                    const std::string& name, Wanted&& wanted) {
         bool any = false;
         for (std::size_t i = 0; i < raw_.parts.size(); ++i) {
@@ -110,8 +110,7 @@ class Taker {
         if (!any) missing(object, kind, name);
     }
 
-    void cut(const io::AnnotatedTriangles& range, const io::AnnotatedObject& object,
-             ObjectDraft& draft) {
+    void cut(const AnnotatedTriangles& range, const AnnotatedObject& object, ObjectDraft& draft) {
         bool any = false;
         std::size_t first = range.first;
         std::size_t count = range.count;
@@ -149,7 +148,7 @@ class Taker {
         }
     }
 
-    void missing(const io::AnnotatedObject& object, const char* kind, const std::string& name) {
+    void missing(const AnnotatedObject& object, const char* kind, const std::string& name) {
         std::string hint;
         // Limited, because a hint compares the name with all names in the scene.
         if (++missing_ <= kMostHints) {
@@ -173,7 +172,7 @@ class Taker {
 
 /// The label of an annotated object: by its class, otherwise by the most specific of its name and
 /// the names of its nodes and meshes.
-Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
+Label labelOf(const AnnotatedObject& object, const LabelTable& labels,
               std::vector<std::string>& warnings) {
     if (!object.category.empty()) {
         const Label said = labels.find(object.category);
@@ -192,12 +191,12 @@ Label labelOf(const io::AnnotatedObject& object, const LabelTable& labels,
 
 }  // namespace
 
-AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
-                              const LabelTable& labels, RawScene& raw) {
+AnnotatedDrafts takeAnnotated(const std::vector<AnnotatedObject>& objects, const LabelTable& labels,
+                              RawScene& raw) {
     AnnotatedDrafts result;
     Taker taker(raw, result);
     taker.noteRanges(objects);
-    for (const io::AnnotatedObject& object : objects) {
+    for (const AnnotatedObject& object : objects) {
         ObjectDraft draft;
         taker.take(object, draft);
         if (draft.parts.empty()) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/io/settings/annotation_file.h"
 #include "engine/scene/label_table.h"
 
@@ -20,7 +20,7 @@ struct AnnotatedDrafts {
 /// Finds the parts of each object: those of the named nodes and all nodes below them, of the named
 /// meshes, and the ranges of triangles, which are cut out of their mesh as new parts. A part or
 /// triangle that several objects name belongs to the first.
-AnnotatedDrafts takeAnnotated(const std::vector<io::AnnotatedObject>& objects,
-                              const LabelTable& labels, RawScene& raw);
+AnnotatedDrafts takeAnnotated(const std::vector<AnnotatedObject>& objects, const LabelTable& labels,
+                              RawScene& raw);
 
 }  // namespace dollytrack

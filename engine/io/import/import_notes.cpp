@@ -1,5 +1,7 @@
 #include "engine/io/import/import_notes.h"
 
+#include "engine/core/object_names.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <Eigen/Geometry>
@@ -8,10 +10,6 @@
 #include <map>
 
 namespace dollytrack {
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 void noteRepairs(const RepairCounts& repairs, ImportReport& report) {
     const struct {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/material_meshes.h"
 #include "engine/io/object_parts/material_split.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/object_parts/piece_merge.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/scene/scene.h"
 
 #include <cstddef>
@@ -17,9 +17,6 @@
 namespace dollytrack {
 
 // Functions that add notes and warnings about the import to its report.
-
-/// A count with the singular or plural: "1 face was dropped", "2 faces were dropped".
-[[nodiscard]] std::string counted(std::size_t count, const char* one, const char* many);
 
 void noteRepairs(const RepairCounts& repairs, ImportReport& report);
 

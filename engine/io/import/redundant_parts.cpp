@@ -76,13 +76,12 @@ std::vector<std::string> dropProxies(RawScene& raw) {
     // All nodes below "Colliders" are collision meshes, whatever their names.
     std::vector<Proxy> by_node;
     for (const SourceNode& node : raw.nodes) {
-        const bool inherits =
-            node.parent > 0 && by_node[static_cast<std::size_t>(node.parent)] == Proxy::Yes;
+        const bool inherits = node.parent > 0 && by_node[node.parent] == Proxy::Yes;
         by_node.push_back(inherits ? Proxy::Yes : judge(node.name));
     }
     std::vector<Proxy> verdicts;
     for (const MeshPart& part : raw.parts) {
-        const Proxy node = by_node[static_cast<std::size_t>(part.node)];
+        const Proxy node = by_node[part.node];
         verdicts.push_back(node == Proxy::No ? judge(part.name) : node);
     }
     Eigen::AlignedBox3f whole;
@@ -105,7 +104,7 @@ std::vector<std::string> dropProxies(RawScene& raw) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < raw.parts.size() && any_left; ++i) {
         if (verdicts[i] != Proxy::Yes || raw.parts[i].triangles.empty()) continue;
-        const std::string& node = raw.nodes[static_cast<std::size_t>(raw.parts[i].node)].name;
+        const std::string& node = raw.nodes[raw.parts[i].node].name;
         names.push_back(node.empty() ? raw.parts[i].name : node);
         empty(raw.parts[i]);
     }

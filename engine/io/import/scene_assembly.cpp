@@ -1,8 +1,8 @@
 #include "engine/io/import/scene_assembly.h"
 
 #include "engine/core/huge_pages.h"
+#include "engine/geometry/object_measure.h"
 #include "engine/jobs/parallel.h"
-#include "engine/scene/object_measure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,14 +2,15 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/fold_repeats.h"
+#include "engine/core/object_names.h"
+#include "engine/io/format_table/input_check.h"
+#include "engine/io/format_table/scene_format.h"
 #include "engine/io/import/annotated_objects.h"
-#include "engine/io/import/import_labels.h"
 #include "engine/io/import/import_notes.h"
 #include "engine/io/import/oddity_notes.h"
 #include "engine/io/import/propose_import.h"
 #include "engine/io/import/redundant_parts.h"
 #include "engine/io/import/scene_assembly.h"
-#include "engine/io/import/scene_format.h"
 #include "engine/io/import/size_warnings.h"
 #include "engine/io/import/structure_finder.h"
 #include "engine/io/object_parts/material_meshes.h"
@@ -20,7 +21,7 @@
 #include "engine/io/orientation/frame_guess.h"
 #include "engine/io/sandbox/scene_reading.h"
 #include "engine/io/settings/annotation_file.h"
-#include "engine/io/settings/input_check.h"
+#include "engine/io/settings/import_labels.h"
 #include "engine/scene/front_directions.h"
 #include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
@@ -52,7 +53,7 @@ void nameObjects(std::vector<ObjectDraft>& drafts) {
 }
 
 /// The drafts of annotated objects, which take precedence over estimated ones.
-AnnotatedDrafts draftsOfAnnotations(const io::Annotations& said, const LabelTable& labels,
+AnnotatedDrafts draftsOfAnnotations(const Annotations& said, const LabelTable& labels,
                                     RawScene& raw, ImportReport& report) {
     if (said.file.empty()) return {};
     const std::string file = cleanText(said.file.string());
@@ -163,7 +164,7 @@ void moveNear(const RawScene& raw, Eigen::Affine3d& world_from_source, ImportRep
 void setOutsideRoles(Scene& scene) {
     const std::vector<int> outside = findOutsideObjects(scene);
     for (const int id : outside) {
-        scene.objects[static_cast<std::size_t>(id) - 1].role = Role::Structure;
+        scene.objects[id - 1].role = Role::Structure;
     }
     if (outside.empty()) return;
     scene.report.notes.push_back(
@@ -204,15 +205,15 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     const Result<ImportLabels> said_labels = importLabels(options);
     if (!said_labels) return tl::unexpected(said_labels.error());
     const LabelTable* labels = &said_labels->words;
-    Result<io::Annotations> said = io::findAnnotations(path, options.annotations);
+    Result<Annotations> said = findAnnotations(path, options.annotations);
     if (!said) return tl::unexpected(said.error());
     ImportOptions reading = options;
     if (!reading.unit_m) reading.unit_m = said->unit_m;
     if (!reading.up_axis) reading.up_axis = said->up_axis;
 
     job.report(0.0);
-    Result<io::SceneFileContent> read =
-        io::readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
+    Result<SceneFileContent> read =
+        readSceneFile(**format, path, reading, job.stage(0.0, 0.6, "reading"));
     if (!read) return tl::unexpected(read.error());
     RawScene& raw = read->scene.raw;
 
@@ -229,7 +230,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     std::vector<ObjectDraft> drafts =
         knows_objects ? draftsOfSource(raw, *labels) : groupByNodes(raw, *labels, annotated.taken);
     if (drafts.empty() && annotated.drafts.empty()) {
-        return tl::unexpected<Error>(nothingToDraw(raw, path));
+        return tl::unexpected(nothingToDraw(raw, path));
     }
     job.report(0.6);
 

@@ -65,7 +65,7 @@ std::vector<DraftPiece> findDraftPieces(const RawScene& raw, const ObjectDraft& 
                 piece_of[root] = static_cast<std::int64_t>(members.size());
                 members.emplace_back(draft.parts.size());
             }
-            members[static_cast<std::size_t>(piece_of[root])][k].push_back(t);
+            members[piece_of[root]][k].push_back(t);
         }
     }
     if (members.size() < least || members.size() > most) return {};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <cstddef>
 #include <optional>

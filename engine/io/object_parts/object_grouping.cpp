@@ -28,15 +28,13 @@ class NodeOwners {
             // The root node is the file, whatever its name.
             if (parent <= 0) continue;
             if (belongsTo(i, static_cast<std::size_t>(parent))) {
-                owners_[i] = owners_[static_cast<std::size_t>(parent)];
+                owners_[i] = owners_[parent];
             }
         }
     }
 
-    [[nodiscard]] int owner(int node) const { return owners_[static_cast<std::size_t>(node)]; }
-    [[nodiscard]] const Label& label(int node) const {
-        return labels_[static_cast<std::size_t>(node)];
-    }
+    [[nodiscard]] int owner(int node) const { return owners_[node]; }
+    [[nodiscard]] const Label& label(int node) const { return labels_[node]; }
 
   private:
     [[nodiscard]] bool belongsTo(std::size_t child, std::size_t parent) const {
@@ -99,7 +97,7 @@ std::vector<ObjectDraft> groupByNodes(const RawScene& raw, const LabelTable& lab
     }
     std::vector<ObjectDraft> result;
     for (auto& [node, draft] : drafts) {
-        draft.name = raw.nodes[static_cast<std::size_t>(node)].name;
+        draft.name = raw.nodes[node].name;
         draft.label = owners.label(node);
         // If the node's name has no meaning, the mesh's name may have one.
         const std::string& mesh_name = raw.parts[draft.parts.front()].name;
@@ -121,7 +119,7 @@ Eigen::AlignedBox3f boundsOf(const RawScene& raw, const ObjectDraft& draft) {
 }
 
 bool isMaterialNumber(const std::string& name) {
-    const std::vector<std::string> words = splitWords(name);
+    const std::vector<std::string> words = wordsOfName(name);
     return words.empty() ||
            (words.size() == 1 && (words[0] == "mat" || words[0] == "material" ||
                                   words[0] == "default" || words[0].size() < 2)) ||

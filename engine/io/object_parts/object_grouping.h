@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/scene/label_table.h"
 
 #include <optional>
@@ -12,9 +12,9 @@ namespace dollytrack {
 /// A future object: its name, its label and its parts.
 struct ObjectDraft {
     std::string name;
-    Label label;                     // what the name means
-    std::vector<std::size_t> parts;  // indices into RawScene::parts
-    bool loose = false;              // a piece of a split mesh, named after its material
+    Label label;                           // what the name means
+    std::vector<std::size_t> parts;        // indices into RawScene::parts
+    bool loose = false;                    // a piece of a split mesh, named after its material
     std::optional<Eigen::Vector3d> front;  // from the source, in the source's axes
 };
 

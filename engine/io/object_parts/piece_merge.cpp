@@ -36,7 +36,7 @@ bool isProgramName(const std::string& name) {
         "mesh",   "object",  "geometry", "circle", "plane",   "cube", "sphere", "cylinder",
         "torus",  "grid",    "cone",     "curve",  "surface", "text", "group",  "icosphere",
         "bezier", "default", "material", "node",   "line",    "shape"};
-    const std::vector<std::string> words = splitWords(name);
+    const std::vector<std::string> words = wordsOfName(name);
     if (words.empty()) return true;
     const auto isShape = [](const std::string& word) {
         return std::find(kShapes.begin(), kShapes.end(), word) != kShapes.end();
@@ -174,7 +174,7 @@ std::vector<Piece> describePieces(const RawScene& raw, const std::vector<bool>& 
     return pieces;
 }
 
-struct Candidate {
+struct MergeCandidate {
     std::size_t a;
     std::size_t b;
     bool touches = false;
@@ -187,19 +187,19 @@ struct Candidate {
 
 /// Drops candidates with far larger pieces for parts that have neighbours of similar size: leaves
 /// that touch a cupboard still belong to the plant.
-void preferOwnSize(const std::vector<Piece>& pieces, std::vector<Candidate>& candidates) {
+void preferOwnSize(const std::vector<Piece>& pieces, std::vector<MergeCandidate>& candidates) {
     constexpr float kFarLarger = 2.5F;
     const auto isFarLarger = [&](std::size_t other, std::size_t part) {
         return pieces[other].box.diagonal().norm() >
                kFarLarger * pieces[part].box.diagonal().norm();
     };
     std::vector<bool> has_own(pieces.size(), false);
-    for (const Candidate& c : candidates) {
+    for (const MergeCandidate& c : candidates) {
         if (!c.joins) continue;
         if (pieces[c.a].is_part && !isFarLarger(c.b, c.a)) has_own[c.a] = true;
         if (pieces[c.b].is_part && !isFarLarger(c.a, c.b)) has_own[c.b] = true;
     }
-    for (Candidate& c : candidates) {
+    for (MergeCandidate& c : candidates) {
         if ((has_own[c.a] && isFarLarger(c.b, c.a)) || (has_own[c.b] && isFarLarger(c.a, c.b))) {
             c.joins = false;
         }
@@ -207,13 +207,13 @@ void preferOwnSize(const std::vector<Piece>& pieces, std::vector<Candidate>& can
 }
 
 /// Drops candidates of pieces that stand side by side on a third piece, such as books on a board.
-void separateNeighbours(const std::vector<Piece>& pieces, std::vector<Candidate>& candidates) {
+void separateNeighbours(const std::vector<Piece>& pieces, std::vector<MergeCandidate>& candidates) {
     std::vector<std::set<std::size_t>> supports(pieces.size());
-    for (const Candidate& c : candidates) {
+    for (const MergeCandidate& c : candidates) {
         if (c.a_stands && !pieces[c.b].structure) supports[c.a].insert(c.b);
         if (c.b_stands && !pieces[c.a].structure) supports[c.b].insert(c.a);
     }
-    for (Candidate& c : candidates) {
+    for (MergeCandidate& c : candidates) {
         if (!c.joins || !pieces[c.a].by_material || !pieces[c.b].by_material) continue;
         c.joins = std::ranges::none_of(supports[c.a],
                                        [&](std::size_t s) { return supports[c.b].contains(s); });
@@ -230,9 +230,9 @@ bool floatsBeside(const Piece& piece, const Piece& other) {
 /// Joins floating pieces: an unnamed piece that only objects lying on it touch is a part of the
 /// nearest other one (a table top on hidden brackets, a leaf beside its stem).
 void joinFloating(const std::vector<Piece>& pieces, const std::vector<ObjectDraft>& drafts,
-                  const std::vector<Candidate>& candidates, Groups& groups) {
+                  const std::vector<MergeCandidate>& candidates, Groups& groups) {
     std::vector<bool> held(pieces.size(), false);
-    for (const Candidate& candidate : candidates) {
+    for (const MergeCandidate& candidate : candidates) {
         if (!candidate.touches || groups.find(candidate.a) == groups.find(candidate.b)) continue;
         const Piece& a = pieces[candidate.a];
         const Piece& b = pieces[candidate.b];
@@ -318,7 +318,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
                                      std::vector<ObjectDraft>& drafts,
                                      const std::vector<bool>& by_material) {
     const std::vector<Piece> pieces = describePieces(raw, structure, drafts, by_material);
-    std::vector<Candidate> candidates;
+    std::vector<MergeCandidate> candidates;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
             if (pieces[i].box.exteriorDistance(pieces[j].box) > kContactGap) continue;
@@ -333,7 +333,7 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         }
     }
     parallelFor(candidates.size(), [&](std::size_t k) {
-        Candidate& candidate = candidates[k];
+        MergeCandidate& candidate = candidates[k];
         const Piece& a = pieces[candidate.a];
         const Piece& b = pieces[candidate.b];
         const auto contact = findContact(a.surfaces, b.surfaces, kContactGap);
@@ -351,11 +351,11 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
                           (!candidate.a_stands && !candidate.b_stands);
     });
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.size < b.size; });
+                     [](const MergeCandidate& a, const MergeCandidate& b) { return a.size < b.size; });
     preferOwnSize(pieces, candidates);
     separateNeighbours(pieces, candidates);
     Groups groups(pieces, drafts);
-    for (const Candidate& candidate : candidates) {
+    for (const MergeCandidate& candidate : candidates) {
         if (candidate.joins) groups.join(candidate.a, candidate.b, candidate.boards);
     }
     joinFloating(pieces, drafts, candidates, groups);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/geometry/contact.h"
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <Eigen/Geometry>
 
@@ -23,8 +23,8 @@ struct MergedPiece {
 /// attached to, and the boards of one shelf. Drafts that merely stand on something stay separate,
 /// such as a cup on a table or a table on the floor. A draft with a meaningful name is merged only
 /// if the name denotes a part and it touches another draft or is within 3 cm of its surface. Parts
-/// must be in the world's frame. `structure` marks drafts that are walls, floor and the like; only
-/// pieces with names of parts join these (a handle its door).
+/// must be in the world's frame. `structure` marks drafts that are walls, floor and the like:
+/// nothing joins these, except pieces with names of parts a door or a window (a handle its door).
 ///
 /// `by_material` marks drafts that may be one material of an object. Their names are ignored: such
 /// a draft joins the draft it is attached to unless the classes differ, or if it is attached to

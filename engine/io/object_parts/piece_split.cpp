@@ -159,9 +159,9 @@ std::size_t splitMergedScenes(RawScene& raw, const LabelTable& labels,
     for (const ObjectDraft& draft : drafts) all.extend(boundsOf(raw, draft));
     std::vector<ObjectDraft> result;
     std::size_t count = 0;
-    const std::size_t targets = static_cast<std::size_t>(std::count_if(
+    const std::size_t targets = std::count_if(
         drafts.begin(), drafts.end(),
-        [](const ObjectDraft& draft) { return draft.label.kind != LabelKind::Structure; }));
+        [](const ObjectDraft& draft) { return draft.label.kind != LabelKind::Structure; });
     for (ObjectDraft& draft : drafts) {
         const Eigen::Vector3f share =
             boundsOf(raw, draft).sizes().cwiseQuotient(all.sizes().cwiseMax(1e-6F));

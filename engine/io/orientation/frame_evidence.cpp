@@ -53,7 +53,7 @@ MeasuredObject measureSource(const Source& source) {
             object.centroid += area / 3.0 * (a + b + c);
             Eigen::Index axis = 0;
             if (across.cwiseAbs().maxCoeff(&axis) > kAcross * across.norm()) {
-                object.facing[static_cast<std::size_t>(axis)] += area;
+                object.facing[axis] += area;
             }
         });
     }
@@ -126,7 +126,7 @@ void addLevels(const Source& source, const Eigen::AlignedBox3d& core,
             if (step < -0.5 || step > LevelAreas::kSteps + 0.5) return;
             const auto at =
                 static_cast<std::size_t>(std::clamp(step, 0.0, LevelAreas::kSteps - 1.0));
-            LevelAreas& level = levels[static_cast<std::size_t>(axis)];
+            LevelAreas& level = levels[axis];
             const double area = 0.5 * along * share;
             level.all[at] += area;
             if (!source.object.building || source.object.by_shape) level.furniture[at] += area;

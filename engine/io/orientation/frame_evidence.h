@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/orientation/support_evidence.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/scene/scene.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/object_parts/object_grouping.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/math/up_axis.h"
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ struct FrameChoice {
     UpAxis up_axis = 'y';
     std::string up_source;
     std::optional<UpAxis>
-        likelier_up;  // a more plausible axis, if the file's axis is doubtful but was kept
+        likelier_up;         // a more plausible axis, if the file's axis is doubtful but was kept
     std::string unit_doubt;  // reason, without a full stop; empty if the unit is plausible
     std::vector<std::string> warnings;
 

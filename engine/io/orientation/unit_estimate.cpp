@@ -107,8 +107,7 @@ UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evi
     }
     result.height = evidence.core.sizes()[up.index()] / evidence_m;
     result.length = evidence.core.sizes().maxCoeff() / evidence_m;
-    result.storey_height =
-        storeyHeight(evidence.levels[static_cast<std::size_t>(up.index())], result.height);
+    result.storey_height = storeyHeight(evidence.levels[up.index()], result.height);
     return result;
 }
 

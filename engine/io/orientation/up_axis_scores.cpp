@@ -220,7 +220,7 @@ UpEvidence judge(const FrameEvidence& evidence, UpAxis axis) {
     double total = 0.0;
     for (const MeasuredObject& object : evidence.objects) {
         total += object.area;
-        flat += object.facing[static_cast<std::size_t>(i)];
+        flat += object.facing[i];
     }
     if (total > 0.0) result.level = flat / total;
     result.lowest = size[i] <= size.minCoeff() * 1.001 ? 1.0 : 0.0;
@@ -231,7 +231,7 @@ UpEvidence judge(const FrameEvidence& evidence, UpAxis axis) {
     result.round = judgeRound(all, i);
     result.shapes = judgeShapes(all, axis);
 
-    const LevelAreas& levels = evidence.levels[static_cast<std::size_t>(i)];
+    const LevelAreas& levels = evidence.levels[i];
     double between = 0.0;
     double moment = 0.0;
     double low = 0.0;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// An image as a codec unpacks it: rows from the top without gaps; grey, grey and alpha, RGB or
 /// RGBA.
@@ -32,4 +32,4 @@ std::optional<DecodedPicture> unpackWebp(PictureBytes bytes);
 std::optional<DecodedPicture> unpackTiff(PictureBytes bytes);
 std::optional<DecodedPicture> unpackOther(PictureBytes bytes);  // TGA, BMP, PSD, GIF, PNM, HDR
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

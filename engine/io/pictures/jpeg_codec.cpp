@@ -5,7 +5,7 @@
 // Needs size_t and FILE to be declared.
 #include <jpeglib.h>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 struct Watch {
@@ -69,4 +69,4 @@ std::optional<DecodedPicture> unpackJpeg(PictureBytes bytes) {
     return picture;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -18,7 +18,7 @@
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 std::optional<DecodedPicture> unpackOther(PictureBytes bytes) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
@@ -41,4 +41,4 @@ std::optional<DecodedPicture> unpackOther(PictureBytes bytes) {
     return picture;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

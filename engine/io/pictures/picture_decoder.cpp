@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 std::optional<DecodedPicture> unpack(PictureBytes bytes) {
@@ -77,4 +77,4 @@ bool decodePicture(std::span<const std::uint8_t> bytes, int longest_side, bool o
     return true;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Images with more pixels are refused before anything is unpacked.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
@@ -16,4 +16,4 @@ inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 bool decodePicture(std::span<const std::uint8_t> bytes, int longest_side, bool opaque,
                    Texture& texture);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -6,7 +6,7 @@
 #include <csetjmp>
 #include <cstring>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 struct PngSource {
@@ -45,7 +45,7 @@ bool read(png_structp png, png_infop info, PngSource& source) {
     }
     const std::size_t stride = png_get_rowbytes(png, info);
     if (stride * static_cast<std::size_t>(picture.height) != picture.data.size()) return false;
-    source.rows.resize(static_cast<std::size_t>(picture.height));
+    source.rows.resize(picture.height);
     for (std::size_t y = 0; y < source.rows.size(); ++y) {
         source.rows[y] = picture.data.data() + y * stride;
     }
@@ -67,4 +67,4 @@ std::optional<DecodedPicture> unpackPng(PictureBytes bytes) {
     return std::move(source.picture);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

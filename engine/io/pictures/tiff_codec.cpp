@@ -6,7 +6,7 @@
 #include <cstring>
 #include <memory>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 struct TiffSource {
@@ -76,4 +76,4 @@ std::optional<DecodedPicture> unpackTiff(PictureBytes bytes) {
     return picture;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

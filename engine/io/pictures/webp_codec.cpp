@@ -2,7 +2,7 @@
 
 #include <webp/decode.h>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 std::optional<DecodedPicture> unpackWebp(PictureBytes bytes) {
     WebPBitstreamFeatures features;
@@ -18,4 +18,4 @@ std::optional<DecodedPicture> unpackWebp(PictureBytes bytes) {
     return picture;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

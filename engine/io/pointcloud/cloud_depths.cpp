@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr double kNearest = 0.05;       // m; smallest depth of a depth image
@@ -160,4 +160,4 @@ double smoothDepths(PointCloud& cloud_m, const JobContext& job) {
     return step;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -3,7 +3,7 @@
 #include "engine/io/pointcloud/point_cloud.h"
 #include "engine/jobs/job.h"
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Removes the quantization steps of structured-light depth cameras. These measure disparity in
 /// integer steps, so that depths at 4 m are 5 cm apart and walls become stairs. If the cloud is a
@@ -13,4 +13,4 @@ namespace dollytrack::io {
 /// (Khoshelham and Oude Elberink 2012). Returns the step in 1/m; 0 if the cloud was not changed.
 double smoothDepths(PointCloud& cloud_m, const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

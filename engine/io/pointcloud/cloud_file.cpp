@@ -1,14 +1,14 @@
 #include "engine/io/pointcloud/cloud_file.h"
 
-#include "engine/io/import/scene_format.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/pointcloud/pcd_points.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/pointcloud/text_points.h"
-#include "engine/io/sandbox/input_file.h"
 
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{8} << 30U;  // bytes
@@ -19,9 +19,9 @@ Result<PointCloud> readCloudFile(const std::filesystem::path& path) {
     const std::string extension = lowerExtension(path);
     if (extension == ".ply") return readPlyCloud(path);
     const Result<std::string> bytes = readNamedFile(path, kLargestFile);
-    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    if (!bytes) return tl::unexpected(bytes.error());
     return extension == ".pcd" ? readPcd(*bytes, path.string())
                                : readTextPoints(*bytes, path.string());
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

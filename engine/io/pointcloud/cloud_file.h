@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Reads a PLY, PCD, XYZ, TXT, ASC, CSV or PTS file, by its extension. Error: BadInput.
 Result<PointCloud> readCloudFile(const std::filesystem::path& path);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,7 +1,7 @@
 #include "engine/io/pointcloud/cloud_floor.h"
 
-#include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/pointcloud/unseen_floor.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/scene/labels.h"
 
 #include <Eigen/Geometry>
@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr double kBelow = 0.02;    // m below the scanned points
@@ -30,7 +30,7 @@ double floorHeight(const CloudSamples& samples, const CloudLabels& labels, UpAxi
     std::vector<double> floor;
     std::vector<double> all;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-        const CloudObject& object = labels.objects[static_cast<std::size_t>(labels.object_of[i])];
+        const CloudObject& object = labels.objects[labels.object_of[i]];
         all.push_back(up.direction().dot(samples.points[i]));
         if (object.nyu40 == kNyuFloor) floor.push_back(up.direction().dot(samples.points[i]));
     }
@@ -96,4 +96,4 @@ void addFloor(const CloudSamples& samples, const CloudLabels& labels,
     raw.parts.push_back(std::move(part));
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/pointcloud/cloud_objects.h"
 #include "engine/io/pointcloud/cloud_samples.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <Eigen/Core>
 
 #include <optional>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Adds a horizontal grey floor below a scan: just below the scanned floor, else below all points.
 /// It extends over the scan and the scanner's position (`viewpoint`; if unknown, about a metre and
@@ -17,4 +17,4 @@ namespace dollytrack::io {
 void addFloor(const CloudSamples& samples, const CloudLabels& labels,
               const std::optional<Eigen::Vector3d>& viewpoint, UpAxis up, RawScene& raw);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr double kAlong = 0.87;  // cosine of 30 degrees, the largest tilt of a scan
 
-struct Candidate {
+struct UpCandidate {
     Eigen::Vector3d up;
     double score = 0.0;
     double floor = 0.0;  // score of floors and ceilings only
@@ -109,11 +109,11 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
         const Spread spread = spreadAlong(samples, Eigen::Vector3d::Unit(i));
         smallest = std::min(smallest, spread.high - spread.low);
     }
-    std::vector<Candidate> candidates;
+    std::vector<UpCandidate> candidates;
     for (int i = 0; i < 3; ++i) {
         for (const double sign : {1.0, -1.0}) {
             if (axis && *axis != UpAxis("xyz"[i], sign < 0.0)) continue;
-            Candidate one;
+            UpCandidate one;
             one.up = sign * Eigen::Vector3d::Unit(i);
             const Spread spread = spreadAlong(samples, one.up);
             const double size = std::max(spread.high - spread.low, 1e-9);
@@ -130,7 +130,7 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
         }
     }
     std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+                     [](const UpCandidate& a, const UpCandidate& b) { return a.score > b.score; });
     CloudUp result;
     result.up = candidates[0].up;
     result.source = axis                             ? "given"
@@ -153,4 +153,4 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
     return result;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

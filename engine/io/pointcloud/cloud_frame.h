@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The up direction of a cloud, in the file's axes.
 struct CloudUp {
@@ -26,4 +26,4 @@ struct CloudUp {
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
                std::optional<UpAxis> axis);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -11,7 +11,7 @@
 #include <map>
 #include <numeric>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr double kLevel = 0.94;      // cosine of 20 degrees
@@ -212,4 +212,4 @@ CloudLabels labelCloud(const CloudSamples& samples, const std::vector<CloudPlane
     return labeller.take();
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

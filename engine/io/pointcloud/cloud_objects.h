@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/io/pointcloud/cloud_params.h"
 #include "engine/io/pointcloud/cloud_planes.h"
 #include "engine/io/pointcloud/cloud_samples.h"
+#include "engine/io/settings/cloud_params.h"
 
 #include <Eigen/Core>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// An object or structure in a cloud.
 struct CloudObject {
@@ -33,4 +33,4 @@ struct CloudLabels {
 CloudLabels labelCloud(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
                        const Eigen::Vector3d& up, const CloudParams& params);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::size_t kMostPlanes = 24;
@@ -104,4 +104,4 @@ std::vector<CloudPlane> findPlanes(const CloudSamples& samples, double tolerance
     return planes;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

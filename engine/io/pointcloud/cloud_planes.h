@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A flat surface in a cloud.
 struct CloudPlane {
@@ -26,4 +26,4 @@ struct CloudPlane {
 std::vector<CloudPlane> findPlanes(const CloudSamples& samples, double tolerance_m,
                                    const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr double kNear = 3.0;                      // neighbourhood for normals, in voxels
@@ -77,7 +77,7 @@ CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
     for (const Eigen::Vector3d& p : cloud_m.points) box.extend(p);
     double voxel = std::max(params.voxel_m, box.sizes().maxCoeff() / 1e6);
     Thinned thinned = thin(cloud_m, voxel);
-    const auto most = static_cast<std::size_t>(params.max_points);
+    const std::size_t most = params.max_points;
     while (thinned.points.size() > most && !job.cancelled()) {
         // Points are on surfaces, so their number is proportional to 1 / voxel^2.
         const double ratio = static_cast<double>(thinned.points.size()) / static_cast<double>(most);
@@ -123,4 +123,4 @@ CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
     return samples;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/pointcloud/cloud_params.h"
 #include "engine/io/pointcloud/point_cloud.h"
+#include "engine/io/settings/cloud_params.h"
 #include "engine/jobs/job.h"
 
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A cloud with one point per voxel, in the axes of the given cloud.
 struct CloudSamples {
@@ -30,4 +30,4 @@ struct CloudSamples {
 CloudSamples sampleCloud(const PointCloud& cloud_m, const CloudParams& params,
                          const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

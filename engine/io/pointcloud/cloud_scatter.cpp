@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::size_t kJudged = 2000;      // number of points that are measured
@@ -118,4 +118,4 @@ void smoothScatter(std::vector<Eigen::Vector3d>& points, double radius, const Jo
     }
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Median spacing of the points of a cloud, m: the square root of the surface area per point,
 /// estimated from the distance of the sixth neighbour, for regular grids as well as random points.
@@ -27,4 +27,4 @@ Scatter scatterOf(const std::vector<Eigen::Vector3d>& points, double radius);
 /// least squares of order 1 (Alexa et al. 2003).
 void smoothScatter(std::vector<Eigen::Vector3d>& points, double radius, const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,7 +1,6 @@
 #include "engine/io/pointcloud/cloud_scene.h"
 
 #include "engine/geometry/cloud_error.h"
-#include "engine/io/import/mesh_part_builder.h"
 #include "engine/io/pointcloud/cloud_depths.h"
 #include "engine/io/pointcloud/cloud_file.h"
 #include "engine/io/pointcloud/cloud_floor.h"
@@ -9,6 +8,7 @@
 #include "engine/io/pointcloud/cloud_objects.h"
 #include "engine/io/pointcloud/cloud_surface.h"
 #include "engine/io/pointcloud/cloud_texture.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -17,12 +17,12 @@
 #include <cmath>
 #include <map>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr double kFarAway = 5'000.0;          // file units from the origin; floats are coarse there
 constexpr double kMuchScatter = 0.015;        // m; from here on a warning instead of a note
-constexpr std::size_t kFewest = 50;           // smallest number of samples of a surface
+constexpr std::size_t kFewestPoints = 50;           // smallest number of samples of a surface
 constexpr std::size_t kMostJudged = 100'000;  // points whose distance to the surface is measured
 
 tl::unexpected<Error> cancelled(const std::filesystem::path& path) {
@@ -175,7 +175,7 @@ void buildParts(const CloudSamples& samples, const CloudLabels& labels,
     }
     raw.nodes.push_back({"", -1, 0});
     for (std::size_t first = 0; first < sorted.size();) {
-        const auto object = static_cast<std::size_t>(objectOf(labels, sorted[first]));
+        const std::size_t object = objectOf(labels, sorted[first]);
         const auto pictureOf = [&](std::size_t t) { return coloured ? texture.pictureOf(t) : 0; };
         std::vector<Eigen::Vector3f> positions;
         std::vector<Eigen::Vector3f> normals;
@@ -220,7 +220,7 @@ void buildParts(const CloudSamples& samples, const CloudLabels& labels,
 Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportOptions& options,
                                 const JobContext& job) {
     Result<PointCloud> read = readCloudFile(path);
-    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    if (!read) return tl::unexpected(std::move(read.error()));
     PointCloud& cloud = *read;
     const std::size_t points = cloud.points.size();
     if (job.cancelled()) return cancelled(path);
@@ -238,7 +238,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     const std::vector<CloudPlane> planes =
         findPlanes(samples, options.cloud.plane_m, job.stage(0.3, 0.4, "walls and floors"));
     if (job.cancelled()) return cancelled(path);
-    if (samples.points.size() < kFewest) return noSurface(points, path);
+    if (samples.points.size() < kFewestPoints) return noSurface(points, path);
     const CloudUp up = findUp(samples, planes, options.up_axis);
     CloudLabels labels = labelCloud(samples, planes, up.up, options.cloud);
     const UpAxis axis = options.up_axis.value_or('z');
@@ -248,7 +248,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     dropSpecks(samples, labels);
     Result<CloudSurface> surface =
         meshCloud(samples, options.cloud, job.stage(0.45, 0.85, "surface"));
-    if (!surface) return tl::unexpected<Error>(std::move(surface.error()));
+    if (!surface) return tl::unexpected(std::move(surface.error()));
     if (surface->triangles.empty()) return noSurface(points, path);
     const CloudError error = measure(scanned, samples, surface->triangles);
     if (job.cancelled()) return cancelled(path);
@@ -326,4 +326,4 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     return raw;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Reads a point cloud as a room: samples and levels it, reconstructs its surface, separates floor,
 /// ceiling, walls and objects, and makes textures of its colours. The notes give the distances of
@@ -16,4 +16,4 @@ namespace dollytrack::io {
 Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportOptions& options,
                                 const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -14,7 +14,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// Lets CGAL order cells and vertices by their creation instead of their addresses.
@@ -42,7 +42,7 @@ using Cell = CGAL::Advancing_front_surface_reconstruction_cell_base_3<
     Kernel, Stamped<CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
 using Tetrahedra =
     CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
-using Candidate = Tetrahedra::Vertex::Radius_ptr_type;
+using FrontCandidate = Tetrahedra::Vertex::Radius_ptr_type;
 
 /// Numbers of the front's edges, in the order of their first use.
 std::unordered_map<const void*, std::uint64_t>& edgeNumbers() {
@@ -84,20 +84,21 @@ void face(const CloudSamples& samples, Triangle& t) {
 }
 
 }  // namespace
-}  // namespace dollytrack::io
+}  // namespace dollytrack
 
 /// CGAL orders equally good candidates by the addresses of their edges, which differ from run to
 /// run. This order uses the edges' numbers instead.
 template <>
-struct std::less<dollytrack::io::Candidate> {
-    bool operator()(const dollytrack::io::Candidate& a, const dollytrack::io::Candidate& b) const {
+struct std::less<dollytrack::FrontCandidate> {
+    bool operator()(const dollytrack::FrontCandidate& a,
+                    const dollytrack::FrontCandidate& b) const {
         if (a.first != b.first) return a.first < b.first;
         if (a.second == b.second) return false;
-        return dollytrack::io::numberOf(a.second) < dollytrack::io::numberOf(b.second);
+        return dollytrack::numberOf(a.second) < dollytrack::numberOf(b.second);
     }
 };
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& params,
                                const JobContext& job) {
@@ -147,4 +148,4 @@ Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& p
     return surface;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/pointcloud/cloud_params.h"
 #include "engine/io/pointcloud/cloud_samples.h"
+#include "engine/io/settings/cloud_params.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 
 #include <cstddef>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A triangle mesh over samples; triangles face in the direction of the samples' normals.
 struct CloudSurface {
@@ -24,4 +24,4 @@ struct CloudSurface {
 Result<CloudSurface> meshCloud(const CloudSamples& samples, const CloudParams& params,
                                const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::size_t kSquare = 4;        // texels
@@ -77,4 +77,4 @@ std::vector<TextureRequest> CloudTexture::paint(std::span<const Eigen::Vector3d>
     return pictures;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

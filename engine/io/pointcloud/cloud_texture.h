@@ -1,14 +1,14 @@
 #pragma once
 
-#include "engine/io/import/raw_scene.h"
 #include "engine/io/pointcloud/point_cloud.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <Eigen/Core>
 
 #include <span>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Textures with a cloud's colours: each triangle covers half of a square of 4 x 4 texels.
 class CloudTexture {
@@ -35,4 +35,4 @@ class CloudTexture {
     std::size_t pictures_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using Rim = std::vector<std::uint32_t>;  // boundary loop: vertex indices in order
@@ -139,4 +139,4 @@ std::vector<Triangle> fillHoles(std::span<const Eigen::Vector3d> points,
     return filling;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

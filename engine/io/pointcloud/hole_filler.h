@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Triangles that fill the holes of a mesh of at most `widest_m` width. The longest boundary of
 /// each connected component is its outline and not filled. Adjacent triangles must have consistent
@@ -17,4 +17,4 @@ std::vector<Triangle> fillHoles(std::span<const Eigen::Vector3d> points,
                                 std::span<const Triangle> triangles, double widest_m,
                                 std::size_t& holes);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

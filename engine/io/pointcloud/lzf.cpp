@@ -1,6 +1,6 @@
 #include "engine/io/pointcloud/lzf.h"
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 std::optional<std::vector<std::uint8_t>> unpackLzf(std::span<const std::uint8_t> packed,
                                                    std::size_t size) {
@@ -35,4 +35,4 @@ std::optional<std::vector<std::uint8_t>> unpackLzf(std::span<const std::uint8_t>
     return out;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

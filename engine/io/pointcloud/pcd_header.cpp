@@ -1,13 +1,13 @@
 #include "engine/io/pointcloud/pcd_header.h"
 
+#include "engine/io/files/number_lines.h"
 #include "engine/io/pointcloud/point_cloud.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::size_t kMostFields = 256;
@@ -60,7 +60,7 @@ bool takeLine(const std::vector<std::string_view>& words, PcdHeader& header) {
     if (key == "VIEWPOINT") {
         if (words.size() != 8) return false;
         for (int i = 0; i < 3; ++i) {
-            if (!parse(words[static_cast<std::size_t>(i) + 1], header.viewpoint[i])) return false;
+            if (!parse(words[i + 1], header.viewpoint[i])) return false;
         }
         return header.viewpoint.allFinite();
     }
@@ -128,4 +128,4 @@ Result<PcdHeader> readPcdHeader(std::string_view bytes, const std::string& name)
     return header;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

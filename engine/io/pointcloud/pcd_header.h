@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// One field of a PCD file: `count` numbers of `size` bytes.
 struct PcdField {
@@ -37,4 +37,4 @@ struct PcdHeader {
 /// BadInput, with the line.
 Result<PcdHeader> readPcdHeader(std::string_view bytes, const std::string& name);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

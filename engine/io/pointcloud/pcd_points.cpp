@@ -1,8 +1,8 @@
 #include "engine/io/pointcloud/pcd_points.h"
 
+#include "engine/io/files/number_lines.h"
 #include "engine/io/pointcloud/lzf.h"
 #include "engine/io/pointcloud/pcd_header.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <limits>
 #include <span>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "PCD files are little endian");
@@ -165,7 +165,7 @@ Status readText(const PcdHeader& header, std::string_view text, const std::strin
                         placeOf(name, line_number));
         }
         const auto wordOf = [&](const PcdField& field) {
-            return words[column[static_cast<std::size_t>(&field - header.fields.data())]];
+            return words[column[&field - header.fields.data()]];
         };
         addPoint(
             wanted, [&](const PcdField& field) { return numberOf(wordOf(field)); },
@@ -185,7 +185,7 @@ Status readText(const PcdHeader& header, std::string_view text, const std::strin
 
 Result<PointCloud> readPcd(std::string_view bytes, const std::string& name) {
     const Result<PcdHeader> header = readPcdHeader(bytes, name);
-    if (!header) return tl::unexpected<Error>(header.error());
+    if (!header) return tl::unexpected(header.error());
     const std::string_view rest = bytes.substr(header->size);
     const std::span<const std::uint8_t> data(reinterpret_cast<const std::uint8_t*>(rest.data()),
                                              rest.size());
@@ -193,9 +193,9 @@ Result<PointCloud> readPcd(std::string_view bytes, const std::string& name) {
     const Status read = header->data == "ascii"    ? readText(*header, rest, name, cloud)
                         : header->data == "binary" ? readBinary(*header, data, false, name, cloud)
                                                    : readCompressed(*header, data, name, cloud);
-    if (!read) return tl::unexpected<Error>(read.error());
+    if (!read) return tl::unexpected(read.error());
     if (header->height > 1) cloud.viewpoint = header->viewpoint;
     return cloud;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

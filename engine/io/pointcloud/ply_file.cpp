@@ -1,11 +1,11 @@
 #include "engine/io/pointcloud/ply_file.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 
 #include <charconv>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,7 +116,7 @@ Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {
         ++line;
         if (!words.empty() && words[0] == "end_header") break;
         if (Status status = takeLine(words, placeOf(path, line), header); !status) {
-            return tl::unexpected<Error>(status.error());
+            return tl::unexpected(status.error());
         }
     }
     if (header.format == "ascii" || header.format.starts_with("binary_")) return header;
@@ -125,4 +125,4 @@ Result<PlyHeader> readPlyHeader(const fs::path& path, std::string_view bytes) {
         path.string());
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The type of a number.
 enum class PlyKind { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
@@ -110,4 +110,4 @@ class PlyNumbers {
     bool swapped_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,8 +1,8 @@
 #include "engine/io/pointcloud/ply_points.h"
 
+#include "engine/io/files/input_file.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/pointcloud/ply_file.h"
-#include "engine/io/sandbox/input_file.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,7 +69,7 @@ bool readElement(const PlyElement& element, const std::vector<int>& slots, PlyNu
         }
         const auto value = numbers.next(property.kind);
         if (!value) return false;
-        if (slots[p] >= 0) values[static_cast<std::size_t>(slots[p])] = *value;
+        if (slots[p] >= 0) values[slots[p]] = *value;
     }
     return true;
 }
@@ -139,10 +139,10 @@ Status readVertices(const PlyElement& element, PlyNumbers& numbers, const fs::pa
 Result<PointCloud> readPlyCloud(const fs::path& path) {
     constexpr std::uint64_t kLargest = std::uint64_t{8} << 30U;  // bytes
     const Result<std::string> text = readNamedFile(path, kLargest);
-    if (!text) return tl::unexpected<Error>(text.error());
+    if (!text) return tl::unexpected(text.error());
     const std::string& bytes = *text;
     const Result<PlyHeader> header = readPlyHeader(path, bytes);
-    if (!header) return tl::unexpected<Error>(header.error());
+    if (!header) return tl::unexpected(header.error());
     PlyNumbers numbers(std::string_view(bytes).substr(header->size), header->format);
     PointCloud cloud;
     for (const PlyElement& element : header->elements) {
@@ -154,7 +154,7 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
                          path.string());
         }
         if (Status read = readVertices(element, numbers, path, cloud); !read) {
-            return tl::unexpected<Error>(read.error());
+            return tl::unexpected(read.error());
         }
         if (element.name == "vertex") break;  // later elements are not needed
     }
@@ -165,7 +165,7 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
 
 Result<std::vector<Eigen::Vector3d>> readPlyPoints(const fs::path& path) {
     Result<PointCloud> cloud = readPlyCloud(path);
-    if (!cloud) return tl::unexpected<Error>(std::move(cloud.error()));
+    if (!cloud) return tl::unexpected(std::move(cloud.error()));
     return std::move(cloud->points);
 }
 
@@ -182,4 +182,4 @@ bool isPlyOfPoints(std::string_view head) {
     return true;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

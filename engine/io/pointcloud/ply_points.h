@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Reads the points of a PLY file (text, or binary of either byte order), with colours (red, green,
 /// blue) and normals (nx, ny, nz) if it has them. Error: BadInput.
@@ -22,4 +22,4 @@ Result<std::vector<Eigen::Vector3d>> readPlyPoints(const std::filesystem::path& 
 /// Whether a PLY file that begins with `head` has points but no faces.
 bool isPlyOfPoints(std::string_view head);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

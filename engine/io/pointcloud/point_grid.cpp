@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 PointGrid::PointGrid(std::span<const Eigen::Vector3d> points, double cell)
     : points_(points), cell_(cell), order_(points.size()) {
@@ -35,4 +35,4 @@ std::size_t PointGrid::nearest(const Eigen::Vector3d& place) const {
     return best;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

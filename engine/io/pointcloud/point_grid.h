@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A grid of points for neighbour queries. The points must outlive it and must be within a million
 /// cells of the origin.
@@ -54,4 +54,4 @@ class PointGrid {
     std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> cells_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,6 +1,6 @@
 #include "engine/io/pointcloud/text_points.h"
 
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::size_t kMostColumns = 64;
@@ -73,7 +73,7 @@ std::optional<Columns> columnsNamed(const std::vector<std::string_view>& words) 
     Columns columns = kNone;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const int slot = slotNamed(words[i]);
-        if (slot >= 0) columns[static_cast<std::size_t>(slot)] = static_cast<int>(i);
+        if (slot >= 0) columns[slot] = static_cast<int>(i);
     }
     if (columns[0] < 0 || columns[1] < 0 || columns[2] < 0) return std::nullopt;
     return columns;
@@ -182,7 +182,7 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
                     "The number of values in this line differs from the number of column names in "
                     "the first line.");
             }
-            const auto number = numberIfAny(words[static_cast<std::size_t>(column)]);
+            const auto number = numberIfAny(words[column]);
             if (!number) return refuse("This is not a number.");
             values[slot] = *number;
         }
@@ -209,4 +209,4 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
     return cloud;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Parses a text file with one point per line: x y z, red green blue (0..1, 0..255 or 0..65535),
 /// nx ny nz. The number of columns is 3, 6 or 9, or one more with an intensity after xyz.
@@ -18,4 +18,4 @@ Result<PointCloud> readTextPoints(std::string_view text, const std::string& name
 /// Number of words in a line of such a file.
 std::size_t countPointNumbers(std::string_view line);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -3,7 +3,7 @@
 #include <array>
 #include <bit>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 // An arbitrary odd number, so that multiplication by it is invertible.
@@ -30,4 +30,4 @@ std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
     return sum ^ (sum >> 32U);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A checksum that detects accidental damage: two byte strings of one length that differ in a
 /// single word never have the same sum. It gives no protection against deliberate changes.
@@ -171,4 +171,4 @@ template <class T, class Members>
     return values;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,15 +1,15 @@
 #include "engine/io/sandbox/cached_inputs.h"
 
+#include "engine/io/files/confined_folder.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/sandbox/binary_archive.h"
-#include "engine/io/sandbox/confined_folder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ std::optional<std::vector<CachedInput>> parseCachedInputs(std::string_view text)
         text, 24, [](auto& from, CachedInput& one) { inputMembers(from, one); });
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

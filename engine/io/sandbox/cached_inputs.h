@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/sandbox/input_record.h"
+#include "engine/io/files/input_record.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// An input that a cached reading depends on, identified by content. Paths are relative, so the
 /// entry stays valid when the scene's folder is moved.
@@ -28,8 +28,8 @@ using InputRoots = std::vector<std::filesystem::path>;
                                     const std::vector<std::filesystem::path>& more_inputs);
 
 /// Converts the inputs reported by an importer to cache entries. The scene file is left out,
-/// because its content is part of the entry's name, but it must still have this digest. Empty if a
-/// file was changed since it was read, or lies below none of the roots.
+/// because its content is part of the entry's name, but its digest must still be `scene_sha256`. No
+/// value if a file was changed since it was read, or lies below none of the roots.
 [[nodiscard]] std::optional<std::vector<CachedInput>> cachedInputs(
     const std::filesystem::path& scene, const std::string& scene_sha256, const InputRoots& roots,
     const std::vector<InputUse>& inputs);
@@ -40,4 +40,4 @@ using InputRoots = std::vector<std::filesystem::path>;
 [[nodiscard]] std::string cachedInputsText(const std::vector<CachedInput>& inputs);
 [[nodiscard]] std::optional<std::vector<CachedInput>> parseCachedInputs(std::string_view text);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdint>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// The kernel's landlock_ruleset_attr in the newest version used here; Debian 12's header has only
@@ -72,4 +72,4 @@ bool lockIntoFolders(const std::vector<std::filesystem::path>& readable) {
     return locked && ::syscall(SYS_landlock_restrict_self, rules.get(), 0) == 0;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,15 +2,15 @@
 
 #include "engine/core/result.h"
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/import/scene_format.h"
+#include "engine/io/files/input_record.h"
+#include "engine/io/format_table/input_check.h"
+#include "engine/io/format_table/scene_format.h"
 #include "engine/io/sandbox/importer_protocol.h"
 #include "engine/io/sandbox/input_list.h"
-#include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/isolation.h"
 #include "engine/io/sandbox/read_scene.h"
 #include "engine/io/sandbox/scene_serialization.h"
 #include "engine/io/settings/import_settings.h"
-#include "engine/io/settings/input_check.h"
 #include "engine/jobs/parallel.h"
 
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@
 #include <thread>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 void tell(ImporterMessage::Kind kind, std::uint64_t value) {
@@ -215,4 +215,4 @@ int runImporter(int count, char** arguments) {
     ::_exit(handBack(outcome, record.uses()) ? 0 : 1);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

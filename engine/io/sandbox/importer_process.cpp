@@ -24,7 +24,7 @@
 #include <thread>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -194,4 +194,4 @@ Result<ImporterResult> runImporterProcess(const fs::path& scene, const ImportOpt
     return takeResult(std::move(*memory), heard, where);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

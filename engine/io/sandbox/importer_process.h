@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/scene_import.h"
-#include "engine/io/sandbox/input_record.h"
+#include "engine/io/files/input_record.h"
 #include "engine/io/sandbox/shared_memory.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The result of an importer process, not yet checked.
 struct ImporterResult {
@@ -33,4 +33,4 @@ struct ImporterResult {
     const std::filesystem::path& scene, const ImportOptions& options, const JobContext& job,
     const std::vector<std::filesystem::path>& more_inputs = {}, double work = 1.0);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 // Command line of `dollytrack-import`: <serialization version> <parent's process id>
 // <textures: 0|1> <options as JSON> <scene file> [more folders and files...]. These two descriptors
@@ -24,4 +24,4 @@ struct ImporterMessage {
     std::uint64_t value = 0;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

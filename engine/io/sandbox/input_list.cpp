@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::size_t kMostUses = 100'000;
@@ -47,4 +47,4 @@ std::optional<std::vector<InputUse>> parseInputList(std::string_view text) {
     return uses;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -67,4 +67,4 @@ std::string layerNames(std::uint32_t layers) {
     return names;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

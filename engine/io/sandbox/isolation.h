@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Limits of an importer; sizes in bytes.
 inline constexpr std::uint64_t kMostAddressSpace = std::uint64_t{4} << 30U;  // without the scene
@@ -28,4 +28,4 @@ enum IsolationLayer : std::uint32_t {
 /// "Landlock and seccomp", for the log.
 [[nodiscard]] std::string layerNames(std::uint32_t layers);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// Time in the run queue: the second number of schedstat, in nanoseconds.
@@ -44,4 +44,4 @@ ProcessorWait::Seconds ProcessorWait::update() {
     return sum_;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Measures how long a process was ready to run while all processors were busy with other work, by
 /// the kernel's statistics (/proc/PID/task/*/schedstat). Zero if the kernel does not count it.
@@ -32,4 +32,4 @@ class ProcessorWait {
     Seconds sum_{0.0};
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 Result<DecodedScene> readScene(const SceneFormat& format, const std::filesystem::path& path,
                                const ImportOptions& options, const JobContext& job) {
@@ -13,4 +13,4 @@ Result<DecodedScene> readScene(const SceneFormat& format, const std::filesystem:
     return scene;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Time limit of a reading. A damaged file is given up early, while a large intact file has time
 /// even on a slow machine. Starting the importer has a limit of its own, which ends when the first
@@ -55,4 +55,4 @@ class ReadingClock {
     Seconds waited_before_{0.0};
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,13 +2,13 @@
 
 #include "engine/io/files/cache_eviction.h"
 #include "engine/io/files/file_descriptor.h"
+#include "engine/io/files/file_type.h"
 #include "engine/io/files/guarded_folder.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/files/sha256.h"
 #include "engine/io/files/user_cache.h"
-#include "engine/io/import/scene_format.h"
 #include "engine/io/sandbox/binary_archive.h"
 #include "engine/io/sandbox/importer_process.h"
-#include "engine/io/sandbox/input_file.h"
 #include "engine/io/settings/import_settings.h"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
@@ -210,4 +210,4 @@ bool SceneCache::keep(const std::string& key, const fs::path& scene, const std::
     return folder_.write(key + kExtension, bytes).has_value();
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -2,10 +2,10 @@
 
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/files/input_record.h"
 #include "engine/io/sandbox/cached_inputs.h"
-#include "engine/io/sandbox/input_record.h"
 #include "engine/io/sandbox/scene_serialization.h"
+#include "engine/io/settings/import_options.h"
 
 #include <chrono>
 #include <cstdint>
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A cache of importers' readings, one file for each. An entry is valid as long as every file that
 /// was opened has the same content, files that were missing are still missing, and folders that
@@ -65,4 +65,4 @@ class SceneCache {
     std::chrono::seconds settled_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

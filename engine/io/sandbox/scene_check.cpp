@@ -1,7 +1,7 @@
 #include "engine/io/sandbox/scene_check.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
@@ -87,7 +87,7 @@ Status checkNodes(RawScene& raw) {
         if (node.parent < -1 || node.parent >= static_cast<std::int64_t>(i)) {
             return wrong("node " + std::to_string(i) + " does not come after its parent");
         }
-        if (node.parent >= 0) ++children[static_cast<std::size_t>(node.parent)];
+        if (node.parent >= 0) ++children[node.parent];
         node.name = cleanText(node.name);
     }
     for (std::size_t i = 0; i < raw.nodes.size(); ++i) raw.nodes[i].children = children[i];
@@ -187,4 +187,4 @@ Status checkScene(DecodedScene& scene) {
     return checkTextures(scene);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

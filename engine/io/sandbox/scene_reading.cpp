@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 Result<DecodedScene> readHere(const SceneFormat& format, const std::filesystem::path& path,
@@ -132,4 +132,4 @@ Result<SceneFileContent> readSceneFile(const SceneFormat& format, const std::fil
     return SceneFileContent{std::move(*scene), std::move(*digest)};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/scene_format.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/format_table/scene_format.h"
 #include "engine/io/sandbox/scene_serialization.h"
+#include "engine/io/settings/import_options.h"
 #include "engine/jobs/job.h"
 
 #include <filesystem>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A scene file's content and digest.
 struct SceneFileContent {
@@ -24,4 +24,4 @@ struct SceneFileContent {
                                                      const ImportOptions& options,
                                                      const JobContext& job);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

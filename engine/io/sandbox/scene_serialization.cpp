@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::uint64_t kSceneMagic = 0x31454E454353'5444ULL;  // "DTSCENE1"
@@ -219,4 +219,4 @@ Result<DecodedScene> deserializeScene(std::span<const std::uint8_t> bytes, bool&
     return scene;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
-#include "engine/io/import/texture_loader.h"
+#include "engine/io/pictures/texture_loader.h"
+#include "engine/io/raw_scene/raw_scene.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The content of a scene file, with decoded textures.
 struct DecodedScene {
@@ -29,12 +29,12 @@ inline constexpr std::uint32_t kSerializationVersion = 10;
 void serializeScene(const Result<DecodedScene>& outcome, std::span<std::uint8_t> out);
 
 /// Reads bytes of untrusted origin. Counts are checked against the number of bytes, values by
-/// checkScene(); texts are cleaned. If the outcome was an error, that error is returned. `damaged`
-/// is set if the bytes themselves are invalid; the error then gives the reason.
+/// checkScene(); texts are cleaned. If the reading had failed, its error is returned. `damaged` is
+/// set if the bytes themselves are invalid; the error then gives the reason.
 [[nodiscard]] Result<DecodedScene> deserializeScene(std::span<const std::uint8_t> bytes,
                                                     bool& damaged);
 
 /// Updates the checksum after the bytes were changed, so that tests can reach the checks behind it.
 void updateChecksum(std::span<std::uint8_t> bytes);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

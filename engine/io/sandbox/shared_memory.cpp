@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// Above the descriptors with a fixed meaning in the child.
@@ -66,4 +66,4 @@ Result<std::span<const std::uint8_t>> SharedMemory::close(std::size_t used) {
     return std::span(view_.get(), used);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Anonymous shared memory that another process fills. Its size is fixed, so it cannot be truncated
 /// while it is read, and it is sealed against writing before it is read.
@@ -39,4 +39,4 @@ class SharedMemory {
     std::unique_ptr<const std::uint8_t, Unmap> view_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr int kLowestDescriptor = 10;
@@ -166,4 +166,4 @@ void SpawnedImporter::kill() const {
     if (process_ > 0 && !end_) ::kill(process_, SIGKILL);
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A running importer and the pipe for its messages. The destructor kills it and waits for it.
 class SpawnedImporter {
@@ -43,4 +43,4 @@ class SpawnedImporter {
     std::optional<int> end_;
 };
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <memory>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::array kAllowed = {
@@ -90,4 +90,4 @@ bool installSyscallFilter(bool openat2) {
     return filter.load();
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Installs a seccomp filter: from now on this process can only read files, use memory, create
 /// threads and exit; every other system call fails with EPERM. It can start no program or process,
@@ -8,4 +8,4 @@ namespace dollytrack::io {
 /// call is allowed. Returns false if the filter cannot be installed.
 [[nodiscard]] bool installSyscallFilter(bool openat2);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

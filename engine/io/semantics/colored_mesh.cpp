@@ -1,10 +1,10 @@
 #include "engine/io/semantics/colored_mesh.h"
 
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/files/percent_text.h"
 #include "engine/io/gltf/gltf_reader.h"
 #include "engine/io/pictures/picture_decoder.h"
-#include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sandbox/input_file.h"
 
 #include <fmt/format.h>
 
@@ -30,11 +30,11 @@ class ColoredMesh {
     ColoredMesh(const fs::path& path, const LabelNames& names) : path_(path), names_(names) {}
 
     Result<PlyMesh> read(const JobContext& job) {
-        Result<std::string> bytes = io::readNamedFile(path_, kMostGltfBytes);
+        Result<std::string> bytes = readNamedFile(path_, kMostGltfBytes);
         if (!bytes) return tl::unexpected(bytes.error());
-        const io::ConfinedFolder folder(path_.parent_path());
+        const ConfinedFolder folder(path_.parent_path());
         const auto beside = [&](const std::string& uri) -> Result<std::string> {
-            const Result<io::InputFile> file = folder.open(percentDecoded(uri));
+            const Result<InputFile> file = folder.open(percentDecoded(uri));
             if (!file) return tl::unexpected(file.error());
             return file->readAll(kMostGltfBytes);
         };
@@ -96,8 +96,8 @@ class ColoredMesh {
 
     /// The objects of all triangles. Textures are large, so they are decoded one at a time, each
     /// for all primitives that use it.
-    [[nodiscard]] Objects objectsOf(const gltf::ColoredMeshes& read,
-                                    const io::ConfinedFolder& folder, const JobContext& job) const {
+    [[nodiscard]] Objects objectsOf(const gltf::ColoredMeshes& read, const ConfinedFolder& folder,
+                                    const JobContext& job) const {
         struct Task {
             int texture;
             std::size_t mesh;
@@ -119,7 +119,7 @@ class ColoredMesh {
             if (task.texture != decoded) {
                 decoded = task.texture;
                 picture = Texture{};
-                decode(read.scene.textures[static_cast<std::size_t>(decoded)], folder, picture);
+                decode(read.scene.textures[decoded], folder, picture);
             }
             const gltf::Primitive& primitive = read.meshes[task.mesh][task.primitive];
             const bool painted = picture.width > 0 && !primitive.uvs.empty();
@@ -129,20 +129,20 @@ class ColoredMesh {
         return objects;
     }
 
-    static void decode(const TextureRequest& request, const io::ConfinedFolder& folder,
+    static void decode(const TextureRequest& request, const ConfinedFolder& folder,
                        Texture& picture) {
         constexpr int kLargestSide = 1 << 14;  // large, since scaling would mix the label colours
         std::string bytes;
         std::span<const std::uint8_t> encoded = request.embedded;
         if (encoded.empty()) {
-            const Result<io::InputFile> file = folder.open(percentDecoded(request.name));
+            const Result<InputFile> file = folder.open(percentDecoded(request.name));
             if (!file) return;
             Result<std::string> all = file->readAll(kMostPictureBytes);
             if (!all) return;
             bytes = std::move(*all);
             encoded = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
         }
-        if (!io::decodePicture(encoded, kLargestSide, true, picture)) picture = Texture{};
+        if (!decodePicture(encoded, kLargestSide, true, picture)) picture = Texture{};
     }
 
     [[nodiscard]] std::int64_t objectOf(std::uint32_t color) const {
@@ -184,7 +184,7 @@ class ColoredMesh {
             Eigen::Vector3f uv = Eigen::Vector3f::Zero();
             for (const std::uint32_t corner : corners) uv += primitive.uvs[corner] / 3.0F;
             if (!uv.allFinite()) return kNone;
-            const auto x = static_cast<std::size_t>(pixel(uv.x(), picture.width));
+            const std::size_t x = pixel(uv.x(), picture.width);
             const auto y =
                 static_cast<std::size_t>(pixel(1.0F - uv.y(), picture.height));  // from the top
             const std::uint8_t* rgba =

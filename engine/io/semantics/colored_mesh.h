@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/ply_mesh.h"
+#include "engine/io/models/ply_mesh.h"
 #include "engine/io/semantics/label_files.h"
 #include "engine/jobs/job.h"
 

@@ -3,9 +3,9 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sandbox/input_file.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/files/number_lines.h"
 
 #include <algorithm>
 #include <charconv>
@@ -31,7 +31,7 @@ std::optional<std::int64_t> wholeNumber(std::string_view text) {
 }
 
 std::optional<std::int64_t> wholeNumber(const json& value) {
-    const std::optional<double> number = io::numberIn(value);
+    const std::optional<double> number = numberIn(value);
     if (!number || !(std::abs(*number) < kMostNumber) || *number != std::floor(*number)) {
         return std::nullopt;
     }
@@ -45,12 +45,12 @@ std::optional<std::int64_t> wholeNumber(const json& object, const char* key) {
 
 /// Replica: {"objects": [{"id": 3, "class_name": "chair"}, ...]}.
 Result<LabelNames> readReplica(const fs::path& path) {
-    const Result<json> document = io::readBoundedJson(path);
+    const Result<json> document = readBoundedJson(path);
     if (!document) return tl::unexpected(document.error());
     LabelNames names;
-    for (const json& object : io::listIn(*document, "objects")) {
+    for (const json& object : listIn(*document, "objects")) {
         if (const auto id = wholeNumber(object, "id")) {
-            names.categories[*id] = io::textIn(object, "class_name");
+            names.categories[*id] = textIn(object, "class_name");
         }
     }
     return names;
@@ -58,11 +58,11 @@ Result<LabelNames> readReplica(const fs::path& path) {
 
 /// HM3D: a header line, then lines like 17,A1B2C3,"chair",0.
 Result<LabelNames> readHabitatText(const fs::path& path) {
-    const Result<std::string> text = io::readNamedFile(path, kMostNameBytes);
+    const Result<std::string> text = readNamedFile(path, kMostNameBytes);
     if (!text) return tl::unexpected(text.error());
     LabelNames names;
     int number = 0;
-    for (const std::string_view line : io::splitLines(*text)) {
+    for (const std::string_view line : splitLines(*text)) {
         ++number;
         const auto first = line.find(',');
         const auto second = first == line.npos ? first : line.find(',', first + 1);
@@ -78,7 +78,7 @@ Result<LabelNames> readHabitatText(const fs::path& path) {
             return fail(ErrorCode::BadInput,
                         "The line does not have the form NUMBER,RRGGBB,\"NAME\",...; download the "
                         "file again.",
-                        io::placeOf(path, number));
+                        placeOf(path, number));
         }
         names.categories[*id] = cleanText(line.substr(open + 1, close - open - 1));
         names.of_color[color] = *id;
@@ -89,12 +89,12 @@ Result<LabelNames> readHabitatText(const fs::path& path) {
 /// Matterport3D: lines "C index mapping_index mapping_name mpcat40_index mpcat40_name ..." and
 /// "O index region category ...".
 Result<LabelNames> readHouse(const fs::path& path) {
-    const Result<std::string> text = io::readNamedFile(path, kMostNameBytes);
+    const Result<std::string> text = readNamedFile(path, kMostNameBytes);
     if (!text) return tl::unexpected(text.error());
     std::map<std::int64_t, std::string> categories;
     LabelNames names;
-    for (const std::string_view line : io::splitLines(*text)) {
-        const auto words = io::splitWords(line);
+    for (const std::string_view line : splitLines(*text)) {
+        const auto words = splitWords(line);
         if (words.size() >= 6 && words[0] == "C") {
             // The mpcat40 class or, if that is unspecific, the more specific mapping_name.
             const bool vague = words[5] == "objects" || words[5] == "misc";
@@ -116,21 +116,21 @@ Result<LabelNames> readHouse(const fs::path& path) {
 
 /// ScanNet and ScanNet++: objects as lists of segments, and the segment of each vertex.
 Result<LabelNames> readSegments(const fs::path& groups, const fs::path& segments) {
-    const Result<json> said = io::readBoundedJson(groups);
+    const Result<json> said = readBoundedJson(groups);
     if (!said) return tl::unexpected(said.error());
-    const Result<json> vertices = io::readBoundedJson(segments);
+    const Result<json> vertices = readBoundedJson(segments);
     if (!vertices) return tl::unexpected(vertices.error());
     LabelNames names;
-    for (const json& group : io::listIn(*said, "segGroups")) {
+    for (const json& group : listIn(*said, "segGroups")) {
         auto id = wholeNumber(group, "objectId");
         if (!id) id = wholeNumber(group, "id");
         if (!id) continue;
-        names.categories[*id] = io::textIn(group, "label");
-        for (const json& segment : io::listIn(group, "segments")) {
+        names.categories[*id] = textIn(group, "label");
+        for (const json& segment : listIn(group, "segments")) {
             if (const auto number = wholeNumber(segment)) names.of_segment[*number] = *id;
         }
     }
-    for (const json& segment : io::listIn(*vertices, "segIndices")) {
+    for (const json& segment : listIn(*vertices, "segIndices")) {
         names.segments.push_back(wholeNumber(segment).value_or(-1));
     }
     return names;
@@ -147,12 +147,12 @@ std::optional<LabelledFiles> findScanNet(const fs::path& mesh) {
     files.nyu40 = true;
     const fs::path labels = folder / (*scan + "_vh_clean_2.labels.ply");
     const fs::path textured = folder / (*scan + "_vh_clean_2.ply");
-    if (io::hasFile(labels)) files.labelled = labels;
-    if (io::hasFile(textured)) files.textured = textured;
+    if (hasFile(labels)) files.labelled = labels;
+    if (hasFile(textured)) files.textured = textured;
     const fs::path segments = folder / (*scan + "_vh_clean_2.0.010000.segs.json");
     for (const char* ending : {".aggregation.json", "_vh_clean.aggregation.json"}) {
         const fs::path groups = folder / (*scan + ending);
-        if (!io::hasFile(groups) || !io::hasFile(segments)) continue;
+        if (!hasFile(groups) || !hasFile(segments)) continue;
         files.kind = LabelFileKind::ScanNetSegments;
         files.names = groups;
         files.segments = segments;
@@ -167,14 +167,14 @@ std::optional<LabelledFiles> findScanNetPp(const fs::path& mesh) {
     if (!mesh.filename().string().starts_with("mesh_aligned")) return std::nullopt;
     const fs::path groups = mesh.parent_path() / "segments_anno.json";
     const fs::path segments = mesh.parent_path() / "segments.json";
-    if (!io::hasFile(groups) || !io::hasFile(segments)) return std::nullopt;
+    if (!hasFile(groups) || !hasFile(segments)) return std::nullopt;
     return LabelledFiles{mesh, {}, LabelFileKind::ScanNetPpSegments, groups, segments};
 }
 
 std::optional<LabelledFiles> findReplica(const fs::path& mesh) {
     if (mesh.filename() != "mesh_semantic.ply") return std::nullopt;
     const fs::path names = mesh.parent_path() / "info_semantic.json";
-    if (!io::hasFile(names)) return std::nullopt;
+    if (!hasFile(names)) return std::nullopt;
     return LabelledFiles{mesh, {}, LabelFileKind::ReplicaInfo, names, {}};
 }
 
@@ -200,10 +200,10 @@ std::optional<LabelledFiles> findHabitat(const fs::path& mesh) {
         files.labelled = folder / (*scene + row.mesh);
         files.names = folder / (*scene + row.names);
         files.kind = row.kind;
-        if (!io::hasFile(files.names) || !io::hasFile(files.labelled)) continue;
+        if (!hasFile(files.names) || !hasFile(files.labelled)) continue;
         for (const char* ending : {".glb", ".basis.glb"}) {
             const fs::path textured = folder / (*scene + ending);
-            if (files.textured.empty() && io::hasFile(textured)) files.textured = textured;
+            if (files.textured.empty() && hasFile(textured)) files.textured = textured;
         }
         return files;
     }

@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/files/confined_folder.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +20,8 @@ std::string shown(const fs::path& file) {
 
 /// A warning if exactly one of two files exists; otherwise empty.
 std::string gapBetween(const fs::path& first, const fs::path& second, const char* without) {
-    const bool has_first = io::hasFile(first);
-    if (has_first == io::hasFile(second)) return {};
+    const bool has_first = hasFile(first);
+    if (has_first == hasFile(second)) return {};
     return fmt::format("{} exists, but {} is missing, so that {}; download it to the same folder",
                        shown(has_first ? first : second), shown(has_first ? second : first),
                        without);
@@ -38,7 +38,7 @@ std::string scanNetGap(const fs::path& mesh) {
     const fs::path folder = mesh.parent_path();
     fs::path groups = folder / (*scan + ".aggregation.json");
     const fs::path other = folder / (*scan + "_vh_clean.aggregation.json");
-    if (!io::hasFile(groups) && io::hasFile(other)) groups = other;
+    if (!hasFile(groups) && hasFile(other)) groups = other;
     return gapBetween(groups, folder / (*scan + "_vh_clean_2.0.010000.segs.json"), kNoObjects);
 }
 
@@ -55,7 +55,7 @@ std::string replicaGap(const fs::path& mesh) {
     for (const fs::path& folder : {mesh.parent_path(), mesh.parent_path() / "habitat"}) {
         const fs::path names = folder / "info_semantic.json";
         const fs::path numbers = folder / "mesh_semantic.ply";
-        const bool both = io::hasFile(names) && io::hasFile(numbers);
+        const bool both = hasFile(names) && hasFile(numbers);
         if (labelled && folder == mesh.parent_path() && !both) {
             return gapBetween(names, numbers, kNoNames);
         }
@@ -80,13 +80,13 @@ std::string habitatGap(const fs::path& mesh) {
     if (!scene || scene->empty()) return {};
     const fs::path folder = mesh.parent_path();
     const fs::path text = folder / (*scene + ".semantic.txt");
-    if (!io::hasFile(folder / (*scene + ".semantic.ply"))) {
+    if (!hasFile(folder / (*scene + ".semantic.ply"))) {
         std::string gap = gapBetween(text, folder / (*scene + ".semantic.glb"), kNoObjects);
         if (!gap.empty()) return gap;
     }
     // The file name of a mesh without classes does not tell Matterport3D's from others.
     const fs::path numbers = folder / (*scene + "_semantic.ply");
-    if (io::hasFile(text) || io::hasFile(numbers)) return {};
+    if (hasFile(text) || hasFile(numbers)) return {};
     return gapBetween(folder / (*scene + ".house"), numbers, kNoObjects);
 }
 

@@ -1,7 +1,7 @@
 #include "engine/io/semantics/label_transfer.h"
 
-#include "engine/io/datasets/object_names.h"
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/core/object_names.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/io/semantics/labelled_surface.h"
 #include "engine/jobs/parallel.h"
 
@@ -154,7 +154,7 @@ RawScene transferLabels(RawScene labelled, RawScene textured, const JobContext& 
     }
     scene.notes.insert(scene.notes.end(), labelled.notes.begin(), labelled.notes.end());
     if (unlabelled > 0) {
-        scene.notes.push_back(io::counted(unlabelled, "triangle has", "triangles have") +
+        scene.notes.push_back(counted(unlabelled, "triangle has", "triangles have") +
                               " no labelled surface nearby");
     }
     return scene;

@@ -143,7 +143,7 @@ LabelledFaces byClasses(const PlyMesh& mesh, const std::vector<std::size_t>& fir
     for (std::size_t f = 0; f < classes.size(); ++f) ++sizes[pieces.root(f)];
     LabelledFaces labelled;
     std::map<std::pair<std::int64_t, std::size_t>, std::size_t> index;
-    constexpr std::size_t kSpecks = static_cast<std::size_t>(-1);
+    constexpr std::size_t kSpecks = -1;
     std::map<std::int64_t, std::size_t> largest;
     for (std::size_t f = 0; f < classes.size(); ++f) {
         std::size_t& most = largest[classes[f]];

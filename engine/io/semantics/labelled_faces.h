@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/import/ply_mesh.h"
+#include "engine/io/models/ply_mesh.h"
 #include "engine/io/semantics/label_files.h"
 
 #include <cstdint>

@@ -1,13 +1,13 @@
 #include "engine/io/semantics/labelled_reader.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/io/datasets/object_names.h"
-#include "engine/io/import/mesh_part_builder.h"
-#include "engine/io/import/model_reader.h"
-#include "engine/io/import/ply_mesh.h"
-#include "engine/io/import/scene_format.h"
-#include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/core/object_names.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/file_type.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/models/model_reader.h"
+#include "engine/io/models/ply_mesh.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/io/semantics/colored_mesh.h"
 #include "engine/io/semantics/label_transfer.h"
 #include "engine/io/semantics/labelled_faces.h"
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMostMeshBytes = std::uint64_t{4} << 30U;
 
 Result<PlyMesh> readPlyMesh(const fs::path& path) {
-    const Result<std::string> bytes = io::readNamedFile(path, kMostMeshBytes);
+    const Result<std::string> bytes = readNamedFile(path, kMostMeshBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     return parsePlyMesh(*bytes, path);
 }
@@ -50,7 +50,7 @@ class ObjectList {
         object.name = names_.next(base);
         object.parts = std::move(parts);
         for (const std::size_t part : object.parts) {
-            scene_.nodes[static_cast<std::size_t>(scene_.parts[part].node)].name = object.name;
+            scene_.nodes[scene_.parts[part].node].name = object.name;
         }
         if (!labelled.target && labelled.nyu40 == 0) ++unlabelled_;
         scene_.objects.push_back(std::move(object));
@@ -59,13 +59,13 @@ class ObjectList {
     void note(const fs::path& names) const {
         const std::size_t targets = scene_.objects.size() - unlabelled_;
         scene_.notes.push_back(fmt::format(
-            "{} by the labels of {}", io::counted(targets, "object", "objects"),
+            "{} by the labels of {}", counted(targets, "object", "objects"),
             names.empty() ? std::string("the file itself") : names.filename().string()));
     }
 
   private:
     RawScene& scene_;
-    io::ObjectNames names_;
+    ObjectNames names_;
     std::size_t unlabelled_ = 0;
 };
 
@@ -100,7 +100,7 @@ void noteBoxes(const fs::path& mesh, RawScene& scene) {
     std::string name = mesh.filename().string();
     if (!name.ends_with(kEnding)) return;
     name.replace(name.size() - kEnding.size(), kEnding.size(), "_3dod_annotation.json");
-    if (!io::hasFile(mesh.parent_path() / name)) return;
+    if (!hasFile(mesh.parent_path() / name)) return;
     scene.notes.push_back("the boxes of " + cleanText(name) +
                           " are not read; objects are found by their shape");
 }
@@ -109,7 +109,7 @@ void noteBoxes(const fs::path& mesh, RawScene& scene) {
 void noteUnreadNumbers(const PlyMesh& mesh, RawScene& scene) {
     if (mesh.unread_numbers.empty()) return;
     scene.notes.push_back(
-        "whole numbers that were not read as labels: " + io::listOf(mesh.unread_numbers, 5) +
+        "whole numbers that were not read as labels: " + listOf(mesh.unread_numbers, 5) +
         "; call the property object_id if they number objects, label if classes");
 }
 

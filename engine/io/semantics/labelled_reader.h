@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/raw_scene.h"
+#include "engine/io/raw_scene/raw_scene.h"
 #include "engine/io/semantics/label_files.h"
 #include "engine/jobs/job.h"
 

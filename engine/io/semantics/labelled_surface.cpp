@@ -47,7 +47,7 @@ LabelledSurface::Key LabelledSurface::keyOf(const Corners& corners) const {
     for (std::size_t k = 0; k < 3; ++k) {
         for (int axis = 0; axis < 3; ++axis) {
             const double steps = (corners[k][axis] - box_.min()[axis]) / key_step_;
-            key[k][static_cast<std::size_t>(axis)] = std::llround(std::clamp(steps, -kMost, kMost));
+            key[k][axis] = std::llround(std::clamp(steps, -kMost, kMost));
         }
     }
     std::ranges::sort(key);

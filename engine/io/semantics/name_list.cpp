@@ -2,9 +2,9 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/sandbox/confined_folder.h"
-#include "engine/io/sandbox/input_file.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/files/number_lines.h"
 
 #include <charconv>
 #include <cmath>
@@ -43,7 +43,7 @@ void takeEntry(const json& entry, Names& names) {
         if (!id && entry.contains(key)) id = listedNumber(entry[key]);
     }
     for (const char* key : {"name", "label", "class_name", "category", "class"}) {
-        const std::string name = io::textIn(entry, key);
+        const std::string name = textIn(entry, key);
         if (id && !name.empty()) names.try_emplace(*id, name);
     }
 }
@@ -56,7 +56,7 @@ Names namesInJson(const json& document) {
     }
     if (!document.is_object()) return names;
     for (const char* key : {"objects", "classes", "labels"}) {
-        for (const json& entry : io::listIn(document, key)) takeEntry(entry, names);
+        for (const json& entry : listIn(document, key)) takeEntry(entry, names);
     }
     for (const auto& [key, value] : document.items()) {
         if (value.is_string()) {
@@ -72,7 +72,7 @@ Names namesInJson(const json& document) {
 Names namesInLines(std::string_view text) {
     constexpr std::string_view kBetween = " \t,;:\"\r";
     Names names;
-    for (const std::string_view line : io::splitLines(text)) {
+    for (const std::string_view line : splitLines(text)) {
         const auto begin = line.find_first_not_of(kBetween);
         if (begin == line.npos) continue;
         const auto end = line.find_first_of(kBetween, begin);
@@ -93,17 +93,17 @@ std::optional<fs::path> findNameList(const fs::path& ply) {
     for (const char* ending : {".labels.json", "_labels.json", ".labels.csv", "_labels.csv",
                                ".labels.txt", "_labels.txt"}) {
         const fs::path file = ply.parent_path() / (name + ending);
-        if (io::hasFile(file)) return file;
+        if (hasFile(file)) return file;
     }
     return std::nullopt;
 }
 
 Result<std::map<std::int64_t, std::string>> readNameList(const fs::path& file) {
-    const Result<std::string> text = io::readNamedFile(file, kMostListBytes);
+    const Result<std::string> text = readNamedFile(file, kMostListBytes);
     if (!text) return tl::unexpected(text.error());
     Names names;
     if (file.extension() == ".json") {
-        const Result<json> document = io::parseBoundedJson(*text, file.string());
+        const Result<json> document = parseBoundedJson(*text, file.string());
         if (!document) return tl::unexpected(document.error());
         names = namesInJson(*document);
     } else {

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -135,7 +135,7 @@ std::filesystem::path annotationFileOf(const std::filesystem::path& scene) {
 
 Result<Annotations> readAnnotations(const std::filesystem::path& file) {
     Result<json> content = readBoundedJson(file);
-    if (!content) return tl::unexpected<Error>(std::move(content.error()));
+    if (!content) return tl::unexpected(std::move(content.error()));
     Annotations read;
     Status status;
     const JsonReader from(*content, "", status);
@@ -184,10 +184,10 @@ Status writeAnnotations(const std::filesystem::path& file, const json& import, c
     std::error_code error;
     if (std::filesystem::exists(file, error)) {
         Result<Annotations> read = readAnnotations(file);
-        if (!read) return tl::unexpected<Error>(std::move(read.error()));
+        if (!read) return tl::unexpected(std::move(read.error()));
         earlier = std::move(read->content);
     }
     return writeWhole(file, annotationText(earlier, import, edits));
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A range of triangles of a mesh, counted after polygons are triangulated and triangles without
 /// area dropped.
@@ -75,4 +75,4 @@ Result<Annotations> findAnnotations(const std::filesystem::path& scene,
 Status writeAnnotations(const std::filesystem::path& file, const nlohmann::json& import,
                         const nlohmann::json& edits);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -5,7 +5,7 @@
 #include "engine/core/name_pattern.h"
 #include "engine/document/json_reader.h"
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/sandbox/input_file.h"
+#include "engine/io/files/input_file.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 #include <set>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -227,7 +227,7 @@ Result<ClassTable> classTableFromJson(const json& content, const std::string& wh
     Status status;
     const JsonReader from(content, "", status);
     std::optional<ClassTable> table = readTable(from);
-    if (!status) return tl::unexpected<Error>(atPlace(status.error(), where));
+    if (!status) return tl::unexpected(atPlace(status.error(), where));
     if (!table)
         return fail(ErrorCode::BadInput, "A class table needs a list of at least one class.",
                     where);
@@ -237,7 +237,7 @@ Result<ClassTable> classTableFromJson(const json& content, const std::string& wh
 Result<LabelFile> readLabelFile(const std::filesystem::path& path) {
     constexpr std::uint64_t kMostBytes = std::uint64_t{4} << 20U;
     Result<std::string> text = readNamedFile(path, kMostBytes);
-    if (!text) return tl::unexpected<Error>(text.error());
+    if (!text) return tl::unexpected(text.error());
     LabelFile file;
     file.word_place = path.string();
     constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
@@ -248,7 +248,7 @@ Result<LabelFile> readLabelFile(const std::filesystem::path& path) {
         return file;
     }
     const Result<json> content = parseBoundedJson(*text, path.string());
-    if (!content) return tl::unexpected<Error>(content.error());
+    if (!content) return tl::unexpected(content.error());
     Status status;
     const JsonReader from(*content, "", status);
     if (std::optional<ClassTable> table = readTable(from)) {
@@ -259,7 +259,7 @@ Result<LabelFile> readLabelFile(const std::filesystem::path& path) {
         file.word_lines += readName(words.at(i)) + "\n";
     }
     file.word_place += ": words";
-    if (!status) return tl::unexpected<Error>(atPlace(status.error(), path.string()));
+    if (!status) return tl::unexpected(atPlace(status.error(), path.string()));
     return file;
 }
 
@@ -279,4 +279,4 @@ nlohmann::ordered_json classTableToJson(const ClassTable& table) {
             {"void", table.voidClass().id}};
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The content of a label file: classes for datasets, further words for NYU40's classes, or both.
 struct LabelFile {
@@ -31,4 +31,4 @@ Result<ClassTable> classTableFromJson(const nlohmann::json& content, const std::
 /// Converts a table to JSON, including all values that were defaults.
 nlohmann::ordered_json classTableToJson(const ClassTable& table);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

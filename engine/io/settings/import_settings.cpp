@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
     ImportOptions options;
@@ -43,7 +43,7 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings) {
             status =
                 fail(set.error().code, set.error().message, "scene.import." + set.error().where);
     }
-    if (!status) return tl::unexpected<Error>(std::move(status.error()));
+    if (!status) return tl::unexpected(std::move(status.error()));
     return options;
 }
 
@@ -69,4 +69,4 @@ nlohmann::json importOptionsToJson(const ImportOptions& options) {
     return settings;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

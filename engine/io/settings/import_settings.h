@@ -1,11 +1,11 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/import/scene_import.h"
+#include "engine/io/settings/import_options.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Converts a project's section `import` (`unit_m`, `up_axis`, `labels`, `model_folders`,
 /// `annotations`, `regroup` ...) to options of importScene(). Error: BadInput for a wrong type.
@@ -15,4 +15,4 @@ Result<ImportOptions> importOptionsFromJson(const nlohmann::json& settings);
 /// cache) are left out.
 nlohmann::json importOptionsToJson(const ImportOptions& options);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

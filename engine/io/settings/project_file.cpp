@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 tl::unexpected<Error> badProject(const std::filesystem::path& path, std::string message,
@@ -43,9 +43,9 @@ void readFields(const JsonReader& from, const std::filesystem::path& folder, Pro
 
 Result<ProjectFile> loadProject(const std::filesystem::path& path) {
     const Result<std::string> text = readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+    if (!text) return tl::unexpected(text.error());
     Result<nlohmann::json> json = parseBoundedJson(*text, path.string());
-    if (!json) return tl::unexpected<Error>(std::move(json.error()));
+    if (!json) return tl::unexpected(std::move(json.error()));
     if (!json->is_object() || !json->contains("dollytrack_project")) {
         return badProject(path, "This is JSON, but not a Dollytrack project.");
     }
@@ -90,4 +90,4 @@ Status saveProject(const ProjectFile& project, const std::filesystem::path& path
     return writeWhole(path, projectText(project, path));
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The content of a .dolly project file: the scene's path, the parameters, the manual edits and the
 /// plan, as JSON. Unknown sections are kept.
@@ -35,4 +35,4 @@ Result<ProjectFile> loadProject(const std::filesystem::path& path);
 /// Writes a project file atomically. Error: CannotWrite.
 Status saveProject(const ProjectFile& project, const std::filesystem::path& path);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -21,7 +21,7 @@ Result<Lens> lensOf(std::string_view name) {
     RigCamera camera;
     const Status status =
         setField(listRigCameraFields(camera), fmt::format("lens={}", cleanText(std::string(name))));
-    if (!status) return tl::unexpected<Error>(status.error());
+    if (!status) return tl::unexpected(status.error());
     return camera.lens;
 }
 
@@ -110,7 +110,7 @@ void readAll(const JsonReader& from, Rig& rig) {
 
 Result<Rig> readRig(const std::filesystem::path& file) {
     const Result<json> content = readBoundedJson(file);
-    if (!content) return tl::unexpected<Error>(content.error());
+    if (!content) return tl::unexpected(content.error());
     Rig rig;
     Status status;
     readAll(JsonReader(*content, "", status), rig);
@@ -155,4 +155,4 @@ Result<RigCamera> parseRigCamera(std::string_view text) {
     return camera;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

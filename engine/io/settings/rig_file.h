@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// Reads a rig file, {"format": "dollytrack-rig", "version": 1, "cameras": [...]}; see
 /// assets/schemas/rig.schema.json. Error: BadInput, with file and field ("rig.json:
@@ -16,4 +16,4 @@ Result<Rig> readRig(const std::filesystem::path& file);
 /// Parses a camera such as "left:lens=fisheye,fov_deg=180,right_m=-0.1". Error: Usage.
 Result<RigCamera> parseRigCamera(std::string_view text);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

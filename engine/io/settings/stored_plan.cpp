@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 using nlohmann::json;
@@ -154,4 +154,4 @@ Status checkStoredPlan(const json& result, const std::string& where) {
     return status;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,6 +1,6 @@
 #include "engine/core/natural_order.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// Horizontal field of view of the first camera in cameras.txt beside images.txt.
@@ -57,14 +57,14 @@ Result<PoseList> readColmap(const PoseFile& file) {
         std::array<double, 7> v{};
         for (std::size_t i = 0; i < v.size(); ++i) {
             Result<double> value = parseNumber(words[i + 1], path, number);
-            if (!value) return tl::unexpected<Error>(std::move(value.error()));
+            if (!value) return tl::unexpected(std::move(value.error()));
             v[i] = *value;
         }
         auto camera_from_world = rotationFrom(v[0], v[1], v[2], v[3], placeOf(path, number));
-        if (!camera_from_world) return tl::unexpected<Error>(std::move(camera_from_world.error()));
+        if (!camera_from_world) return tl::unexpected(std::move(camera_from_world.error()));
         const Eigen::Matrix3d world_from_camera = camera_from_world->transpose();
         const Eigen::Vector3d translation(v[4], v[5], v[6]);
-        const auto name_at = static_cast<std::size_t>(words[9].data() - line.data());
+        const std::size_t name_at = words[9].data() - line.data();
         images.emplace_back(std::string(line.substr(name_at)),
                             FilePose{-(world_from_camera * translation), world_from_camera,
                                      std::nullopt, 0, number});
@@ -81,4 +81,4 @@ Result<PoseList> readColmap(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

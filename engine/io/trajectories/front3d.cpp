@@ -1,11 +1,11 @@
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 Eigen::Vector3d vectorFrom(const nlohmann::json& value) {
@@ -21,7 +21,7 @@ Result<PoseList> readFront3d(const PoseFile& file) {
     std::size_t view = 0;
     const auto where = [&] { return fmt::format("{}: [{}]", file.path.string(), view); };
     const Result<nlohmann::json> views = parseBoundedJson(file.text, file.path.string());
-    if (!views) return tl::unexpected<Error>(views.error());
+    if (!views) return tl::unexpected(views.error());
     try {
         nlohmann::json room;
         for (const nlohmann::json& one : *views) {
@@ -30,7 +30,7 @@ Result<PoseList> readFront3d(const PoseFile& file) {
             const Eigen::Vector3d up =
                 one.contains("up") ? vectorFrom(one["up"]) : Eigen::Vector3d(0, 1, 0);
             auto rotation = rotationAlong(forward, up, where());
-            if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+            if (!rotation) return tl::unexpected(std::move(rotation.error()));
             FilePose pose{position, *rotation, std::nullopt};
             if (one.contains("time")) pose.time_s = one["time"].get<double>();
             const nlohmann::json in_room = one.value("room", nlohmann::json());
@@ -53,4 +53,4 @@ Result<PoseList> readFront3d(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,12 +1,12 @@
 #include "engine/io/files/hdf5_reader.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <fmt/format.h>
 
 #include <array>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr const char* kPositions = "camera_keyframe_positions.hdf5";
@@ -21,9 +21,9 @@ Result<PoseList> readHypersim(const PoseFile& file) {
     const std::filesystem::path folder =
         std::filesystem::is_directory(file.path, error) ? file.path : file.path.parent_path();
     const Result<Hdf5Numbers> positions = readHdf5Numbers(folder / kPositions);
-    if (!positions) return tl::unexpected<Error>(positions.error());
+    if (!positions) return tl::unexpected(positions.error());
     const Result<Hdf5Numbers> orientations = readHdf5Numbers(folder / kOrientations);
-    if (!orientations) return tl::unexpected<Error>(orientations.error());
+    if (!orientations) return tl::unexpected(orientations.error());
     const std::uint64_t count = positions->size[0];
     if (positions->size != std::vector<std::uint64_t>{count, 3} || count == 0) {
         return fail(ErrorCode::BadInput, "Positions must be a table of N x 3 numbers.",
@@ -41,7 +41,7 @@ Result<PoseList> readHypersim(const PoseFile& file) {
             Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
                 &orientations->values[9 * i]);
         auto rotation = rotationFrom(matrix, where);
-        if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+        if (!rotation) return tl::unexpected(std::move(rotation.error()));
         rotation->rightCols<2>() *= -1.0;
         list.poses.push_back({Eigen::Map<const Eigen::Vector3d>(&positions->values[3 * i]),
                               *rotation, static_cast<double>(i)});
@@ -49,4 +49,4 @@ Result<PoseList> readHypersim(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,32 +1,32 @@
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <fmt/format.h>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 // KITTI odometry: row-major 3x4 matrices from camera i to the first camera; times in times.txt
 // beside the file, if it exists.
 Result<PoseList> readKitti(const PoseFile& file) {
     const auto lines = readNumberLines(file.path, file.text, 12, "the 3x4 matrix row by row");
-    if (!lines) return tl::unexpected<Error>(lines.error());
+    if (!lines) return tl::unexpected(lines.error());
     PoseList list;
     for (const NumberLine& line : *lines) {
         const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> matrix =
             Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(line.values.data());
         auto rotation =
             rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), placeOf(file.path, line.line));
-        if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+        if (!rotation) return tl::unexpected(std::move(rotation.error()));
         list.poses.push_back({matrix.col(3), *rotation, std::nullopt, 0, line.line});
     }
     const std::filesystem::path times_path = file.path.parent_path() / "times.txt";
     std::error_code error;
     if (!std::filesystem::exists(times_path, error)) return list;
     const Result<std::string> text = readText(times_path);
-    if (!text) return tl::unexpected<Error>(text.error());
+    if (!text) return tl::unexpected(text.error());
     const auto times = readNumberLines(times_path, *text, 1, "seconds");
-    if (!times) return tl::unexpected<Error>(times.error());
+    if (!times) return tl::unexpected(times.error());
     if (times->size() != list.poses.size()) {
         return fail(
             ErrorCode::BadInput,
@@ -44,4 +44,4 @@ Result<PoseList> readKitti(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// A pose of a file, in the file's world, with the camera's axes converted to x right, y down, z
 /// forward.
@@ -43,4 +43,4 @@ Result<PoseList> readFront3d(const PoseFile& file);
 Result<PoseList> readHypersim(const PoseFile& file);
 Result<PoseList> readSweetHome(const PoseFile& file);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,9 +1,9 @@
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <algorithm>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// The line where the poses begin: their header after a scene description, otherwise line 1.
@@ -23,7 +23,7 @@ int firstLine(std::string_view text) {
 Result<PoseList> readSceneNet(const PoseFile& file) {
     const auto lines =
         readNumberLines(file.path, file.text, 7, "time eye xyz look-at xyz", firstLine(file.text));
-    if (!lines) return tl::unexpected<Error>(lines.error());
+    if (!lines) return tl::unexpected(lines.error());
     if (lines->size() % 2 != 0) {
         return fail(ErrorCode::BadInput,
                     "The last frame lacks its second line, the pose at shutter close.",
@@ -39,7 +39,7 @@ Result<PoseList> readSceneNet(const PoseFile& file) {
         const Eigen::Vector3d forward = middle.segment<3>(4) - eye;
         const int line = (*lines)[i].line;
         auto rotation = rotationAlong(forward, Eigen::Vector3d::UnitY(), placeOf(file.path, line));
-        if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+        if (!rotation) return tl::unexpected(std::move(rotation.error()));
         list.poses.push_back({eye, *rotation, middle[0], 0, line});
     }
     // Some programs write the same time in every line; then the trajectory has no times.
@@ -53,4 +53,4 @@ Result<PoseList> readSceneNet(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 /// Home axes are the plan's x, up, and the plan's y (down the page); a camera with yaw 0 looks down
@@ -55,4 +55,4 @@ Result<PoseList> readSweetHome(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,7 +1,7 @@
 #include "engine/io/trajectories/trajectory_file.h"
 
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 constexpr std::array kFormats = {
@@ -114,7 +114,7 @@ Result<PoseList> readPoses(PoseFile file, const TrajectoryFormat*& format, bool 
     const bool folder = std::filesystem::is_directory(file.path, error);
     if (format || !folder) {
         Result<std::string> text = readText(file.path);
-        if (!text) return tl::unexpected<Error>(std::move(text.error()));
+        if (!text) return tl::unexpected(std::move(text.error()));
         file.text = std::move(*text);
     }
     if (!format) format = byContent(file);
@@ -220,7 +220,7 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
         world = at->second;
     }
     const Result<PoseList> read = readPoses({path, {}}, format, reading.has_options);
-    if (!read) return tl::unexpected<Error>(read.error());
+    if (!read) return tl::unexpected(read.error());
     LoadedTrajectory loaded;
     loaded.format = format->name;
     loaded.hfov_deg = read->hfov_deg;
@@ -240,7 +240,7 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                       : fmt::format("{}: [{}]", path.string(), frames.size());
         const TrajectoryFrame* before = frames.empty() ? nullptr : &frames.back();
         const Status fits = checkFrame(frame, before, reading.has_options, where);
-        if (!fits) return tl::unexpected<Error>(fits.error());
+        if (!fits) return tl::unexpected(fits.error());
         loaded.trajectory.frames.push_back(frame);
     }
     loaded.trajectory.frame_interval_s =
@@ -248,4 +248,4 @@ Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
     return loaded;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 /// The coordinate system of a file's positions.
 enum class FileWorld {
@@ -56,4 +56,4 @@ struct LoadedTrajectory {
 Result<LoadedTrajectory> loadTrajectory(const std::filesystem::path& path,
                                         const TrajectoryReading& reading);
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

@@ -1,5 +1,5 @@
 #include "engine/io/files/bounded_json.h"
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::io {
+namespace dollytrack {
 namespace {
 
 std::optional<double> hfovOf(const nlohmann::json& root) {
@@ -30,20 +30,18 @@ Result<PoseList> readTransforms(const PoseFile& file) {
     std::size_t frame = 0;
     const auto where = [&] { return fmt::format("{}: frames[{}]", file.path.string(), frame); };
     const Result<nlohmann::json> root = parseBoundedJson(file.text, file.path.string());
-    if (!root) return tl::unexpected<Error>(root.error());
+    if (!root) return tl::unexpected(root.error());
     try {
         for (const nlohmann::json& one : root->at("frames")) {
             const nlohmann::json& rows = one.at("transform_matrix");
             Eigen::Matrix<double, 3, 4> matrix;
             for (int row = 0; row < 3; ++row) {
                 for (int column = 0; column < 4; ++column) {
-                    matrix(row, column) = rows.at(static_cast<std::size_t>(row))
-                                              .at(static_cast<std::size_t>(column))
-                                              .get<double>();
+                    matrix(row, column) = rows.at(row).at(column).get<double>();
                 }
             }
             auto rotation = rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), where());
-            if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+            if (!rotation) return tl::unexpected(std::move(rotation.error()));
             rotation->rightCols<2>() *= -1.0;
             list.poses.push_back({matrix.col(3), *rotation, std::nullopt});
             ++frame;
@@ -59,4 +57,4 @@ Result<PoseList> readTransforms(const PoseFile& file) {
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

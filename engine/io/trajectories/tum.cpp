@@ -1,20 +1,20 @@
-#include "engine/io/trajectories/number_lines.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/trajectories/pose_list.h"
 
-namespace dollytrack::io {
+namespace dollytrack {
 
 // TUM RGB-D, groundtruth.txt: the optical centre in the world; camera x right, y down, z forward.
 Result<PoseList> readTum(const PoseFile& file) {
     const auto lines = readNumberLines(file.path, file.text, 8, "timestamp tx ty tz qx qy qz qw");
-    if (!lines) return tl::unexpected<Error>(lines.error());
+    if (!lines) return tl::unexpected(lines.error());
     PoseList list;
     for (const NumberLine& line : *lines) {
         const auto& v = line.values;
         auto rotation = rotationFrom(v[7], v[4], v[5], v[6], placeOf(file.path, line.line));
-        if (!rotation) return tl::unexpected<Error>(std::move(rotation.error()));
+        if (!rotation) return tl::unexpected(std::move(rotation.error()));
         list.poses.push_back({{v[1], v[2], v[3]}, *rotation, v[0], 0, line.line});
     }
     return list;
 }
 
-}  // namespace dollytrack::io
+}  // namespace dollytrack

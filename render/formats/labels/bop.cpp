@@ -2,7 +2,7 @@
 
 #include "engine/camera/intrinsics.h"
 #include "engine/io/files/png_writer.h"
-#include "render/frames/frame_context.h"
+#include "render/dataset/contents/frame_context.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -90,8 +90,8 @@ Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const Fra
         }
         for (const auto& [folder, pixels] :
              {std::pair{kFolders[0], &all}, std::pair{kFolders[1], &visible}}) {
-            auto png = io::encodePng(frame.width, frame.height, io::PngFormat::Gray8, *pixels);
-            if (!png) return tl::unexpected<Error>(std::move(png.error()));
+            auto png = encodePng(frame.width, frame.height, PngFormat::Gray8, *pixels);
+            if (!png) return tl::unexpected(std::move(png.error()));
             files.push_back({pairFile(folder, frame.index, number, ".png"), std::move(*png)});
         }
         ++number;

@@ -61,7 +61,7 @@ std::string textOf(const DatasetContents& contents, std::span<const int> frames,
     Json images = Json::array();
     Json annotations = Json::array();
     for (const int index : frames) {
-        const DatasetFrame& frame = contents.frames[static_cast<std::size_t>(index)];
+        const DatasetFrame& frame = contents.frames[index];
         images.push_back({{"id", index + 1},
                           {"file_name", contents.pictureFile(index)},
                           {"width", width},

@@ -1,7 +1,7 @@
 #include "render/formats/labels/kitti_objects.h"
 
+#include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
-#include "render/frames/frame_context.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -50,7 +50,7 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
         const Object& object = context.contents.scene.object(seen.object_id);
         const DatasetClass* of = context.contents.scene.classes().boxClassOf(object);
         if (of == nullptr) continue;
-        const auto id = static_cast<std::size_t>(seen.object_id);
+        const std::size_t id = seen.object_id;
         const Eigen::Isometry3d motion =
             id < motions.size() ? motions[id].inverse() : Eigen::Isometry3d::Identity();
         text += lineOf(*of, seen, boxInCamera(object, motion, frame.pose));

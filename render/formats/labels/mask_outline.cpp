@@ -46,8 +46,8 @@ class EdgeMap {
         do {
             if (direction != before) outline.corners.emplace_back(x, y);
             at(x, y) &= static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(direction)));
-            x += kStepX[static_cast<std::size_t>(direction)];
-            y += kStepY[static_cast<std::size_t>(direction)];
+            x += kStepX[direction];
+            y += kStepY[direction];
             before = direction;
             // Where two outlines meet at a corner, a right turn stays with the same pixel.
             for (const int turn : {1, 0, 3}) {
@@ -87,7 +87,7 @@ std::vector<Outline> outlinesOf(int width, int height, std::span<const std::uint
 
 std::vector<Outline> outlinesOfCounts(int width, int height,
                                       std::span<const std::uint32_t> counts) {
-    const auto rows = static_cast<std::size_t>(height);
+    const std::size_t rows = height;
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(width) * rows);
     std::size_t place = 0;
     for (std::size_t run = 0; run < counts.size(); ++run) {

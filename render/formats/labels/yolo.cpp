@@ -1,10 +1,10 @@
 #include "render/formats/labels/yolo.h"
 
 #include "engine/core/name_pattern.h"
-#include "render/dataset/frame_folds.h"
+#include "render/dataset/contents/frame_context.h"
+#include "render/dataset/contents/frame_folds.h"
 #include "render/encoders/pack.h"
 #include "render/formats/labels/mask_outline.h"
-#include "render/frames/frame_context.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

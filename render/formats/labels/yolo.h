@@ -1,7 +1,6 @@
 #pragma once
 
-#include "render/formats/formats.h"
-#include "render/formats/media/picture_links.h"
+#include "render/dataset/contents/format.h"
 
 namespace dollytrack::render {
 

@@ -1,8 +1,8 @@
 #include "render/formats/media/video.h"
 
 #include "engine/io/files/guarded_folder.h"
-#include "render/dataset/picture_file.h"
 #include "render/formats/media/video_encoder.h"
+#include "render/pictures/picture_file.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -34,7 +34,7 @@ double rateOf(const DatasetContents& contents) {
     return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowest, kFastest) : kFastest;
 }
 
-Result<cv::Mat> readPicture(const io::GuardedFolder& folder, const std::string& file) {
+Result<cv::Mat> readPicture(const GuardedFolder& folder, const std::string& file) {
     cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
     if (picture.empty()) {
         return fail(
@@ -51,7 +51,7 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     Result<VideoEncoder> video =
         VideoEncoder::begin(contents.camera.width_px, contents.camera.height_px, rateOf(contents));
     if (!video) return tl::unexpected(video.error());
-    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
+    const Result<GuardedFolder> folder = GuardedFolder::open(contents.folder);
     if (!folder) return tl::unexpected(folder.error());
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const Result<cv::Mat> picture = readPicture(*folder, frameFile("rgb", static_cast<int>(i)));

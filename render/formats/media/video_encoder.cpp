@@ -62,7 +62,7 @@ struct MemoryFile {
 
     static int write(void* self, std::uint8_t* data, int size) {
         auto& file = *static_cast<MemoryFile*>(self);
-        const auto count = static_cast<std::size_t>(size);
+        const std::size_t count = size;
         if (file.bytes.size() < file.at + count) file.bytes.resize(file.at + count);
         std::memcpy(file.bytes.data() + file.at, data, count);
         file.at += count;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/camera/lens_distortion.h"
-#include "render/formats/formats.h"
+#include "render/dataset/contents/format.h"
 
 namespace dollytrack::render {
 

@@ -3,7 +3,7 @@
 #include "engine/camera/camera_params.h"
 #include "engine/camera/trajectory.h"
 #include "engine/scene/scene.h"
-#include "render/formats/formats.h"
+#include "render/dataset/contents/format.h"
 
 #include <Eigen/Geometry>
 

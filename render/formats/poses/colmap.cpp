@@ -2,8 +2,8 @@
 
 #include "engine/camera/intrinsics.h"
 #include "engine/geometry/ray_caster.h"
-#include "render/formats/frame_text.h"
 #include "render/formats/poses/calibration.h"
+#include "render/formats/poses/frame_text.h"
 #include "render/formats/scenes/surface_sample.h"
 
 #include <nlohmann/json.hpp>

@@ -109,7 +109,7 @@ std::string groundTruth(const DatasetContents& contents) {
 
 /// Removes the right camera's folders, which were created before it was known whether it exists.
 void removeEmptyFolders(const DatasetContents& contents) {
-    const Result<io::GuardedFolder> folder = io::GuardedFolder::open(contents.folder);
+    const Result<GuardedFolder> folder = GuardedFolder::open(contents.folder);
     if (folder) folder->removeEmpty(kFolders[1]);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/formats/media/picture_links.h"
+#include "render/dataset/contents/format.h"
 
 namespace dollytrack::render {
 

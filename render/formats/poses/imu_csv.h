@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/formats/formats.h"
+#include "render/dataset/contents/format.h"
 
 #include <string>
 

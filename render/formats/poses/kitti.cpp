@@ -2,9 +2,9 @@
 
 #include "engine/camera/intrinsics.h"
 #include "engine/io/files/png_writer.h"
+#include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
-#include "render/formats/frame_text.h"
-#include "render/frames/frame_context.h"
+#include "render/formats/poses/frame_text.h"
 #include "render/truth/motion_field.h"
 
 #include <nlohmann/json.hpp>
@@ -53,9 +53,9 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     const int next = frame.index + 1;
     if (next >= static_cast<int>(context.contents.frames.size())) return std::vector<FrameFile>{};
     const MotionField field = motionField(context, frame, next);
-    return oneFile(frameFile(kFolders[0], frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Rgb16,
-                                 bytesOf(kittiFlow(field.motion))));
+    return oneFile(
+        frameFile(kFolders[0], frame.index),
+        encodePng(frame.width, frame.height, PngFormat::Rgb16, bytesOf(kittiFlow(field.motion))));
 }
 
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {

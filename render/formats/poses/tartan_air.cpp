@@ -1,10 +1,10 @@
 #include "render/formats/poses/tartan_air.h"
 
 #include "engine/io/files/png_writer.h"
+#include "render/dataset/contents/frame_context.h"
+#include "render/encoders/numpy_file.h"
 #include "render/encoders/pack.h"
-#include "render/formats/frame_text.h"
-#include "render/formats/tables/numpy_file.h"
-#include "render/frames/frame_context.h"
+#include "render/formats/poses/frame_text.h"
 #include "render/truth/motion_field.h"
 
 #include <nlohmann/json.hpp>
@@ -60,8 +60,8 @@ std::uint8_t maskOf(PixelVisibility sight) {
 Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
     const int width = frame.width;
     const int height = frame.height;
-    auto image = io::encodePng(width, height, io::PngFormat::Rgb8, frame.rgb);
-    if (!image) return tl::unexpected<Error>(std::move(image.error()));
+    auto image = encodePng(width, height, PngFormat::Rgb8, frame.rgb);
+    if (!image) return tl::unexpected(std::move(image.error()));
     std::vector<float> depth = frame.depth_m;
     std::replace(depth.begin(), depth.end(), 0.0F, kSkyDepth);
     const Scene& scene = context.contents.scene;

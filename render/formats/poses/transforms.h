@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/math/pose.h"
-#include "render/dataset/dataset_contents.h"
+#include "render/dataset/contents/dataset_contents.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,9 +1,9 @@
 #include "render/formats/poses/tum.h"
 
 #include "engine/io/files/png_writer.h"
+#include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
-#include "render/formats/frame_text.h"
-#include "render/frames/frame_context.h"
+#include "render/formats/poses/frame_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -63,7 +63,7 @@ Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const Fra
         depth[i] = value < 65536.0F ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
     }
     return oneFile(frameFile(kFolders[0], frame.index),
-                   io::encodePng(frame.width, frame.height, io::PngFormat::Gray16, bytesOf(depth)));
+                   encodePng(frame.width, frame.height, PngFormat::Gray16, bytesOf(depth)));
 }
 
 nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {

@@ -40,7 +40,7 @@ int GlbBuilder::addView(const void* data, std::size_t bytes, int target) {
 
 int GlbBuilder::addFloats(const float* values, std::size_t count, int components, const char* type,
                           int target) {
-    const auto width = static_cast<std::size_t>(components);
+    const std::size_t width = components;
     Json low = Json::array(), high = Json::array();
     for (std::size_t c = 0; c < width; ++c) {
         float least = std::numeric_limits<float>::infinity(), most = -least;

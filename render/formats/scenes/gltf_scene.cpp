@@ -3,7 +3,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/io/files/png_writer.h"
 #include "engine/jobs/parallel.h"
-#include "render/draw/surface_kind.h"
+#include "render/materials/surface_kind.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -40,7 +40,7 @@ std::vector<int> picturesOf(const Scene& scene, const Material& material) {
 /// JPEG, as most textures originally were; PNG for textures with holes or numeric data.
 Result<Bytes> encode(const Texture& texture, bool exact) {
     if (exact) {
-        return io::encodePng(texture.width, texture.height, io::PngFormat::Rgba8, texture.rgba);
+        return encodePng(texture.width, texture.height, PngFormat::Rgba8, texture.rgba);
     }
     try {
         const cv::Mat rgba(texture.height, texture.width, CV_8UC4,
@@ -73,14 +73,14 @@ Result<std::map<int, int>> addTextures(const Scene& scene, GlbBuilder& builder, 
     std::vector<Result<Bytes>> pictures(used.size());
     std::vector<char> exact(used.size());
     parallelFor(used.size(), [&](std::size_t i) {
-        const Texture& texture = scene.textures[static_cast<std::size_t>(used[i])];
+        const Texture& texture = scene.textures[used[i]];
         exact[i] = numeric.contains(used[i]) || hasHoles(texture) ? 1 : 0;
         pictures[i] = encode(texture, exact[i] != 0);
     });
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!pictures[i]) return tl::unexpected(pictures[i].error());
         const int image =
-            builder.addImage(cleanText(scene.textures[static_cast<std::size_t>(used[i])].name),
+            builder.addImage(cleanText(scene.textures[used[i]].name),
                              exact[i] != 0 ? "image/png" : "image/jpeg", *pictures[i]);
         root["textures"].push_back({{"source", image}});
     }
@@ -109,7 +109,7 @@ Json materialJson(const Scene& scene, const Material& material,
     Json json = {{"name", cleanText(material.name)}, {"doubleSided", true}};
     if (hasMap(scene, material.texture)) {
         surface["baseColorTexture"] = {{"index", textures.at(material.texture)}};
-        if (hasHoles(scene.textures[static_cast<std::size_t>(material.texture)])) {
+        if (hasHoles(scene.textures[material.texture])) {
             json["alphaMode"] = "MASK";
         }
     }

@@ -36,7 +36,7 @@ std::array<std::uint8_t, 3> colorAt(const Scene& scene, std::uint32_t triangle,
     const Material& material = scene.materials[scene.triangle_material[triangle]];
     Eigen::Vector3d color = material.base_color.cast<double>();
     if (material.texture >= 0) {
-        const Texture& texture = scene.textures[static_cast<std::size_t>(material.texture)];
+        const Texture& texture = scene.textures[material.texture];
         if (texture.width > 0 && uv.allFinite()) {
             const std::uint8_t* texel = texelAt(texture, uv);
             for (int c = 0; c < 3; ++c) color[c] *= linearOf(texel[c]);

@@ -202,7 +202,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
         root["scene"]["path"] = cleanText(path.string());
     }
     root["camera_json_from_world"] = toJson(Eigen::Affine3d(cameraJsonFromWorld(scene)));
-    root["trajectory_sha256"] = io::sha256Of(std::string_view(frames.dump()));
+    root["trajectory_sha256"] = sha256Of(std::string_view(frames.dump()));
     root["light"] = toJson(resolved(contents.light));
     root["whole_motion"] = {{"trajectory_sha256", card.whole_trajectory_sha256},
                             {"objects_sha256", card.whole_motions_sha256}};
@@ -214,7 +214,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
                        {"pictures", pictureTallyJson(card.pictures)}};
     root["objects"] = objectTable(scene, card.relations);
     root["classes"] = classTable(scene.classes());
-    if (!scene.classes().isNyu40()) root["labels"] = io::classTableToJson(scene.classes());
+    if (!scene.classes().isNyu40()) root["labels"] = classTableToJson(scene.classes());
     root["frames"] = frames;
     if (!contents.rig.empty()) root["cameras"] = rigCard(contents);
     root["files"] = card.sha256s;

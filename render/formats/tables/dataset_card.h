@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/plan/capture.h"
-#include "render/dataset/dataset_contents.h"
-#include "render/formats/formats.h"
+#include "render/dataset/contents/dataset_contents.h"
+#include "render/dataset/contents/format.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
-#include "render/formats/formats.h"
+#include "render/dataset/contents/dataset_contents.h"
+#include "render/dataset/contents/format.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,9 +1,9 @@
 #include "render/formats/tables/hdf5_frames.h"
 
 #include "engine/io/files/hdf5_writer.h"
+#include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
 #include "render/formats/poses/transforms.h"
-#include "render/frames/frame_context.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,17 +32,15 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
         classBytes(scene.classes(), classesOf(scene, frame.instance));
     const auto height = static_cast<std::uint64_t>(frame.height);
     const auto width = static_cast<std::uint64_t>(frame.width);
-    using io::Hdf5Type;
     const Hdf5Type class_type = scene.classes().isWide() ? Hdf5Type::Uint16 : Hdf5Type::Uint8;
     return oneFile(
         frameFile(kFolders[0], frame.index, ".hdf5"),
-        io::packHdf5(
-            {{"colors", Hdf5Type::Uint8, {height, width, 3}, frame.rgb.data()},
-             {"depth", Hdf5Type::Float32, {height, width}, frame.depth_m.data()},
-             {"instance_segmaps", Hdf5Type::Uint16, {height, width}, frame.instance.data()},
-             {"category_id_segmaps", class_type, {height, width}, classes.data()}},
-            {{"instance_attribute_maps", attributes(scene, frame)},
-             {"campose", transformRows(frame.pose).dump()}}));
+        packHdf5({{"colors", Hdf5Type::Uint8, {height, width, 3}, frame.rgb.data()},
+                  {"depth", Hdf5Type::Float32, {height, width}, frame.depth_m.data()},
+                  {"instance_segmaps", Hdf5Type::Uint16, {height, width}, frame.instance.data()},
+                  {"category_id_segmaps", class_type, {height, width}, classes.data()}},
+                 {{"instance_attribute_maps", attributes(scene, frame)},
+                  {"campose", transformRows(frame.pose).dump()}}));
 }
 
 nlohmann::ordered_json convention(const DatasetContents& contents) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/dataset/dataset_contents.h"
+#include "render/dataset/contents/dataset_contents.h"
 
 #include <nlohmann/json_fwd.hpp>
 

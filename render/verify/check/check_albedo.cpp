@@ -1,5 +1,5 @@
 // Compares base colours with the materials of the surfaces shown.
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 
@@ -37,8 +37,7 @@ struct ColorRange {
 ColorRange rangeOf(const Material& material, const std::vector<Texture>& textures) {
     std::array<int, 3> darkest = {255, 255, 255};
     std::array<int, 3> brightest = {255, 255, 255};
-    const Texture* texture =
-        material.texture < 0 ? nullptr : &textures[static_cast<std::size_t>(material.texture)];
+    const Texture* texture = material.texture < 0 ? nullptr : &textures[material.texture];
     if (texture && !texture->rgba.empty()) {
         brightest = {0, 0, 0};
         for (std::size_t i = 0; i + 3 < texture->rgba.size(); i += 4) {

@@ -1,6 +1,6 @@
-#include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/amodal_masks.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "engine/io/files/number_lines.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 

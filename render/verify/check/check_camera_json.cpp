@@ -1,9 +1,9 @@
 // Checks camera.json except its poses: lens, planes, and the targets that each frame shows well.
 #include "engine/plan/capture.h"
-#include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
 #include "render/verify/read/number_table.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,7 @@ class EntryCheck {
         compare(frame, entry, "near", dataset_.near_m);
         compare(frame, entry, "width", lens.width);
         compare(frame, entry, "height", lens.height);
-        compare(frame, entry, "time", dataset_.frames[static_cast<std::size_t>(frame)].time_s);
+        compare(frame, entry, "time", dataset_.frames[frame].time_s);
         const auto axis = entry.at("fov_axis").get<std::string>();
         if (axis != "h") add(frame, "fov_axis " + axis, "h");
         checkFar(frame, entry.at("far").get<double>());
@@ -98,8 +98,7 @@ void readVisibleFractions(const StoredDataset& dataset, Targets& targets) {
         const auto id = table->number(row, "object_id");
         const auto fraction = table->number(row, "visible_fraction");
         if (!id || !fraction) continue;
-        targets.visible_fractions[static_cast<std::size_t>(frame)][static_cast<int>(*id)] =
-            *fraction;
+        targets.visible_fractions[frame][static_cast<int>(*id)] = *fraction;
     }
 }
 
@@ -115,7 +114,7 @@ void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameI
                     Findings& findings) {
     const Image16* ids = images.image16("instance");
     if (!ids) return;
-    const auto frame = static_cast<std::size_t>(images.frame());
+    const std::size_t frame = images.frame();
     const CaptureRules rules;
     const double area = static_cast<double>(ids->width) * ids->height;
     Names may, must;

@@ -1,8 +1,8 @@
 // Checks the rig's images: their consistency, the objects' boxes, and ray casts into the scene.
-#include "render/verify/check/check_cameras.h"
-#include "render/verify/frame_rays.h"
-#include "render/verify/interpolated_normal.h"
-#include "render/verify/label_alignment_check.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/frame_rays.h"
+#include "render/verify/compare/interpolated_normal.h"
+#include "render/verify/compare/label_alignment_check.h"
 #include "render/verify/read/stored_rig.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ std::string text(const Eigen::Vector3d& v) {
 
 void checkPose(const StoredCamera& camera, const StoredFrame& planned, int frame,
                Findings& findings) {
-    const auto i = static_cast<std::size_t>(frame);
+    const std::size_t i = frame;
     const auto tell = [&](std::string found, std::string expected) {
         findings.add({"dataset.json",
                       frame,
@@ -71,7 +71,7 @@ class CameraFrame {
           rays_(of.rays),
           frame_(frame),
           index_(index),
-          pose_(of.camera.poses[static_cast<std::size_t>(index)]) {}
+          pose_(of.camera.poses[index]) {}
 
     /// Reads the images. Returns whether all are usable.
     bool read(Findings& findings) {

@@ -1,6 +1,6 @@
 #include "engine/plan/capture.h"
-#include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ Captures readCaptures(const StoredDataset& dataset, Findings& findings) {
         if (frame >= static_cast<int>(by_frame.size())) {
             add(fmt::format("best_frame {}", frame), fmt::format("below {}", by_frame.size()));
         } else if (frame >= 0) {
-            by_frame[static_cast<std::size_t>(frame)].push_back(best);
+            by_frame[frame].push_back(best);
         } else if (best.captured) {
             add(fmt::format("object {} captured in no frame", best.object_id), "a best_frame");
         } else {
@@ -122,7 +122,7 @@ CheckWork beginCaptures(const Subject& subject, Findings& findings) {
     }
     CheckWork work;
     work.frame = [captures, &dataset = subject.dataset](FrameImages& images, Findings& found) {
-        const auto& best = captures->of_frame[static_cast<std::size_t>(images.frame())];
+        const auto& best = captures->of_frame[images.frame()];
         const Image16* ids = images.image16("instance");
         if (!ids || dataset.unusable_frames.contains(images.frame())) return;
         const double least_px = leastPixels(static_cast<double>(ids->width) * ids->height);

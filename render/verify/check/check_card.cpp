@@ -1,6 +1,6 @@
 #include "engine/io/files/sha256.h"
 #include "engine/scene/labels.h"
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 
@@ -117,7 +117,7 @@ void checkRelations(const StoredDataset& dataset, CardReport& report) {
 void checkFrames(const StoredDataset& dataset, CardReport& report) {
     const Json& frames = dataset.card.at("frames");
     report.same("trajectory_sha256", dataset.card.at("trajectory_sha256"),
-                io::sha256Of(std::string_view(frames.dump())));
+                sha256Of(std::string_view(frames.dump())));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         report.same(fmt::format("frames[{}].index", i), frames[i].at("index"), i);
         for (const MovedObject& moved : dataset.frames[i].moving) {

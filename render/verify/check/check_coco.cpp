@@ -1,7 +1,7 @@
 // Checks COCO annotations: masks as run lengths and as polygons.
-#include "render/verify/check_list.h"
-#include "render/verify/filled_mask.h"
-#include "render/verify/read/coco_file.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/coco_file.h"
+#include "render/verify/compare/filled_mask.h"
 #include "render/verify/read/run_lengths.h"
 
 #include <fmt/format.h>
@@ -106,8 +106,7 @@ CheckWork begin(const StoredDataset& dataset, const char* file, const CompareMas
     work.frame = [&dataset, file, compare_mask,
                   annotations = std::make_shared<const CocoByFrame>(std::move(*read))](
                      FrameImages& images, Findings& found) {
-        compareCoco(dataset, file, (*annotations)[static_cast<std::size_t>(images.frame())], images,
-                    compare_mask, found);
+        compareCoco(dataset, file, (*annotations)[images.frame()], images, compare_mask, found);
     };
     return work;
 }

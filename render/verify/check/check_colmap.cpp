@@ -1,7 +1,7 @@
 // Checks COLMAP's text model except its poses: lens, names and initial points.
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/sensor_files.h"
 
 #include <fmt/format.h>
@@ -39,9 +39,9 @@ struct DepthComparison {
 std::vector<std::pair<int, std::vector<std::string_view>>> wordLines(std::string_view text) {
     std::vector<std::pair<int, std::vector<std::string_view>>> lines;
     int number = 0;
-    for (const std::string_view line : io::splitLines(text)) {
+    for (const std::string_view line : splitLines(text)) {
         ++number;
-        auto words = io::splitWords(line);
+        auto words = splitWords(line);
         if (words.empty() || words.front().starts_with('#')) continue;
         lines.emplace_back(number, std::move(words));
     }
@@ -49,7 +49,7 @@ std::vector<std::pair<int, std::vector<std::string_view>>> wordLines(std::string
 }
 
 std::string textOf(const StoredDataset& dataset, const char* file, Findings& findings) {
-    Result<std::string> text = io::readText(dataset.folder / file);
+    Result<std::string> text = readText(dataset.folder / file);
     if (text) return std::move(*text);
     findings.add({file, {}, {}, text.error().message, "COLMAP's text"});
     return {};
@@ -76,7 +76,7 @@ void checkCameras(const StoredDataset& dataset, Findings& findings) {
         return wrong("another camera", fmt::format("1 {} and {} numbers", model, expected.size()));
     }
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const auto found = io::parseNumber(words[i + 2], kCameras, lines.front().first);
+        const auto found = parseNumber(words[i + 2], kCameras, lines.front().first);
         if (!found) return wrong(found.error().message, "a number");
         if (std::abs(*found - expected[i]) <= kLens_px) continue;
         wrong(fmt::format("{:.9g}", *found), fmt::format("{:.9g}", expected[i]));
@@ -128,7 +128,7 @@ std::vector<Point> readPoints(const StoredDataset& dataset, Findings& findings) 
         }
         std::array<double, 8> values = {};
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const auto value = io::parseNumber(words[i], kPoints, number);
+            const auto value = parseNumber(words[i], kPoints, number);
             if (!value) {
                 wrong(std::string(words[i]), "a number");
                 return {};
@@ -239,8 +239,7 @@ CheckWork beginColmap(const Subject& subject, Findings& findings) {
     CheckWork work;
     if (!subject.rays) {
         work.frame = [&dataset, points, comparisons](FrameImages& images, Findings& /*findings*/) {
-            (*comparisons)[static_cast<std::size_t>(images.frame())] =
-                compareWithDepth(dataset, *points, images);
+            (*comparisons)[images.frame()] = compareWithDepth(dataset, *points, images);
         };
     }
     work.finish = [&subject, points, comparisons](Findings& found, const JobContext&) {

@@ -1,6 +1,6 @@
 // Compares a depth camera's images with exact depth: noise within the model, holes only where
 // allowed. The models are implemented independently, from their description in dataset.json.
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 

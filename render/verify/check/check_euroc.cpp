@@ -1,8 +1,8 @@
 // Checks EuRoC's layout: times, poses, lenses and images.
-#include "render/verify/check/check_euroc.h"
+#include "render/verify/check/check_list.h"
 
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -54,12 +54,12 @@ class EurocCheck {
     /// The fields of all non-comment lines; adds a finding if there is not one line per frame.
     std::vector<std::vector<std::string>> rowsOf(const std::string& file) {
         std::vector<std::vector<std::string>> rows;
-        const Result<std::string> text = io::readText(dataset_.folder / file);
+        const Result<std::string> text = readText(dataset_.folder / file);
         if (!text) {
             add(file, {}, text.error().message, "a table");
             return {};
         }
-        for (const std::string_view line : io::splitLines(*text)) {
+        for (const std::string_view line : splitLines(*text)) {
             if (line.empty() || line.starts_with('#')) continue;
             std::vector<std::string>& row = rows.emplace_back();
             for (const std::string_view field : splitAt(line, ',')) row.emplace_back(field);
@@ -107,7 +107,7 @@ class EurocCheck {
     /// Compares the list of numbers after a key in a YAML file.
     void checkNumbers(const std::string& file, const std::string& key,
                       const std::vector<double>& expected) {
-        const Result<std::string> text = io::readText(dataset_.folder / file);
+        const Result<std::string> text = readText(dataset_.folder / file);
         if (!text) return add(file, {}, text.error().message, "a sensor");
         const std::size_t at = text->find(key + ": [");
         const std::size_t end = text->find(']', at == std::string::npos ? 0 : at);
@@ -118,8 +118,8 @@ class EurocCheck {
         const auto fields = splitAt(std::string_view(*text).substr(begin, end - begin), ',');
         for (std::size_t i = 0; i < expected.size(); ++i) {
             const auto words =
-                i < fields.size() ? io::splitWords(fields[i]) : std::vector<std::string_view>{};
-            const auto number = io::parseNumber(words.size() == 1 ? words[0] : "none", file, 1);
+                i < fields.size() ? splitWords(fields[i]) : std::vector<std::string_view>{};
+            const auto number = parseNumber(words.size() == 1 ? words[0] : "none", file, 1);
             if (number && std::abs(*number - expected[i]) <= kLens_px) continue;
             return add(file, {}, fmt::format("{}, number {}", key, i + 1),
                        fmt::format("{:.9g}", expected[i]));
@@ -138,7 +138,7 @@ class EurocCheck {
             }
             std::vector<double> values;
             for (std::size_t k = 1; k < rows[i].size(); ++k) {
-                values.push_back(io::parseNumber(rows[i][k], file, frame + 2).value_or(NAN));
+                values.push_back(parseNumber(rows[i][k], file, frame + 2).value_or(NAN));
             }
             const Pose& pose = dataset_.frames[i].pose;
             const Eigen::Vector3d position(values[0], values[1], values[2]);

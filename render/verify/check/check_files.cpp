@@ -1,6 +1,6 @@
 #include "engine/io/files/sha256.h"
 #include "engine/jobs/parallel.h"
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/amodal_masks.h"
 #include "render/verify/read/flow_files.h"
 #include "render/verify/read/sensor_files.h"
@@ -125,7 +125,7 @@ CheckWork beginFiles(const Subject& subject, Findings& findings) {
             if (!error && size > most_bytes) {
                 return tell(fmt::format("{} bytes", size), fmt::format("at most {}", most_bytes));
             }
-            const Result<std::string> is = io::sha256OfFile(path, job);
+            const Result<std::string> is = sha256OfFile(path, job);
             if (!is) return tell("it cannot be read", "a file");
             if (*is != said) tell("SHA-256 " + *is, said);
         });

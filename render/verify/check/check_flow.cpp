@@ -1,5 +1,5 @@
-#include "render/verify/check_list.h"
-#include "render/verify/motion_check.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/motion_check.h"
 #include "render/verify/read/flow_files.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Checks the lists for cross-validation.
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
-#include "render/verify/read/coco_file.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/coco_file.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ class FoldCheck {
             const std::string name = fmt::format("folds/fold_{}_", fold);
             const std::vector<int> train = listed(name + "train.txt");
             const std::vector<int> val = listed(name + "val.txt");
-            for (const int frame : val) ++held_back[static_cast<std::size_t>(frame)];
+            for (const int frame : val) ++held_back[frame];
             compareParts(name + "train.txt", train, val, by_room ? nullptr : &guard);
             if (!dataset_.has("coco")) continue;
             compareCoco(name + "train.json", train);
@@ -60,14 +60,14 @@ class FoldCheck {
 
     /// Frames in an image list, increasing.
     std::vector<int> listed(const std::string& file) {
-        const Result<std::string> text = io::readText(dataset_.folder / file);
+        const Result<std::string> text = readText(dataset_.folder / file);
         if (!text) {
             add(file, {}, text.error().message, "a list of images");
             return {};
         }
         std::set<int> frames;
         int number = 0;
-        for (const std::string_view line : io::splitLines(*text)) {
+        for (const std::string_view line : splitLines(*text)) {
             ++number;
             if (line.empty()) continue;
             const std::optional<int> frame = frameOf(line);
@@ -133,10 +133,10 @@ class FoldCheck {
     [[nodiscard]] Nearness nearest(int frame, const std::vector<int>& others,
                                    const Guard& guard) const {
         constexpr double kSlack = 1e-9;
-        const StoredFrame& a = dataset_.frames[static_cast<std::size_t>(frame)];
+        const StoredFrame& a = dataset_.frames[frame];
         Nearness found = Nearness::Apart;
         for (const int other : others) {
-            const StoredFrame& b = dataset_.frames[static_cast<std::size_t>(other)];
+            const StoredFrame& b = dataset_.frames[other];
             const double metres = (a.pose.position - b.pose.position).norm();
             const double seconds = std::abs(a.time_s - b.time_s);
             if (metres > guard.metres + kSlack && seconds > guard.seconds + kSlack) continue;
@@ -155,8 +155,8 @@ class FoldCheck {
         const auto part = readCoco(dataset_, file, frames, findings_);
         if (!part || !whole()) return;
         for (const int frame : frames) {
-            const auto& found = (*part)[static_cast<std::size_t>(frame)];
-            const auto& expected = (*whole())[static_cast<std::size_t>(frame)];
+            const auto& found = (*part)[frame];
+            const auto& expected = (*whole())[frame];
             const bool same =
                 std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
                            [](const CocoAnnotation& a, const CocoAnnotation& b) {

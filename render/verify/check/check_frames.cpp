@@ -1,9 +1,9 @@
 #include "engine/plan/capture.h"
 #include "engine/plan/image_score.h"
-#include "render/verify/check_list.h"
-#include "render/verify/frame_rays.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/frame_rays.h"
 #include "render/verify/read/number_table.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 
@@ -162,7 +162,7 @@ void compareImages(const StoredDataset& dataset, const FramesTable& table, Frame
 void takeBoxes(const StoredDataset& dataset, FrameImages& images, FramesTable& table) {
     const Image16* ids = images.image16("instance");
     if (!ids) return;
-    const auto frame = static_cast<std::size_t>(images.frame());
+    const std::size_t frame = images.frame();
     // Smaller objects count as not shown; the rule is for 640 x 480.
     const double least_px =
         CaptureRules{}.min_visible_px * ids->width * ids->height / (640.0 * 480.0);
@@ -201,8 +201,7 @@ CheckWork beginFrames(const Subject& subject, Findings& findings) {
         takeBoxes(subject.dataset, images, *table);
         if (!subject.rays) return;
         const StoredFrame& frame = images.stored();
-        table->clearances_m[static_cast<std::size_t>(images.frame())] =
-            FrameRays(subject, frame, frame.pose).clearance();
+        table->clearances_m[images.frame()] = FrameRays(subject, frame, frame.pose).clearance();
     };
     work.finish = [&subject, table](Findings& found, const JobContext&) {
         FramesReport report(*table, found);

@@ -1,4 +1,4 @@
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/glb_file.h"
 
 #include <fmt/format.h>
@@ -56,7 +56,7 @@ class NodeCheck {
         const auto wrong = [&](std::string found, std::string right) {
             findings_.add({kFile, frame, {}, name_ + ": " + found, std::move(right)});
         };
-        const StoredFrame& stored = dataset_.frames[static_cast<std::size_t>(frame)];
+        const StoredFrame& stored = dataset_.frames[frame];
         if (!(awayAt(key, stored) <= kTolerance + kFloatStep * std::abs(stored.time_s))) {
             return wrong(fmt::format("its nearest key is at {:.7g} s", keys_.times_s[key]),
                          fmt::format("{:.7f} s", stored.time_s));

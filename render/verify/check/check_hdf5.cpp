@@ -1,6 +1,6 @@
 // Checks the per-frame HDF5 files in BlenderProc's layout: the frame's images and its pose.
 #include "engine/io/files/hdf5_reader.h"
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
 
 #include <fmt/format.h>
@@ -39,8 +39,7 @@ class FrameCheck {
     std::optional<std::vector<double>> image(const std::string& name, std::size_t channels) {
         const auto width = static_cast<std::uint64_t>(dataset_.lens.width);
         const auto height = static_cast<std::uint64_t>(dataset_.lens.height);
-        auto numbers =
-            io::readHdf5Numbers(dataset_.folder / file_, name, width * height * channels);
+        auto numbers = readHdf5Numbers(dataset_.folder / file_, name, width * height * channels);
         if (!numbers) {
             add(numbers.error().message, name);
             return std::nullopt;
@@ -59,7 +58,7 @@ class FrameCheck {
     void compare(const std::string& name, const std::vector<double>& found, std::size_t channels,
                  double tolerance, const Expected& expected) {
         WrongPixels wrong;
-        const auto width = static_cast<std::size_t>(dataset_.lens.width);
+        const std::size_t width = dataset_.lens.width;
         for (std::size_t i = 0; i < found.size(); ++i) {
             const double right = expected(i);
             if (std::isnan(right) || std::abs(found[i] - right) <= tolerance) continue;
@@ -106,7 +105,7 @@ class FrameCheck {
 
     void compareAttributes() {
         constexpr const char* kName = "instance_attribute_maps";
-        const auto text = io::readHdf5Text(dataset_.folder / file_, kName);
+        const auto text = readHdf5Text(dataset_.folder / file_, kName);
         if (!text) return add(text.error().message, kName);
         const auto& seen = images_.seen();
         std::set<int> listed;
@@ -131,7 +130,7 @@ class FrameCheck {
     }
 
     void comparePose() {
-        const auto text = io::readHdf5Text(dataset_.folder / file_, "campose");
+        const auto text = readHdf5Text(dataset_.folder / file_, "campose");
         if (!text) return add(text.error().message, "campose");
         const auto rows =
             parseJson(*text).value_or(Json()).get<std::array<std::array<double, 4>, 4>>();

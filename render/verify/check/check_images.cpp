@@ -1,4 +1,4 @@
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/sensor_files.h"
 
 namespace dollytrack::verify {

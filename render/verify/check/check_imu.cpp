@@ -1,8 +1,8 @@
 // Integrates the inertial measurements over short spans and compares with the poses.
 #include "engine/camera/imu_track.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/number_table.h"
 
 #include <fmt/format.h>
@@ -110,24 +110,24 @@ Span integrate(const Samples& samples, const Eigen::Quaterniond& begin) {
 
 /// A trajectory without motion has no rows, only the header.
 bool hasNoRows(std::string_view text) {
-    const auto lines = io::splitLines(text);
+    const auto lines = splitLines(text);
     return std::all_of(lines.begin(), lines.end(),
                        [](std::string_view line) { return line.empty() || line.front() == '#'; });
 }
 
 Result<Samples> readSamples(const std::filesystem::path& path) {
-    const Result<std::string> text = io::readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(text.error());
     if (text->starts_with('#') && hasNoRows(*text)) return Samples{};
-    const auto lines = io::readNumberLines(path, *text, 7, "time, angular rate, specific force");
-    if (!lines) return tl::unexpected<Error>(lines.error());
+    const auto lines = readNumberLines(path, *text, 7, "time, angular rate, specific force");
+    if (!lines) return tl::unexpected(lines.error());
     Samples samples;
-    for (const io::NumberLine& line : *lines) {
+    for (const NumberLine& line : *lines) {
         const auto& v = line.values;
         samples.push_back({v[0] * 1e-9, {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
         if (samples.size() > 1 && !(samples.back().time_s > samples[samples.size() - 2].time_s)) {
             return fail(ErrorCode::BadInput, "The time is not after the one before it.",
-                        io::placeOf(path, line.line));
+                        placeOf(path, line.line));
         }
     }
     return samples;

@@ -1,7 +1,7 @@
-#include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/amodal_masks.h"
 #include "render/verify/read/number_table.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 
@@ -135,8 +135,7 @@ std::shared_ptr<InstancesTable> readTable(const StoredDataset& dataset, Findings
         const double frame = table->rows.number(row, "frame").value_or(-1.0);
         const auto id = static_cast<int>(table->rows.number(row, "object_id").value_or(0.0));
         const bool fits = frame >= 0.0 && frame < static_cast<double>(dataset.frames.size());
-        if (!fits || !dataset.object(id) ||
-            !table->of_frame[static_cast<std::size_t>(frame)].emplace(id, row).second) {
+        if (!fits || !dataset.object(id) || !table->of_frame[frame].emplace(id, row).second) {
             findings.add({fmt::format("{}:{}", kFile, row + 2),
                           {},
                           {},
@@ -152,7 +151,7 @@ void compareFrame(const StoredDataset& dataset, const InstancesTable& table, Fra
     const Image16* ids = images.image16("instance");
     if (!ids) return;
     const int frame = images.frame();
-    const auto& rows = table.of_frame[static_cast<std::size_t>(frame)];
+    const auto& rows = table.of_frame[frame];
     const auto& seen = images.seen();
     for (const auto& [id, shown] : seen) {
         const StoredObject* object = dataset.object(id);

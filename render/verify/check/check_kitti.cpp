@@ -1,9 +1,9 @@
 // Checks KITTI's projections, times and flow; poses are checked elsewhere.
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
-#include "render/verify/motion_check.h"
-#include "render/verify/stereo_pair.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/motion_check.h"
+#include "render/verify/compare/stereo_pair.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ void compareProjection(const StoredDataset& dataset, int camera, int line,
     const bool right = camera % 2 == 1;
     const auto expected = projection(dataset.lens, right ? baseline.value_or(0.0) : 0.0);
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const auto found = io::parseNumber(words[i + 1], kCalibration, line);
+        const auto found = parseNumber(words[i + 1], kCalibration, line);
         if (!found) return wrong(found.error().message, "a number");
         // Without a baseline elsewhere in the dataset, only the sign can be checked.
         if (i == 3 && right && !baseline && *found < 0.0) continue;
@@ -54,15 +54,15 @@ void compareProjection(const StoredDataset& dataset, int camera, int line,
 }
 
 void checkCalibration(const StoredDataset& dataset, Findings& findings) {
-    const Result<std::string> text = io::readText(dataset.folder / kCalibration);
+    const Result<std::string> text = readText(dataset.folder / kCalibration);
     if (!text) {
         findings.add({kCalibration, {}, {}, text.error().message, "projections"});
         return;
     }
     const std::optional<double> baseline = baselineOf(dataset);
     int line = 0;
-    for (const std::string_view row : io::splitLines(*text)) {
-        const auto words = io::splitWords(row);
+    for (const std::string_view row : splitLines(*text)) {
+        const auto words = splitWords(row);
         if (words.empty()) continue;
         if (line < 4) compareProjection(dataset, line, line + 1, words, baseline, findings);
         ++line;
@@ -72,9 +72,9 @@ void checkCalibration(const StoredDataset& dataset, Findings& findings) {
 }
 
 void checkTimes(const StoredDataset& dataset, Findings& findings) {
-    const Result<std::string> text = io::readText(dataset.folder / kTimes);
+    const Result<std::string> text = readText(dataset.folder / kTimes);
     if (!text) return findings.add({kTimes, {}, {}, text.error().message, "times"});
-    const auto lines = io::readNumberLines(kTimes, *text, 1, "a time");
+    const auto lines = readNumberLines(kTimes, *text, 1, "a time");
     if (!lines) return findings.add({kTimes, {}, {}, describe(lines.error()), "times"});
     if (lines->size() != dataset.frames.size()) {
         return findings.add({kTimes,
@@ -116,7 +116,7 @@ void compareMotions(const StoredDataset& dataset, FrameImages& images, Findings&
     const Result<Image16> flow = readImage16(dataset.folder / file, 3);
     const FrameImages::Depth* depth = images.depth();
     if (!isUsable(flow, dataset, file, frame, findings) || !depth) return;
-    const StoredFrame& next = dataset.frames[static_cast<std::size_t>(frame) + 1];
+    const StoredFrame& next = dataset.frames[frame + 1];
     const OtherView to{next.pose, next};
     const double half_step = 0.5 * std::sqrt(2.0) / kStepsPerPixel;
     checkMotions(motionsFrom(*flow), *depth, reprojectAll(dataset, images, *depth, to),

@@ -1,9 +1,9 @@
 // Checks KITTI's labels: 2D and 3D boxes of objects.
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 #include "engine/scene/labels.h"
-#include "render/verify/check_list.h"
-#include "render/verify/object_pixels.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/read/object_pixels.h"
 
 #include <fmt/format.h>
 
@@ -46,11 +46,11 @@ class FrameCheck {
     void run() {
         const Image16* ids = images_.image16("instance");
         if (!ids) return;
-        const Result<std::string> text = io::readText(dataset_.folder / file_);
+        const Result<std::string> text = readText(dataset_.folder / file_);
         if (!text) return add(0, text.error().message, "labels");
         std::vector<std::vector<std::string_view>> rows;
-        for (const std::string_view line : io::splitLines(*text)) {
-            if (!line.empty()) rows.push_back(io::splitWords(line));
+        for (const std::string_view line : splitLines(*text)) {
+            if (!line.empty()) rows.push_back(splitWords(line));
         }
         // Objects that are not targets may or may not be labelled.
         std::vector<const StoredObject*> things, targets;
@@ -91,7 +91,7 @@ class FrameCheck {
         }
         Label found{};
         for (std::size_t i = 0; i < kNumbers; ++i) {
-            const auto number = io::parseNumber(words[i + 1], file_, static_cast<int>(line));
+            const auto number = parseNumber(words[i + 1], file_, static_cast<int>(line));
             if (!number) return add(line, number.error().message, kNames[i]);
             found[i] = *number;
         }

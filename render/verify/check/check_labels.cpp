@@ -1,6 +1,6 @@
 // Checks that the images that label a pixel agree with each other.
-#include "render/verify/check_list.h"
-#include "render/verify/frame_rays.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/frame_rays.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ std::vector<int> classesById(const StoredDataset& dataset) {
     classes[0] = dataset.classes().voidClass().id;
     for (const StoredObject& object : dataset.objects) {
         if (object.id > 0 && object.id < 65536) {
-            classes[static_cast<std::size_t>(object.id)] = object.class_id;
+            classes[object.id] = object.class_id;
         }
     }
     return classes;
@@ -82,7 +82,7 @@ void checkHoles(const StoredDataset& dataset, FrameImages& images, const Image16
             const bool is_depth = std::isfinite(value) && value >= 0.0;
             if (is_depth && none == (id == 0)) continue;
             if (none) {
-                int& far_away = may_be_far[static_cast<std::size_t>(id)];
+                int& far_away = may_be_far[id];
                 const StoredObject* object = dataset.object(id);
                 if (far_away < 0) {
                     far_away = object && farthestDepth(images.stored(), *object) >= farthest_m;
@@ -113,7 +113,7 @@ CheckWork beginClasses(const Subject& subject, Findings& /*findings*/) {
         for (int y = 0; y < ids->height; ++y) {
             for (int x = 0; x < ids->width; ++x) {
                 const int id = ids->at(x, y);
-                const int expected = classes[static_cast<std::size_t>(id)];
+                const int expected = classes[id];
                 if (expected == kUnknownObject) {
                     unknown.add(x, y, [&] {
                         return WrongPixels::Text{fmt::format("object {}", id),

@@ -1,6 +1,6 @@
-#include "render/verify/check_list.h"
-#include "render/verify/frame_rays.h"
-#include "render/verify/interpolated_normal.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/frame_rays.h"
+#include "render/verify/compare/interpolated_normal.h"
 
 #include <fmt/format.h>
 
@@ -183,7 +183,7 @@ class NormalImages {
         for (int y = 0; y < image.height; ++y) {
             rays.castRow(y, hits);
             for (int x = 0; x < image.width; ++x) {
-                const RayHit& hit = hits[static_cast<std::size_t>(x)];
+                const RayHit& hit = hits[x];
                 if (hit.object_id == 0 || isNone(image.pixel(x, y))) continue;
                 if (ids_ && ids_->at(x, y) != hit.object_id) continue;
                 const Eigen::Vector3d ahead = subject_.dataset.lens.unproject(x + 0.5, y + 0.5);

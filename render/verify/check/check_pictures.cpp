@@ -1,5 +1,5 @@
-#include "render/verify/check_list.h"
-#include "render/verify/label_alignment_check.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/label_alignment_check.h"
 
 #include <memory>
 

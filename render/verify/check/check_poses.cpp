@@ -1,7 +1,7 @@
 // Reads every pose file as its readers do and compares with the poses of dataset.json.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 
@@ -29,9 +29,7 @@ Eigen::Isometry3d cameraJsonWorld(const StoredDataset& dataset) {
     const auto& rows = dataset.card.at("camera_json_from_world");
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
-            result.matrix()(row, column) = rows.at(static_cast<std::size_t>(row))
-                                               .at(static_cast<std::size_t>(column))
-                                               .get<double>();
+            result.matrix()(row, column) = rows.at(row).at(column).get<double>();
         }
     }
     return result;
@@ -51,25 +49,25 @@ Eigen::Isometry3d northEastDown(const StoredDataset& /*dataset*/) {
 struct PoseFormat {
     const char* name;  // as in dataset.json's formats
     const char* file;
-    Result<io::PoseList> (*read)(const io::PoseFile& file);
+    Result<PoseList> (*read)(const PoseFile& file);
     FileFromWorld file_from_world;
 };
 
 constexpr std::array kPoseFormats = {
-    PoseFormat{"camera_json", "camera.json", io::readFront3d, cameraJsonWorld},
-    PoseFormat{"tum", "groundtruth.txt", io::readTum, sameWorld},
-    PoseFormat{"kitti", "poses.txt", io::readKitti, firstCamera},
-    PoseFormat{"colmap", "sparse/0/images.txt", io::readColmap, sameWorld},
-    PoseFormat{"nerfstudio", "transforms.json", io::readTransforms, sameWorld},
-    PoseFormat{"instant_ngp", "transforms_ngp.json", io::readTransforms, sameWorld},
-    PoseFormat{"tartanair", "pose_left.txt", io::readTartanAir, northEastDown},
+    PoseFormat{"camera_json", "camera.json", readFront3d, cameraJsonWorld},
+    PoseFormat{"tum", "groundtruth.txt", readTum, sameWorld},
+    PoseFormat{"kitti", "poses.txt", readKitti, firstCamera},
+    PoseFormat{"colmap", "sparse/0/images.txt", readColmap, sameWorld},
+    PoseFormat{"nerfstudio", "transforms.json", readTransforms, sameWorld},
+    PoseFormat{"instant_ngp", "transforms_ngp.json", readTransforms, sameWorld},
+    PoseFormat{"tartanair", "pose_left.txt", readTartanAir, northEastDown},
 };
 
 std::string positionText(const Eigen::Vector3d& p) {
     return fmt::format("({:.7f}, {:.7f}, {:.7f})", p.x(), p.y(), p.z());
 }
 
-void comparePose(const PoseFormat& format, const io::FilePose& read, const StoredFrame& frame,
+void comparePose(const PoseFormat& format, const FilePose& read, const StoredFrame& frame,
                  int index, const Eigen::Isometry3d& file_from_world, Findings& findings) {
     const std::string file =
         read.line > 0 ? fmt::format("{}:{}", format.file, read.line) : std::string(format.file);
@@ -103,11 +101,11 @@ void compareFile(const StoredDataset& dataset, const PoseFormat& format, Finding
     const auto wrong = [&](std::string found, std::string expected) {
         findings.add({format.file, {}, {}, std::move(found), std::move(expected)});
     };
-    io::PoseFile file{dataset.folder / format.file, {}};
-    Result<std::string> text = io::readText(file.path);
+    PoseFile file{dataset.folder / format.file, {}};
+    Result<std::string> text = readText(file.path);
     if (!text) return wrong(text.error().message, "poses");
     file.text = std::move(*text);
-    const Result<io::PoseList> list = format.read(file);
+    const Result<PoseList> list = format.read(file);
     if (!list) return wrong(describe(list.error()), "poses");
     if (list->poses.size() != dataset.frames.size()) {
         return wrong(fmt::format("{} poses", list->poses.size()),

@@ -1,5 +1,5 @@
 // Checks the description of sensor images, and that they show their frames.
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/sensor_files.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "engine/scene/scene_report.h"
-#include "render/dataset/scene_hash.h"
-#include "render/verify/check_list.h"
+#include "render/scene/scene_hash.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 

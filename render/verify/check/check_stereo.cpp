@@ -1,6 +1,6 @@
-#include "render/verify/check_list.h"
-#include "render/verify/other_view.h"
-#include "render/verify/stereo_pair.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/other_view.h"
+#include "render/verify/compare/stereo_pair.h"
 
 #include <fmt/format.h>
 
@@ -152,7 +152,7 @@ class StereoPair {
         for (int y = 0; y < depth->height; ++y) {
             rays.castRow(y, hits);
             for (int x = 0; x < depth->width; ++x) {
-                const RayHit& hit = hits[static_cast<std::size_t>(x)];
+                const RayHit& hit = hits[x];
                 const double metres = depth->at(x, y) * 0.001;
                 const bool none = hit.object_id == 0 || hit.distance > FrameRays::kFarthest;
                 const double allowed = kRounding + FrameRays::kDrawing * (1.0 + metres);

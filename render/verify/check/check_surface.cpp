@@ -1,6 +1,6 @@
 // Compares each pixel with ray casts into the scene's triangles.
-#include "render/verify/check_list.h"
-#include "render/verify/frame_rays.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/frame_rays.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ void checkDepth(const Subject& subject, FrameImages& images, const Image16& ids,
     for (int y = 0; y < ids.height; ++y) {
         rays.castRow(y, hits);
         for (int x = 0; x < ids.width; ++x) {
-            const RayHit& hit = hits[static_cast<std::size_t>(x)];
+            const RayHit& hit = hits[x];
             const int id = ids.at(x, y);
             const double metres = depth.metres.at(x, y);
             const double off = std::abs(hit.distance - metres);

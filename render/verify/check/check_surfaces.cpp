@@ -1,5 +1,5 @@
 // Checks images that follow from depth, pose and the objects' boxes.
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ InBox inBox(const StoredObject& object, const StoredFrame& frame, const Eigen::V
     InBox result{};
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const double size = std::max(2.0 * object.box.half_size[axis], 1e-6);
-        const auto i = static_cast<std::size_t>(axis);
+        const std::size_t i = axis;
         result.share[i] = std::clamp(here[axis] / size + 0.5, 0.0, 1.0);
         result.off[i] = (std::abs(beside[axis] - here[axis]) + 1e-5) / size + 1.0 / kSteps;
     }

@@ -2,10 +2,10 @@
 // elsewhere.
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
-#include "render/verify/check_list.h"
-#include "render/verify/motion_check.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/motion_check.h"
+#include "render/verify/compare/stereo_pair.h"
 #include "render/verify/read/numpy_array.h"
-#include "render/verify/stereo_pair.h"
 
 #include <fmt/format.h>
 
@@ -21,11 +21,11 @@ constexpr double kNothing_m = 10'000.0;
 
 /// The right camera of each frame is the left one moved along its x axis by one baseline.
 void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
-    io::PoseFile file{dataset.folder / kRightPoses, {}};
-    Result<std::string> text = io::readText(file.path);
+    PoseFile file{dataset.folder / kRightPoses, {}};
+    Result<std::string> text = readText(file.path);
     if (!text) return findings.add({kRightPoses, {}, {}, text.error().message, "poses"});
     file.text = std::move(*text);
-    const Result<io::PoseList> list = io::readTartanAir(file);
+    const Result<PoseList> list = readTartanAir(file);
     if (!list) return findings.add({kRightPoses, {}, {}, describe(list.error()), "poses"});
     if (list->poses.size() != dataset.frames.size()) {
         return findings.add({kRightPoses,
@@ -37,7 +37,7 @@ void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
     std::optional<double> baseline = baselineOf(dataset);
     const Eigen::Vector3d world_from_ned(1.0, -1.0, -1.0);
     for (std::size_t i = 0; i < list->poses.size(); ++i) {
-        const io::FilePose& read = list->poses[i];
+        const FilePose& read = list->poses[i];
         const Pose& left = dataset.frames[i].pose;
         const Eigen::Vector3d offset = left.toCamera(world_from_ned.cwiseProduct(read.position));
         if (!baseline) baseline = std::max(offset.x(), 0.0);  // only the sign can be checked

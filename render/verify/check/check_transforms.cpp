@@ -1,5 +1,5 @@
 // Checks transforms.json of nerfstudio and instant-ngp except poses: lens, names, and scaling.
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
 #include "render/verify/read/sensor_files.h"
 

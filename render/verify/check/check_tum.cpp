@@ -1,8 +1,8 @@
 // Checks TUM's depth and image lists; poses are checked elsewhere.
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
-#include "render/verify/motion_check.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/motion_check.h"
 
 #include <fmt/format.h>
 
@@ -26,13 +26,13 @@ class ListCheck {
         : dataset_(dataset), list_(list), findings_(findings) {}
 
     void run() {
-        const Result<std::string> text = io::readText(dataset_.folder / list_.file);
+        const Result<std::string> text = readText(dataset_.folder / list_.file);
         if (!text) return findings_.add({list_.file, {}, {}, text.error().message, "a list"});
         int number = 0;
         std::size_t frame = 0;
-        for (const std::string_view line : io::splitLines(*text)) {
+        for (const std::string_view line : splitLines(*text)) {
             ++number;
-            const auto words = io::splitWords(line);
+            const auto words = splitWords(line);
             if (words.empty() || words.front().starts_with('#')) continue;
             if (frame < dataset_.frames.size()) compare(number, static_cast<int>(frame), words);
             ++frame;
@@ -58,9 +58,9 @@ class ListCheck {
             return wrong(fmt::format("{} words", words.size()),
                          fmt::format("{}", 2 * list_.folders.size()));
         }
-        const double time_s = dataset_.frames[static_cast<std::size_t>(frame)].time_s;
+        const double time_s = dataset_.frames[frame].time_s;
         for (std::size_t i = 0; i < list_.folders.size(); ++i) {
-            const auto said = io::parseNumber(words[2 * i], list_.file, line);
+            const auto said = parseNumber(words[2 * i], list_.file, line);
             if (!said || !(std::abs(*said - time_s) <= kTime_s)) {
                 wrong("time " + std::string(words[2 * i]), fmt::format("{:.6f} s", time_s));
             }

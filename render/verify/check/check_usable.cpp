@@ -1,4 +1,4 @@
-#include "render/verify/check_list.h"
+#include "render/verify/check/check_list.h"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +91,7 @@ std::vector<std::string> readLists(const StoredDataset& dataset, Findings& findi
             if (frame < 0 || frame >= frames) {
                 differs(kind, frame, "a frame of the dataset");
             } else {
-                listed[static_cast<std::size_t>(frame)] += kind;
+                listed[frame] += kind;
             }
         }
         const std::string name = std::string(kind) + "_rate";
@@ -119,7 +119,7 @@ CheckWork beginUsable(const Subject& subject, Findings& findings) {
         const Image8* picture = images.image8("rgb");
         if (!picture) return;
         const std::string quality = qualityOf(*picture);
-        const std::string& expected = (*listed)[static_cast<std::size_t>(images.frame())];
+        const std::string& expected = (*listed)[images.frame()];
         if (quality == expected) return;
         found.add({imageFile("rgb", images.frame()),
                    images.frame(),

@@ -1,7 +1,7 @@
 // Checks the preview video: one image per frame, in order.
-#include "engine/io/sandbox/input_file.h"
-#include "render/dataset/picture_file.h"
-#include "render/verify/check_list.h"
+#include "engine/io/files/input_file.h"
+#include "render/pictures/picture_file.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 #include <opencv2/core.hpp>
@@ -25,7 +25,7 @@ class VideoCheck {
 
     void run() {
         // FFmpeg opens by name and would block on a pipe.
-        const Result<io::InputFile> file = io::openNamedFile(dataset_.folder / kFile);
+        const Result<InputFile> file = openNamedFile(dataset_.folder / kFile);
         if (!file) return add({}, file.error().message, "an MP4");
         cv::VideoCapture video((dataset_.folder / kFile).string(), cv::CAP_FFMPEG);
         if (!video.isOpened()) return add({}, "it cannot be opened", "an MP4");

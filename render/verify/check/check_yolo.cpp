@@ -1,7 +1,7 @@
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
-#include "render/verify/check_list.h"
-#include "render/verify/filled_mask.h"
+#include "render/verify/check/check_list.h"
+#include "render/verify/compare/filled_mask.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ struct Line {
 };
 
 Result<std::vector<Line>> readLines(const std::filesystem::path& path) {
-    Result<std::string> text = io::readText(path);
+    Result<std::string> text = readText(path);
     if (!text) return tl::unexpected(text.error());
     std::vector<Line> lines;
     std::istringstream rows(*text);
@@ -70,12 +70,12 @@ std::vector<Expected> expectedLines(const StoredDataset& dataset, FrameImages& i
 /// Checks the class names, one per line in order, after the line `after` if given.
 void checkNames(const StoredDataset& dataset, const char* file, std::string_view after,
                 Findings& findings) {
-    const Result<std::string> text = io::readText(dataset.folder / file);
+    const Result<std::string> text = readText(dataset.folder / file);
     if (!text) {
         findings.add({file, {}, {}, text.error().message, "the classes' names"});
         return;
     }
-    const std::vector<std::string_view> lines = io::splitLines(*text);
+    const std::vector<std::string_view> lines = splitLines(*text);
     std::size_t at = 0;
     if (!after.empty()) {
         const auto found = std::ranges::find(lines, after);
@@ -101,13 +101,13 @@ std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list
                            Findings& findings) {
     constexpr std::string_view kStart = "./images/";
     std::set<int> frames;
-    const Result<std::string> text = io::readText(dataset.folder / list);
+    const Result<std::string> text = readText(dataset.folder / list);
     if (!text) {
         findings.add({list, {}, {}, text.error().message, "a list of images"});
         return frames;
     }
     int number = 0;
-    for (const std::string_view line : io::splitLines(*text)) {
+    for (const std::string_view line : splitLines(*text)) {
         ++number;
         if (line.empty()) continue;
         const std::string name(line.substr(std::min(kStart.size(), line.size())));
@@ -135,9 +135,9 @@ std::set<int> framesOfList(const StoredDataset& dataset, const std::string& list
 
 /// Checks the paths in data.yaml and that no frame is both trained on and held back.
 void checkSplit(const StoredDataset& dataset, Findings& findings) {
-    const Result<std::string> text = io::readText(dataset.folder / "data.yaml");
+    const Result<std::string> text = readText(dataset.folder / "data.yaml");
     if (!text) return;  // already reported
-    const auto lines = io::splitLines(*text);
+    const auto lines = splitLines(*text);
     for (const std::string_view line : {"train: train.txt", "val: val.txt"}) {
         if (std::ranges::find(lines, line) != lines.end()) continue;
         findings.add({"data.yaml", {}, {}, "no such line", std::string(line)});

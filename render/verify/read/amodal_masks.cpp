@@ -13,7 +13,7 @@ namespace dollytrack::verify {
 Result<std::vector<AmodalMask>> readAmodal(const std::filesystem::path& path, int width,
                                            int height) {
     const Result<nlohmann::json> root = readJson(path);
-    if (!root) return tl::unexpected<Error>(root.error());
+    if (!root) return tl::unexpected(root.error());
     std::vector<AmodalMask> masks;
     std::set<int> ids;
     try {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/verify/object_pixels.h"
 #include "render/verify/read/image_files.h"
+#include "render/verify/read/object_pixels.h"
 #include "render/verify/read/stored_dataset.h"
 
 #include <map>
@@ -42,9 +42,7 @@ class FrameImages {
     FrameImages(const StoredDataset& dataset, int frame) : dataset_(dataset), frame_(frame) {}
 
     [[nodiscard]] int frame() const { return frame_; }
-    [[nodiscard]] const StoredFrame& stored() const {
-        return dataset_.frames[static_cast<std::size_t>(frame_)];
-    }
+    [[nodiscard]] const StoredFrame& stored() const { return dataset_.frames[frame_]; }
 
     /// The image; null if the dataset lacks the modality, the file is unreadable, or its size or
     /// type is wrong. Only the check `images` reports these problems.

@@ -26,7 +26,7 @@ std::uint32_t wordAt(const std::string& bytes, std::size_t at) {
 }  // namespace
 
 Result<GlbFile> GlbFile::read(const std::filesystem::path& path) {
-    const Result<std::string> bytes = io::readText(path);
+    const Result<std::string> bytes = readText(path);
     if (!bytes) return tl::unexpected(bytes.error());
     GlbFile file;
     try {

@@ -1,7 +1,7 @@
 #include "render/verify/read/image_files.h"
 
 #include "engine/io/files/text_file.h"
-#include "render/dataset/picture_file.h"
+#include "render/pictures/picture_file.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ tl::unexpected<Error> unreadableImage(std::string message) {
 Result<std::string> bytesOf(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) return unreadableImage("it is missing");
-    Result<std::string> bytes = io::readText(path);
+    Result<std::string> bytes = readText(path);
     if (!bytes) return unreadableImage("it cannot be read: " + bytes.error().message);
     return bytes;
 }
@@ -100,11 +100,11 @@ Status endsAsJpeg(const std::string& bytes) {
 template <class T>
 Result<Image<T>> readPicture(const fs::path& path, int depth, int channels) {
     const Result<std::string> bytes = bytesOf(path);
-    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    if (!bytes) return tl::unexpected(bytes.error());
     const Status whole = path.extension() == ".jpg" ? endsAsJpeg(*bytes) : endsAsPng(*bytes);
-    if (!whole) return tl::unexpected<Error>(whole.error());
+    if (!whole) return tl::unexpected(whole.error());
     const Result<cv::Mat> picture = decode(*bytes, depth, channels);
-    if (!picture) return tl::unexpected<Error>(picture.error());
+    if (!picture) return tl::unexpected(picture.error());
     return imageFrom<T>(*picture);
 }
 
@@ -127,7 +127,7 @@ Result<Image16> readImage16(const fs::path& path, int channels) {
 }
 
 Result<Image16> widened(const Result<Image8>& image) {
-    if (!image) return tl::unexpected<Error>(image.error());
+    if (!image) return tl::unexpected(image.error());
     return Image16{
         image->width, image->height, image->channels, {image->values.begin(), image->values.end()}};
 }
@@ -141,15 +141,15 @@ Result<ImageF> readImageF(const fs::path& path, int channels) {
     static const int told = ::setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);
     (void)told;
     const Result<std::string> bytes = bytesOf(path);
-    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    if (!bytes) return tl::unexpected(bytes.error());
     const Result<cv::Mat> picture = decode(*bytes, CV_32F, channels);
-    if (!picture) return tl::unexpected<Error>(picture.error());
+    if (!picture) return tl::unexpected(picture.error());
     return imageFrom<float>(*picture);
 }
 
 Result<ImageF> readFlow(const fs::path& path) {
     const Result<std::string> bytes = bytesOf(path);
-    if (!bytes) return tl::unexpected<Error>(bytes.error());
+    if (!bytes) return tl::unexpected(bytes.error());
     constexpr std::size_t kHead = 12;
     if (bytes->size() < kHead || !bytes->starts_with("PIEH")) {
         return unreadableImage("it is not a .flo file");

@@ -5,13 +5,13 @@
 namespace dollytrack::verify {
 
 Result<nlohmann::json> readJson(const std::filesystem::path& path) {
-    Result<nlohmann::json> json = io::readBoundedJson(path);
+    Result<nlohmann::json> json = readBoundedJson(path);
     if (!json) return fail(json.error().code, json.error().message);
     return json;
 }
 
 Result<nlohmann::json> parseJson(std::string_view text) {
-    Result<nlohmann::json> json = io::parseBoundedJson(text, "");
+    Result<nlohmann::json> json = parseBoundedJson(text, "");
     if (!json) return fail(json.error().code, json.error().message);
     return json;
 }

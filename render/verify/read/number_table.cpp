@@ -1,7 +1,7 @@
 #include "render/verify/read/number_table.h"
 
+#include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
-#include "engine/io/trajectories/number_lines.h"
 
 #include <fmt/format.h>
 
@@ -22,12 +22,12 @@ std::vector<std::string> fieldsOf(std::string_view line) {
 }  // namespace
 
 Result<NumberTable> NumberTable::read(const std::filesystem::path& path) {
-    const Result<std::string> text = io::readText(path);
-    if (!text) return tl::unexpected<Error>(text.error());
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(text.error());
     NumberTable table;
     int number = 0;
     std::size_t width = 0;
-    for (const std::string_view line : io::splitLines(*text)) {
+    for (const std::string_view line : splitLines(*text)) {
         std::vector<std::string> fields = fieldsOf(line);
         if (++number == 1) {
             width = fields.size();
@@ -35,7 +35,7 @@ Result<NumberTable> NumberTable::read(const std::filesystem::path& path) {
                 if (table.columns_.emplace(fields[i], i).second) continue;
                 return fail(ErrorCode::BadInput,
                             fmt::format("The column \"{}\" occurs twice.", fields[i]),
-                            io::placeOf(path, number));
+                            placeOf(path, number));
             }
             continue;
         }
@@ -43,7 +43,7 @@ Result<NumberTable> NumberTable::read(const std::filesystem::path& path) {
             return fail(
                 ErrorCode::BadInput,
                 fmt::format("There are {} values for {} column names.", fields.size(), width),
-                io::placeOf(path, number));
+                placeOf(path, number));
         }
         table.rows_.push_back(std::move(fields));
     }
@@ -53,7 +53,7 @@ Result<NumberTable> NumberTable::read(const std::filesystem::path& path) {
 std::optional<double> NumberTable::number(std::size_t row, const std::string& column) const {
     const auto at = columns_.find(column);
     if (at == columns_.end()) return std::nullopt;
-    const Result<double> value = io::parseNumber(rows_[row][at->second], {}, 0);
+    const Result<double> value = parseNumber(rows_[row][at->second], {}, 0);
     return value ? std::optional(*value) : std::nullopt;
 }
 

@@ -42,7 +42,7 @@ std::vector<int> shapeFrom(std::string_view text) {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
         if (error != std::errc() || size < 1 || size > kLargestArraySide) return {};
         shape.push_back(size);
-        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        text.remove_prefix(end - text.data());
     }
     return shape;
 }
@@ -50,7 +50,7 @@ std::vector<int> shapeFrom(std::string_view text) {
 template <class T>
 Result<Image<T>> readArray(const std::filesystem::path& path, std::string_view type, int channels) {
     static_assert(std::endian::native == std::endian::little);
-    const Result<std::string> bytes = io::readText(path);
+    const Result<std::string> bytes = readText(path);
     if (!bytes) return unreadableArray("it cannot be read");
     constexpr std::size_t kBefore = 10;
     if (bytes->size() < kBefore || !bytes->starts_with(std::string_view("\x93NUMPY\x01\x00", 8))) {

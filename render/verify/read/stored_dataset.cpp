@@ -90,9 +90,9 @@ Status readCard(StoredDataset& dataset, std::string& field) {
     field = "labels";
     if (card.contains("labels")) {
         Result<ClassTable> own =
-            io::classTableFromJson(nlohmann::json(card["labels"]),
-                                   (dataset.folder / "dataset.json").string() + ": labels");
-        if (!own) return tl::unexpected<Error>(own.error());
+            classTableFromJson(nlohmann::json(card["labels"]),
+                               (dataset.folder / "dataset.json").string() + ": labels");
+        if (!own) return tl::unexpected(own.error());
         dataset.own_classes = std::make_shared<const ClassTable>(std::move(*own));
     }
     field = "conventions.intrinsics";
@@ -174,8 +174,8 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                     "finish; 'dollytrack export --resume' finishes it.",
                     folder.string());
     }
-    Result<Json> card = io::readBoundedJson<Json>(path);
-    if (!card) return tl::unexpected<Error>(card.error());
+    Result<Json> card = readBoundedJson<Json>(path);
+    if (!card) return tl::unexpected(card.error());
     dataset.card = std::move(*card);
     std::string field = "format";
     try {
@@ -184,7 +184,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                         "The file is not the dataset.json of a Dollytrack dataset.", path.string());
         }
         if (Status read = readCard(dataset, field); !read) {
-            return tl::unexpected<Error>(read.error());
+            return tl::unexpected(read.error());
         }
         field = "metrics.pictures";
         dataset.unusable_frames = readUnusableFrames(dataset.card);

@@ -275,7 +275,7 @@ TEST(BatchFolder, OnlyOthersFilesStandInTheWay) {
     const test::TempFolder other;
     (void)other.write("jobs.json", "[1, 2]");
     EXPECT_FALSE(claimBatchFolder(other.path(), {{}, {}}));
-    EXPECT_EQ(io::readText(other.path() / "jobs.json").value_or(""), "[1, 2]");
+    EXPECT_EQ(readText(other.path() / "jobs.json").value_or(""), "[1, 2]");
 }
 
 TEST(LogEnd, StartsAtALineUnlessTheLastLineIsLonger) {

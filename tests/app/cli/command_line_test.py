@@ -95,10 +95,9 @@ class CommandLine(FolderCase):
 
     def test_the_table_says_what_is_small(self):
         small = [line.split() for line in run("plan", self.room, "--max-frames", 20).stdout.splitlines()
-                 if "small ones" in line]
+                 if "small objects" in line]
         rate = json.loads(self.planned.stdout)["small_capture_rate"]
-        self.assertEqual(small, [f"of the small ones {100 * rate:.1f} % captured; small: below "
-                                 "0.1 m3".split()])
+        self.assertEqual(small, [f"small objects {100 * rate:.1f} % captured (below 0.1 m3)".split()])
 
     def test_bound_is_no_less_than_what_was_reached(self):
         metrics = json.loads(run("plan", self.room, "--json", "--bound").stdout)
@@ -206,7 +205,7 @@ class CommandLine(FolderCase):
         for name in ("capture_rate", "small_capture_rate", "frame_collision_rate",
                      "min_clearance_m"):
             self.assertIsNone(metrics[name], name)
-        self.assertIn("smallest clearance     -", run("plan", self.room, "--ignore", "*").stdout)
+        self.assertIn("minimum clearance      -", run("plan", self.room, "--ignore", "*").stdout)
         result = run("plan", self.room, "--ignore", "*", "--require", "capture_rate>=0")
         self.assertEqual(result.returncode, 3)
         self.assertIn("nothing to measure", result.stderr)

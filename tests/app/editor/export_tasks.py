@@ -160,7 +160,7 @@ class Exporting(Task):
         self.editor.type(str(out))
         self.editor.key("enter")
         self.press_in_panel("export.add")
-        self.editor.wait(lambda now: now["dialogs"]["doubt"], "the question")
+        self.editor.wait(lambda now: now["dialogs"]["confirmation"], "the question")
         self.dismiss("cancel")
         self.assertFalse(self.editor.idle()["exports"])
         self.assertFalse(out.parent.exists())
@@ -176,7 +176,7 @@ class Exporting(Task):
         self.finished(self.queue(out))
         before = self.hashes(out)
         self.press_in_panel("export.add")
-        asked = self.editor.wait(lambda now: now["dialogs"]["doubt"], "the question")["asked"]
+        asked = self.editor.wait(lambda now: now["dialogs"]["confirmation"], "the question")["asked"]
         self.assertIn("12 frames, written 20", asked)
         self.dismiss("cancel")
         self.assertEqual(len(self.editor.idle()["exports"]), 1)

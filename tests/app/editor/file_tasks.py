@@ -223,7 +223,7 @@ class Files(Task):
         self.assertEqual(self.editor.wait_end(), 0)
         self.editor.tidy()
         self.ends = False
-        self.assertFalse(self.start()["dialogs"]["lost_work"])
+        self.assertFalse(self.start()["dialogs"]["recovered_work"])
 
     def test_quit_and_throw_the_work_away(self):
         self.changed_room()

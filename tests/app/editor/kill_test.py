@@ -60,7 +60,7 @@ class Crash:
                 return "the project does not open: " + state["notice"]
             if "message.restore" in state["items"]:
                 editor.click("message.restore")
-                editor.wait(lambda now: not now["dialogs"]["lost_work"], "the copy")
+                editor.wait(lambda now: not now["dialogs"]["recovered_work"], "the copy")
                 time.sleep(0.2)
                 state = editor.idle()
             fill = state["parameters"]["viewpoints"]["fill"]

@@ -43,7 +43,7 @@ std::string_view bytesOf(const std::vector<T>& values) {
 
 /// A digest that changes with any vertex, triangle, object or texture image.
 std::string digestOf(const dollytrack::Scene& scene) {
-    dollytrack::io::Sha256 digest;
+    dollytrack::Sha256 digest;
     digest.add(bytesOf(scene.positions));
     digest.add(bytesOf(scene.normals));
     digest.add(bytesOf(scene.triangles));

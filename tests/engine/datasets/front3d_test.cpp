@@ -221,20 +221,20 @@ TEST(Front3d, RefusesWhatIsNoSceneInOneSentence) {
 
 TEST(BoundedJson, CountsBracketsOutsideOfTextsOnly) {
     const std::string brackets(1000, '[');
-    EXPECT_TRUE(io::parseBoundedJson(R"({"a":")" + brackets + R"(\"[[["})", "text"));
-    EXPECT_FALSE(io::parseBoundedJson(std::string(65, '[') + std::string(65, ']'), "text"));
-    EXPECT_TRUE(io::parseBoundedJson(std::string(64, '[') + std::string(64, ']'), "text"));
+    EXPECT_TRUE(parseBoundedJson(R"({"a":")" + brackets + R"(\"[[["})", "text"));
+    EXPECT_FALSE(parseBoundedJson(std::string(65, '[') + std::string(65, ']'), "text"));
+    EXPECT_TRUE(parseBoundedJson(std::string(64, '[') + std::string(64, ']'), "text"));
     // 80 MB of text would need more than 2 GiB as values.
     std::string many = "[";
     many.reserve(110'000'000);
     while (many.size() < 105'000'000) many += "[],";
-    const auto refused = io::parseBoundedJson(many + "0]", "text");
+    const auto refused = parseBoundedJson(many + "0]", "text");
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("too many values"), std::string::npos);
-    EXPECT_EQ(io::numberIn(nlohmann::json("0.25")), 0.25);
-    EXPECT_EQ(io::numberIn(nlohmann::json("0.25x")), std::nullopt);
-    EXPECT_EQ(io::numberIn(nlohmann::json("1e999")), std::nullopt);
-    EXPECT_EQ(io::numberIn(nlohmann::json(nullptr)), std::nullopt);
+    EXPECT_EQ(numberIn(nlohmann::json("0.25")), 0.25);
+    EXPECT_EQ(numberIn(nlohmann::json("0.25x")), std::nullopt);
+    EXPECT_EQ(numberIn(nlohmann::json("1e999")), std::nullopt);
+    EXPECT_EQ(numberIn(nlohmann::json(nullptr)), std::nullopt);
 }
 
 }  // namespace

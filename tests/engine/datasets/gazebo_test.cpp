@@ -1,5 +1,5 @@
+#include "engine/io/files/reachable_files.h"
 #include "engine/io/gazebo/link_xml.h"
-#include "engine/io/sandbox/reachable_files.h"
 #include "engine/scene/labels.h"
 #include "tests/engine/datasets/gazebo_worlds.h"
 #include "tests/engine/datasets/tiny_datasets.h"
@@ -220,7 +220,7 @@ TEST(Gazebo, TexturesLieBesideTheMeshesOrAroundThem) {
         const int texture =
             scene.materials[scene.triangle_material[object->first_triangle]].texture;
         ASSERT_GE(texture, 0) << name;
-        const auto& rgba = scene.textures[static_cast<std::size_t>(texture)].rgba;
+        const auto& rgba = scene.textures[texture].rgba;
         ASSERT_GE(rgba.size(), 4U) << name;
         EXPECT_EQ(rgba[channel], 255) << name;
         EXPECT_EQ(rgba[2U - channel], 0) << name;
@@ -261,7 +261,7 @@ TEST(ReachableFiles, StopAtLinksThatLeadOut) {
     const auto scene = own.parent_path();
     std::filesystem::create_directory_symlink(secret.parent_path(), scene / "link");
     std::filesystem::create_symlink(secret, scene / "secret.obj");
-    const io::ReachableFiles files({scene});
+    const ReachableFiles files({scene});
     EXPECT_TRUE(files.find(scene, "chairs/chair.obj"));
     EXPECT_TRUE(files.find(own, "../chairs/chair.obj"));
     for (const char* name :

@@ -35,7 +35,7 @@ std::string room() {
 
 void writeNumbers(const TempFolder& folder, const std::string& name,
                   const std::vector<float>& values, const std::vector<std::uint64_t>& shape) {
-    const auto bytes = io::packHdf5({{"dataset", io::Hdf5Type::Float32, shape, values.data()}}, {});
+    const auto bytes = packHdf5({{"dataset", Hdf5Type::Float32, shape, values.data()}}, {});
     ASSERT_TRUE(bytes);
     static_cast<void>(
         folder.write(name, {reinterpret_cast<const char*>(bytes->data()), bytes->size()}));
@@ -88,7 +88,8 @@ TEST(Hypersim, LabelsAnObjFileBesideItsDetail) {
     const Result<Scene> scene = importScene(folder.write("scene.obj", room()));
     ASSERT_TRUE(scene) << describe(scene.error());
     expectLabelled(*scene);
-    EXPECT_TRUE(says(scene->report.notes, "5 of 5 meshes with Hypersim annotations are in"));
+    EXPECT_TRUE(
+        says(scene->report.notes, "5 of 5 meshes that the Hypersim annotations list are in"));
     EXPECT_TRUE(says(scene->report.notes,
                      "annotated boxes that agree with the measured ones to 2 cm or 2 %: 1 of 1"));
     EXPECT_TRUE(says(scene->report.warnings, "1 mesh has no Hypersim annotation"));
@@ -146,7 +147,7 @@ TEST(Hypersim, AFolderWithoutGeometrySaysWhatItHas) {
               std::string::npos)
         << scene.error().message;
     const TempFolder empty;
-    EXPECT_TRUE(io::describeHypersimFolder(empty.path()).empty());
+    EXPECT_TRUE(describeHypersimFolder(empty.path()).empty());
 }
 
 TEST(Hypersim, RefusesAnnotationsThatDoNotGoTogether) {

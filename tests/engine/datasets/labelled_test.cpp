@@ -264,7 +264,7 @@ TEST(Labelled, ColoursOfPicturesAreObjectsToo) {
             pixels.push_back(0x20);
             pixels.push_back(0xF0);
         }
-        const auto png = io::encodePng(5, 1, io::PngFormat::Rgb8, pixels);
+        const auto png = encodePng(5, 1, PngFormat::Rgb8, pixels);
         const std::string bytes(png->begin(), png->end());
         std::vector<float> places;
         for (const int number : mesh.of_position) {

@@ -1,7 +1,7 @@
-#include "engine/io/import/ply_mesh.h"
+#include "engine/io/models/ply_mesh.h"
+#include "engine/io/files/number_lines.h"
 #include "engine/io/pointcloud/ply_points.h"
 #include "engine/io/semantics/labelled_faces.h"
-#include "engine/io/trajectories/number_lines.h"
 #include "tests/engine/datasets/numbered_mesh.h"
 #include "tests/support/imported_scene.h"
 #include "tests/support/temp_folder.h"
@@ -67,8 +67,8 @@ TEST(PlyMesh, ReadsNumbersWithAPlusAndOutOfRange) {
     EXPECT_EQ(mesh->face_indices, (std::vector<std::uint32_t>{0, 1, 2}));
     // 1e-396 and 1e395, although the exponents are small.
     const std::string zeros(400, '0');
-    EXPECT_EQ(io::numberFrom("0." + zeros + "1e5"), 0.0);
-    EXPECT_EQ(io::numberFrom("-1" + zeros + "e-5"), -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(numberFrom("0." + zeros + "1e5"), 0.0);
+    EXPECT_EQ(numberFrom("-1" + zeros + "e-5"), -std::numeric_limits<double>::infinity());
     for (const char* wrong : {"+-1", "++1", "+", "1.5x", "1e"}) {
         EXPECT_FALSE(parsePlyMesh(facesNumbered("float", {wrong}), "wrong.ply")) << wrong;
     }
@@ -188,7 +188,7 @@ std::string splats() {
 TEST(Splats, AreToldFromScans) {
     const TempFolder folder;
     const auto path = folder.write("splats.ply", splats());
-    const Result<io::PointCloud> cloud = io::readPlyCloud(path);
+    const Result<PointCloud> cloud = readPlyCloud(path);
     ASSERT_TRUE(cloud) << describe(cloud.error());
     EXPECT_TRUE(cloud->splats);
     ASSERT_EQ(cloud->points.size(), 9600U) << "the faint one is left out";

@@ -55,10 +55,10 @@ TEST(SceneNet, PlacesModelsAsItsProgramDoes) {
 }
 
 TEST(SceneNet, ReadsBothForms) {
-    const auto second = io::parseSceneNet(test::sceneNetText(), "scene.txt");
+    const auto second = parseSceneNet(test::sceneNetText(), "scene.txt");
     ASSERT_TRUE(second);
     ASSERT_EQ(second->objects.size(), 2U);
-    const auto first = io::parseSceneNet(
+    const auto first = parseSceneNet(
         "layout_file:./office/office1_layout.obj\n"
         "/home/someone/ShapeNet/03928116/aaa/models/model_normalized.obj\n03928116\n1.6\n"
         "1 0 0 1\n0 1 0 0.5\n0 0 1 2\n",
@@ -107,7 +107,7 @@ TEST(SceneNet, NeverLooksOutsideOfTheFolders) {
 TEST(SceneNet, NamesTheLineThatIsWrong) {
     const auto lineOf = [](std::string text, const std::string& from, const std::string& to) {
         text.replace(text.find(from), from.size(), to);
-        const auto scene = io::parseSceneNet(text, "s.txt");
+        const auto scene = parseSceneNet(text, "s.txt");
         return scene ? "none" : scene.error().where;
     };
     EXPECT_EQ(lineOf(test::sceneNetText(), "layout_file:", "lay"), "s.txt:1");

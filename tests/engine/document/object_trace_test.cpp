@@ -84,15 +84,15 @@ TEST(ObjectTrace, AnObjectIsHiddenOnlyWhereAllItsPartsWere) {
     const Edited scene(
         json::parse(R"([{"op":"merge","objects":["lamp","mug"],"name":"still life"}])"));
     std::vector<bool> hidden(scene.before.objects.size() + 1, false);
-    hidden[static_cast<std::size_t>(scene.idBefore("lamp"))] = true;
-    hidden[static_cast<std::size_t>(scene.idBefore("pair"))] = true;
+    hidden[scene.idBefore("lamp")] = true;
+    hidden[scene.idBefore("pair")] = true;
     std::vector<bool> after = followFlags(hidden, scene.trace_before, scene.trace_after);
     ASSERT_EQ(after.size(), scene.after.objects.size() + 1);
     EXPECT_EQ(std::ranges::count(after, true), 1);
-    EXPECT_TRUE(after[static_cast<std::size_t>(scene.idAfter("pair"))]);
-    hidden[static_cast<std::size_t>(scene.idBefore("mug"))] = true;
+    EXPECT_TRUE(after[scene.idAfter("pair")]);
+    hidden[scene.idBefore("mug")] = true;
     after = followFlags(hidden, scene.trace_before, scene.trace_after);
-    EXPECT_TRUE(after[static_cast<std::size_t>(scene.idAfter("still life"))]);
+    EXPECT_TRUE(after[scene.idAfter("still life")]);
 }
 
 }  // namespace

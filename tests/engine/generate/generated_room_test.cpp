@@ -121,7 +121,7 @@ class Ways {
         int best = -1;
         for (int i = 0; i < columns_ * rows_; ++i) {
             const auto gap = [&](int cell) { return (pointAt(cell) - start).head<2>().norm(); };
-            if (open_[static_cast<std::size_t>(i)] && (best < 0 || gap(i) < gap(best))) best = i;
+            if (open_[i] && (best < 0 || gap(i) < gap(best))) best = i;
         }
         if (best < 0) return {};
         std::set<int> reached = {best};
@@ -134,7 +134,7 @@ class Ways {
                  {column > 0 ? cell - 1 : -1, column + 1 < columns_ ? cell + 1 : -1,
                   cell - columns_, cell + columns_}) {
                 if (next < 0 || next >= columns_ * rows_) continue;
-                if (!open_[static_cast<std::size_t>(next)]) continue;
+                if (!open_[next]) continue;
                 if (reached.insert(next).second) stack.push_back(next);
             }
         }

@@ -18,7 +18,7 @@ Faces facesOf(const Scene& scene, const Object& object) {
     for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
         const Triangle& t = scene.triangles[object.first_triangle + i];
         const auto point = [&](int k) {
-            const Eigen::Vector3f& p = scene.positions[t[static_cast<std::size_t>(k)]];
+            const Eigen::Vector3f& p = scene.positions[t[k]];
             return Kernel::Point_3(p.x(), p.y(), p.z());
         };
         const Face face(point(0), point(1), point(2));

@@ -339,9 +339,9 @@ TEST_F(HomeImport, ReadsItsCamerasAsATrajectory) {
              "yaw='1.5707963267948966' pitch='0.1' fieldOfView='1.0471976'/>"));
     const auto scene = importScene(path);
     ASSERT_TRUE(scene) << describe(scene.error());
-    io::TrajectoryReading reading;
+    TrajectoryReading reading;
     reading.source_from_world = scene->source_from_world;
-    const auto loaded = io::loadTrajectory(path, reading);
+    const auto loaded = loadTrajectory(path, reading);
     ASSERT_TRUE(loaded) << describe(loaded.error());
     EXPECT_EQ(loaded->format, "sweethome3d");
     EXPECT_NEAR(loaded->hfov_deg.value_or(0.0), 60.0, 1e-4);

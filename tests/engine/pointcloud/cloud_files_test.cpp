@@ -13,7 +13,6 @@
 namespace dollytrack {
 namespace {
 
-using io::PointCloud;
 
 std::string bytesOf(std::initializer_list<float> values) {
     std::string bytes;
@@ -61,14 +60,14 @@ void expectThreePoints(const Result<PointCloud>& cloud) {
 // overlap the output.
 TEST(Lzf, CopiesWhatItJustMade) {
     const std::vector<std::uint8_t> packed = {2, 'a', 'b', 'c', 0x80, 2};
-    const auto out = io::unpackLzf(packed, 9);
+    const auto out = unpackLzf(packed, 9);
     ASSERT_TRUE(out);
     EXPECT_EQ(std::string(out->begin(), out->end()), "abcabcabc");
 }
 
 TEST(Lzf, ReadsLongCopies) {
     const std::vector<std::uint8_t> packed = {0, 'x', 0xE0, 91, 0};  // 7 + 91 + 2 copies of 'x'
-    const auto out = io::unpackLzf(packed, 101);
+    const auto out = unpackLzf(packed, 101);
     ASSERT_TRUE(out);
     EXPECT_EQ(*out, std::vector<std::uint8_t>(101, 'x'));
 }
@@ -78,30 +77,30 @@ TEST(Lzf, RefusesWhatPointsOutside) {
     const std::vector<std::uint8_t> cut = {31, 'x'};
     const std::vector<std::uint8_t> too_much = {2, 'a', 'b', 'c'};
     const std::vector<std::uint8_t> no_distance = {0, 'x', 0x20};
-    EXPECT_FALSE(io::unpackLzf(before_begin, 4));
-    EXPECT_FALSE(io::unpackLzf(cut, 32));
-    EXPECT_FALSE(io::unpackLzf(too_much, 2));
-    EXPECT_FALSE(io::unpackLzf(no_distance, 4));
-    EXPECT_FALSE(io::unpackLzf(too_much, std::size_t{1} << 40U));  // a bomb
+    EXPECT_FALSE(unpackLzf(before_begin, 4));
+    EXPECT_FALSE(unpackLzf(cut, 32));
+    EXPECT_FALSE(unpackLzf(too_much, 2));
+    EXPECT_FALSE(unpackLzf(no_distance, 4));
+    EXPECT_FALSE(unpackLzf(too_much, std::size_t{1} << 40U));  // a bomb
 }
 
 TEST(Pcd, ReadsTextBinaryAndCompressedAlike) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    expectThreePoints(io::readPcd(
-        pcdHeader("ascii") + "1 2 3 16744449\nnan nan nan 0\n-1 0.5 0.25 9\n", "a.pcd"));
-    expectThreePoints(io::readPcd(pcdHeader("binary") + bytesOf({1, 2, 3}) + packedColor(0xFF8001) +
-                                      bytesOf({nan, nan, nan}) + packedColor(0) +
-                                      bytesOf({-1, 0.5F, 0.25F}) + packedColor(9),
-                                  "b.pcd"));
+    expectThreePoints(
+        readPcd(pcdHeader("ascii") + "1 2 3 16744449\nnan nan nan 0\n-1 0.5 0.25 9\n", "a.pcd"));
+    expectThreePoints(readPcd(pcdHeader("binary") + bytesOf({1, 2, 3}) + packedColor(0xFF8001) +
+                                  bytesOf({nan, nan, nan}) + packedColor(0) +
+                                  bytesOf({-1, 0.5F, 0.25F}) + packedColor(9),
+                              "b.pcd"));
     const std::string by_field = bytesOf({1, nan, -1}) + bytesOf({2, nan, 0.5F}) +
                                  bytesOf({3, nan, 0.25F}) + packedColor(0xFF8001) + packedColor(0) +
                                  packedColor(9);
-    expectThreePoints(io::readPcd(pcdHeader("binary_compressed") + storedLzf(by_field), "c.pcd"));
+    expectThreePoints(readPcd(pcdHeader("binary_compressed") + storedLzf(by_field), "c.pcd"));
 }
 
 TEST(Pcd, SaysWhatIsWrong) {
     const auto messageOf = [](const std::string& bytes) {
-        const auto cloud = io::readPcd(bytes, "x.pcd");
+        const auto cloud = readPcd(bytes, "x.pcd");
         return cloud ? std::string() : describe(cloud.error());
     };
     EXPECT_NE(messageOf(pcdHeader("binary") + "short").find("too short for the 3 points"),
@@ -125,12 +124,12 @@ TEST(TextPoints, FindsSeparatorsColoursAndNames) {
           "//X Y Z R G B\n1 2 3 255 128 1\nnan 0 0 0 0 0\n-1 0.5 0.25 0 0 9\n",
           "blue,red,green,z,x,y\n1,255,128,3,1,2\n0,0,0,nan,0,0\n9,0,0,0.25,-1,0.5\n"}) {
         SCOPED_TRACE(text);
-        expectThreePoints(io::readTextPoints(text, "scan.xyz"));
+        expectThreePoints(readTextPoints(text, "scan.xyz"));
     }
 }
 
 TEST(TextPoints, TakesSixColumnsWithNegativesForNormals) {
-    const auto cloud = io::readTextPoints("1 2 3 0 0 -1\n4 5 6 0 1 0\n", "scan.xyz");
+    const auto cloud = readTextPoints("1 2 3 0 0 -1\n4 5 6 0 1 0\n", "scan.xyz");
     ASSERT_TRUE(cloud);
     EXPECT_TRUE(cloud->colors.empty());
     ASSERT_EQ(cloud->normals.size(), 2U);
@@ -138,17 +137,17 @@ TEST(TextPoints, TakesSixColumnsWithNegativesForNormals) {
 }
 
 TEST(TextPoints, NamesTheLine) {
-    const auto uneven = io::readTextPoints("1 2 3\n4 5\n", "scan.xyz");
+    const auto uneven = readTextPoints("1 2 3\n4 5\n", "scan.xyz");
     ASSERT_FALSE(uneven);
     EXPECT_EQ(uneven.error().where, "scan.xyz:2");
-    EXPECT_FALSE(io::readTextPoints("no numbers\n", "scan.xyz"));
+    EXPECT_FALSE(readTextPoints("no numbers\n", "scan.xyz"));
 }
 
 TEST(PlyPoints, ToldFromMeshes) {
-    EXPECT_TRUE(io::isPlyOfPoints("ply\nformat ascii 1.0\nelement vertex 3\nend_header\n"));
-    EXPECT_TRUE(io::isPlyOfPoints("ply\nelement vertex 3\nelement face 0\nend_header\n"));
-    EXPECT_FALSE(io::isPlyOfPoints("ply\nelement vertex 3\nelement face 1\nend_header\n"));
-    EXPECT_FALSE(io::isPlyOfPoints("obj\nend_header\n"));
+    EXPECT_TRUE(isPlyOfPoints("ply\nformat ascii 1.0\nelement vertex 3\nend_header\n"));
+    EXPECT_TRUE(isPlyOfPoints("ply\nelement vertex 3\nelement face 0\nend_header\n"));
+    EXPECT_FALSE(isPlyOfPoints("ply\nelement vertex 3\nelement face 1\nend_header\n"));
+    EXPECT_FALSE(isPlyOfPoints("obj\nend_header\n"));
 }
 
 // A file with any change is read or refused, and has no more points than fit into it.
@@ -174,8 +173,8 @@ TEST(CloudFiles, AnswerWhateverIsInThem) {
             }
             if (bytes.empty()) break;
         }
-        const auto cloud = bytes.starts_with("#") ? io::readPcd(bytes, "x.pcd")
-                                                  : io::readTextPoints(bytes, "x.xyz");
+        const auto cloud =
+            bytes.starts_with("#") ? readPcd(bytes, "x.pcd") : readTextPoints(bytes, "x.xyz");
         if (!cloud) {
             EXPECT_FALSE(cloud.error().message.empty());
             continue;

@@ -102,8 +102,8 @@ Eigen::Vector3d meanColor(const Scene& scene, const Object& object) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (std::uint32_t t = object.first_triangle; t < object.first_triangle + object.triangle_count;
          ++t) {
-        const Texture& picture = scene.textures[static_cast<std::size_t>(
-            scene.materials[scene.triangle_material[t]].texture)];
+        const Texture& picture =
+            scene.textures[scene.materials[scene.triangle_material[t]].texture];
         Eigen::Vector2f uv = Eigen::Vector2f::Zero();
         for (const std::uint32_t v : scene.triangles[t]) uv += scene.uvs[v] / 3.0F;
         const auto column = static_cast<std::size_t>(uv.x() * static_cast<float>(picture.width));
@@ -243,8 +243,8 @@ TEST(CloudRoom, GivesTheSameBytesTwice) {
 
 /// A slanted wall seen by a depth camera of 160 points, 3 to 5 m away; inverse depths are quantized
 /// to `step` (0: not quantized).
-io::PointCloud pictureOfAWall(double step) {
-    io::PointCloud cloud;
+PointCloud pictureOfAWall(double step) {
+    PointCloud cloud;
     for (int row = 0; row < 120; ++row) {
         for (int column = 0; column < 160; ++column) {
             const double u = (column - 80) / 140.0;
@@ -257,7 +257,7 @@ io::PointCloud pictureOfAWall(double step) {
     return cloud;
 }
 
-double distanceFromTheWall(const io::PointCloud& cloud) {
+double distanceFromTheWall(const PointCloud& cloud) {
     double sum = 0.0;
     for (const Eigen::Vector3d& p : cloud.points) {
         sum += std::abs(p.z() - (4.0 - 0.4 * p.x() + 0.1 * p.y()));
@@ -266,17 +266,17 @@ double distanceFromTheWall(const io::PointCloud& cloud) {
 }
 
 TEST(CloudDepths, StepsOfADepthCameraBecomeTheWallTheyWere) {
-    io::PointCloud cloud = pictureOfAWall(2.9e-3);
+    PointCloud cloud = pictureOfAWall(2.9e-3);
     const double before = distanceFromTheWall(cloud);
     EXPECT_GT(before, 0.009);  // a quarter of the step, 46 mm at 4 m
-    EXPECT_NEAR(io::smoothDepths(cloud, {}), 2.9e-3, 1e-6);
+    EXPECT_NEAR(smoothDepths(cloud, {}), 2.9e-3, 1e-6);
     EXPECT_LT(distanceFromTheWall(cloud), 0.25 * before);
 }
 
 TEST(CloudDepths, WhatHasNoStepsStaysToTheLastBit) {
-    io::PointCloud cloud = pictureOfAWall(0.0);
+    PointCloud cloud = pictureOfAWall(0.0);
     const auto before = cloud.points;
-    EXPECT_DOUBLE_EQ(io::smoothDepths(cloud, {}), 0.0);
+    EXPECT_DOUBLE_EQ(smoothDepths(cloud, {}), 0.0);
     EXPECT_EQ(cloud.points, before);
 }
 
@@ -351,12 +351,12 @@ TEST(HoleFiller, FillsHolesAndLeavesTheOutline) {
         }
         return area;
     };
-    const auto filling = io::fillHoles(points, triangles, 0.3, holes);
+    const auto filling = fillHoles(points, triangles, 0.3, holes);
     EXPECT_EQ(holes, 1U);
     EXPECT_NEAR(areaOf(filling), 0.04,
                 1e-12);  // with the winding of the rest: the area is positive
     holes = 0;
-    EXPECT_TRUE(io::fillHoles(points, triangles, 0.2, holes).empty());  // 0.28 m across
+    EXPECT_TRUE(fillHoles(points, triangles, 0.2, holes).empty());  // 0.28 m across
     EXPECT_EQ(holes, 0U);
 }
 

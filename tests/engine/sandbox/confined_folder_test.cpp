@@ -1,6 +1,6 @@
-#include "engine/io/sandbox/confined_folder.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/input_record.h"
 #include "engine/io/sandbox/input_list.h"
-#include "engine/io/sandbox/input_record.h"
 #include "tests/support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,6 @@ namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
-using io::ConfinedFolder;
 using test::TempFolder;
 
 /// A scene's folder beside a secret file.
@@ -60,11 +59,11 @@ TEST(ConfinedFolder, AbsoluteNamesStayAbsolute) {
     EXPECT_EQ(folder.relative(before + "/etc/pass"), "etc/pass");  // no such file
     EXPECT_EQ(folder.relative(before + "/room.mtl"), "room.mtl");
     EXPECT_EQ(folder.relative(before + "none.mtl"), "none.mtl");
-    io::InputRecord record;
+    InputRecord record;
     EXPECT_FALSE(folder.has(folder.relative(before + "/etc/passwd")));
-    const std::vector<io::InputUse> uses = record.uses();
+    const std::vector<InputUse> uses = record.uses();
     ASSERT_EQ(uses.size(), 1U);
-    EXPECT_EQ(uses[0].kind, io::InputUse::Refused);
+    EXPECT_EQ(uses[0].kind, InputUse::Refused);
     EXPECT_EQ(uses[0].path, "/etc/passwd");
 }
 
@@ -107,22 +106,22 @@ TEST(ConfinedFolder, RefusesWhatIsNoFile) {
 // The list of inputs is returned, and one with such a name would be refused.
 TEST(ConfinedFolder, ForgetsNamesThatNoFileCanHave) {
     const Folders folders;
-    const io::InputRecord record;
+    const InputRecord record;
     const ConfinedFolder folder(folders.scene);
     EXPECT_FALSE(folder.has(std::string("maps/\0.png", 10)));
     EXPECT_TRUE(record.uses().empty());
     EXPECT_FALSE(folder.has("maps/elm.png"));
     ASSERT_EQ(record.uses().size(), 1U);
-    EXPECT_TRUE(io::parseInputList(io::inputListText(record.uses())));
+    EXPECT_TRUE(parseInputList(inputListText(record.uses())));
 }
 
 // All folders in the list are listed again for validation.
 TEST(ConfinedFolder, NoReadingListsThousandsOfFolders) {
-    std::vector<io::InputUse> uses(1000);
-    for (io::InputUse& use : uses) use.kind = io::InputUse::Listing;
-    EXPECT_TRUE(io::parseInputList(io::inputListText(uses)));
+    std::vector<InputUse> uses(1000);
+    for (InputUse& use : uses) use.kind = InputUse::Listing;
+    EXPECT_TRUE(parseInputList(inputListText(uses)));
     uses.push_back(uses.front());
-    EXPECT_FALSE(io::parseInputList(io::inputListText(uses)));
+    EXPECT_FALSE(parseInputList(inputListText(uses)));
 }
 
 TEST(ConfinedFolder, ListsFilesButNoLinks) {

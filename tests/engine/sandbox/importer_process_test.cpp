@@ -21,23 +21,23 @@ TEST(ImporterProcess, HandsASceneBackWithWhatItRead) {
     EXPECT_FALSE(folder.write("room.mtl", "newmtl oak\nmap_Kd gone.png\n").empty());
     const auto path =
         folder.write("room.obj", std::string("mtllib room.mtl\nusemtl oak\n") + kTriangle);
-    const auto back = io::runImporterProcess(path, {}, {});
+    const auto back = runImporterProcess(path, {}, {});
     ASSERT_TRUE(back) << back.error().message;
     bool damaged = true;
-    const auto scene = io::deserializeScene(back->serialized, damaged);
+    const auto scene = deserializeScene(back->serialized, damaged);
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->raw.parts.size(), 1U);
     EXPECT_EQ(scene->textures.missing, std::vector<std::string>{"gone.png"});
     ASSERT_TRUE(back->inputs);
-    const auto asked = [&](io::InputUse::Kind kind, const std::string& name) {
+    const auto asked = [&](InputUse::Kind kind, const std::string& name) {
         return std::any_of(back->inputs->begin(), back->inputs->end(), [&](const auto& use) {
             return use.kind == kind && use.path == folder.path() / name;
         });
     };
-    EXPECT_TRUE(asked(io::InputUse::File, "room.obj"));
-    EXPECT_TRUE(asked(io::InputUse::File, "room.mtl"));
-    EXPECT_TRUE(asked(io::InputUse::Missing, "gone.png"));
-    EXPECT_FALSE(asked(io::InputUse::File, "gone.png"));
+    EXPECT_TRUE(asked(InputUse::File, "room.obj"));
+    EXPECT_TRUE(asked(InputUse::File, "room.mtl"));
+    EXPECT_TRUE(asked(InputUse::Missing, "gone.png"));
+    EXPECT_FALSE(asked(InputUse::File, "gone.png"));
 }
 
 // A chain of nodes deeper than the reader's stack allows.
@@ -51,7 +51,7 @@ TEST(ImporterProcess, ItsCrashIsAnError) {
     text +=
         R"(</visual_scene></library_visual_scenes><scene><instance_visual_scene url="#s"/></scene>)"
         R"(</COLLADA>)";
-    const auto back = io::runImporterProcess(folder.write("chain.dae", text), {}, {});
+    const auto back = runImporterProcess(folder.write("chain.dae", text), {}, {});
     ASSERT_FALSE(back);
     EXPECT_EQ(back.error().code, ErrorCode::BadInput);
     // A sanitizer catches the signal and ends the process itself.
@@ -72,7 +72,7 @@ TEST(ImporterProcess, CancellingEndsIt) {
     for (int i = 0; i < 300'000; ++i) text += kTriangle;
     const auto path = folder.write("large.obj", text);
     const auto cancelled = std::make_shared<std::atomic<bool>>(true);
-    const auto back = io::runImporterProcess(path, {}, JobContext(cancelled, {}));
+    const auto back = runImporterProcess(path, {}, JobContext(cancelled, {}));
     ASSERT_FALSE(back);
     EXPECT_EQ(back.error().code, ErrorCode::Cancelled);
 }
@@ -84,7 +84,7 @@ TEST(ImporterProcess, ForwardsProgress) {
         EXPECT_GE(fraction, last);
         last = fraction;
     });
-    ASSERT_TRUE(io::runImporterProcess(folder.write("room.obj", kTriangle), {}, job));
+    ASSERT_TRUE(runImporterProcess(folder.write("room.obj", kTriangle), {}, job));
     EXPECT_EQ(last, 1.0);
 }
 

@@ -19,8 +19,6 @@
 namespace dollytrack {
 namespace {
 
-using io::ProcessorWait;
-using io::ReadingClock;
 using Seconds = ProcessorWait::Seconds;
 
 /// A process that computes or sleeps on one processor until this object is destroyed.

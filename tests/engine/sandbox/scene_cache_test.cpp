@@ -1,6 +1,6 @@
 #include "engine/io/sandbox/scene_cache.h"
+#include "engine/io/files/confined_folder.h"
 #include "engine/io/files/sha256.h"
-#include "engine/io/sandbox/confined_folder.h"
 #include "tests/engine/sandbox/serialized_scenes.h"
 #include "tests/support/temp_folder.h"
 
@@ -15,7 +15,6 @@ namespace dollytrack {
 namespace {
 
 namespace fs = std::filesystem;
-using io::SceneCache;
 using test::TempFolder;
 
 /// A scene with a texture, read in this process, and a cache for it.
@@ -32,16 +31,15 @@ class SceneCacheTest : public testing::Test {
     }
     /// Records the inputs of a reader: the scene, its texture and a missing one.
     bool keep(const SceneCache& cache, const std::string& key = "key") const {
-        io::InputRecord record;
-        const io::ConfinedFolder folder(scene_.parent_path());
-        EXPECT_TRUE(io::openNamedFile(scene_));
+        InputRecord record;
+        const ConfinedFolder folder(scene_.parent_path());
+        EXPECT_TRUE(openNamedFile(scene_));
         EXPECT_TRUE(folder.open("oak.png"));
         EXPECT_FALSE(folder.has("gone.png"));
         if (lists_) {
             EXPECT_EQ(folder.list().size(), 2U);
         }
-        return cache.keep(key, scene_, *io::sha256OfFile(scene_), roots_, record.uses(),
-                          serialized_);
+        return cache.keep(key, scene_, *sha256OfFile(scene_), roots_, record.uses(), serialized_);
     }
     [[nodiscard]] bool found(const std::string& key = "key") const {
         return cache_.find(key, roots_).has_value();
@@ -52,10 +50,10 @@ class SceneCacheTest : public testing::Test {
 
     const TempFolder folder_;
     const fs::path scene_ = folder_.path() / "scene" / "room.obj";
-    const io::InputRoots roots_ = io::inputRoots(scene_, {folder_.path() / "models"});
+    const InputRoots roots_ = inputRoots(scene_, {folder_.path() / "models"});
     const fs::path cache_folder_ = folder_.path() / "cache";
     const std::vector<std::uint8_t> serialized_ = test::serialized(test::smallDecodedScene());
-    const SceneCache cache_{*io::GuardedFolder::make(cache_folder_), 1 << 20};
+    const SceneCache cache_{*GuardedFolder::make(cache_folder_), 1 << 20};
     bool lists_ = false;
 };
 
@@ -102,8 +100,7 @@ TEST_F(SceneCacheTest, NoticesNewNamesWhereNamesWereLookedFor) {
 }
 
 TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
-    const SceneCache at_once(*io::GuardedFolder::open(cache_folder_), 1 << 20,
-                             std::chrono::seconds(0));
+    const SceneCache at_once(*GuardedFolder::open(cache_folder_), 1 << 20, std::chrono::seconds(0));
     const auto digests = [&] {
         std::vector<fs::path> files;
         for (const auto& file : fs::directory_iterator(cache_folder_)) {
@@ -112,42 +109,42 @@ TEST_F(SceneCacheTest, HashesAFileThatHasSettledOnce) {
         return files;
     };
     // The file was just written, so a second write could have the same time stamp.
-    EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_EQ(*cache_.digestOf(scene_), *sha256OfFile(scene_));
     EXPECT_TRUE(digests().empty());
-    EXPECT_EQ(*at_once.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_EQ(*at_once.digestOf(scene_), *sha256OfFile(scene_));
     ASSERT_EQ(digests().size(), 1U);
     // A valid entry is used, which its time stamp shows; one with a changed digit is not.
     const fs::path kept = digests()[0];
-    const std::string whole = *io::readNamedFile(kept, 1000);
+    const std::string whole = *readNamedFile(kept, 1000);
     const fs::file_time_type old{std::chrono::hours(1)};
     fs::last_write_time(kept, old);
-    EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_EQ(*cache_.digestOf(scene_), *sha256OfFile(scene_));
     EXPECT_NE(fs::last_write_time(kept), old);
     for (std::size_t i = 0; i < whole.size(); ++i) {
         std::string damaged = whole;
         damaged[i] = damaged[i] == '0' ? '1' : '0';
         put("cache/" + kept.filename().string(), damaged);
-        EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_)) << i;
+        EXPECT_EQ(*cache_.digestOf(scene_), *sha256OfFile(scene_)) << i;
     }
     for (const std::string& damaged : {std::string(), std::string(64, 'a'), whole.substr(1)}) {
         put("cache/" + kept.filename().string(), damaged);
-        EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_)) << damaged;
+        EXPECT_EQ(*cache_.digestOf(scene_), *sha256OfFile(scene_)) << damaged;
     }
 
     put("cache/" + kept.filename().string(), whole);
     const auto time = fs::last_write_time(scene_);
     put("scene/room.obj", "v 9 9 9");  // same length
     fs::last_write_time(scene_, time);
-    EXPECT_EQ(*cache_.digestOf(scene_), *io::sha256OfFile(scene_));
+    EXPECT_EQ(*cache_.digestOf(scene_), *sha256OfFile(scene_));
     EXPECT_FALSE(cache_.digestOf(folder_.path() / "gone.obj"));
 }
 
 TEST_F(SceneCacheTest, KeepsNothingThatChangedMeanwhile) {
-    io::InputRecord record;
-    const io::ConfinedFolder folder(scene_.parent_path());
+    InputRecord record;
+    const ConfinedFolder folder(scene_.parent_path());
     ASSERT_TRUE(folder.open("oak.png"));
     put("scene/oak.png", "another");
-    const std::string digest = *io::sha256OfFile(scene_);
+    const std::string digest = *sha256OfFile(scene_);
     EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_, record.uses(), serialized_));
     EXPECT_FALSE(cache_.keep("key", scene_, std::string(64, '0'), roots_, {}, serialized_));
     EXPECT_TRUE(cache_.keep("key", scene_, digest, roots_, {}, serialized_));
@@ -156,13 +153,13 @@ TEST_F(SceneCacheTest, KeepsNothingThatChangedMeanwhile) {
 // A compromised importer could name any file; such files are not read, not even for a digest.
 TEST_F(SceneCacheTest, KeepsNothingFromElsewhere) {
     put("secret.txt", "secret");
-    const auto secret = io::openNamedFile(folder_.path() / "secret.txt");
+    const auto secret = openNamedFile(folder_.path() / "secret.txt");
     ASSERT_TRUE(secret);
-    const std::string digest = *io::sha256OfFile(scene_);
+    const std::string digest = *sha256OfFile(scene_);
     for (const fs::path& path :
          {folder_.path() / "secret.txt", scene_.parent_path() / ".." / "secret.txt"}) {
         EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_,
-                                 {{io::InputUse::File, path, secret->identity()}}, serialized_));
+                                 {{InputUse::File, path, secret->identity()}}, serialized_));
     }
 }
 
@@ -188,7 +185,7 @@ TEST_F(SceneCacheTest, PassesOverDamagedEntries) {
 TEST_F(SceneCacheTest, TheOldestMakeRoom) {
     ASSERT_TRUE(keep(cache_, "a"));
     const auto size = fs::file_size(entry("a"));
-    const SceneCache small(*io::GuardedFolder::open(cache_folder_), 3 * size);
+    const SceneCache small(*GuardedFolder::open(cache_folder_), 3 * size);
     ASSERT_TRUE(keep(small, "b"));
     ASSERT_TRUE(keep(small, "c"));
     const auto now = fs::file_time_type::clock::now();
@@ -200,20 +197,20 @@ TEST_F(SceneCacheTest, TheOldestMakeRoom) {
     EXPECT_TRUE(fs::exists(entry("a")));
     EXPECT_FALSE(fs::exists(entry("b")));
     EXPECT_TRUE(fs::exists(entry("c")));
-    EXPECT_FALSE(keep(SceneCache(*io::GuardedFolder::open(cache_folder_), size / 2), "e"));
+    EXPECT_FALSE(keep(SceneCache(*GuardedFolder::open(cache_folder_), size / 2), "e"));
 }
 
 TEST_F(SceneCacheTest, NoticesWhatChangesInFoldersOfModels) {
     put("models/chair.obj", "v 1 1 1");
     put("models.json", "[]");
-    const io::InputRoots roots =
-        io::inputRoots(scene_, {folder_.path() / "models", folder_.path() / "models.json"});
-    io::InputRecord record;
-    const io::ConfinedFolder models(folder_.path() / "models");
+    const InputRoots roots =
+        inputRoots(scene_, {folder_.path() / "models", folder_.path() / "models.json"});
+    InputRecord record;
+    const ConfinedFolder models(folder_.path() / "models");
     EXPECT_TRUE(models.open("chair.obj"));
     EXPECT_FALSE(models.has("table.obj"));
-    EXPECT_TRUE(io::openNamedFile(folder_.path() / "models.json"));
-    const std::string digest = *io::sha256OfFile(scene_);
+    EXPECT_TRUE(openNamedFile(folder_.path() / "models.json"));
+    const std::string digest = *sha256OfFile(scene_);
     EXPECT_FALSE(cache_.keep("key", scene_, digest, roots_, record.uses(), serialized_));
     ASSERT_TRUE(cache_.keep("key", scene_, digest, roots, record.uses(), serialized_));
     const auto holds = [&] { return cache_.find("key", roots).has_value(); };
@@ -232,7 +229,7 @@ TEST_F(SceneCacheTest, NoticesWhatChangesInFoldersOfModels) {
 
 TEST_F(SceneCacheTest, KeysTellApartWhatMatters) {
     const std::string digest(64, 'a');
-    const io::InputRoots beside = {"."};
+    const InputRoots beside = {"."};
     const std::string key = SceneCache::keyOf("room.obj", digest, {}, beside);
     EXPECT_EQ(SceneCache::keyOf("/elsewhere/hall.OBJ", digest, {}, {"/elsewhere"}), key);
     EXPECT_NE(SceneCache::keyOf("room.stl", digest, {}, beside), key);

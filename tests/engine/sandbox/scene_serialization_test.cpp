@@ -12,7 +12,6 @@
 namespace dollytrack {
 namespace {
 
-using io::DecodedScene;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kHeaderBytes = 32;
@@ -64,7 +63,7 @@ TEST(SceneSerialization, BringsEverythingBack) {
     const DecodedScene before = test::smallDecodedScene();
     const Bytes bytes = test::serialized(before);
     bool damaged = true;
-    const Result<DecodedScene> after = io::deserializeScene(bytes, damaged);
+    const Result<DecodedScene> after = deserializeScene(bytes, damaged);
     ASSERT_TRUE(after) << after.error().message;
     EXPECT_FALSE(damaged);
     expectSound(*after);
@@ -88,13 +87,13 @@ TEST(SceneSerialization, BringsErrorsBackCleaned) {
     const Bytes bytes = test::serialized(
         tl::unexpected(Error{ErrorCode::BadInput, "bad\x1b[31m\nfile", "room.obj"}));
     bool damaged = true;
-    const Result<DecodedScene> error = io::deserializeScene(bytes, damaged);
+    const Result<DecodedScene> error = deserializeScene(bytes, damaged);
     ASSERT_FALSE(error);
     EXPECT_FALSE(damaged);
     EXPECT_EQ(error.error().message, "bad[31mfile");
     // Error codes that the importer cannot know are not accepted.
     const Bytes other = test::serialized(tl::unexpected(Error{ErrorCode::CannotWrite, "x", ""}));
-    EXPECT_EQ(io::deserializeScene(other, damaged).error().code, ErrorCode::BadInput);
+    EXPECT_EQ(deserializeScene(other, damaged).error().code, ErrorCode::BadInput);
 }
 
 // Each changed byte and each truncation is detected.
@@ -105,11 +104,11 @@ TEST(SceneSerialization, NoticesEveryByte) {
             Bytes other = bytes;
             other[i] ^= static_cast<std::uint8_t>(change);
             bool damaged = false;
-            ASSERT_FALSE(io::deserializeScene(other, damaged)) << i;
+            ASSERT_FALSE(deserializeScene(other, damaged)) << i;
             ASSERT_TRUE(damaged);
         }
         bool damaged = false;
-        ASSERT_FALSE(io::deserializeScene(std::span(bytes).first(i), damaged)) << i;
+        ASSERT_FALSE(deserializeScene(std::span(bytes).first(i), damaged)) << i;
     }
 }
 
@@ -137,9 +136,9 @@ TEST(SceneSerialization, SealedMutantsAreRefusedOrSound) {
             std::uint64_t value = random() % 2 == 0 ? evil[random() % evil.size()] : random();
             std::memcpy(other.data() + at, &value, width);
         }
-        io::updateChecksum(other);
+        updateChecksum(other);
         bool damaged = false;
-        const Result<DecodedScene> read = io::deserializeScene(other, damaged);
+        const Result<DecodedScene> read = deserializeScene(other, damaged);
         if (!read) {
             ++refused;
             ASSERT_TRUE(damaged);
@@ -161,9 +160,9 @@ TEST(SceneSerialization, CountsAreNotBelieved) {
     for (const std::uint64_t count :
          {std::uint64_t{4}, std::uint64_t{1} << 32U, std::numeric_limits<std::uint64_t>::max()}) {
         std::memcpy(bytes.data() + kHeaderBytes, &count, sizeof(count));
-        io::updateChecksum(bytes);
+        updateChecksum(bytes);
         bool damaged = false;
-        EXPECT_FALSE(io::deserializeScene(bytes, damaged)) << count;
+        EXPECT_FALSE(deserializeScene(bytes, damaged)) << count;
         EXPECT_TRUE(damaged);
     }
 }
@@ -171,10 +170,10 @@ TEST(SceneSerialization, CountsAreNotBelieved) {
 TEST(SceneSerialization, EntriesLargerThanTheirBytesAreBounded) {
     const std::vector<std::string> texts(1000);  // of 8 bytes each
     const std::string written =
-        io::listText(texts, [](auto& to, const std::string& text) { to.text(text); });
+        listText(texts, [](auto& to, const std::string& text) { to.text(text); });
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(written.data()), written.size());
     for (const std::size_t allowed : {1000 * sizeof(std::string), 999 * sizeof(std::string)}) {
-        io::BinaryReader reader(bytes, allowed);
+        BinaryReader reader(bytes, allowed);
         std::vector<std::string> read;
         reader.list(read, 8, [](auto& from, std::string& text) { from.text(text); });
         EXPECT_EQ(reader.finished(), allowed == 1000 * sizeof(std::string));
@@ -213,7 +212,7 @@ TEST(SceneSerialization, RefusesScenesThatAreNotSound) {
         DecodedScene scene = test::smallDecodedScene();
         spoil(scene);
         bool damaged = false;
-        EXPECT_FALSE(io::deserializeScene(test::serialized(scene), damaged)) << name;
+        EXPECT_FALSE(deserializeScene(test::serialized(scene), damaged)) << name;
         EXPECT_TRUE(damaged) << name;
     }
 }

@@ -1,11 +1,11 @@
 #include "tests/engine/sandbox/serialized_scenes.h"
 
-#include "engine/io/import/mesh_part_builder.h"
+#include "engine/io/raw_scene/mesh_part_builder.h"
 
 namespace dollytrack::test {
 
-io::DecodedScene smallDecodedScene() {
-    io::DecodedScene scene;
+DecodedScene smallDecodedScene() {
+    DecodedScene scene;
     RawScene& raw = scene.raw;
     raw.nodes = {{"root", -1, 2}, {"table", 0, 0}, {"lamp", 0, 0}};
     raw.materials.resize(2);
@@ -53,9 +53,9 @@ io::DecodedScene smallDecodedScene() {
     return scene;
 }
 
-std::vector<std::uint8_t> serialized(const Result<io::DecodedScene>& outcome) {
-    std::vector<std::uint8_t> bytes(io::serializedSize(outcome));
-    io::serializeScene(outcome, bytes);
+std::vector<std::uint8_t> serialized(const Result<DecodedScene>& outcome) {
+    std::vector<std::uint8_t> bytes(serializedSize(outcome));
+    serializeScene(outcome, bytes);
     return bytes;
 }
 

@@ -9,8 +9,8 @@ namespace dollytrack::test {
 
 /// A scene with data in every member: two meshes under three nodes, two materials, two objects, and
 /// a valid, a missing and a broken texture.
-io::DecodedScene smallDecodedScene();
+DecodedScene smallDecodedScene();
 
-std::vector<std::uint8_t> serialized(const Result<io::DecodedScene>& outcome);
+std::vector<std::uint8_t> serialized(const Result<DecodedScene>& outcome);
 
 }  // namespace dollytrack::test

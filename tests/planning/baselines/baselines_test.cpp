@@ -150,9 +150,9 @@ TEST(Delaunay, CirclesAreEmptyAndTheHullIsTiled) {
     }
     double area = 0.0;
     for (const auto& t : delaunay(points)) {
-        const Eigen::Vector2d a = points[static_cast<std::size_t>(t[0])];
-        const Eigen::Vector2d b = points[static_cast<std::size_t>(t[1])] - a;
-        const Eigen::Vector2d c = points[static_cast<std::size_t>(t[2])] - a;
+        const Eigen::Vector2d a = points[t[0]];
+        const Eigen::Vector2d b = points[t[1]] - a;
+        const Eigen::Vector2d c = points[t[2]] - a;
         const double twice = b.x() * c.y() - b.y() * c.x();
         ASSERT_GT(twice, 0.0);
         area += 0.5 * twice;

@@ -208,7 +208,7 @@ TEST(SurfaceObjective, BothKeepsTheObjectsAndAddsSurface) {
     EXPECT_FALSE(objects->surface);
     EXPECT_EQ(both->capture_metrics.well_captured, objects->capture_metrics.well_captured);
     const auto isSurfaceView = [](const Plan& plan, int key) {
-        return plan.position_points[static_cast<std::size_t>(key)].surface_view;
+        return plan.position_points[key].surface_view;
     };
     ASSERT_GT(both->key_frames.size(), objects->key_frames.size());
     for (std::size_t i = 0; i < both->key_frames.size(); ++i) {

@@ -91,7 +91,7 @@ TEST(CaptureLedger, ARowSaysWhatTheDecidingFrameShows) {
         EXPECT_FALSE(row.loss);
         EXPECT_TRUE(row.reason.empty());
         ASSERT_GE(row.frame, 0);
-        const auto& frame = plan->trajectory.frames.at(static_cast<std::size_t>(row.frame));
+        const auto& frame = plan->trajectory.frames.at(row.frame);
         EXPECT_DOUBLE_EQ(row.time_s, frame.time_s);
         EXPECT_EQ(row.key_frame, frame.position_point >= 0);
         const Eigen::Vector3d center = scene.object(row.object_id).box.center;

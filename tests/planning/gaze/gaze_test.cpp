@@ -148,7 +148,7 @@ TEST(RoomViews, ShowManyObjectsFromEyeLevelBesideTheCloseViews) {
     double at_close = 0.0, at_room = 0.0;
     int close_views = 0, room_views = 0;
     for (const auto& [index, count] : targets) {
-        const PositionPoint& point = mixed->position_points[static_cast<std::size_t>(index)];
+        const PositionPoint& point = mixed->position_points[index];
         (point.room_view ? at_room : at_close) += static_cast<double>(count);
         ++(point.room_view ? room_views : close_views);
         if (!point.room_view) continue;
@@ -172,9 +172,8 @@ TEST(RoomViews, AreTheFirstToGoUnderABudgetOfFrames) {
         const auto plan = planOf(scene, params);
         EXPECT_LE(plan->trajectory.frames.size(), static_cast<std::size_t>(max_frames));
         EXPECT_EQ(plan->capture_metrics.well_captured, close->capture_metrics.well_captured);
-        return std::ranges::count_if(plan->key_frames, [&](int key) {
-            return plan->position_points[static_cast<std::size_t>(key)].room_view;
-        });
+        return std::ranges::count_if(plan->key_frames,
+                                     [&](int key) { return plan->position_points[key].room_view; });
     };
     const auto keys = static_cast<int>(close->key_frames.size());
     EXPECT_EQ(roomViewsWithin(keys + 2), 0);

@@ -44,7 +44,7 @@ BudgetedTour someStops(Random& random, std::size_t count) {
 int objectsShown(const BudgetedTour& tour, const std::vector<int>& stops) {
     std::set<int> ids;
     for (const int stop : stops) {
-        const auto& shown = tour.shows[static_cast<std::size_t>(stop)];
+        const auto& shown = tour.shows[stop];
         ids.insert(shown.begin(), shown.end());
     }
     return static_cast<int>(ids.size());
@@ -57,9 +57,7 @@ int mostWithin(const BudgetedTour& tour, double max_length_m, std::vector<int>& 
     int most = objectsShown(tour, stops);
     for (int next = 0; next < static_cast<int>(tour.metres.size()); ++next) {
         if (std::find(stops.begin(), stops.end(), next) != stops.end()) continue;
-        const double step = stops.empty() ? 0.0
-                                          : tour.metres[static_cast<std::size_t>(stops.back())]
-                                                       [static_cast<std::size_t>(next)];
+        const double step = stops.empty() ? 0.0 : tour.metres[stops.back()][next];
         if (length + step > max_length_m) continue;
         stops.push_back(next);
         most = std::max(most, mostWithin(tour, max_length_m, stops, length + step));
@@ -209,9 +207,9 @@ TEST(LengthBudget, MoreMetresOrMoreStopsShowNoLess) {
             const auto choices = tourChoices({tour}, metres);
             for (int stops = 1; stops <= 12; ++stops) {
                 const double worth = most(choices, metres, stops);
-                EXPECT_GE(worth, before[static_cast<std::size_t>(stops)]) << metres << " m";
+                EXPECT_GE(worth, before[stops]) << metres << " m";
                 EXPECT_GE(worth, most(choices, metres, stops - 1));
-                before[static_cast<std::size_t>(stops)] = worth;
+                before[stops] = worth;
             }
         }
     }
@@ -243,8 +241,7 @@ TEST(LengthBudget, ALargerBudgetReachesNoLess) {
             std::set<int> well;
             for (const TrajectoryFrame& frame : (*plan)->trajectory.frames) {
                 if (frame.position_point < 0) continue;
-                const auto& point =
-                    (*plan)->position_points[static_cast<std::size_t>(frame.position_point)];
+                const auto& point = (*plan)->position_points[frame.position_point];
                 captured.insert(point.captured.begin(), point.captured.end());
                 well.insert(point.well_captured.begin(), point.well_captured.end());
             }
@@ -277,7 +274,7 @@ TEST(LengthBudget, PinnedPointsStayInIt) {
     const auto left_out = std::find_if(shorter->key_frames.begin(), shorter->key_frames.end(),
                                        [&](int key) { return visited.count(key) == 0; });
     ASSERT_NE(left_out, shorter->key_frames.end());
-    const auto& point = shorter->position_points[static_cast<std::size_t>(*left_out)];
+    const auto& point = shorter->position_points[*left_out];
     PlanEdits edits;
     PinnedPoint pin;
     pin.name = "stays";

@@ -41,7 +41,7 @@ CostMatrix anyCosts(Random& random, std::size_t count) {
 double costOf(const CostMatrix& cost, const std::vector<int>& order) {
     double sum = 0.0;
     for (std::size_t i = 1; i < order.size(); ++i) {
-        sum += cost[static_cast<std::size_t>(order[i - 1])][static_cast<std::size_t>(order[i])];
+        sum += cost[order[i - 1]][order[i]];
     }
     return sum;
 }

@@ -77,8 +77,8 @@ TEST(AlgorithmSteps, NearTakesTheLeastCostAndItsTermsAreThePapers) {
         if (step.kind == Kind::Sample) last_cost = 0.0F;
         if (step.kind != Kind::Near) continue;
         ++nears;
-        const Pose& a = plan->position_points[static_cast<std::size_t>(step.a)].pose;
-        const Pose& b = plan->position_points[static_cast<std::size_t>(step.b)].pose;
+        const Pose& a = plan->position_points[step.a].pose;
+        const Pose& b = plan->position_points[step.b].pose;
         EXPECT_NEAR(step.distance_cost, weights.distance_weight * (a.position - b.position).norm(),
                     1e-5);
         EXPECT_NEAR(step.turn_cost, angleBetween(a.forward(), b.forward()), 1e-5);
@@ -138,7 +138,7 @@ TEST(Pipeline, FrameViewsAndSeriesAgreeWithTheCaptures) {
     EXPECT_EQ(plan->series.captured_so_far.back(), plan->capture_metrics.captured);
     for (const ObjectCapture& capture : plan->captures) {
         if (capture.best.frame < 0) continue;
-        const auto& views = plan->frame_views[static_cast<std::size_t>(capture.best.frame)];
+        const auto& views = plan->frame_views[capture.best.frame];
         const auto found = std::find_if(views.begin(), views.end(), [&](const ObjectView& view) {
             return view.object_id == capture.object_id;
         });

@@ -57,7 +57,7 @@ NoGoBox boxAt(const Eigen::Vector3d& center, const Eigen::Vector3d& size, double
 
 const PositionPoint* pointFor(const Plan& plan, const std::vector<int>& objects) {
     for (const PositionPoint& point : plan.position_points) {
-        const auto o = static_cast<std::size_t>(point.observation_point);
+        const std::size_t o = point.observation_point;
         if (plan.observation_points[o].objects == objects) return &point;
     }
     return nullptr;
@@ -295,8 +295,7 @@ TEST(Edits, AViewAddedByHandStandsForWhatItCaptures) {
                              [&](const PositionPoint& point) { return point.pin == pin; });
     };
     const auto objects = [&](int pin) {
-        return plan->observation_points[static_cast<std::size_t>(added(pin).observation_point)]
-            .objects;
+        return plan->observation_points[added(pin).observation_point].objects;
     };
     EXPECT_EQ(objects(0), std::vector<int>{idOf(scene, "picture")});
     EXPECT_TRUE(objects(1).empty());
@@ -403,7 +402,7 @@ TEST(Edits, AnExcludedObjectIsNoTargetAndMovesNoOtherPlace) {
     }
     for (const PositionPoint& point : after->position_points) {
         if (point.room_view) continue;  // chosen for all objects together
-        const auto o = static_cast<std::size_t>(point.observation_point);
+        const std::size_t o = point.observation_point;
         const PositionPoint* same = pointFor(*before, after->observation_points[o].objects);
         ASSERT_NE(same, nullptr);
         EXPECT_EQ(same->pose, point.pose);

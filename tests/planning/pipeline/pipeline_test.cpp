@@ -235,7 +235,7 @@ nlohmann::json resultWithEveryField() {
 // would check it.
 TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
     const nlohmann::json result = resultWithEveryField();
-    const Status sound = io::checkStoredPlan(result, "result");
+    const Status sound = checkStoredPlan(result, "result");
     ASSERT_TRUE(sound) << describe(sound.error());
     const nlohmann::json flat = result.flatten();
     int fields = 0;
@@ -258,7 +258,7 @@ TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
             if (wrong.type() == value.type()) continue;
             nlohmann::json damaged = result;
             damaged[nlohmann::json::json_pointer(path)] = wrong;
-            const Status status = io::checkStoredPlan(damaged, "result");
+            const Status status = checkStoredPlan(damaged, "result");
             ASSERT_FALSE(status) << path << " = " << wrong;
             EXPECT_EQ(status.error().code, ErrorCode::BadInput);
             EXPECT_TRUE(status.error().where.starts_with("result.")) << status.error().where;
@@ -269,7 +269,7 @@ TEST(StoredPlan, EveryFieldIsCheckedAndNamed) {
 
 TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
     const nlohmann::json result = resultWithEveryField();
-    ASSERT_TRUE(io::checkStoredPlan(result, "result"));
+    ASSERT_TRUE(checkStoredPlan(result, "result"));
     for (const char* path : {"/metrics", "/metrics/ledger", "/metrics/ledger/0", "/metrics/rooms/0",
                              "/metrics/repair/after", "/metrics/min_clearance_at", "/trajectory",
                              "/trajectory/frames", "/trajectory/frames/0/position", "/rooms",
@@ -283,7 +283,7 @@ TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
             const bool metrics = std::string(path) == "/metrics" && wrong.is_object();
             if (key_frames || metrics) continue;  // these match the schema
             at = wrong;
-            EXPECT_FALSE(io::checkStoredPlan(damaged, "result")) << path << " = " << wrong;
+            EXPECT_FALSE(checkStoredPlan(damaged, "result")) << path << " = " << wrong;
         }
     }
 }

@@ -94,8 +94,8 @@ TEST(RoomPlan, TellsACorridorFromARoom) {
     const RoomPlan plan = roomPlanOf(roomAtACorridor());
     ASSERT_EQ(plan.rooms().size(), 3U);
     ASSERT_EQ(plan.doorways().size(), 1U);
-    const PlanRoom& corridor = plan.rooms()[static_cast<std::size_t>(plan.roomAt({5, 0.6, 1}))];
-    const PlanRoom& room = plan.rooms()[static_cast<std::size_t>(plan.roomAt({2, 3, 1}))];
+    const PlanRoom& corridor = plan.rooms()[plan.roomAt({5, 0.6, 1})];
+    const PlanRoom& room = plan.rooms()[plan.roomAt({2, 3, 1})];
     EXPECT_TRUE(corridor.corridor);
     EXPECT_FALSE(room.corridor);
     EXPECT_EQ(corridor.name.substr(0, 9), "corridor_");
@@ -122,9 +122,8 @@ TEST(RoomTours, EachRoomGetsItsOwn) {
             }
         }
         for (const TrajectoryFrame& frame : plan->trajectory.frames) {
-            const CameraPath& path = plan->paths[static_cast<std::size_t>(frame.path)];
-            const bool west =
-                plan->tour_rooms[static_cast<std::size_t>(path.room)].box.center().x() < kWall_x;
+            const CameraPath& path = plan->paths[frame.path];
+            const bool west = plan->tour_rooms[path.room].box.center().x() < kWall_x;
             EXPECT_EQ(frame.pose.position.x() < kWall_x, west);
         }
         const auto rooms = metricsJson(scene, *plan)["rooms"];
@@ -161,7 +160,7 @@ TEST(RoomTours, NoWayLeadsThroughAnotherRoom) {
         ASSERT_EQ(plan->tour_rooms.size(), 2U);
         int inside = 0;
         for (const TrajectoryFrame& frame : plan->trajectory.frames) {
-            const CameraPath& path = plan->paths[static_cast<std::size_t>(frame.path)];
+            const CameraPath& path = plan->paths[frame.path];
             EXPECT_EQ(isInside(frame.pose.position), path.room == 1);
             inside += isInside(frame.pose.position) ? 1 : 0;
         }

@@ -104,7 +104,7 @@ SlowChecker::Found SlowChecker::check(const Plan& plan, double radius_m, bool sh
     for (const TrajectoryFrame& frame : frames) look(frame.pose.position);
     for (std::size_t i = 1; shaken && i < frames.size(); ++i) {
         if (!followsOn(plan.trajectory, i)) continue;
-        const auto path = static_cast<std::size_t>(frames[i].path);
+        const std::size_t path = frames[i].path;
         walkBeside(plan.smooth_paths[path], frames[i - 1], frames[i], look);
     }
     return found;

@@ -16,7 +16,7 @@ SupportRelation supportOf(const Scene& scene, const std::string& name) {
     const RayCaster rays(scene);
     const auto supports = findSupports(scene, rays, {});
     for (const Object& object : scene.objects) {
-        if (object.name == name) return supports[static_cast<std::size_t>(object.id) - 1];
+        if (object.name == name) return supports[object.id - 1];
     }
     ADD_FAILURE() << "no object " << name;
     return {};

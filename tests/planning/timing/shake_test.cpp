@@ -96,8 +96,7 @@ TEST(Shake, CostsNoKeyFrameACapture) {
     for (const TrajectoryFrame& frame : plan->trajectory.frames) {
         if (frame.position_point < 0) continue;
         ++keys;
-        const PositionPoint& point =
-            plan->position_points[static_cast<std::size_t>(frame.position_point)];
+        const PositionPoint& point = plan->position_points[frame.position_point];
         for (const int id : point.captured) {
             EXPECT_TRUE(isCaptured(makeView(views.estimate(frame.pose, id, 72), id, 0))) << id;
         }

@@ -56,7 +56,7 @@ void expectEveryKey(const Tour& tour, const Trajectory& trajectory) {
     for (const TrajectoryFrame& frame : trajectory.frames) {
         if (frame.position_point < 0) continue;
         ASSERT_EQ(frame.position_point, next++);
-        const auto i = static_cast<std::size_t>(frame.position_point);
+        const std::size_t i = frame.position_point;
         EXPECT_LT((frame.pose.position - tour.points[i].pose.position).norm(), 1e-9);
         const Vector3d wish = (tour.targets[i].position - frame.pose.position).normalized();
         EXPECT_LT((frame.pose.forward() - wish).norm(), 1e-9);

@@ -53,7 +53,7 @@ TEST(ChooseKeyFrames, CoversAllThatAllCover) {
         Covered by_chosen;
         for (const int i : chosen) {
             const Covered before = by_chosen;
-            by_chosen.add(points.at(static_cast<std::size_t>(i)));
+            by_chosen.add(points.at(i));
             EXPECT_NE(by_chosen, before) << "a key frame that adds nothing";
         }
         EXPECT_EQ(by_chosen, all) << "round " << round;

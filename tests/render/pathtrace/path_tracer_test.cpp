@@ -2,7 +2,7 @@
 
 #include "engine/core/random.h"
 #include "engine/jobs/parallel.h"
-#include "render/pathtrace/surface_brdf.h"
+#include "render/materials/surface_brdf.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

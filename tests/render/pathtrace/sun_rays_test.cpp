@@ -1,4 +1,4 @@
-#include "render/pathtrace/sun_rays.h"
+#include "render/light/sun_rays.h"
 
 #include "engine/core/random.h"
 #include "render/light/light_volume.h"

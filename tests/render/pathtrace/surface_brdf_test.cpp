@@ -1,4 +1,4 @@
-#include "render/pathtrace/surface_brdf.h"
+#include "render/materials/surface_brdf.h"
 
 #include "render/pathtrace/sample_sequence.h"
 

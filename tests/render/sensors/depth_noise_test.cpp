@@ -163,7 +163,7 @@ TEST(DepthNoise, StructuredLightJittersBeforeItTakesEverySecondPixel) {
     for (int y = 0; y < 240; ++y) {
         for (int x = 0; x < 320; ++x) {
             const bool even = x % 2 == 0 && y % 2 == 0;
-            wall.at(x, y) = depths[static_cast<std::size_t>(x / 2 % 3)] + (even ? 0.0F : 0.015F);
+            wall.at(x, y) = depths[x / 2 % 3] + (even ? 0.0F : 0.015F);
         }
     }
     const std::vector<float> seen = wall.seen(DepthNoise::Redwood);
@@ -173,11 +173,10 @@ TEST(DepthNoise, StructuredLightJittersBeforeItTakesEverySecondPixel) {
             const double one = seen[static_cast<std::size_t>(y) * 320 + x];
             int block = -1;
             for (int i = 0; i < 3; ++i) {
-                if (std::abs(one - depths[static_cast<std::size_t>(i)]) < 0.007) block = i;
+                if (std::abs(one - depths[i]) < 0.007) block = i;
             }
             ASSERT_GE(block, 0) << one << " at " << x << " " << y << " is no even pixel's";
-            ++from[static_cast<std::size_t>(x % 2)]
-                  [static_cast<std::size_t>((block - x / 2 % 3 + 4) % 3)];
+            ++from[x % 2][(block - x / 2 % 3 + 4) % 3];
         }
     }
     // Half a pixel is two standard deviations: 2.275 % of all jitter further to one side.

@@ -1,7 +1,7 @@
 #include "render/sensors/exposure.h"
 
 #include "engine/camera/camera_motion.h"
-#include "render/sensors/object_paths.h"
+#include "render/scene/object_paths.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Whole exports of a board in front of a wall; the image of its edge shows the effects of the
 // sensor.
-#include "render/draw/tone_curve.h"
 #include "render/frames/frame_file.h"
+#include "render/light/tone_curve.h"
 #include "render/sensors/sensor_lens.h"
 #include "tests/render/dataset_fixture.h"
 

@@ -107,9 +107,9 @@ class OverlayPicturesGl : public render::test::GlTest {
         for (const LegendEntry& entry : layer.legend.entries) {
             std::printf("    %-40s %d\n", entry.name.c_str(), entry.count);
         }
-        const auto png = io::encodePng(kWidth, kHeight, io::PngFormat::Rgb8, rgb);
+        const auto png = encodePng(kWidth, kHeight, PngFormat::Rgb8, rgb);
         ASSERT_TRUE(png);
-        ASSERT_TRUE(io::writeWhole(std::filesystem::path(folder()) / (name + ".png"), *png));
+        ASSERT_TRUE(writeWhole(std::filesystem::path(folder()) / (name + ".png"), *png));
     }
 
     test::PlannedRoom room_;
@@ -155,7 +155,7 @@ TEST_F(OverlayPicturesGl, EveryOverlayShows) {
     CandidatesOverlayOptions candidates;
     for (std::size_t o = 0; o < plan.searches.size(); ++o) {
         const std::size_t tried = plan.searches[o].candidates.size();
-        const auto best = static_cast<std::size_t>(std::max(0, candidates.observation_point));
+        const std::size_t best = std::max(0, candidates.observation_point);
         if (candidates.observation_point < 0 || tried > plan.searches[best].candidates.size()) {
             candidates.observation_point = static_cast<int>(o);
         }

@@ -141,10 +141,8 @@ TEST(PointsLayer, ArrowsPointWhereTheCameraLooks) {
     for (const render::OverlayMark& mark : layer.overlay.marks) {
         if (mark.shape != render::OverlayMark::Shape::Arrow) continue;
         ++arrows;
-        const auto& point =
-            room.plan->position_points[static_cast<std::size_t>(fromTag(mark.tag).index)];
-        const auto& target =
-            room.plan->observation_points[static_cast<std::size_t>(point.observation_point)];
+        const auto& point = room.plan->position_points[fromTag(mark.tag).index];
+        const auto& target = room.plan->observation_points[point.observation_point];
         EXPECT_NEAR(angleBetween(mark.direction, target.position - point.pose.position), 0.0, 0.35);
         EXPECT_NEAR(angleBetween(mark.direction, mark.at - point.pose.position), 0.0, 1e-6);
     }
@@ -191,7 +189,7 @@ TEST(RoadmapLayer, DrawsEachKindOfEdgeAsItIs) {
     for (const render::OverlayMark& mark : layer.overlay.marks) {
         if (fromTag(mark.tag).kind != Picked::RefusedEdge) continue;
         ++crosses;
-        const auto& edge = plan.roadmap.refused[static_cast<std::size_t>(fromTag(mark.tag).index)];
+        const auto& edge = plan.roadmap.refused[fromTag(mark.tag).index];
         EXPECT_EQ(mark.at, edge.collision);
     }
     EXPECT_EQ(crosses, 2);
@@ -235,7 +233,7 @@ TEST(TrajectoryLayer, ColoursFramesByTheirValues) {
                          *std::max_element(values->begin(), values->end()));
         std::size_t lines = 0;
         for (const render::OverlayLine& line : layer.overlay.lines) {
-            const auto frame = static_cast<std::size_t>(fromTag(line.tag).index);
+            const std::size_t frame = fromTag(line.tag).index;
             ASSERT_EQ(fromTag(line.tag).kind, Picked::Frame);
             ++lines;
             EXPECT_EQ(line.b, room.plan->trajectory.frames[frame].pose.position);
@@ -255,7 +253,7 @@ TEST(TrajectoryLayer, DotsAreWhereSomethingNewIsCaptured) {
     std::size_t captured = 0;
     for (const render::OverlayMark& mark : layer.overlay.marks) {
         if (mark.shape != render::OverlayMark::Shape::Dot) continue;
-        const auto frame = static_cast<std::size_t>(fromTag(mark.tag).index);
+        const std::size_t frame = fromTag(mark.tag).index;
         captured += room.plan->series.newly_captured[frame].size();
     }
     EXPECT_EQ(captured, static_cast<std::size_t>(room.plan->capture_metrics.captured));
@@ -291,7 +289,7 @@ TEST(CandidatesLayer, ColoursEveryCandidateByItsVerdict) {
         CandidatesOverlayOptions options;
         options.observation_point = o;
         const PlanLayer layer = candidatesLayer(*room.plan, options);
-        const auto& search = room.plan->searches[static_cast<std::size_t>(o)];
+        const auto& search = room.plan->searches[o];
         std::map<std::string, int> counts;
         for (const Candidate& candidate : search.candidates) {
             std::string words(inWords(candidate.verdict));
@@ -302,12 +300,12 @@ TEST(CandidatesLayer, ColoursEveryCandidateByItsVerdict) {
         EXPECT_EQ(tagged(layer.overlay, Picked::Candidate).size(), search.candidates.size());
         for (const render::OverlayMark& mark : layer.overlay.marks) {
             if (fromTag(mark.tag).kind != Picked::Candidate) continue;
-            const auto i = static_cast<std::size_t>(fromTag(mark.tag).index);
+            const std::size_t i = fromTag(mark.tag).index;
             EXPECT_EQ(mark.rgba, colorOf(search.candidates[i].verdict));
         }
         // The cone has its tip at the target and opens by the angle asked for.
         for (const render::OverlayTriangle& triangle : layer.overlay.triangles) {
-            const auto& point = room.plan->observation_points[static_cast<std::size_t>(o)];
+            const auto& point = room.plan->observation_points[o];
             EXPECT_EQ(triangle.a, point.position);
             EXPECT_NEAR(angleBetween(triangle.b - triangle.a, point.direction),
                         40.0 * 3.14159265358979 / 180.0, 1e-6);

@@ -2,7 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 

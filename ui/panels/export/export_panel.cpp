@@ -2,11 +2,11 @@
 
 #include "ui/panels/export/export_draft.h"
 #include "ui/panels/export/export_jobs.h"
-#include "ui/panels/plan/parameter_row.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/field_editor.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/fields/field_editor.h"
+#include "ui/widgets/fields/parameter_row.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>
@@ -28,7 +28,7 @@ HistoryActions drawHistoryPanel(const HistoryView& view, HistoryState& state) {
     }
     while (clipper.Step()) {
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-            const auto i = static_cast<std::size_t>(row);
+            const std::size_t i = row;
             const bool undone = i > view.position;
             ImGui::PushID(row);
             ImGui::TextColored(i == view.position ? palette().accent : palette().text_dim, "%s",

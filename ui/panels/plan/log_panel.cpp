@@ -1,9 +1,9 @@
 #include "ui/panels/plan/log_panel.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/commands/text_match.h"
-#include "ui/widgets/forms/choice_combo.h"
+#include "ui/widgets/fields/choice_combo.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -101,7 +101,7 @@ void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
     clipper.Begin(static_cast<int>(rows.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const log::Record& record = *rows[static_cast<std::size_t>(i)];
+            const log::Record& record = *rows[i];
             ImGui::TextColored(levelColor(record.level), "%-7s", log::name(record.level));
             ImGui::SameLine(scaled(70));
             ImGui::TextColored(palette().text_dim, "%s", record.subsystem.c_str());

@@ -1,9 +1,9 @@
 #include "ui/panels/plan/parameters_panel.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/commands/text_match.h"
-#include "ui/widgets/forms/field_editor.h"
+#include "ui/widgets/fields/field_editor.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>

@@ -1,10 +1,10 @@
 #include "ui/panels/scene/layers_panel.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
-#include "ui/widgets/forms/number_input.h"
+#include "ui/viewport/legend_view.h"
+#include "ui/widgets/fields/number_input.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
-#include "ui/widgets/legend_view.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -49,8 +49,7 @@ class Switches {
         formLabel(label);
         const std::string id = std::string("layers.") + name;
         bool chosen = false;
-        if (ImGui::BeginCombo(("##" + id).c_str(),
-                              names[static_cast<std::size_t>(value)].c_str())) {
+        if (ImGui::BeginCombo(("##" + id).c_str(), names[value].c_str())) {
             nameItem(id);
             for (std::size_t i = 0; i < names.size(); ++i) {
                 if (ImGui::Selectable(names[i].c_str(), i == static_cast<std::size_t>(value))) {

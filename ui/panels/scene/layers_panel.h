@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/layers.h"
+#include "ui/overlays/layers.h"
 #include "ui/overlays/legend.h"
 
 #include <Eigen/Geometry>

@@ -1,13 +1,13 @@
 #include "ui/panels/scene/objects_panel.h"
 
 #include "engine/scene/labels.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/theme.h"
-#include "ui/widgets/commands/text_match.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/choice_combo.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/fields/choice_combo.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -136,7 +136,7 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
     ImGui::TableNextColumn();
     const bool hidden = view.hidden != nullptr &&
                         static_cast<std::size_t>(object.id) < view.hidden->size() &&
-                        (*view.hidden)[static_cast<std::size_t>(object.id)];
+                        (*view.hidden)[object.id];
     if (ImGui::SmallButton(hidden ? "◌##eye" : "◉##eye")) actions.toggle_hidden = object.id;
     nameItem("objects.eye." + std::to_string(object.id));
     tooltipBeside(hidden ? "Hidden in the viewport; click to show"
@@ -205,7 +205,7 @@ ObjectsActions drawObjectsPanel(const ObjectsView& view, ObjectsPanelState& stat
     }
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(view, state, *rows[static_cast<std::size_t>(i)], with_class, actions);
+            drawRow(view, state, *rows[i], with_class, actions);
         }
     }
     ImGui::EndTable();

@@ -3,7 +3,7 @@
 #include "engine/scene/labels.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 

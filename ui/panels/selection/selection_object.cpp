@@ -1,12 +1,12 @@
-#include "engine/document/object_key.h"
+#include "engine/plan/object_key.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/move_object.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/class_combo.h"
-#include "ui/widgets/forms/drag_fields.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/fields/class_combo.h"
+#include "ui/widgets/fields/drag_fields.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 
@@ -79,12 +79,12 @@ void drawRole(const Object& object, const Said& said, const json& key, EditReque
 void drawSize(const Object& object, const Said& said, const json& key, EditRequest& edit) {
     constexpr std::array kSizes = {"auto", "small", "large"};
     formLabel("Counts as", "Small objects are captured together with their supporting surface.");
-    const std::string now = said.size != 0 ? kSizes[static_cast<std::size_t>(said.size)]
+    const std::string now = said.size != 0 ? kSizes[said.size]
                             : object.large ? "auto (large)"
                                            : "auto (small)";
     if (ImGui::BeginCombo("##size", now.c_str())) {
         for (int i = 0; i < 3; ++i) {
-            const char* size = kSizes[static_cast<std::size_t>(i)];
+            const char* size = kSizes[i];
             if (ImGui::Selectable(size, said.size == i) && said.size != i) {
                 edit.operation = {{"op", "set_size"}, {"object", key}, {"size", size}};
             }

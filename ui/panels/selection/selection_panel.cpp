@@ -1,10 +1,10 @@
 #include "ui/panels/selection/selection_panel.h"
 
-#include "ui/panels/plan/edit_parts.h"
-#include "ui/panels/selection/region_rows.h"
+#include "ui/panels/edits/edit_parts.h"
+#include "ui/panels/edits/region_rows.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 
 #include <imgui.h>
 
@@ -55,16 +55,14 @@ bool isThere(const SelectionView& view) {
         case Kind::Candidate:
             return within(selection.search, plan.searches.size()) &&
                    within(selection.search, plan.observation_points.size()) &&
-                   within(
-                       selection.index,
-                       plan.searches[static_cast<std::size_t>(selection.search)].candidates.size());
+                   within(selection.index, plan.searches[selection.search].candidates.size());
         default:
             return false;
     }
 }
 
 void drawNoGoBox(const SelectionView& view, SelectionActions& actions) {
-    const NoGoBox& box = view.edits->plan.no_go[static_cast<std::size_t>(view.selection->index)];
+    const NoGoBox& box = view.edits->plan.no_go[view.selection->index];
     heading(box.name.c_str());
     paragraph("No part of the camera's sphere may enter this box.", palette().text_dim);
     if (beginForm("box")) {
@@ -79,8 +77,7 @@ void drawNoGoBox(const SelectionView& view, SelectionActions& actions) {
 }
 
 void drawRegion(const SelectionView& view, SelectionActions& actions) {
-    const Region& region =
-        view.edits->plan.regions[static_cast<std::size_t>(view.selection->index)];
+    const Region& region = view.edits->plan.regions[view.selection->index];
     heading(region.name.c_str());
     paragraph("A box that weights the objects inside, or whose surface must be seen completely.",
               palette().text_dim);

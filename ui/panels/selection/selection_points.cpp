@@ -1,9 +1,9 @@
-#include "engine/document/object_key.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "engine/plan/object_key.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/drag_fields.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/fields/drag_fields.h"
+#include "ui/widgets/form.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -45,7 +45,7 @@ struct Handle {
 Handle findHandle(const SelectionView& view, const PositionPoint& point) {
     Handle handle;
     handle.pose = point.pose;
-    const auto index = static_cast<std::size_t>(point.observation_point);
+    const std::size_t index = point.observation_point;
     if (index < view.plan->observation_points.size()) {
         handle.objects = view.plan->observation_points[index].objects;
     }
@@ -54,9 +54,8 @@ Handle findHandle(const SelectionView& view, const PositionPoint& point) {
     if (point.fixed && point.pin < 0) return handle;
     const auto& pinned = view.edits->plan.pinned;
     const bool by_number = point.pin >= 0 && point.pin < static_cast<int>(pinned.size()) &&
-                           pinned[static_cast<std::size_t>(point.pin)].objects.empty();
-    handle.pin = by_number ? &pinned[static_cast<std::size_t>(point.pin)]
-                           : findPin(*view.edits, *view.scene, handle.objects);
+                           pinned[point.pin].objects.empty();
+    handle.pin = by_number ? &pinned[point.pin] : findPin(*view.edits, *view.scene, handle.objects);
     if (handle.pin != nullptr) handle.pose = handle.pin->pose;
     return handle;
 }
@@ -138,17 +137,17 @@ int frameOf(const Plan& plan, int position_point) {
 std::string positionPointName(const SelectionView& view, int index) {
     const auto& points = view.plan->position_points;
     if (index < 0 || index >= static_cast<int>(points.size())) return {};
-    const int target = points[static_cast<std::size_t>(index)].observation_point;
+    const int target = points[index].observation_point;
     const auto& targets = view.plan->observation_points;
     if (target < 0 || target >= static_cast<int>(targets.size())) return {};
-    const std::vector<int>& objects = targets[static_cast<std::size_t>(target)].objects;
+    const std::vector<int>& objects = targets[target].objects;
     if (objects.empty()) return fmt::format("view {}", index);
     return "view of " + objectNames(*view.scene, objects);
 }
 
 void drawObservationPoint(const SelectionView& view, SelectionActions& actions) {
     const int index = view.selection->index;
-    const ObservationPoint& point = view.plan->observation_points[static_cast<std::size_t>(index)];
+    const ObservationPoint& point = view.plan->observation_points[index];
     heading("Observation point");
     paragraph(kindText(point.kind), palette().text_dim);
     if (beginForm("point")) {
@@ -189,7 +188,7 @@ void drawObservationPoint(const SelectionView& view, SelectionActions& actions) 
 
 void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
     const int index = view.selection->index;
-    const PositionPoint& point = view.plan->position_points[static_cast<std::size_t>(index)];
+    const PositionPoint& point = view.plan->position_points[index];
     const Handle handle = findHandle(view, point);
     heading("Position point");
     if (link(positionPointName(view, index), "selection.observation_point",
@@ -207,7 +206,7 @@ void drawPositionPoint(const SelectionView& view, SelectionActions& actions) {
         drawPose(view, handle, actions.edit);
         formText("Fill", fmt::format("{:.0f} %", 100.0 * point.fill),
                  "Share of the image's width or height, whichever is larger");
-        const auto target = static_cast<std::size_t>(point.observation_point);
+        const std::size_t target = point.observation_point;
         if (target < view.plan->observation_points.size()) {
             const Eigen::Vector3d& looked_at = view.plan->observation_points[target].position;
             formText("Distance", fmt::format("{:.2f} m", (handle.pose.position - looked_at).norm()),

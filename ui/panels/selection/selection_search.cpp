@@ -1,8 +1,8 @@
-#include "engine/document/object_key.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "engine/plan/object_key.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -25,15 +25,14 @@ struct Outcome {
 std::vector<Outcome> outcomesOf(const ViewpointSearch& search) {
     std::map<std::pair<Verdict, int>, Outcome> by_reason;
     for (int i = 0; i < static_cast<int>(search.candidates.size()); ++i) {
-        const Candidate& candidate = search.candidates[static_cast<std::size_t>(i)];
+        const Candidate& candidate = search.candidates[i];
         Outcome& outcome = by_reason[{candidate.verdict, candidate.occluder}];
         outcome.verdict = candidate.verdict;
         outcome.occluder = candidate.occluder;
         ++outcome.count;
         const bool better =
             outcome.best < 0 ||
-            candidate.visible_fraction >
-                search.candidates[static_cast<std::size_t>(outcome.best)].visible_fraction;
+            candidate.visible_fraction > search.candidates[outcome.best].visible_fraction;
         if (better) outcome.best = i;
     }
     std::vector<Outcome> outcomes;
@@ -79,7 +78,7 @@ int observationPointOf(const Plan& plan, int object_id) {
 }
 
 void drawSearch(const SelectionView& view, int observation_point, SelectionActions& actions) {
-    const auto index = static_cast<std::size_t>(observation_point);
+    const std::size_t index = observation_point;
     if (index >= view.plan->searches.size()) return;
     const ViewpointSearch& search = view.plan->searches[index];
     if (search.position_point >= 0) {
@@ -97,7 +96,7 @@ void drawSearch(const SelectionView& view, int observation_point, SelectionActio
         drawOutcome(view, observation_point, outcomes[i], i, actions);
     }
     const int best = bestCandidate(search);
-    const Candidate& candidate = search.candidates[static_cast<std::size_t>(best)];
+    const Candidate& candidate = search.candidates[best];
     if (link(fmt::format("Best of all: {:.0f} % visible", 100.0 * candidate.visible_fraction),
              "selection.best_candidate")) {
         actions.select = Selection::ofCandidate(observation_point, best);
@@ -105,10 +104,9 @@ void drawSearch(const SelectionView& view, int observation_point, SelectionActio
 }
 
 void drawCandidate(const SelectionView& view, SelectionActions& actions) {
-    const auto search = static_cast<std::size_t>(view.selection->search);
+    const std::size_t search = view.selection->search;
     const ObservationPoint& target = view.plan->observation_points[search];
-    const Candidate& candidate =
-        view.plan->searches[search].candidates[static_cast<std::size_t>(view.selection->index)];
+    const Candidate& candidate = view.plan->searches[search].candidates[view.selection->index];
     heading("Candidate");
     if (link("for " + objectNames(*view.scene, target.objects), "selection.observation_point")) {
         actions.select =

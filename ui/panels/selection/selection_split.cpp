@@ -1,8 +1,8 @@
 #include "engine/core/field_list.h"
 #include "engine/document/regroup.h"
 #include "ui/panels/selection/selection_details.h"
-#include "ui/widgets/forms/field_editor.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/fields/field_editor.h"
+#include "ui/widgets/form.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-#include "engine/document/object_key.h"
 #include "engine/document/object_track.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "engine/plan/object_key.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

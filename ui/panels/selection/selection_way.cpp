@@ -1,8 +1,8 @@
 #include "planning/free_space/free_space.h"
-#include "ui/panels/plan/edit_parts.h"
+#include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -27,9 +27,7 @@ void endRows(const SelectionView& view, int a, int b, SelectionActions& actions)
 double straightLength(const Plan& plan, int a, int b) {
     const auto count = static_cast<int>(plan.position_points.size());
     if (a < 0 || b < 0 || a >= count || b >= count) return 0.0;
-    return (plan.position_points[static_cast<std::size_t>(a)].pose.position -
-            plan.position_points[static_cast<std::size_t>(b)].pose.position)
-        .norm();
+    return (plan.position_points[a].pose.position - plan.position_points[b].pose.position).norm();
 }
 
 const char* stateText(planning::CellState state) {
@@ -52,8 +50,7 @@ std::string clearanceText(const SelectionView& view, const Eigen::Vector3d& plac
 }  // namespace
 
 void drawEdge(const SelectionView& view, SelectionActions& actions) {
-    const RoadmapEdge& edge =
-        view.plan->roadmap.edges[static_cast<std::size_t>(view.selection->index)];
+    const RoadmapEdge& edge = view.plan->roadmap.edges[view.selection->index];
     heading("Roadmap edge");
     paragraph(edge.via.empty() ? "A straight move, proven collision-free for the camera's sphere."
                                : "A detour around obstacles, found by RRT*.",
@@ -68,8 +65,7 @@ void drawEdge(const SelectionView& view, SelectionActions& actions) {
 }
 
 void drawRefusedEdge(const SelectionView& view, SelectionActions& actions) {
-    const RefusedEdge& edge =
-        view.plan->roadmap.refused[static_cast<std::size_t>(view.selection->index)];
+    const RefusedEdge& edge = view.plan->roadmap.refused[view.selection->index];
     heading("Colliding edge");
     if (!beginForm("refused")) return;
     endRows(view, edge.a, edge.b, actions);
@@ -87,7 +83,7 @@ void drawRefusedEdge(const SelectionView& view, SelectionActions& actions) {
 
 void drawFrame(const SelectionView& view, SelectionActions& actions) {
     const int index = view.selection->index;
-    const TrajectoryFrame& frame = view.plan->trajectory.frames[static_cast<std::size_t>(index)];
+    const TrajectoryFrame& frame = view.plan->trajectory.frames[index];
     const Eigen::Vector3d forward = frame.pose.forward();
     constexpr double kDegrees = 57.29577951308232;
     heading(fmt::format("Frame {}", index).c_str());
@@ -141,10 +137,9 @@ void drawVoxel(const SelectionView& view) {
     if (state == planning::CellState::Free) {
         formText("Clearance", clearanceText(view, place), "To the nearest surface");
         const int room = space.componentAt(place);
-        formText("Room",
-                 room < 0 ? "none: the camera's sphere does not fit here"
-                          : fmt::format("{} ({:.1f} m\u00b3 for the camera's centre)", room + 1,
-                                        space.rooms()[static_cast<std::size_t>(room)].volume_m3));
+        formText("Room", room < 0 ? "none: the camera's sphere does not fit here"
+                                  : fmt::format("{} ({:.1f} m\u00b3 for the camera's centre)",
+                                                room + 1, space.rooms()[room].volume_m3));
     }
     endForm();
 }

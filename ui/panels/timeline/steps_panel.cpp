@@ -2,7 +2,7 @@
 
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 
@@ -149,7 +149,7 @@ void drawList(const StepsView& view, StepsState& state, StepsActions& actions) {
     clipper.Begin(static_cast<int>(state.rows.size()), row);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const std::size_t index = state.rows[static_cast<std::size_t>(i)];
+            const std::size_t index = state.rows[i];
             const bool taken = index < view.taken;
             const std::string text = view.describe ? view.describe(index) : std::string();
             ImGui::PushID(i);

@@ -23,7 +23,7 @@ std::vector<TimelineKey> timelineKeys(const Scene& scene, const Plan& plan) {
         const bool again = point == before && i > 0 && frames[i].path == frames[i - 1].path;
         before = point;
         if (point < 0 || again) continue;
-        const auto p = static_cast<std::size_t>(point);
+        const std::size_t p = point;
         if (p >= plan.position_points.size()) continue;
         TimelineKey key;
         key.frame = static_cast<int>(i);

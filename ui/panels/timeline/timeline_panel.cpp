@@ -4,7 +4,7 @@
 #include "ui/panels/timeline/timeline_time.h"
 #include "ui/panels/timeline/timeline_tracks.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 
@@ -103,8 +103,7 @@ void drawPlace(const TimelineView& view, TimelineActions& actions) {
 void drawRightEnd(const TimelineView& view, TimelineState& state) {
     std::string counter;
     if (hasSeries(view)) {
-        counter = fmt::format("{} of {} captured so far",
-                              view.series->captured_so_far[static_cast<std::size_t>(view.frame)],
+        counter = fmt::format("{} of {} captured so far", view.series->captured_so_far[view.frame],
                               view.target_count);
     }
     const ImGuiStyle& style = ImGui::GetStyle();

@@ -90,9 +90,8 @@ bool hasSeries(const TimelineView& view) {
 }
 
 std::string stripText(const FrameSeries& series, TimelineStrip strip, int frame) {
-    const double value = withValues(series, strip, [&](const auto& values) {
-        return static_cast<double>(values[static_cast<std::size_t>(frame)]);
-    });
+    const double value = withValues(
+        series, strip, [&](const auto& values) { return static_cast<double>(values[frame]); });
     return number(strip, value) + stripStyle(strip).unit;
 }
 
@@ -109,8 +108,7 @@ void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& a
         return bottom - static_cast<float>(value / scale) * height;
     };
     const auto columns = withValues(*view.series, strip, [&](const auto& values) {
-        return plotColumns(axis, view.frame_count,
-                           [&](int i) { return values[static_cast<std::size_t>(i)]; });
+        return plotColumns(axis, view.frame_count, [&](int i) { return values[i]; });
     });
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 line = colorOf(strip, 1.0F);

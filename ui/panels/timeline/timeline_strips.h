@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/panels/timeline/frame_axis.h"
 #include "ui/panels/timeline/timeline_panel.h"
-#include "ui/widgets/frame_axis.h"
 
 #include <imgui.h>
 

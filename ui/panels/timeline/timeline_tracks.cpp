@@ -1,9 +1,9 @@
 #include "ui/panels/timeline/timeline_tracks.h"
 
+#include "ui/panels/timeline/frame_axis.h"
 #include "ui/panels/timeline/timeline_strips.h"
 #include "ui/panels/timeline/timeline_time.h"
 #include "ui/theme.h"
-#include "ui/widgets/frame_axis.h"
 #include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ void drawKeys(const TimelineView& view, const FrameAxis& axis, const Rows& rows)
     if (hasSeries(view)) {
         const ImU32 good = ImGui::GetColorU32(palette().good);
         for (int i = axis.frameAt(axis.left()); i < axis.endFrame(); ++i) {
-            if (view.series->newly_captured[static_cast<std::size_t>(i)].empty()) continue;
+            if (view.series->newly_captured[i].empty()) continue;
             const auto x = static_cast<float>(std::floor(axis.xOf(i + 0.5)));
             list->AddRectFilled({x - 1, rows.strips - scaled(6)}, {x + 1, rows.strips}, good);
         }
@@ -160,7 +160,7 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
             ImGui::SameLine(scaled(120));
             ImGui::TextUnformatted(stripText(*view.series, strip, frame).c_str());
         }
-        const auto& fresh = view.series->newly_captured[static_cast<std::size_t>(frame)];
+        const auto& fresh = view.series->newly_captured[frame];
         if (!fresh.empty()) {
             ImGui::TextColored(palette().good, "Newly captured: %s", namesOf(view, fresh).c_str());
         }

@@ -1,8 +1,8 @@
 #include "ui/panels/timeline/track_bar.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/forms/drag_fields.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/fields/drag_fields.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icon_button.h"
 #include "ui/widgets/item_map.h"
 

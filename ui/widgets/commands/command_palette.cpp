@@ -2,7 +2,7 @@
 
 #include "engine/scene/labels.h"
 #include "ui/theme.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 
 #include <GLFW/glfw3.h>
@@ -152,7 +152,7 @@ bool drawHits(const CommandPaletteView& view, CommandPaletteState& state, bool m
     const float most = ImGui::GetIO().DisplaySize.y * 0.6F;
     ImGui::BeginChild("hits", {0, std::min(most, row * static_cast<float>(state.hits.size()))});
     for (int i = 0; i < static_cast<int>(state.hits.size()); ++i) {
-        const Hit& hit = state.hits[static_cast<std::size_t>(i)];
+        const Hit& hit = state.hits[i];
         bool pressed = false;
         drawHit(view, hit, i == state.selected, pressed);
         if (moved && i == state.selected) ImGui::SetScrollHereY(0.5F);

@@ -2,7 +2,7 @@
 
 #include "engine/scene/scene.h"
 #include "ui/widgets/commands/command_table.h"
-#include "ui/widgets/commands/fuzzy_match.h"
+#include "ui/widgets/fuzzy_match.h"
 
 #include <string>
 #include <vector>

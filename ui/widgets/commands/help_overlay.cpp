@@ -1,10 +1,10 @@
 #include "ui/widgets/commands/help_overlay.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/commands/text_match.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

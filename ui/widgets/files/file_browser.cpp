@@ -3,7 +3,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/files/file_list.h"
 #include "ui/widgets/files/path_line.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/keyboard_wait.h"
 #include "ui/widgets/message_box.h"
@@ -118,7 +118,7 @@ const FolderEntry* FileBrowser::Impl::selectedEntry() const {
     if (!sorted || list.selected < 0 || list.selected >= static_cast<int>(rows.size())) {
         return nullptr;
     }
-    return &sorted->entries[rows[static_cast<std::size_t>(list.selected)]];
+    return &sorted->entries[rows[list.selected]];
 }
 
 void FileBrowser::Impl::selectByName(const std::string& wanted) {
@@ -131,7 +131,7 @@ void FileBrowser::Impl::selectByName(const std::string& wanted) {
 }
 
 void FileBrowser::Impl::rearrange() {
-    order.extensions = request.filters[static_cast<std::size_t>(filter)].extensions;
+    order.extensions = request.filters[filter].extensions;
     shown_order = order;
     if (listing) sorter.arrange(listing, order);
 }
@@ -351,10 +351,10 @@ std::string FileBrowser::Impl::noteText() const {
 void FileBrowser::Impl::drawChoices() {
     if (request.purpose != Purpose::ChooseFolder) {
         ImGui::SetNextItemWidth(scaled(190));
-        const std::string& chosen = request.filters[static_cast<std::size_t>(filter)].name;
+        const std::string& chosen = request.filters[filter].name;
         if (ImGui::BeginCombo("##filter", chosen.c_str())) {
             for (int i = 0; i < static_cast<int>(request.filters.size()); ++i) {
-                const FileFilter& choice = request.filters[static_cast<std::size_t>(i)];
+                const FileFilter& choice = request.filters[i];
                 if (ImGui::Selectable(choice.name.c_str(), i == filter)) {
                     filter = i;
                     rearrange();

@@ -1,10 +1,10 @@
 #include "ui/widgets/files/file_list.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/commands/text_match.h"
 #include "ui/widgets/cut_text.h"
-#include "ui/widgets/forms/form.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
+#include "ui/widgets/text_match.h"
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -77,7 +77,7 @@ void sortByHeadings(FolderOrder& order) {
     if (specs == nullptr || !specs->SpecsDirty || specs->SpecsCount == 0) return;
     constexpr std::array kKeys = {FolderOrder::Key::Name, FolderOrder::Key::Size,
                                   FolderOrder::Key::Date};
-    order.key = kKeys[static_cast<std::size_t>(specs->Specs[0].ColumnIndex)];
+    order.key = kKeys[specs->Specs[0].ColumnIndex];
     order.descending = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
     specs->SpecsDirty = false;
 }
@@ -177,8 +177,7 @@ FileListActions drawFileList(const FileListView& view, FolderOrder& order, FileL
     }
     while (clipper.Step()) {
         for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
-            drawRow(view.listing->entries[(*view.rows)[static_cast<std::size_t>(row)]], row, state,
-                    actions);
+            drawRow(view.listing->entries[(*view.rows)[row]], row, state, actions);
         }
     }
     ImGui::EndTable();

@@ -1,9 +1,9 @@
 #include "ui/widgets/files/path_line.h"
 
 #include "ui/theme.h"
-#include "ui/widgets/commands/text_match.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/keyboard_wait.h"
+#include "ui/widgets/text_match.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>

@@ -2,7 +2,7 @@
 
 #include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_note.h"
-#include "app/editor/export/owner_mark.h"
+#include "app/editor/files/owner_mark.h"
 #include "engine/io/settings/project_file.h"
 #include "tests/app/editor/parts/fake_program.h"
 #include "tests/support/obj_writer.h"
@@ -155,7 +155,7 @@ TEST(ExportQueue, WorksInTheOrderShownAndNotWhileHeld) {
 TEST(ExportQueue, KeepsASnapshotUntilTheJobIsRemoved) {
     const FakeProgram program(kFinish);
     ExportQueue queue(program.file("snapshots"), program.path());
-    const auto project = std::make_shared<io::ProjectFile>();
+    const auto project = std::make_shared<ProjectFile>();
     project->scene = program.file("room.obj");
     const int id = queue.add(program.request("room"), project);
     EXPECT_EQ(endOf(queue, id), ExportState::Done);
@@ -197,12 +197,12 @@ TEST(ExportQueue, WritesItsSnapshotOverAnotherOfThatName) {
     fs::create_directories(folder);
     std::ofstream(exportFile(folder, OwnerMark(folder).text(), 1, ".dolly")) << "old";
     ExportQueue queue(folder, program.path());
-    const auto project = std::make_shared<io::ProjectFile>();
+    const auto project = std::make_shared<ProjectFile>();
     project->scene = program.file("room.obj");
     const int id = queue.add(program.request("room"), project);
     EXPECT_EQ(endOf(queue, id), ExportState::Done);
     EXPECT_EQ(contentOf(program.file("room") / "copy"),
-              io::projectText(*project, folder / "any.dolly"));
+              projectText(*project, folder / "any.dolly"));
 }
 
 // A project without a scene cannot be written: the JSON library throws.
@@ -211,7 +211,7 @@ TEST(ExportQueue, FailsAloneWhereItsSnapshotCannotBeWritten) {
         "echo '{\"stage\":\"rendering\",\"frames_done\":2,\"frames\":8}' >&2\n"
         "while [ ! -e \"$out/../go\" ]; do sleep 0.02; done\n" +
         std::string(kFinish));
-    const auto broken = std::make_shared<io::ProjectFile>();
+    const auto broken = std::make_shared<ProjectFile>();
     ExportQueue queue(program.file("snapshots"), program.path());
     const int before = queue.add(program.request("before"), broken);
     EXPECT_EQ(endOf(queue, before), ExportState::Failed);
@@ -291,7 +291,7 @@ TEST(ExportQueueGl, ContinuesToTheSameBytes) {
     room.room({4, 3, 2.6}, true);
     room.object("table").box({2.6, 0.8, 0}, {3.4, 2.2, 0.74});
     room.object("sofa").box({0.1, 0.6, 0}, {0.9, 2.4, 0.7});
-    const auto project = std::make_shared<io::ProjectFile>();
+    const auto project = std::make_shared<ProjectFile>();
     project->scene = folder.write("room.obj", room.text());
     project->parameters = {{"camera", {{"width_px", 160}, {"height_px", 120}}}};
     ExportQueue queue(folder.path() / "snapshots", DOLLYTRACK_PROGRAM);

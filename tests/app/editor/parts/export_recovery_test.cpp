@@ -1,5 +1,5 @@
 #include "app/editor/export/export_note.h"
-#include "app/editor/export/owner_mark.h"
+#include "app/editor/files/owner_mark.h"
 #include "engine/io/settings/project_file.h"
 #include "tests/app/editor/parts/fake_program.h"
 
@@ -60,7 +60,7 @@ void exportAndDie(const FakeProgram& program) {
     ASSERT_GE(editor, 0);
     if (editor == 0) {
         ExportQueue queue(program.file("snapshots"), program.path());
-        const auto project = std::make_shared<io::ProjectFile>();
+        const auto project = std::make_shared<ProjectFile>();
         project->scene = program.file("room.obj");
         ui::ExportRequest request = program.request("room");
         request.range = "0:8:1";

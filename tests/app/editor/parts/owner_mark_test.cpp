@@ -1,4 +1,4 @@
-#include "app/editor/export/owner_mark.h"
+#include "app/editor/files/owner_mark.h"
 
 #include "tests/support/temp_folder.h"
 

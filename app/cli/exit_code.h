@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+#include <exception>
+
+namespace dollytrack::cli {
+
+/// Exit codes of all subcommands, as the table in the repository's README.md describes them.
+enum ExitCode : int {
+    kDone = 0,
+    kFailed = 1,
+    kUsage = 2,
+    kPartial = 3,
+    kBadInput = 4,
+    kNoOpenGl = 5,
+    kCannotWrite = 6,
+};
+
+/// The exit code for an error.
+int exitCodeFor(ErrorCode code);
+
+/// Converts an otherwise uncaught exception to an error message.
+Error errorOf(const std::exception& exception);
+
+}  // namespace dollytrack::cli

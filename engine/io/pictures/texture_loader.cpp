@@ -1,0 +1,123 @@
+#include "engine/io/pictures/texture_loader.h"
+
+#include "engine/core/clean_text.h"
+#include "engine/io/files/confined_folder.h"
+#include "engine/io/files/percent_text.h"
+#include "engine/io/pictures/picture_decoder.h"
+#include "engine/jobs/parallel.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace dollytrack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLargestSide = 1024;
+constexpr std::uint64_t kMostTextureFileBytes = std::uint64_t{1} << 29;
+
+std::string lowerName(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// The file name of a path with slashes or backslashes, such as "C:\maps\Wood.PNG".
+std::string baseName(const std::string& name) {
+    const auto slash = name.find_last_of("/\\");
+    return slash == std::string::npos ? name : name.substr(slash + 1);
+}
+
+/// An index of the files in a texture folder.
+struct PictureFolder {
+    explicit PictureFolder(const fs::path& folder) : files(folder) {
+        for (const fs::path& file : files.list()) {
+            by_name.try_emplace(lowerName(file.filename().string()), file);
+        }
+    }
+    ConfinedFolder files;
+    std::map<std::string, fs::path> by_name;  // by lower-case name; the least nested of equal ones
+};
+
+std::optional<fs::path> locate(const std::string& name, bool only_there,
+                               const PictureFolder& folder) {
+    for (const std::string& spelling : {name, percentDecoded(name)}) {
+        std::string relative = spelling;
+        std::replace(relative.begin(), relative.end(), '\\', '/');
+        const fs::path direct = fs::path(relative).lexically_normal();
+        // For a path that leaves the folder, only the file name is used.
+        if (direct.is_relative() && !direct.empty() && *direct.begin() != ".." &&
+            folder.files.has(direct)) {
+            return direct;
+        }
+        if (only_there) continue;
+        const auto found = folder.by_name.find(lowerName(baseName(relative)));
+        if (found != folder.by_name.end()) return found->second;
+    }
+    return std::nullopt;
+}
+
+std::string readBytes(const ConfinedFolder& folder, const fs::path& path) {
+    const Result<InputFile> file = folder.open(path);
+    if (!file) return {};
+    Result<std::string> bytes = file->readAll(kMostTextureFileBytes);
+    return bytes ? std::move(*bytes) : std::string();
+}
+
+}  // namespace
+
+TextureSet loadTextures(const fs::path& scene_path, const std::vector<TextureRequest>& requests,
+                        const JobContext& job) {
+    TextureSet set;
+    set.textures.resize(requests.size());
+    if (requests.empty()) return set;
+    fs::path beside = scene_path.parent_path();
+    if (beside.empty()) beside = ".";
+    const auto folderOf = [&](const TextureRequest& request) {
+        return request.folder.empty() ? beside : request.folder;
+    };
+    std::map<fs::path, PictureFolder> folders;
+    for (const TextureRequest& request : requests) {
+        if (!request.embedded.empty()) continue;
+        folders.try_emplace(folderOf(request), folderOf(request));
+    }
+
+    enum class State { Missing, Broken, Found };
+    std::vector<State> states(requests.size(), State::Missing);
+    parallelFor(requests.size(), [&](std::size_t i) {
+        const TextureRequest& request = requests[i];
+        Texture& texture = set.textures[i];
+        texture.name = cleanText(request.name);
+        if (job.cancelled()) return;
+        if (request.embedded_width > 0) {
+            texture.width = request.embedded_width;
+            texture.height = request.embedded_height;
+            texture.rgba = request.embedded;
+            states[i] = State::Found;
+            return;
+        }
+        std::string bytes;
+        std::span<const std::uint8_t> picture = request.embedded;
+        if (picture.empty()) {
+            const PictureFolder& place = folders.at(folderOf(request));
+            const auto path = locate(request.name, request.only_there, place);
+            if (!path) return;
+            bytes = readBytes(place.files, *path);
+            picture = {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+        }
+        const bool whole = decodePicture(picture, kLargestSide, request.opaque, texture);
+        states[i] = whole ? State::Found : State::Broken;
+    });
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        if (states[i] == State::Found) ++set.found;
+        if (states[i] == State::Missing) set.missing.push_back(set.textures[i].name);
+        if (states[i] == State::Broken) set.broken.push_back(set.textures[i].name);
+    }
+    return set;
+}
+
+}  // namespace dollytrack

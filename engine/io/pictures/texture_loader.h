@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/io/raw_scene/raw_scene.h"
+#include "engine/jobs/job.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dollytrack {
+
+struct TextureSet {
+    std::vector<Texture> textures;     // one per request; width 0 if not found or not readable
+    std::vector<std::string> missing;  // names not found
+    std::vector<std::string> broken;   // names found, but not decodable or too large
+    int found = 0;
+};
+
+/// Finds and decodes the requested textures in parallel: embedded bytes, otherwise a file in the
+/// request's folder (by default that of `scene_path`) or its subfolders, also in another subfolder
+/// or in another case than written. Symbolic links out of the folder are not followed. Images with
+/// a side over 1024 px are scaled down by area averaging.
+TextureSet loadTextures(const std::filesystem::path& scene_path,
+                        const std::vector<TextureRequest>& requests, const JobContext& job);
+
+}  // namespace dollytrack

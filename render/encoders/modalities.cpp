@@ -1,0 +1,84 @@
+#include "render/encoders/modalities.h"
+
+#include "render/dataset/contents/name_selection.h"
+#include "render/encoders/encoders.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace dollytrack::render {
+namespace {
+
+// Bytes per pixel were measured in real rooms at 640 x 480.
+constexpr std::array<Modality, 18> kModalities = {{
+    {"rgb", "8-bit colour images", 1.2, true, kNeedsRgb, encodeRgb, rgbConvention},
+    {"depth", "16-bit depth along the viewing axis, in millimetres", 0.3, true, kNeedsDepth,
+     encodeDepth, depthConvention},
+    {"instance", "16-bit object ids, walls and floors included", 0.06, true, 0, encodeInstance,
+     instanceConvention},
+    {"semantic", "8-bit classes, NYU40 or those of --labels (16-bit beyond 255)", 0.04, true, 0,
+     encodeSemantic, semanticConvention},
+    {"depth_exr", "32-bit float depth along the viewing axis, in metres (OpenEXR)", 2.5, false,
+     kNeedsDepth, encodeDepthExr, depthExrConvention, false},
+    {"normal_camera", "16-bit surface normals in the camera's axes", 2.0, false, kNeedsSurfaces,
+     encodeNormalCamera, normalCameraConvention},
+    {"normal_world", "16-bit surface normals in the world's axes", 1.0, false, kNeedsSurfaces,
+     encodeNormalWorld, normalWorldConvention},
+    {"albedo", "8-bit base colour, without light", 0.5, false, kNeedsSurfaces, encodeAlbedo,
+     albedoConvention},
+    {"object_coordinates", "16-bit coordinates in the object's own box", 4.0, false, kNeedsDepth,
+     encodeObjectCoordinates, objectCoordinatesConvention},
+    {"flow_forward", "optical flow to later frames, with occlusion (Middlebury .flo)", 8.1, false,
+     kNeedsDepth, encodeFlowForward, flowForwardConvention, false},
+    {"flow_backward", "optical flow to earlier frames, with occlusion (Middlebury .flo)", 8.1,
+     false, kNeedsDepth, encodeFlowBackward, flowBackwardConvention, false},
+    {"rgb_right", "8-bit colour images of the stereo pair's right camera", 1.2, false, kNeedsRight,
+     encodeRgbRight, rgbRightConvention},
+    {"depth_right", "16-bit depth of the right camera, in millimetres", 0.3, false, kNeedsRight,
+     encodeDepthRight, depthRightConvention},
+    {"disparity", "16-bit stereo disparity, with occlusion (KITTI's PNG)", 0.6, false, kNeedsDepth,
+     encodeDisparity, disparityConvention},
+    {"amodal", "masks of whole objects, hidden parts included (JSON of run lengths)", 0.1, false,
+     kNeedsWhole, encodeAmodal, amodalConvention, false},
+    {"rgb_sensor",
+     "8-bit colour images of a simulated camera sensor: blur, lens, noise, see sensor_preset", 2.6,
+     false, kNeedsSensorLight, encodeRgbSensor, rgbSensorConvention},
+    {"depth_sensor", "16-bit depth of a simulated depth camera, in millimetres, see depth_noise",
+     1.6, false, kNeedsDepth | kNeedsSurfaces, encodeDepthSensor, depthSensorConvention},
+    {kRigModality, "colour, depth, ids, classes and normals of every camera of --rig", 2.6, false,
+     kNeedsRig, encodeCameras, camerasConvention, false},
+}};
+
+}  // namespace
+
+std::span<const Modality> modalities() {
+    return kModalities;
+}
+
+Result<ModalitySet> chooseModalities(const std::vector<std::string>& names) {
+    return chooseRows(modalities(), names, "modality", "--modalities");
+}
+
+Result<ModalitySet> chooseModalities(const std::vector<std::string>& names, bool has_rig) {
+    Result<ModalitySet> chosen = chooseModalities(names);
+    if (!chosen) return chosen;
+    const auto of_rig = std::find_if(modalities().begin(), modalities().end(), [](const auto& row) {
+        return std::string_view(row.name) == kRigModality;
+    });
+    std::erase(*chosen, &*of_rig);
+    if (has_rig) {
+        const auto later = std::find_if(chosen->begin(), chosen->end(),
+                                        [&](const Modality* one) { return one > &*of_rig; });
+        chosen->insert(later, &*of_rig);
+    } else if (std::find(names.begin(), names.end(), kRigModality) != names.end()) {
+        return fail(ErrorCode::Usage,
+                    "The modality 'cameras' needs a rig: pass a rig file with --rig, or describe "
+                    "each camera, as in --camera left:yaw_deg=-90.",
+                    "--modalities");
+    }
+    return chosen;
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,33 @@
+#include "render/scene/motion_hash.h"
+
+#include "engine/io/files/sha256.h"
+#include "render/scene/exact_text.h"
+
+#include <fmt/format.h>
+
+namespace dollytrack::render {
+
+std::string trajectoryHash(const Trajectory& trajectory) {
+    std::string text;
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        text += fmt::format("{} {} {} {}", frame.time_s, frame.path, frame.component,
+                            frame.position_point) +
+                exactText(frame.pose.position) + exactText(frame.pose.rotation.coeffs()) +
+                exactText(frame.target_in_world) + "\n";
+    }
+    return sha256Of(std::string_view(text));
+}
+
+std::string motionsHash(const std::vector<ObjectMotion>& motions) {
+    std::string text;
+    for (const ObjectMotion& motion : motions) {
+        text += fmt::format("{}:", motion.object_id);
+        for (const Eigen::Isometry3d& one : motion.by_frame) {
+            text += exactText(one.translation()) +
+                    exactText(Eigen::Quaterniond(one.rotation()).coeffs());
+        }
+    }
+    return sha256Of(std::string_view(text));
+}
+
+}  // namespace dollytrack::render

@@ -1,0 +1,173 @@
+#include "ui/widgets/fields/field_editor.h"
+
+#include "ui/theme.h"
+#include "ui/widgets/item_map.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dollytrack::ui {
+namespace {
+
+/// Wider ranges are too coarse for a slider; a drag changes the value in proportion to it.
+constexpr double kWidestSlider = 400.0;
+
+std::string unitSuffix(const Field& field) {
+    std::string unit(field.unit());
+    if (unit == "deg") return "\u00b0";
+    if (unit == "m3") return " m\u00b3";
+    if (unit == "deg/s") return "\u00b0/s";
+    if (unit.empty()) return {};
+    return " " + unit;
+}
+
+int decimals(double min, double max) {
+    const double range = max - min;
+    if (range <= 1.0) return 3;
+    if (range <= 20.0) return 2;
+    return 1;
+}
+
+FieldEdit edit(const Field::Real& real, const Field& field, const std::string& path) {
+    NumberLimits limits;
+    limits.range = real.info.range();
+    const auto& [min, max, least] = limits.range;
+    limits.unit = unitSuffix(field);
+    limits.slides = max - min <= kWidestSlider;
+    limits.logarithmic = min > 0.0 && max / min >= 50.0;
+    limits.format = limits.slides ? fmt::format("%.{}f", decimals(min, max)) : "%.3g";
+    limits.speed = static_cast<float>(std::max(0.01 * std::abs(*real.value), 0.01));
+    return numberInput(*real.value, limits, path);
+}
+
+FieldEdit edit(const Field::Integer& integer, const Field& field, const std::string& path) {
+    NumberLimits limits;
+    limits.range = integer.info.range();
+    limits.range.min = std::max(limits.range.min, -2147483647.0);
+    limits.range.max = std::min(limits.range.max, 2147483647.0);
+    limits.unit = unitSuffix(field);
+    limits.whole = true;
+    limits.format = "%.0f";
+    limits.slides = limits.range.max - limits.range.min <= kWidestSlider;
+    limits.speed = static_cast<float>(std::max(0.01 * std::abs(*integer.value), 0.2));
+    double value = *integer.value;
+    const FieldEdit result = numberInput(value, limits, path);
+    if (result.changed) *integer.value = static_cast<int>(std::lround(value));
+    return result;
+}
+
+/// A discrete choice is changed and finished at once.
+FieldEdit chosen(bool changed) {
+    return {changed, changed};
+}
+
+FieldEdit edit(const Field::Switch& on_off, const Field&, const std::string& path) {
+    const FieldEdit result = chosen(ImGui::Checkbox("##value", on_off.value));
+    nameItem(path);
+    return result;
+}
+
+FieldEdit edit(const Field::Choice& choice, const Field&, const std::string& path) {
+    const int now = choice.get();
+    bool changed = false;
+    const bool open = ImGui::BeginCombo("##value", std::string(choice.info.names[now]).c_str());
+    if (open) {
+        for (int i = 0; i < static_cast<int>(choice.info.names.size()); ++i) {
+            const std::string name(choice.info.names[i]);
+            if (ImGui::Selectable(name.c_str(), i == now)) {
+                choice.set(i);
+                changed = true;  // also for the same entry: a preset resets values
+            }
+            nameItem("choice." + name);
+        }
+        ImGui::EndCombo();
+    }
+    nameItem(path);
+    return chosen(changed);
+}
+
+void copyValue(const Field& from, const Field& to) {
+    std::visit(
+        [&to](const auto& source) {
+            using Kind = std::decay_t<decltype(source)>;
+            const auto& target = std::get<Kind>(to.value);
+            if constexpr (std::is_same_v<Kind, Field::Choice>) {
+                target.set(source.get());
+            } else {
+                *target.value = *source.value;
+            }
+        },
+        from.value);
+}
+
+void explainField(const Field& field, const Field& standard) {
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(scaled(340));
+    ImGui::TextUnformatted(std::string(field.text()).c_str());
+    std::string range = field.rangeText();
+    if (!field.unit().empty()) range += " " + std::string(field.unit());
+    ImGui::TextDisabled("%s   %s", field.name.c_str(), range.c_str());
+    ImGui::TextDisabled("default %s; double-click to type", standard.valueText().c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+std::string readableName(const Field& field) {
+    std::string name = field.name;
+    for (const char* unit : {"_m3", "_mps", "_dps", "_deg", "_px", "_mm", "_m", "_s", "_e"}) {
+        if (name.ends_with(unit)) {
+            name.resize(name.size() - std::char_traits<char>::length(unit));
+            break;
+        }
+    }
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path) {
+    ImGui::PushID(field.name.c_str());
+    const FieldEdit result =
+        std::visit([&](const auto& value) { return edit(value, field, path); }, field.value);
+    if (!result.says && ImGui::IsItemHovered()) explainField(field, standard);
+    ImGui::PopID();
+    return result;
+}
+
+FieldEdit drawField(const Field& field, const Field& standard, const std::string& path) {
+    FieldEdit result;
+    ImGui::PushID(field.name.c_str());
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(readableName(field).c_str());
+    if (ImGui::IsItemHovered()) explainField(field, standard);
+    if (!field.symbol().empty()) {
+        ImGui::SameLine();
+        ImGui::TextColored(palette().accent, "%s", std::string(field.symbol()).c_str());
+    }
+    ImGui::TableNextColumn();
+    const bool differs = field.valueText() != standard.valueText();
+    const float reset_width = ImGui::GetFrameHeight();
+    ImGui::SetNextItemWidth(-(reset_width + ImGui::GetStyle().ItemInnerSpacing.x));
+    result = drawFieldValue(field, standard, path);
+    if (differs) {
+        ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+        if (ImGui::Button("\u21ba", {reset_width, 0})) {
+            copyValue(standard, field);
+            result = {true, true, true};
+        }
+        nameItem(path + ".reset");
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("Reset to %s", standard.valueText().c_str());
+        }
+    }
+    ImGui::PopID();
+    return result;
+}
+
+}  // namespace dollytrack::ui

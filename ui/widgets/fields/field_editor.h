@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/core/field_list.h"
+#include "ui/widgets/fields/number_input.h"
+
+#include <string>
+
+namespace dollytrack::ui {
+
+/// Draws a row of a two-column table: name with its symbol in the method's paper, widget with unit,
+/// and a reset button if the value differs from `standard` (the same field of a default-constructed
+/// struct). The tooltip shows description, range and default. `path` is the widget's name in the
+/// item map: "parameters.fill".
+FieldEdit drawField(const Field& field, const Field& standard, const std::string& path);
+
+/// Draws only the widget, with the width set by SetNextItemWidth().
+FieldEdit drawFieldValue(const Field& field, const Field& standard, const std::string& path);
+
+/// The display name: "corner distance" for "corner_distance_m".
+[[nodiscard]] std::string readableName(const Field& field);
+
+}  // namespace dollytrack::ui
