@@ -313,8 +313,8 @@ TEST(Edits, UnpinningGoesBackToTheSearchedPlanExactly) {
     EXPECT_NE(pathOf(*run(edits)), searched);
     EXPECT_EQ(pathOf(*run({})), searched);
     // Locking a point at its position may change the corner there, but never its pose.
-    const PositionPoint* sofa = pointFor(*run({}), {idOf(scene, "sofa")});
-    edits.pinned[0].pose = sofa->pose;
+    const auto unpinned = run({});
+    edits.pinned[0].pose = pointFor(*unpinned, {idOf(scene, "sofa")})->pose;
     const auto locked = run(edits);
     EXPECT_EQ(pointFor(*locked, {idOf(scene, "sofa")})->pose, edits.pinned[0].pose);
     EXPECT_TRUE(framesHold(*locked, edits.pinned[0].pose));
