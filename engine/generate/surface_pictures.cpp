@@ -19,7 +19,7 @@ constexpr int kSide = 512;  // pixels
 class Noise {
   public:
     Noise(int across, int down, Random& random) : across_(across), down_(down) {
-        values_.resize(across * down);
+        values_.resize(static_cast<std::size_t>(across) * down);
         for (double& value : values_) value = random.uniform(-1.0, 1.0);
     }
     [[nodiscard]] double at(int x, int y) const {
@@ -46,7 +46,7 @@ class Noise {
 template <class Shade>
 Result<std::vector<std::uint8_t>> paint(const Vector3d& color, Shade&& shade) {
     std::vector<std::uint8_t> pixels;
-    pixels.reserve(3 * kSide * kSide);
+    pixels.reserve(std::size_t{3} * kSide * kSide);
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
             const double value = shade(x, y);

@@ -13,7 +13,7 @@ constexpr double kDegrees = 180.0 / std::numbers::pi;
 /// Quantile with linear interpolation between neighbouring values.
 double quantile(const std::vector<double>& sorted, double share) {
     const double at = share * static_cast<double>(sorted.size() - 1);
-    const std::size_t below = at;
+    const auto below = static_cast<std::size_t>(at);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
 }

@@ -91,7 +91,7 @@ void FreeSpace::Impl::findFits(EnclosureRule rule, const RayCaster& rays, const 
                                const JobContext& job) {
     const SphereFitInput input{
         rays, grid, surfaces->surfaces().cells, surfaces->gaps(), inside(rule), camera_radius_m};
-    const std::size_t index = static_cast<std::size_t>(rule);
+    const auto index = static_cast<std::size_t>(rule);
     const bool known = moved != nullptr && !moved->before.fits[index].empty();
     fits[index] =
         known ? whereSphereFitsAfter(moved->before.fits[index],

@@ -104,7 +104,8 @@ class Borders {
 
 FreeColumns freeColumnsOver(const VoxelGrid& grid, const std::vector<int>& part_of_column,
                             const FreeSpace& free_space, const FloorHeights& floors) {
-    const std::size_t columns = grid.count[0] * grid.count[1];
+    const std::size_t columns =
+        static_cast<std::size_t>(grid.count[0]) * static_cast<std::size_t>(grid.count[1]);
     FreeColumns free_columns;
     free_columns.fits.assign(columns, 0);
     free_columns.walks.assign(columns, 0);

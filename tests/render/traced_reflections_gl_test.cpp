@@ -130,7 +130,7 @@ TEST_F(TracedReflectionsGl, AMirrorShowsWhatACameraBehindItSees) {
             for (int k = -3; k <= 3; ++k) {
                 near_mirror = near_mirror || isMirror(x + k, y) || isMirror(x, y + k);
             }
-            const std::size_t i = 3 * (y * 128 + x);
+            const std::size_t i = std::size_t{3} * (y * 128 + x);
             if (!near_mirror) {
                 ASSERT_EQ(traced.rgb[i], blurred.rgb[i]) << x << " " << y;
             }

@@ -9,7 +9,7 @@
 
 namespace dollytrack {
 
-/// Reads a scene file of any supported format (formats/scene_format.h). Estimates objects, classes,
+/// Reads a scene file of any supported format (format_table/scene_format.h). Estimates objects, classes,
 /// boxes, fronts, unit and up axis; Scene::report lists repairs and doubts. All other code must use
 /// this function instead of the model readers. Errors: Usage for invalid options, BadInput,
 /// Cancelled.

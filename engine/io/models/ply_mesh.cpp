@@ -17,7 +17,6 @@
 namespace dollytrack {
 namespace {
 
-
 enum Slot : std::size_t { X, Y, Z, Nx, Ny, Nz, U, V, Red, Green, Blue, ObjectId, ClassId, kSlots };
 
 struct SlotName {

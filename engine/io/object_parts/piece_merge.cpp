@@ -350,8 +350,9 @@ std::vector<MergedPiece> mergePieces(const RawScene& raw, const std::vector<bool
         candidate.joins = candidate.boards || crumb || a.is_part || b.is_part ||
                           (!candidate.a_stands && !candidate.b_stands);
     });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const MergeCandidate& a, const MergeCandidate& b) { return a.size < b.size; });
+    std::stable_sort(
+        candidates.begin(), candidates.end(),
+        [](const MergeCandidate& a, const MergeCandidate& b) { return a.size < b.size; });
     preferOwnSize(pieces, candidates);
     separateNeighbours(pieces, candidates);
     Groups groups(pieces, drafts);

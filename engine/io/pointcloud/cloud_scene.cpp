@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kFarAway = 5'000.0;          // file units from the origin; floats are coarse there
 constexpr double kMuchScatter = 0.015;        // m; from here on a warning instead of a note
-constexpr std::size_t kFewestPoints = 50;           // smallest number of samples of a surface
+constexpr std::size_t kFewestPoints = 50;     // smallest number of samples of a surface
 constexpr std::size_t kMostJudged = 100'000;  // points whose distance to the surface is measured
 
 tl::unexpected<Error> cancelled(const std::filesystem::path& path) {

@@ -13,7 +13,6 @@
 namespace dollytrack {
 namespace {
 
-
 std::string bytesOf(std::initializer_list<float> values) {
     std::string bytes;
     for (const float value : values) {

@@ -98,7 +98,7 @@ void expectKept(const Trajectory& trajectory, const MotionLimits& limits, const 
 /// acceleration limited together; the curvature is computed from the path's points.
 double slowLeastTime(const SmoothPath& path, const MotionLimits& limits) {
     constexpr double kStep = 0.001;
-    const std::size_t count = path.length_m / kStep;
+    const auto count = static_cast<std::size_t>(path.length_m / kStep);
     const double step = path.length_m / static_cast<double>(count);
     std::vector<double> bend(count + 1, 0.0);
     std::vector<double> speed(count + 1, limits.speed_mps);

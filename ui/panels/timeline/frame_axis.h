@@ -54,7 +54,7 @@ template <class Value>
 std::vector<PlotColumn> plotColumns(const FrameAxis& axis, int count, const Value& value) {
     std::vector<PlotColumn> columns;
     if (count <= 0) return columns;
-    const std::size_t width = axis.right() - axis.left();
+    const auto width = static_cast<std::size_t>(axis.right() - axis.left());
     columns.reserve(width);
     for (std::size_t x = 0; x < width; ++x) {
         const double begin = axis.placeAt(axis.left() + static_cast<double>(x));

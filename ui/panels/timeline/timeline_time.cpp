@@ -23,7 +23,7 @@ double timeOf(const TimelineView& view, double frame) {
     const auto last = static_cast<double>(times.size() - 1);
     if (frame <= 0.0) return times.front() + frame * interval(view);
     if (frame >= last) return times.back() + (frame - last) * interval(view);
-    const std::size_t before = frame;
+    const auto before = static_cast<std::size_t>(frame);
     const double share = frame - std::floor(frame);
     return share > 0.0 ? (1.0 - share) * times[before] + share * times[before + 1] : times[before];
 }
