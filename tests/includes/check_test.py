@@ -15,13 +15,16 @@ low:
 high: low
   panels  # a remark
 """
+# A file for each folder of the table, so that none is without.
+FILES = {"low/root.h": "", "low/core/z.h": "", "low/math/z.h": "", "low/io/files/z.h": "",
+         "high/panels/z.h": ""}
 
 
 class Check(unittest.TestCase):
     def found(self, files):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name, text in files.items():
+            for name, text in (FILES | files).items():
                 path = root / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text + "\n", encoding="utf-8")
@@ -46,18 +49,24 @@ class Check(unittest.TestCase):
                          self.found({"low/io/files/a.h": '#include "high/panels/c.h"'}))
 
     def test_a_folder_that_the_table_lacks_is_found(self):
-        self.assertEqual(["low/new/a.h: low/new is not in layers.txt",
-                          "low/core/b.h:1: low/newer is not in layers.txt"],
-                         sorted(self.found({"low/new/a.h": "",
-                                            "low/core/b.h": '#include "low/newer/c.h"'}),
-                                reverse=True))
+        self.assertCountEqual(["low/new/a.h: low/new is not in layers.txt",
+                               "low/core/b.h:1: low/newer is not in layers.txt"],
+                              self.found({"low/new/a.h": "",
+                                          "low/core/b.h": '#  include <low/newer/c.h>'}))
+
+    def test_a_folder_without_files_and_a_missing_heading_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIn("low: there is no such folder",
+                          list(check.problems(pathlib.Path(folder), LAYERS)))
+        with self.assertRaises(SystemExit):
+            check.read_layers("low:\n  core\n  core\n")
 
     def test_a_library_outside_its_folder_is_found(self):
-        self.assertEqual(["low/core/a.cpp:1: <imgui> belongs to ui app"],
+        self.assertEqual(["low/core/a.cpp:1: <imgui.h> belongs to ui app"],
                          self.found({"low/core/a.cpp": "#include <imgui.h>"}))
 
     def test_an_unguarded_call_is_found_and_a_comment_is_not(self):
-        found = self.found({"low/core/a.cpp": "auto card = nlohmann::json::parse(text);",
+        found = self.found({"low/core/a.cpp": 'auto card = json::parse(read(folder / "a.json"));',
                             "low/core/b.cpp": "// nlohmann::json::parse(text)"})
         self.assertEqual(1, len(found))
         self.assertIn("bounded_json.h", found[0])

@@ -1,9 +1,9 @@
 #include "app/cli/export/dataset_export.h"
 
+#include "app/cli/export/object_motions.h"
+#include "app/cli/export/object_relations.h"
 #include "app/cli/export/room_exports.h"
 #include "app/cli/plan/metrics_table.h"
-#include "app/cli/plan/object_motions.h"
-#include "app/cli/plan/object_relations.h"
 #include "engine/document/edits_json.h"
 #include "engine/io/settings/annotation_file.h"
 #include "engine/io/settings/rig_file.h"

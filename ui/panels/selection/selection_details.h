@@ -29,7 +29,7 @@ void drawCandidate(const SelectionView& view, SelectionActions& actions);
 void drawObservationPoint(const SelectionView& view, SelectionActions& actions);
 void drawPositionPoint(const SelectionView& view, SelectionActions& actions);
 
-// selection_way.cpp
+// selection_path.cpp
 void drawEdge(const SelectionView& view, SelectionActions& actions);
 void drawRefusedEdge(const SelectionView& view, SelectionActions& actions);
 void drawFrame(const SelectionView& view, SelectionActions& actions);

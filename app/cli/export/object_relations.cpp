@@ -1,4 +1,4 @@
-#include "app/cli/plan/object_relations.h"
+#include "app/cli/export/object_relations.h"
 
 #include "engine/core/log.h"
 #include "engine/document/apply_scene_edits.h"

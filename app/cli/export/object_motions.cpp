@@ -1,4 +1,4 @@
-#include "app/cli/plan/object_motions.h"
+#include "app/cli/export/object_motions.h"
 
 #include "engine/document/object_track.h"
 
