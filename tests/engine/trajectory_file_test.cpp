@@ -226,7 +226,7 @@ TEST(TrajectoryFile, BadFilesSayWhere) {
              Case{"k.txt", "0 0 0 0 0 1 0\n0 0 0 0 0 1 0\n", "scenenet", "k.txt:1", "up or down"},
              Case{"l.hdf5", "not HDF5", "", "camera_keyframe_positions.hdf5", "HDF5"},
              Case{"m.txt", "", "", "m.txt", "known format"},
-             Case{"n.txt", "# only remarks\n", "tum", "n.txt", "no pose"},
+             Case{"n.txt", "# only remarks\n", "tum", "n.txt", "no lines of values"},
              Case{"o.txt", "0 0 0 0 0 0 0 1\n1 0 2e6 0 0 0 0 1\n", "", "o.txt:2", "1000 km"},
              Case{"p.txt", "1e300 0 0 0 0 0 1\n", "tartanair", "p.txt:1", "1000 km"},
              Case{"q.json",
