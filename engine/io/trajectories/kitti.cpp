@@ -15,10 +15,11 @@ Result<PoseList> readKitti(const PoseFile& file) {
     for (const NumberLine& line : *lines) {
         const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> matrix =
             Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(line.values.data());
-        auto rotation =
-            rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), placeOf(file.path, line.line));
+        const Eigen::Matrix3d written = matrix.leftCols<3>();
+        auto rotation = rotationFrom(written, placeOf(file.path, line.line));
         if (!rotation) return tl::unexpected(std::move(rotation.error()));
-        list.poses.push_back({matrix.col(3), *rotation, std::nullopt, 0, line.line});
+        list.poses.push_back(
+            {matrix.col(3), *rotation, std::nullopt, 0, line.line, (written - *rotation).norm()});
     }
     const std::filesystem::path times_path = file.path.parent_path() / "times.txt";
     std::error_code error;

@@ -18,6 +18,9 @@ struct FilePose {
     std::optional<double> time_s;
     int motion = 0;  // number of the continuous motion; changes where the camera jumps
     int line = 0;    // in the file, from 1; 0 if the format has no lines
+    /// Distance (Frobenius norm) of the file's matrix from `rotation`, the nearest one; 0 for
+    /// formats with quaternions or targets.
+    double rotation_error = 0.0;
 };
 
 struct PoseList {

@@ -40,10 +40,12 @@ Result<PoseList> readTransforms(const PoseFile& file) {
                     matrix(row, column) = rows.at(row).at(column).get<double>();
                 }
             }
-            auto rotation = rotationFrom(Eigen::Matrix3d(matrix.leftCols<3>()), where());
+            const Eigen::Matrix3d written = matrix.leftCols<3>();
+            auto rotation = rotationFrom(written, where());
             if (!rotation) return tl::unexpected(std::move(rotation.error()));
+            const double rotation_error = (written - *rotation).norm();
             rotation->rightCols<2>() *= -1.0;
-            list.poses.push_back({matrix.col(3), *rotation, std::nullopt});
+            list.poses.push_back({matrix.col(3), *rotation, std::nullopt, 0, 0, rotation_error});
             ++frame;
         }
         list.hfov_deg = hfovOf(*root);

@@ -79,8 +79,10 @@ void comparePose(const PoseFormat& format, const FilePose& read, const StoredFra
                       "position " + positionText(read.position),
                       positionText(expected.translation())});
     }
-    // Distance between two rotation matrices: their angle, if small.
-    const double turned = (read.rotation - expected.linear()).norm() / std::sqrt(2.0);
+    // Distance between two rotation matrices: their angle, if small. What a matrix in the file
+    // differs from a rotation counts, too.
+    const double turned =
+        ((read.rotation - expected.linear()).norm() + read.rotation_error) / std::sqrt(2.0);
     if (!(turned <= kTolerance)) {
         findings.add({file,
                       index,

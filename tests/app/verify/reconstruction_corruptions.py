@@ -40,6 +40,13 @@ def pictures_of_the_next_frame(copy):
     copy.edit_json("transforms.json", move)
 
 
+@found_by("poses")
+def matrix_that_is_no_rotation(copy):
+    def stretch(root):
+        root["frames"][1]["transform_matrix"][0][0] += 0.001
+    copy.edit_json("transforms.json", stretch)
+
+
 @found_by("transforms")
 def principal_point_of_other_pixels(copy):
     copy.edit_json("transforms.json", lambda root: root.update(cx=root["cx"] - 0.5))

@@ -29,6 +29,13 @@ def tum_time_of_another_depth(copy):
 
 # --- KITTI
 
+@found_by("poses")
+def kitti_matrix_that_is_no_rotation(copy):
+    def stretch(rows):
+        rows[1][0] = str(float(rows[1][0]) + 0.001)
+    copy.edit_lines("poses.txt", stretch)
+
+
 @found_by("kitti")
 def kitti_principal_point_of_half_pixels(copy):
     def shift(rows):
