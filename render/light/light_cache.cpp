@@ -76,7 +76,7 @@ class Reader {
             whole_ = false;
             return;
         }
-        std::memcpy(data, rest_.data(), size);
+        if (size > 0) std::memcpy(data, rest_.data(), size);  // an empty vector has no data
         rest_ = rest_.subspan(size);
     }
     std::span<const std::uint8_t> rest_;
