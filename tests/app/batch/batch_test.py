@@ -17,7 +17,7 @@ import unittest
 import urllib.parse
 import xml.etree.ElementTree
 
-from processes import alive, children, memory_kb
+from processes import alive, children, jobs_of, memory_kb, state
 from support import tiny_room
 from support.program import FolderCase, hashes, run, start, wait_for
 
@@ -96,30 +96,12 @@ class Batch(FolderCase):
     def start_and_stop_a_job(self, *arguments):
         """Starts a batch and stops one of its jobs (SIGSTOP) before that has ended. Returns the
         batch's process, and the job's process id."""
-        def state(pid):
-            try:
-                return pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
-            except OSError:
-                return "Z"
-
-        def jobs_of(process):
-            """The children that run their own program already."""
-            found = []
-            for child in children(process.pid):
-                try:
-                    words = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
-                except OSError:
-                    continue
-                if len(words) > 1 and b"batch" not in words:
-                    found.append(child)
-            return found
-
         while True:
             process = start("batch", *arguments)
             found = []
             self.assertTrue(wait_for(lambda: process.poll() is not None
-                                     or found.extend(jobs_of(process)) or found))
-            if found and state(found[0]) != "Z":
+                                     or found.extend(jobs_of(process.pid)) or found))
+            if found and alive(found[0]):
                 os.kill(found[0], signal.SIGSTOP)
                 self.assertTrue(wait_for(lambda: state(found[0]) in "TZ"))
                 if state(found[0]) == "T":

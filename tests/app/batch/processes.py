@@ -7,11 +7,29 @@ def children(pid):
             pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
 
 
-def alive(pid):
+def jobs_of(batch):
+    """The batch's children that run their own program already."""
+    found = []
+    for child in children(batch):
+        try:
+            words = pathlib.Path(f"/proc/{child}/cmdline").read_bytes().split(b"\0")
+        except OSError:
+            continue
+        if len(words) > 1 and b"batch" not in words:
+            found.append(child)
+    return found
+
+
+def state(pid):
+    """The letter of its state, as in proc(5): R, S, T when stopped; Z once it has ended."""
     try:
-        return "\nState:\tZ" not in pathlib.Path(f"/proc/{pid}/status").read_text()
-    except FileNotFoundError:
-        return False
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return "Z"
+
+
+def alive(pid):
+    return state(pid) != "Z"
 
 
 def memory_kb(pid):
