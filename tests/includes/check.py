@@ -18,7 +18,7 @@ LIBRARIES = [
     ("assimp/", "engine/io/assimp engine/io/sandbox"),
     ("octomap/", "planning/free_space"),
     ("embree", "engine/geometry"),
-    ("hdf5", "engine/io/files"),
+    ("hdf5", "engine/io/hdf5"),
     ("pugixml", "engine/io/gazebo engine/io/homes"),
 ]
 

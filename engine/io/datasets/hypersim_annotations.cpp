@@ -3,8 +3,8 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/object_names.h"
 #include "engine/io/files/confined_folder.h"
-#include "engine/io/files/hdf5_reader.h"
 #include "engine/io/files/number_lines.h"
+#include "engine/io/hdf5/hdf5_reader.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>

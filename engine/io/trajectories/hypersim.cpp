@@ -1,5 +1,5 @@
-#include "engine/io/files/hdf5_reader.h"
 #include "engine/io/files/number_lines.h"
+#include "engine/io/hdf5/hdf5_reader.h"
 #include "engine/io/trajectories/pose_list.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "render/formats/tables/hdf5_frames.h"
 
-#include "engine/io/files/hdf5_writer.h"
+#include "engine/io/hdf5/hdf5_writer.h"
 #include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
 #include "render/formats/poses/transforms.h"

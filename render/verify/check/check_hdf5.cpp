@@ -1,5 +1,5 @@
 // Checks the per-frame HDF5 files in BlenderProc's layout: the frame's images and its pose.
-#include "engine/io/files/hdf5_reader.h"
+#include "engine/io/hdf5/hdf5_reader.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
 

@@ -1,5 +1,5 @@
 #include "engine/io/datasets/hypersim_annotations.h"
-#include "engine/io/files/hdf5_writer.h"
+#include "engine/io/hdf5/hdf5_writer.h"
 #include "engine/io/import/scene_import.h"
 #include "engine/scene/labels.h"
 #include "tests/support/imported_scene.h"

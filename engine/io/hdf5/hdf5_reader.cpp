@@ -1,8 +1,8 @@
-#include "engine/io/files/hdf5_reader.h"
+#include "engine/io/hdf5/hdf5_reader.h"
 
-#include "engine/io/files/hdf5_functions.h"
-#include "engine/io/files/hdf5_library.h"
 #include "engine/io/files/input_file.h"
+#include "engine/io/hdf5/hdf5_functions.h"
+#include "engine/io/hdf5/hdf5_library.h"
 
 #include <algorithm>
 #include <memory>

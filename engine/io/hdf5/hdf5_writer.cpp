@@ -1,6 +1,6 @@
-#include "engine/io/files/hdf5_writer.h"
+#include "engine/io/hdf5/hdf5_writer.h"
 
-#include "engine/io/files/hdf5_library.h"
+#include "engine/io/hdf5/hdf5_library.h"
 
 #include <algorithm>
 

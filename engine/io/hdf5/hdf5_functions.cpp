@@ -1,4 +1,4 @@
-#include "engine/io/files/hdf5_functions.h"
+#include "engine/io/hdf5/hdf5_functions.h"
 
 #include <dlfcn.h>
 

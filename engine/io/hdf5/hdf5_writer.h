@@ -24,8 +24,8 @@ struct Hdf5Text {
     std::string text;  // not empty
 };
 
-/// The bytes of an HDF5 file with these datasets, arrays compressed. They hold no clock: equal
-/// input gives equal bytes. From any thread. Failed when memory runs out.
+/// The bytes of an HDF5 file with these datasets, arrays compressed. They contain no time stamp, so
+/// equal input gives equal bytes. May be called from any thread. Error: Failed if memory runs out.
 [[nodiscard]] Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
                                                          const std::vector<Hdf5Text>& texts);
 
