@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kReach = 9.0;    // m; lamps farther away add too little to be worth a ray
 constexpr int kShadowRays = 6;    // per lamp and point
-constexpr int kNearestLamps = 4;  // evaluated per point
 constexpr std::size_t kNearestSceneLamps = 6;
 constexpr int kSceneLampShadowRays = 9;
 constexpr double kOffSurface = 2e-3;  // m; offset of lit points from their surface
@@ -128,7 +127,7 @@ Eigen::Vector3f roomLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
     std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {
         return a.first != b.first ? a.first > b.first : a.second < b.second;
     });
-    if (near.size() > kNearestLamps) near.resize(kNearestLamps);
+    if (near.size() > rig.lamps_per_point) near.resize(rig.lamps_per_point);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto& [unshaded, lamp] : near) {
         const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);

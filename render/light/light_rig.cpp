@@ -16,11 +16,12 @@ namespace {
 
 constexpr double kLampSpacing = 3.6;  // m; a lamp lights about a room's height around itself
 constexpr double kBelowCeiling = 0.25;
-constexpr double kFromWall = 1.0;      // m; kLampShade plus the largest lamp radius
+constexpr double kFromWall = 1.0;  // m; kLampShade plus the largest lamp radius
+constexpr std::size_t kMostPerPoint = 16;
 constexpr double kShadesBeyond = 0.5;  // m; margin for eaves and other small overhangs
 
-/// Height just below the actual ceiling or a hanging lamp. Room boxes may include beams and the
-/// roof, and cupboards may hang over the position.
+/// Height just below the actual ceiling or a hanging lamp; in a hall kHighestLamp. Room boxes may
+/// include beams and the roof, and cupboards may hang over the position.
 double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
                   const Eigen::Vector2d& at) {
     constexpr double kFar = 12.0;
@@ -33,7 +34,8 @@ double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::Aligne
         toFirst([](const Object& object) { return object.structure || object.nyu40 == kNyuLamp; });
     if (up >= kFar) up = toFirst([](const Object&) { return true; });
     const double ceiling = up < kFar ? start + up : std::min(room.max().z(), room.min().z() + 3.0);
-    return std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
+    const double below = std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
+    return std::min(below, room.min().z() + kHighestLamp);
 }
 
 /// Shortest and longest horizontal distance to obstacles, m, at most kFromWall. Lamps are ignored,
@@ -182,6 +184,8 @@ LightRig makeLightRig(const Scene& scene, const RayCaster& rays,
         // Grounds and streets can form a "room" of a hundred metres, so the number is bounded.
         const int across = std::clamp(static_cast<int>(std::lround(size.x() / kLampSpacing)), 1, 6);
         const int along = std::clamp(static_cast<int>(std::lround(size.y() / kLampSpacing)), 1, 6);
+        const auto lamps = static_cast<std::size_t>(across * along);
+        rig.lamps_per_point = std::clamp(lamps, rig.lamps_per_point, kMostPerPoint);
         for (int i = 0; i < across; ++i) {
             for (int j = 0; j < along; ++j) {
                 Eigen::Vector2d at(room.min().x() + (i + 0.5) / across * size.x(),

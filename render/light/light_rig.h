@@ -28,6 +28,10 @@ struct Lamp {
 /// where the lamp is placed.
 constexpr double kLampShade = 0.4;
 
+/// Height above the floor of lamps in high halls, m: light of lamps farther away than 9 m is
+/// neglected.
+constexpr double kHighestLamp = 5.0;
+
 /// Emission is clamped to this, because files use no common unit; few exceed it.
 constexpr float kBrightestEmission = 8.0F;
 
@@ -52,6 +56,7 @@ constexpr double kSunRadius = 0.00465;
 struct LightRig {
     std::vector<Lamp> lamps;
     std::vector<SceneLamp> scene_lamps;
+    std::size_t lamps_per_point = 4;  // nearest lamps that are evaluated for a point's direct light
     Eigen::Vector3f lamp_color = {1.0F, 0.93F, 0.83F};  // linear; warm
     Eigen::Vector3f sky_color = {0.80F, 0.93F, 1.15F};  // through windows and open sides; cool
     double sky_strength = 0.8;

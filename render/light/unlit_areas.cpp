@@ -216,6 +216,7 @@ std::vector<Lamp> lampsForUnlitAreas(const Scene& scene, const RayCaster& rays,
             });
             Lamp lamp;
             lamp.position = place.lamp;
+            lamp.position.z() -= std::max(0.0, place.height_m - kUnderCeiling - kHighestLamp);
             lamp.radius_m = 0.2;
             lamp.intensity = intensityFor(lit, places.step_m(), place.height_m);
             added.push_back(lamp);

@@ -259,6 +259,39 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
     EXPECT_NEAR(volume.exposure, dim.exposure, 0.25F * dim.exposure);
 }
 
+// In a high hall the floor is about as bright as in a room, and as path tracing has it.
+TEST_F(LightGl, AHighHallIsNotDark) {
+    dollytrack::test::SceneBuilder builder;
+    const double x = 15.0, y = 20.0, z = 10.0;
+    const Eigen::Vector3f paint(0.7F, 0.7F, 0.7F);
+    builder.object("floor", {kNyuFloor, Role::Structure, paint})
+        .quad({0, 0, 0}, {x, 0, 0}, {0, y, 0});
+    builder.object("ceiling", {kNyuCeiling, Role::Structure, paint})
+        .quad({0, 0, z}, {0, y, 0}, {x, 0, 0});
+    builder.object("walls", {kNyuWall, Role::Structure, paint})
+        .quad({0, 0, 0}, {0, y, 0}, {0, 0, z})
+        .quad({x, 0, 0}, {0, 0, z}, {0, y, 0})
+        .quad({0, 0, 0}, {0, 0, z}, {x, 0, 0})
+        .quad({0, y, 0}, {x, 0, 0}, {0, 0, z});
+    builder.object("table", {kNyuOtherFurniture, Role::Target, paint})
+        .box({7, 9, 0.4}, {2, 1, 0.8});
+    Scene scene = builder.build();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    const RayCaster rays(scene);
+    const LightRig rig = makeLightRig(scene, rays);
+    const LightVolume volume = bakeLightVolume(scene, rays, rig);
+    CameraParams camera = squareCamera();
+    camera.width_px = 40;
+    camera.height_px = 30;
+    const View view = makeView(camera, lookAt({3.0, 3.0, 1.5}, {7.0, 9.0, 0.6}));
+    const std::vector<float> drawn = lightOf(scene, volume, view);
+    double mean = 0.0;
+    for (const float value : drawn) mean += value / static_cast<double>(drawn.size());
+    EXPECT_GT(mean, 0.2);
+    EXPECT_LT(mean, 1.0);
+    EXPECT_LT(difference(scene, rays, rig, volume, view, 1.0F), 0.1);
+}
+
 class DatasetLightGl : public test::DatasetGlTest {
   protected:
     std::string pictureWith(const LightParams& light, const char* name) {
