@@ -363,6 +363,51 @@ TEST(FrameGuess, BelievesFurnitureBeforeTheHeightOfTheWalls) {
     }
 }
 
+// A room with floor and ceiling that is too low to stand in is doubtful, whatever its furniture.
+TEST(FrameGuess, DoubtsAClosedRoomThatIsTooLow) {
+    const TempFolder folder;
+    const Scene scene =
+        imported(folder.write("room.gltf", asGltf(livingRoom(true), 'y', 0.62, folder)));
+    EXPECT_NE(joined(scene.report.warnings).find("the unit is doubtful"), std::string::npos);
+    EXPECT_NEAR(scene.report.proposal.unit_m.value_or(1.0), 1.0 / 0.62, 0.4);
+}
+
+// The file's unit is not replaced by one that is doubtful itself.
+TEST(FrameGuess, KeepsTheUnitOfAFileIfNoUsualOneIsBetter) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(true);
+    for (NamedBox& box : boxes) {  // long and 21 m high; pillows in centimetres have usual sizes
+        box.low = box.low.cwiseProduct(Eigen::Vector3d(8, 8, 8));
+        box.high = box.high.cwiseProduct(Eigen::Vector3d(8, 8, 8));
+    }
+    boxes.erase(boxes.begin() + 6, boxes.end());
+    boxes.push_back({"pillow", {3, 3, 0}, {50, 30, 10}});
+    const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
+    EXPECT_EQ(scene.report.unit_m, 1.0) << joined(scene.report.warnings);
+    EXPECT_NE(joined(scene.report.warnings).find("the unit is doubtful"), std::string::npos);
+}
+
+// A room without furniture and names looks the same upside down.
+TEST(FrameGuess, TakesAnEmptyRoomAsUpright) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(false);
+    boxes.resize(6);
+    for (const double width : {3.0, 4.0, 6.0}) {
+        for (const double length : {3.0, 5.0, 8.0}) {
+            const Eigen::Vector3d wider(width - boxes[1].high.x(), length - boxes[1].high.y(), 0);
+            for (NamedBox& box : boxes) {
+                for (Eigen::Vector3d* corner : {&box.low, &box.high}) {
+                    if (corner->x() > 2.0) corner->x() += wider.x();
+                    if (corner->y() > 2.0) corner->y() += wider.y();
+                }
+            }
+            const Scene scene = imported(folder.write("room.obj", asObj(boxes, 'y')));
+            EXPECT_EQ(scene.report.up_axis, "y") << width << " x " << length;
+            EXPECT_EQ(joined(scene.report.warnings).find("--up -y"), std::string::npos);
+        }
+    }
+}
+
 // A robot is not a room, and its format's unit is the metre.
 TEST(FrameGuess, DoubtsNoUnitThatTheFormatFixes) {
     const TempFolder folder;

@@ -82,7 +82,7 @@ void noteMaterialMeshes(const MaterialMeshes& found, bool regrouped, ImportRepor
         counted(found.names.size(), "mesh contains", "meshes contain") +
         fmt::format(" parts of several objects: {}; ", fmt::join(found.names, ", "));
     if (regrouped) {
-        report.notes.push_back(
+        report.warnings.push_back(
             meshes + fmt::format("they were regrouped into {} (--keep-meshes leaves them)",
                                  counted(found.objects, "object", "objects")));
         if (found.unnamed > 0) {

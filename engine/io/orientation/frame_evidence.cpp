@@ -64,19 +64,13 @@ MeasuredObject measureSource(const Source& source) {
 /// Extends the core to floors, walls and ceilings that the outlier cut removed: thin objects about
 /// as wide as the core, within twice its extent.
 void includeRoomSides(const std::vector<MeasuredObject>& objects, Eigen::AlignedBox3d& core) {
-    constexpr double kLeastCover = 0.6;
-    constexpr double kMostCover = 1.3;
     constexpr double kNear = 2.0;  // times the extent of the core
     const Eigen::AlignedBox3d left = core;
     for (const MeasuredObject& object : objects) {
-        const Eigen::Array3d cover = object.box.sizes().array() / left.sizes().array().max(1e-12);
         for (int axis = 0; axis < 3; ++axis) {
             const double reach = kNear * left.sizes()[axis];
-            const bool is_side =
-                cover[axis] < kLeastCover &&
-                std::min(cover[(axis + 1) % 3], cover[(axis + 2) % 3]) > kLeastCover &&
-                std::max(cover[(axis + 1) % 3], cover[(axis + 2) % 3]) < kMostCover;
-            if (!is_side || object.box.min()[axis] < left.min()[axis] - reach ||
+            if (!isRoomSide(object, left, axis) ||
+                object.box.min()[axis] < left.min()[axis] - reach ||
                 object.box.max()[axis] > left.max()[axis] + reach) {
                 continue;
             }
@@ -183,6 +177,15 @@ Scene sceneOfDrafts(const RawScene& raw, const std::vector<ObjectDraft>& drafts)
 }
 
 }  // namespace
+
+bool isRoomSide(const MeasuredObject& object, const Eigen::AlignedBox3d& core, int axis) {
+    constexpr double kLeastCover = 0.6;
+    constexpr double kMostCover = 1.3;
+    const Eigen::Array3d cover = object.box.sizes().array() / core.sizes().array().max(1e-12);
+    const double a = cover[(axis + 1) % 3];
+    const double b = cover[(axis + 2) % 3];
+    return cover[axis] < kLeastCover && std::min(a, b) > kLeastCover && std::max(a, b) < kMostCover;
+}
 
 FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft>& drafts) {
     std::vector<Source> sources;

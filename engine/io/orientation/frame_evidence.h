@@ -40,6 +40,11 @@ struct FrameEvidence {
     std::array<LevelAreas, 3> levels;  // for x, y, z
 };
 
+/// Whether an object is as wide as the core along two axes and thinner along this one, as floors,
+/// ceilings and walls are.
+[[nodiscard]] bool isRoomSide(const MeasuredObject& object, const Eigen::AlignedBox3d& core,
+                              int axis);
+
 /// Measures the drafts, in the source's axes and unit.
 FrameEvidence collectEvidence(const RawScene& raw, const std::vector<ObjectDraft>& drafts);
 

@@ -30,6 +30,20 @@ std::vector<UpEvidence> rankAxes(const FrameEvidence& evidence) {
     return ranked;
 }
 
+/// rankAxes() with the right way up first unless the evidence for upside down is strong: few files
+/// are, and in a room without furniture rounding errors would decide.
+std::vector<UpEvidence> rankUpright(const FrameEvidence& evidence) {
+    std::vector<UpEvidence> ranked = rankAxes(evidence);
+    const UpAxis best = ranked[0].axis;
+    if (!best.negative) return ranked;
+    const auto upright = std::ranges::find(ranked, UpAxis(best.letter, false), &UpEvidence::axis);
+    if (!contradicts(evidence, ranked, upright->axis, kDoubtfulLead)) {
+        upright->score = ranked[0].score + 2.0 * kSlightly;
+        std::rotate(ranked.begin(), upright, upright + 1);
+    }
+    return ranked;
+}
+
 /// Uses the file's axis unless the evidence against it is overwhelming. The axis of a dataset or
 /// home is always used, because it is not an exporter's setting. proposeImport() reports smaller
 /// doubts.
@@ -60,7 +74,7 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
         return;
     }
     if (raw.file_up_axis.isAxis()) return weighFileAxis(raw, evidence, choice);
-    const std::vector<UpEvidence> ranked = rankAxes(evidence);
+    const std::vector<UpEvidence> ranked = rankUpright(evidence);
     choice.up_axis = ranked[0].axis;
     choice.up_source = "found by floors, ceilings and the objects on them";
     const std::string axis = choice.up_axis.text();
@@ -129,7 +143,13 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
         const double unit = *raw.file_unit_m;
         const UnitScore by_file = scoreUnit(evidence, unit);
         // Wrong units of exporters are more frequent than scenes of unusual size.
-        if (by_file.score >= 0.15 || best.score < 0.5 || best.score < 3.0 * by_file.score) {
+        bool replaces =
+            by_file.score < 0.15 && best.score >= 0.5 && best.score >= 3.0 * by_file.score;
+        UnitScore another = best;
+        double another_unit = best_unit;
+        preferStandingHeight(evidence, another_unit, another);
+        replaces = replaces && !isUnitDoubtful(evidence, another_unit);
+        if (!replaces) {
             choice.unit_m = unit;
             choice.unit_source = "file";
             // Height alone does not suggest another unit, because a house may have several storeys.
@@ -143,7 +163,8 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
             }
             return;
         }
-        preferStandingHeight(evidence, best_unit, best);
+        best = another;
+        best_unit = another_unit;
         choice.warnings.push_back(fmt::format(
             "the file says 1 unit = {:.3g} m, which makes the {}; {:.3g} m was used instead", unit,
             by_file.evidence, best_unit));
@@ -151,9 +172,9 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     choice.unit_m = best_unit;
     choice.unit_source = "judged: " + best.evidence;
     if (maybe_feet) {
-        choice.warnings.push_back("the unit is doubtful: this may be a hall in metres (" +
-                                  best.evidence +
-                                  "), or a room in feet; give 0.3048 metres per unit for feet");
+        choice.unit_doubt = "the unit is doubtful: this may be a hall in metres (" + best.evidence +
+                            "), or a room in feet";
+        choice.likelier_unit_m = 0.3048;
     } else if (best.score < kDoubtfulScore) {
         choice.unit_doubt = "the unit is doubtful: no usual unit gives this scene a room's size";
     }

@@ -35,9 +35,9 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// The median distance from one storey's floor to the next; the whole height where there are no two
-/// of them. Floor and ceiling of a single room are two levels and one distance.
-double storeyHeight(const LevelAreas& levels, double height) {
+/// The distances from one storey's floor to the next. Floor and ceiling of a single room are two
+/// levels and one distance.
+std::vector<double> storeyHeights(const LevelAreas& levels, double height) {
     const double largest = *std::ranges::max_element(levels.floors);
     std::vector<double> gaps;
     double last = -1.0;
@@ -48,7 +48,7 @@ double storeyHeight(const LevelAreas& levels, double height) {
         if (last >= 0.0 && at - last > 0.15 * height) gaps.push_back(at - last);
         last = at;
     }
-    return gaps.size() < 2 ? height : median(std::move(gaps));
+    return gaps;
 }
 
 struct Vote {
@@ -107,7 +107,9 @@ UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evi
     }
     result.height = evidence.core.sizes()[up.index()] / evidence_m;
     result.length = evidence.core.sizes().maxCoeff() / evidence_m;
-    result.storey_height = storeyHeight(evidence.levels[up.index()], result.height);
+    std::vector<double> storeys = storeyHeights(evidence.levels[up.index()], result.height);
+    result.has_ceiling = !storeys.empty();
+    result.storey_height = storeys.size() < 2 ? result.height : median(std::move(storeys));
     return result;
 }
 
@@ -134,6 +136,7 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
         return likelier < kFactor * unit_m && unit_m < kFactor * likelier;
     };
     const double storey_m = evidence.storey_height * unit_m;
+    if (evidence.has_ceiling && storey_m < kLowestRoom_m) return true;
     if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
         scoreUnit(evidence, unit_m).furniture >= kAllFit) {
         return false;

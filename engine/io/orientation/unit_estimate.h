@@ -23,6 +23,7 @@ struct UnitEvidence {
     double height = 0.0;         // of the core
     double storey_height = 0.0;  // median distance between floors; `height` for a single storey
     double length = 0.0;         // of the core's longest side
+    bool has_ceiling = false;    // and a floor; without both the height may be that of cut walls
 };
 
 /// Measures `evidence`. If it is in metres already, `evidence_m` is the number of metres per source
@@ -38,9 +39,10 @@ struct UnitScore {
 UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m);
 
 /// Whether furniture and room are too small or too large by a factor of 1.6 with this unit, or the
-/// room's height is implausible (below 1.8 m, or above 6 m between floors). The height is ignored
-/// if at least three kinds of furniture together have about their typical size. If each of them has
-/// and the storey height is plausible, the unit is never doubtful.
+/// room's height is implausible (below 1.8 m, or above 6 m between floors). Unless a room with
+/// floor and ceiling is too low, the height is ignored if at least three kinds of furniture
+/// together have about their typical size. If each of them has and the storey height is plausible,
+/// the unit is never doubtful.
 bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m);
 
 /// The most likely number of metres per source unit: the weighted median over the kinds of

@@ -29,7 +29,8 @@ struct UpEvidence {
 std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence);
 
 /// Whether the best direction leads `axis` by at least `lead`. False for fewer than four objects,
-/// since these may lie on their side.
+/// since these may lie on their side, and if upside down is best but fewer than four of the objects
+/// are anything else than sides of the room, which look the same both ways.
 [[nodiscard]] bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked,
                                UpAxis axis, double lead = 1.0);
 

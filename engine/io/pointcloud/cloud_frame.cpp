@@ -61,6 +61,25 @@ double floorEvidence(const CloudSamples& samples, const std::vector<CloudPlane>&
     return total > 0.0 ? evidence / total : 0.0;
 }
 
+/// -1..1: whether level surfaces between floor and ceiling face up, as table tops, seats and beds
+/// do, rather than down. Their undersides are small or were not scanned. A closed room's floor and
+/// ceiling look the same upside down. Closer to 0 if there are few such surfaces.
+double topsEvidence(const CloudSamples& samples, const Eigen::Vector3d& up, const Spread& spread) {
+    constexpr double kEnds = 0.12;    // of the height: range of floor and ceiling
+    constexpr double kEnough = 0.02;  // share of all samples
+    const double size = std::max(spread.high - spread.low, 1e-9);
+    double upward = 0.0;
+    double downward = 0.0;
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        const double height = (up.dot(samples.points[i]) - spread.low) / size;
+        const double facing = up.dot(samples.normals[i]);
+        if (height < kEnds || height > 1.0 - kEnds || std::abs(facing) < kAlong) continue;
+        ++(facing > 0.0 ? upward : downward);
+    }
+    const double enough = kEnough * static_cast<double>(samples.points.size());
+    return (upward - downward) / std::max({upward + downward, enough, 1.0});
+}
+
 /// Whether the axes are those of a camera: nearly all surfaces face against the z axis.
 bool isCameraFrame(const CloudSamples& samples) {
     std::size_t facing = 0;
@@ -120,6 +139,7 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
             one.floor = floorEvidence(samples, planes, one.up, spread);
             // Most points are in the lower half, and rooms are lower than long.
             one.score = 2.0 * one.floor + 1.0 - 2.0 * (spread.mean - spread.low) / size;
+            one.score += topsEvidence(samples, one.up, spread);
             if (size < 1.001 * smallest) one.score += 0.4;
             // Common conventions: surveys have z up, models y up, cameras y down.
             if (i == 2 && sign > 0.0) one.score += 0.3;

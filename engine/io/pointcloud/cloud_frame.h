@@ -20,7 +20,8 @@ struct CloudUp {
 };
 
 /// Estimates the up axis from floors and ceilings (large planes that face up at the bottom and down
-/// at the top), the scanner's direction (a camera's y axis points down) and common conventions.
+/// at the top), the tops of furniture, the scanner's direction (a camera's y axis points down) and
+/// common conventions.
 /// Then tilts it by at most 30 degrees to the normal of the largest floor or ceiling, or to be
 /// parallel to the walls. If `axis` is given, only that one is considered.
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,

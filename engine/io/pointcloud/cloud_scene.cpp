@@ -322,7 +322,10 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
             fmt::format("1 unit of the cloud is {} m, estimated by its size", unit_m));
     }
     raw.notes.push_back("up in the cloud: " + up.source);
-    if (up.doubtful) raw.notes.push_back("the cloud's upward axis is doubtful; give it if wrong");
+    if (up.doubtful) {
+        raw.warnings.push_back(
+            "the cloud's upward axis is doubtful; pass --up if floor and ceiling are wrong");
+    }
     return raw;
 }
 

@@ -46,6 +46,12 @@ class RoomScan {
         rectangle(low + x, y, z, color);
     }
 
+    /// Closes the room; its fourth wall is missing all the same.
+    RoomScan& ceiling() {
+        rectangle({0, 0, 2.5}, {3, 0, 0}, {0, 4, 0}, kWall);
+        return *this;
+    }
+
     [[nodiscard]] const std::string& text() const { return text_; }
 
     static constexpr Color kFloor = {120, 80, 40};
@@ -185,6 +191,21 @@ TEST(CloudRoom, SparseScansGetLargerCubesAndSaySo) {
     EXPECT_TRUE(std::any_of(
         scene->report.warnings.begin(), scene->report.warnings.end(),
         [](const std::string& line) { return line.find("mm apart") != std::string::npos; }));
+}
+
+// Floor and ceiling of a closed room look alike; the tops of what stands in it tell which way up.
+TEST(CloudRoom, KnowsAClosedRoomThatIsUpsideDown) {
+    const test::TempFolder folder;
+    const auto upsideDown = [](const Eigen::Vector3d& p) {
+        return Eigen::Vector3d(p.x(), -p.y(), -p.z());
+    };
+    for (const bool turned : {false, true}) {
+        RoomScan scan(turned ? Map(upsideDown) : Map(asItIs));
+        const auto scene = importScene(folder.write("room.xyz", scan.ceiling().text()));
+        ASSERT_TRUE(scene) << describe(scene.error());
+        EXPECT_EQ(scene->source_from_world.linear().col(2).z() < 0.0, turned);
+        expectTheRoom(*scene, 0.05);
+    }
 }
 
 // The same room in a camera's tilted axes is levelled; the transform to the file's axes has the
