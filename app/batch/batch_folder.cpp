@@ -95,7 +95,7 @@ Result<BatchList> readBatchList(const fs::path& folder) {
         }
     } catch (const Json::exception& e) {
         return fail(ErrorCode::BadInput,
-                    std::string("a field is missing or of the wrong type (") + e.what() + ")",
+                    "a field is missing or of the wrong type (" + plainReason(e) + ")",
                     path.string());
     }
     return list;

@@ -1,6 +1,7 @@
 #include "engine/document/history_json.h"
 
 #include "engine/document/edits_json.h"
+#include "engine/io/files/bounded_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,7 +57,7 @@ Result<CommandStack::History> historyFromJson(const nlohmann::json& json) {
         }
         history.position = json.at("position").get<std::size_t>();
     } catch (const nlohmann::json::exception& error) {
-        return badStep(history.steps.size(), error.what());
+        return badStep(history.steps.size(), plainReason(error));
     }
     if (history.position >= history.steps.size()) {
         return badStep(history.position, "there is no such step");

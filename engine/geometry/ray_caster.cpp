@@ -6,6 +6,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <vector>
 
@@ -17,9 +18,19 @@ float upperBound(double max_distance) {
         std::min(max_distance, static_cast<double>(std::numeric_limits<float>::infinity())));
 }
 
+/// A ray that hits nothing if its origin or direction is not finite or too large: Embree aborts the
+/// process on such numbers.
 RTCRay makeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double min_distance,
                double max_distance) {
+    constexpr double kLargest = 1e18;
     RTCRay ray{};
+    ray.mask = ~0U;
+    const double size =
+        origin.cwiseAbs().sum() + direction.cwiseAbs().sum() + std::abs(min_distance);
+    if (!(size < kLargest)) {  // also if it is not a number
+        ray.tnear = 1.0F;
+        return ray;
+    }
     ray.org_x = static_cast<float>(origin.x());
     ray.org_y = static_cast<float>(origin.y());
     ray.org_z = static_cast<float>(origin.z());
@@ -28,7 +39,6 @@ RTCRay makeRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, 
     ray.dir_z = static_cast<float>(direction.z());
     ray.tnear = static_cast<float>(min_distance);
     ray.tfar = upperBound(max_distance);
-    ray.mask = ~0U;
     return ray;
 }
 

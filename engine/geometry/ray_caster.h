@@ -25,7 +25,7 @@ struct ClosestPoint {
 
 /// Ray casts and closest-point queries on a scene's triangles, by Embree's bounding volume
 /// hierarchies. Keeps a copy of the geometry, so the scene may be destroyed. All queries are const
-/// and thread-safe.
+/// and thread-safe. A ray hits nothing if its origin or direction is not finite or beyond 1e18.
 class RayCaster {
   public:
     explicit RayCaster(const Scene& scene);

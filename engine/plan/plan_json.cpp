@@ -1,5 +1,6 @@
 #include "engine/plan/plan_json.h"
 
+#include "engine/io/files/bounded_json.h"
 #include "engine/plan/ledger_json.h"
 
 #include <fmt/format.h>
@@ -105,7 +106,7 @@ Result<CaptureMetrics> captureMetricsFromJson(const json& value) {
         });
     } catch (const json::exception& e) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    fmt::format("A field is missing or of the wrong type ({}).", plainReason(e)),
                     "metrics");
     }
     return metrics;
@@ -263,7 +264,7 @@ Result<Trajectory> trajectoryFromJson(const json& value) {
         }
     } catch (const json::exception& e) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    fmt::format("A field is missing or of the wrong type ({}).", plainReason(e)),
                     fmt::format("trajectory frame {}", index));
     }
     return trajectory;
@@ -282,7 +283,7 @@ Result<std::vector<Eigen::AlignedBox3d>> roomsFromJson(const json& result) {
         }
     } catch (const json::exception& e) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    fmt::format("A field is missing or of the wrong type ({}).", plainReason(e)),
                     fmt::format("room {}", rooms.size()));
     }
     return rooms;

@@ -3,6 +3,7 @@
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/sha256.h"
+#include "engine/io/files/text_file.h"
 #include "engine/jobs/parallel.h"
 #include "engine/plan/plan_json.h"
 #include "render/gl/context.h"
@@ -36,8 +37,19 @@ void checkAll(std::size_t count, const JobContext& job, const Check& check) {
     }
 }
 
-Json readCard(const DatasetFolder& folder) {
-    return readBoundedJson<Json>(folder.folder(), kCardFile).value_or(Json());
+/// dataset.json, its list of files apart. Both are null if it cannot be read.
+struct StoredCard {
+    Json rest;
+    nlohmann::json files;  // {"files": hashes by name}
+};
+
+StoredCard readCard(const DatasetFolder& folder) {
+    const Result<InputFile> file = folder.folder().openInput(kCardFile);
+    const Result<std::string> text =
+        file ? file->readAll(kMostTextBytes) : Result<std::string>(tl::unexpected(file.error()));
+    if (!text) return {};
+    return {parseBoundedJson<Json>(withoutField(*text, "files"), kCardFile).value_or(Json()),
+            parseBoundedJson(*text, kCardFile, onlyField("files")).value_or(nlohmann::json())};
 }
 
 tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,
@@ -71,7 +83,7 @@ std::map<int, JournalEntry> wholeFrames(const DatasetFolder& folder,
 /// Compares a complete dataset with the wanted one as far as possible without rendering.
 Result<RecordedResults> checkComplete(const DatasetFolder& folder, const DatasetOrder& order,
                                       const JobContext& job) {
-    const Json found = readCard(folder);
+    const auto [found, listed] = readCard(folder);
     if (!found.is_object()) return damaged(folder, "dataset.json", 1);
     std::string differing;
     const Json expected = datasetCardJson(order.contents, order.card);
@@ -91,7 +103,7 @@ Result<RecordedResults> checkComplete(const DatasetFolder& folder, const Dataset
     }
     try {
         std::vector<std::pair<std::string, std::string>> files;
-        for (const auto& [file, hash] : found.at("files").items()) {
+        for (const auto& [file, hash] : listed.at("files").items()) {
             files.emplace_back(file, hash.get<std::string>());
         }
         std::vector<char> whole(files.size(), 0);

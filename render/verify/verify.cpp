@@ -1,5 +1,6 @@
 #include "render/verify/verify.h"
 
+#include "engine/io/files/bounded_json.h"
 #include "engine/jobs/parallel.h"
 
 #include <fmt/format.h>
@@ -36,7 +37,8 @@ void guarded(Findings& findings, std::optional<int> frame, const Work& work) {
     try {
         work();
     } catch (const std::exception& error) {
-        findings.add({"dataset.json", frame, {}, error.what(), "files that this check can read"});
+        findings.add(
+            {"dataset.json", frame, {}, plainReason(error), "files that this check can read"});
     }
 }
 

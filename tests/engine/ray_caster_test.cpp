@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
+#include <vector>
 
 namespace dollytrack {
 
@@ -35,6 +37,25 @@ TEST(RayCaster, MeetsObjectLooksThroughEverythingElse) {
     EXPECT_TRUE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}, 2.001));
     EXPECT_FALSE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {-1, 0, 0}, 1.999));
     EXPECT_FALSE(rays.meetsObject(wall, {2.0, 1.5, 0.4}, {1, 0, 0}));
+}
+
+TEST(RayCaster, RaysWithImpossibleNumbersHitNothing) {
+    const Scene scene = test::furnishedRoom();
+    const RayCaster rays(scene);
+    const Eigen::Vector3d inside(2.0, 1.5, 0.4);
+    for (const double number : {1e20, -1e300, std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::quiet_NaN()}) {
+        const Eigen::Vector3d bad(number, 0, 0);
+        EXPECT_EQ(rays.cast(bad, {-1, 0, 0}).object_id, 0);
+        EXPECT_EQ(rays.cast(inside, bad).object_id, 0);
+        EXPECT_FALSE(rays.meetsObject(5, inside, bad));
+        std::vector<RayHit> hits;
+        rays.castBundle(inside, std::vector<RayCaster::BundleRay>{{{-1, 0, 0}}, {bad}}, 0.0, hits);
+        EXPECT_NE(hits[0].object_id, 0);
+        EXPECT_EQ(hits[1].object_id, 0);
+        rays.castBundle(bad, std::vector<RayCaster::BundleRay>{{{-1, 0, 0}}}, 0.0, hits);
+        EXPECT_EQ(hits[0].object_id, 0);
+    }
 }
 
 TEST(RayCaster, SeesOnlyThroughAir) {

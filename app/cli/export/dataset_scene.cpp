@@ -73,8 +73,7 @@ Result<SaidOfScene> readSaid(const verify::StoredDataset& dataset) {
         }
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
-                    std::string("It is damaged (") + error.what() + "); export the dataset again.",
-                    place);
+                    "It is damaged (" + plainReason(error) + "); export the dataset again.", place);
     }
     return said;
 }

@@ -51,7 +51,7 @@ Result<std::vector<RoomExport>> roomExports(const PlannedScene& planned) {
         }
     } catch (const nlohmann::json::exception& e) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("A field is missing or of the wrong type ({}).", e.what()),
+                    fmt::format("A field is missing or of the wrong type ({}).", plainReason(e)),
                     "metrics.rooms");
     }
     return exports;
@@ -116,7 +116,7 @@ Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
             folders.push_back(folder / name);
         }
     } catch (const nlohmann::json::exception& e) {
-        return fail(ErrorCode::BadInput, fmt::format("It is damaged ({}).", e.what()),
+        return fail(ErrorCode::BadInput, fmt::format("It is damaged ({}).", plainReason(e)),
                     (folder / kList).string());
     }
     if (folders.empty()) {

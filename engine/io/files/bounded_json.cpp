@@ -51,6 +51,27 @@ JsonSize sizeOf(std::string_view text) {
     return size;
 }
 
+/// The position of the bracket that closes the object which begins at `begin`; the text's size if
+/// none does.
+std::size_t objectEnd(std::string_view text, std::size_t begin) {
+    int depth = 0;
+    bool in_text = false;
+    for (std::size_t i = begin; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_text) {
+            if (c == '\\') ++i;
+            if (c == '"') in_text = false;
+        } else if (c == '"') {
+            in_text = true;
+        } else if (c == '[' || c == '{') {
+            ++depth;
+        } else if ((c == ']' || c == '}') && --depth == 0) {
+            return i;
+        }
+    }
+    return text.size();
+}
+
 /// Line and column of a byte, as ":3:14"; `byte` counts from 1.
 std::string placeIn(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
@@ -60,6 +81,41 @@ std::string placeIn(std::string_view text, std::size_t byte) {
 }
 
 }  // namespace
+
+template <class Json>
+JsonFilter<Json> onlyField(std::string name) {
+    return [name = std::move(name)](int depth, typename Json::parse_event_t event, Json& parsed) {
+        return depth != 1 || event != Json::parse_event_t::key || parsed == name;
+    };
+}
+
+std::string withoutField(std::string text, std::string_view name) {
+    int depth = 0;
+    bool is_key = false;  // the last string, at depth 1, is the name
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') {
+            const std::size_t quote = i++;
+            while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
+            is_key = depth == 1 && i < text.size() &&
+                     std::string_view(text).substr(quote + 1, i - quote - 1) == name;
+        } else if (c == '{' && depth == 1 && is_key) {
+            const std::size_t end = objectEnd(text, i);
+            std::replace_if(
+                text.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                text.begin() + static_cast<std::ptrdiff_t>(end), [](char x) { return x != '\n'; },
+                ' ');
+            i = end;
+        } else if (c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ']' || c == '}') {
+            --depth;
+        } else if (c == ',') {
+            is_key = false;
+        }
+    }
+    return text;
+}
 
 template <class Json>
 Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
@@ -109,6 +165,7 @@ Result<Json> readBoundedJson(const GuardedFolder& folder, const std::string& nam
     return parseBoundedJson<Json>(*text, (folder.path() / name).string(), keep);
 }
 
+template JsonFilter<nlohmann::json> onlyField<nlohmann::json>(std::string);
 template Result<nlohmann::json> readBoundedJson(const GuardedFolder&, const std::string&,
                                                 const JsonFilter<nlohmann::json>&);
 template Result<nlohmann::ordered_json> readBoundedJson(const GuardedFolder&, const std::string&,
@@ -121,6 +178,13 @@ template Result<nlohmann::ordered_json> readBoundedJson(const std::filesystem::p
                                                         const JsonFilter<nlohmann::ordered_json>&);
 template Result<nlohmann::ordered_json> parseBoundedJson(std::string_view, const std::string&,
                                                          const JsonFilter<nlohmann::ordered_json>&);
+
+std::string plainReason(const std::exception& error) {
+    std::string reason = error.what();
+    const std::size_t end = reason.find("] ");
+    if (reason.starts_with("[json.") && end != std::string::npos) reason.erase(0, end + 2);
+    return reason;
+}
 
 std::optional<double> numberIn(const nlohmann::json& value) {
     double number = 0.0;

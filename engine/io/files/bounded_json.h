@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,15 @@ inline constexpr int kDeepestJson = 64;
 /// Decides during parsing which values are kept; see nlohmann::basic_json::parser_callback_t.
 template <class Json>
 using JsonFilter = typename Json::parser_callback_t;
+
+/// Keeps one field of a file's outermost object.
+template <class Json = nlohmann::json>
+JsonFilter<Json> onlyField(std::string name);
+
+/// The text of a JSON object with the object in this field emptied; lines and columns of the rest
+/// stay. nlohmann::ordered_json takes quadratic time for an object of many fields: read that one
+/// apart as nlohmann::json, with onlyField().
+std::string withoutField(std::string text, std::string_view name);
 
 /// Reads a JSON file. All JSON of other origin than this process is read by this function or by
 /// parseBoundedJson(). The text is measured before it is parsed: at most 512 MiB, nested at most
@@ -38,6 +48,9 @@ Result<Json> readBoundedJson(const GuardedFolder& folder, const std::string& nam
 template <class Json = nlohmann::json>
 Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
                               const JsonFilter<Json>& keep = nullptr);
+
+/// What an exception of the JSON library says, without its "[json.exception.type_error.302] ".
+std::string plainReason(const std::exception& error);
 
 /// A finite number, written as one or as a string ("0.5"); data sets have both.
 std::optional<double> numberIn(const nlohmann::json& value);

@@ -44,7 +44,7 @@ Result<PoseList> readFront3d(const PoseFile& file) {
     } catch (const nlohmann::json::exception& error) {
         return fail(
             ErrorCode::BadInput,
-            fmt::format("The file is not a list of {{pos, target, fov}} ({}).", error.what()),
+            fmt::format("The file is not a list of {{pos, target, fov}} ({}).", plainReason(error)),
             where());
     }
     if (list.poses.empty()) {

@@ -51,7 +51,8 @@ Result<PoseList> readTransforms(const PoseFile& file) {
         list.hfov_deg = hfovOf(*root);
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("The file is not a transforms.json ({}).", error.what()), where());
+                    fmt::format("The file is not a transforms.json ({}).", plainReason(error)),
+                    where());
     }
     if (list.poses.empty()) {
         return fail(ErrorCode::BadInput, "The file has no frames.", file.path.string());

@@ -103,10 +103,7 @@ Result<std::vector<std::string>> filesNamed(const GuardedFolder& folder,
 Result<bool> hasOurCard(const GuardedFolder& folder) {
     if (!folder.has(kCardFile)) return false;
     // A foreign file may be huge, so only its `format` is kept.
-    const Result<json> card =
-        parseCard(folder, kCardFile, [](int depth, json::parse_event_t event, json& parsed) {
-            return depth != 1 || event != json::parse_event_t::key || parsed == "format";
-        });
+    const Result<json> card = parseCard(folder, kCardFile, onlyField("format"));
     if (!card) return tl::unexpected(card.error());
     return card->is_object() && card->contains("format") && (*card)["format"] == kDatasetFormat;
 }
@@ -127,10 +124,7 @@ std::size_t framesListed(const GuardedFolder& folder) {
 }
 
 Result<std::set<std::string>> filesListed(const GuardedFolder& folder, const std::string& card) {
-    const Result<json> found =
-        parseCard(folder, card, [](int depth, json::parse_event_t event, json& parsed) {
-            return depth != 1 || event != json::parse_event_t::key || parsed == "files";
-        });
+    const Result<json> found = parseCard(folder, card, onlyField("files"));
     if (!found) return tl::unexpected(found.error());
     std::set<std::string> files;
     if (!found->is_object() || !found->contains("files")) return files;

@@ -1,3 +1,4 @@
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/files/number_lines.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
@@ -225,7 +226,7 @@ CheckWork beginBop(const Subject& subject, Findings& findings) {
         try {
             FrameCheck(dataset, images, found).run(*files);
         } catch (const Json::exception& error) {
-            found.add({kTruth, images.frame(), {}, error.what(), "BOP's numbers"});
+            found.add({kTruth, images.frame(), {}, plainReason(error), "BOP's numbers"});
         }
     };
     return work;

@@ -1,4 +1,5 @@
 // Checks camera.json except its poses: lens, planes, and the targets that each frame shows well.
+#include "engine/io/files/bounded_json.h"
 #include "engine/plan/capture.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
@@ -178,7 +179,7 @@ CheckWork beginCameraJson(const Subject& subject, Findings& findings) {
             targets->of_frame.push_back(std::move(names));
         }
     } catch (const Json::exception& error) {
-        findings.add({kFile, {}, {}, error.what(), "an array of cameras"});
+        findings.add({kFile, {}, {}, plainReason(error), "an array of cameras"});
         return {};
     }
     readVisibleFractions(dataset, *targets);

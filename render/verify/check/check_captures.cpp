@@ -1,3 +1,4 @@
+#include "engine/io/files/bounded_json.h"
 #include "engine/plan/capture.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/object_pixels.h"
@@ -117,7 +118,7 @@ CheckWork beginCaptures(const Subject& subject, Findings& findings) {
     try {
         *captures = readCaptures(subject.dataset, findings);
     } catch (const nlohmann::json::exception& error) {
-        findings.add({"dataset.json", {}, {}, error.what(), "metrics.counted"});
+        findings.add({"dataset.json", {}, {}, plainReason(error), "metrics.counted"});
         return {};
     }
     CheckWork work;

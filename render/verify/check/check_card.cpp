@@ -1,3 +1,4 @@
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/files/sha256.h"
 #include "engine/scene/labels.h"
 #include "render/verify/check/check_list.h"
@@ -139,7 +140,7 @@ CheckWork beginCard(const Subject& subject, Findings& findings) {
         checkRelations(subject.dataset, report);
         checkFrames(subject.dataset, report);
     } catch (const nlohmann::json::exception& error) {
-        findings.add({"dataset.json", {}, {}, error.what(), "all fields of dataset.json"});
+        findings.add({"dataset.json", {}, {}, plainReason(error), "all fields of dataset.json"});
     }
     return {};
 }

@@ -1,4 +1,5 @@
 // Checks the lists for cross-validation.
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
 #include "render/verify/check/check_list.h"
@@ -190,7 +191,7 @@ CheckWork beginFolds(const Subject& subject, Findings& findings) {
     try {
         FoldCheck(subject.dataset, findings).run(subject.dataset.card.at("folds"));
     } catch (const Json::exception& error) {
-        findings.add({"dataset.json", {}, {}, error.what(), "folds"});
+        findings.add({"dataset.json", {}, {}, plainReason(error), "folds"});
     }
     return {};
 }

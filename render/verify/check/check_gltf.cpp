@@ -1,3 +1,4 @@
+#include "engine/io/files/bounded_json.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/glb_file.h"
 
@@ -141,7 +142,7 @@ CheckWork beginGltf(const Subject& subject, Findings& findings) {
                       });
         }
     } catch (const nlohmann::json::exception& error) {
-        findings.add({kFile, {}, {}, error.what(), "a scene with an animated camera"});
+        findings.add({kFile, {}, {}, plainReason(error), "a scene with an animated camera"});
     }
     return {};
 }

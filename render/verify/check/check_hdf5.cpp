@@ -1,4 +1,5 @@
 // Checks the per-frame HDF5 files in BlenderProc's layout: the frame's images and its pose.
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/hdf5/hdf5_reader.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
@@ -162,7 +163,7 @@ CheckWork beginHdf5(const Subject& subject, Findings& /*findings*/) {
             findings.add({fmt::format("hdf5/{:06}.hdf5", images.frame()),
                           images.frame(),
                           {},
-                          error.what(),
+                          plainReason(error),
                           "BlenderProc's JSON"});
         }
     };

@@ -1,5 +1,6 @@
 // Integrates the inertial measurements over short spans and compares with the poses.
 #include "engine/camera/imu_track.h"
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/files/number_lines.h"
 #include "engine/io/files/text_file.h"
 #include "render/verify/check/check_list.h"
@@ -223,7 +224,7 @@ CheckWork beginImu(const Subject& subject, Findings& findings) {
     try {
         rate_hz = dataset.card.at("parameters").at("imu").at("imu_rate_hz").get<double>();
     } catch (const nlohmann::json::exception& error) {
-        findings.add({"dataset.json", {}, {}, error.what(), "parameters.imu.imu_rate_hz"});
+        findings.add({"dataset.json", {}, {}, plainReason(error), "parameters.imu.imu_rate_hz"});
         return {};
     }
     if (dataset.frames.size() < 2 || !(rate_hz > 0.0)) return {};

@@ -1,4 +1,5 @@
 // Reads every pose file as its readers do and compares with the poses of dataset.json.
+#include "engine/io/files/bounded_json.h"
 #include "engine/io/files/text_file.h"
 #include "engine/io/trajectories/pose_list.h"
 #include "render/verify/check/check_list.h"
@@ -134,7 +135,7 @@ CheckWork beginPoses(const Subject& subject, Findings& findings) {
         try {
             compareFile(dataset, format, findings);
         } catch (const nlohmann::json::exception& error) {
-            findings.add({"dataset.json", {}, {}, error.what(), "camera_json_from_world"});
+            findings.add({"dataset.json", {}, {}, plainReason(error), "camera_json_from_world"});
         }
     }
     return {};

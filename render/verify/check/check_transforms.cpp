@@ -1,4 +1,5 @@
 // Checks transforms.json of nerfstudio and instant-ngp except poses: lens, names, and scaling.
+#include "engine/io/files/bounded_json.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/json_file.h"
 #include "render/verify/read/sensor_files.h"
@@ -141,7 +142,7 @@ CheckWork beginTransforms(const Subject& subject, Findings& findings) {
         try {
             FileCheck(subject, file, findings).run();
         } catch (const Json::exception& error) {
-            findings.add({file.file, {}, {}, error.what(), "a transforms.json"});
+            findings.add({file.file, {}, {}, plainReason(error), "a transforms.json"});
         }
     }
     return {};

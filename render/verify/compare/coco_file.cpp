@@ -1,5 +1,6 @@
 #include "render/verify/compare/coco_file.h"
 
+#include "engine/io/files/bounded_json.h"
 #include "render/verify/read/json_file.h"
 
 #include <fmt/format.h>
@@ -142,7 +143,7 @@ std::optional<CocoByFrame> readCoco(const StoredDataset& dataset, const std::str
     try {
         return CocoReader(dataset, file, frames, findings).read(*root);
     } catch (const PlainJson::exception& error) {
-        findings.add({file, {}, {}, error.what(), "COCO"});
+        findings.add({file, {}, {}, plainReason(error), "COCO"});
     }
     return std::nullopt;
 }
@@ -182,7 +183,7 @@ void compareCoco(const StoredDataset& dataset, const std::string& file,
             findings.add({file,
                           frame,
                           {},
-                          fmt::format("annotation {}: {}", one.id, error.what()),
+                          fmt::format("annotation {}: {}", one.id, plainReason(error)),
                           "a segmentation"});
         }
     }

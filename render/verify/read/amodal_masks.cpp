@@ -1,5 +1,6 @@
 #include "render/verify/read/amodal_masks.h"
 
+#include "engine/io/files/bounded_json.h"
 #include "render/verify/read/json_file.h"
 #include "render/verify/read/run_lengths.h"
 
@@ -31,7 +32,8 @@ Result<std::vector<AmodalMask>> readAmodal(const std::filesystem::path& path, in
         }
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
-                    fmt::format("It is not a list of masks ({}).", error.what()), path.string());
+                    fmt::format("It is not a list of masks ({}).", plainReason(error)),
+                    path.string());
     }
     return masks;
 }

@@ -1,5 +1,6 @@
 #include "render/verify/read/glb_file.h"
 
+#include "engine/io/files/bounded_json.h"
 #include "render/verify/read/json_file.h"
 
 #include "engine/io/files/text_file.h"
@@ -46,7 +47,7 @@ Result<GlbFile> GlbFile::read(const std::filesystem::path& path) {
         }
         return file;
     } catch (const std::exception& error) {
-        return fail(ErrorCode::BadInput, error.what());
+        return fail(ErrorCode::BadInput, plainReason(error));
     }
 }
 
@@ -99,7 +100,7 @@ Result<NodeKeys> GlbFile::keys(int node) const {
     try {
         return readKeys(node);
     } catch (const std::exception& error) {
-        return fail(ErrorCode::BadInput, error.what());
+        return fail(ErrorCode::BadInput, plainReason(error));
     }
 }
 

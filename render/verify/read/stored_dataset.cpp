@@ -1,12 +1,14 @@
 #include "render/verify/read/stored_dataset.h"
 
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/text_file.h"
 #include "engine/io/settings/class_table_file.h"
 #include "render/formats/tables/dataset_card.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dollytrack::verify {
@@ -16,6 +18,8 @@ using Json = nlohmann::ordered_json;
 
 // px. Exports have at most 8192; a damaged dataset.json with larger sizes must not exhaust memory.
 constexpr int kLargestSide = 1 << 14;
+constexpr double kFarthest = 1e6;      // m, of positions; trajectory files have the same limit
+constexpr double kLargestPixel = 1e6;  // px, of focal lengths and principal points
 
 Eigen::Vector3d vectorFrom(const Json& value) {
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
@@ -107,8 +111,58 @@ Status readCard(StoredDataset& dataset, std::string& field) {
         field = fmt::format("frames[{}]", dataset.frames.size());
         dataset.frames.push_back(frameFrom(one));
     }
-    field = "files";
-    dataset.sha256s = card.at("files").get<std::map<std::string, std::string>>();
+    return {};
+}
+
+/// What makes a pose or a box useless; empty if nothing does.
+std::string problemOf(const Eigen::Vector3d& position, double quaternion_length) {
+    if (!(position.cwiseAbs().maxCoeff() <= kFarthest)) {
+        return fmt::format("It is farther than {:.0e} m from the origin.", kFarthest);
+    }
+    if (!(quaternion_length > 0.1 && quaternion_length < 10.0)) {
+        return "Its quaternion is not of length 1.";
+    }
+    return {};
+}
+
+/// Checks that numbers are within the limits that all computations with them can bear.
+Status checkNumbers(const StoredDataset& dataset, const std::string& path) {
+    const auto damaged = [&](const std::string& problem, const std::string& field) {
+        return fail(ErrorCode::BadInput, problem + " Export the dataset again.",
+                    path + ": " + field);
+    };
+    const Intrinsics& lens = dataset.lens;
+    const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
+    if (!isSide(lens.width) || !isSide(lens.height)) {
+        return damaged(
+            fmt::format("The image's width and height are not 1 to {} px.", kLargestSide),
+            "conventions.intrinsics");
+    }
+    const bool focal = lens.fx > 0.0 && lens.fy > 0.0 && std::max(lens.fx, lens.fy) < kLargestPixel;
+    const bool centre = std::abs(lens.cx) < kLargestPixel && std::abs(lens.cy) < kLargestPixel;
+    const bool near = dataset.near_m > 0.0 && dataset.near_m < kFarthest;
+    if (!focal || !centre || !near) {
+        return damaged(
+            fmt::format("Focal lengths and near_m must be positive, and no number above {:.0e}.",
+                        kLargestPixel),
+            "conventions.intrinsics");
+    }
+    for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
+        const OrientedBox& box = dataset.objects[i].box;
+        for (const Eigen::Vector3d& place : {box.center, box.half_size}) {
+            const std::string problem = problemOf(place, 1.0);
+            if (!problem.empty()) return damaged(problem, fmt::format("objects[{}].box", i));
+        }
+    }
+    for (std::size_t i = 0; i < dataset.frames.size(); ++i) {
+        const StoredFrame& frame = dataset.frames[i];
+        std::string problem = problemOf(frame.pose.position, frame.quaternion_length);
+        if (!problem.empty()) return damaged(problem, fmt::format("frames[{}]", i));
+        for (const MovedObject& one : frame.moving) {
+            problem = problemOf(one.now_from_rest.translation(), 1.0);
+            if (!problem.empty()) return damaged(problem, fmt::format("frames[{}].moving", i));
+        }
+    }
     return {};
 }
 
@@ -174,9 +228,13 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                     "finish; 'dollytrack export --resume' finishes it.",
                     folder.string());
     }
-    Result<Json> card = readBoundedJson<Json>(path);
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(text.error());
+    Result<Json> card = parseBoundedJson<Json>(withoutField(*text, "files"), path.string());
     if (!card) return tl::unexpected(card.error());
     dataset.card = std::move(*card);
+    const Result<nlohmann::json> files = parseBoundedJson(*text, path.string(), onlyField("files"));
+    if (!files) return tl::unexpected(files.error());
     std::string field = "format";
     try {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
@@ -186,6 +244,8 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
         if (Status read = readCard(dataset, field); !read) {
             return tl::unexpected(read.error());
         }
+        field = "files";
+        dataset.sha256s = files->at("files").get<std::map<std::string, std::string>>();
         field = "metrics.pictures";
         dataset.unusable_frames = readUnusableFrames(dataset.card);
     } catch (const nlohmann::json::exception&) {
@@ -194,14 +254,8 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                     "dataset again.",
                     path.string() + ": " + field);
     }
-    const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
-    if (!isSide(dataset.lens.width) || !isSide(dataset.lens.height) || !(dataset.lens.fx > 0.0) ||
-        !(dataset.lens.fy > 0.0)) {
-        return fail(ErrorCode::BadInput,
-                    fmt::format("The image's width and height are not 1 to {} px, or its focal "
-                                "length is not positive; export the dataset again.",
-                                kLargestSide),
-                    path.string() + ": conventions.intrinsics");
+    if (Status numbers = checkNumbers(dataset, path.string()); !numbers) {
+        return tl::unexpected(numbers.error());
     }
     return dataset;
 }

@@ -48,7 +48,7 @@ struct StoredFrame {
 /// A dataset as described by its dataset.json; no other files have been read.
 struct StoredDataset {
     std::filesystem::path folder;
-    nlohmann::ordered_json card;  // dataset.json
+    nlohmann::ordered_json card;  // dataset.json with "files" emptied
     Intrinsics lens;
     double hfov_deg = 0.0;
     double near_m = 0.0;

@@ -1,5 +1,7 @@
 #include "render/verify/read/stored_rig.h"
 
+#include "engine/io/files/bounded_json.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -134,7 +136,7 @@ Result<std::vector<StoredCamera>> readStoredRig(const StoredDataset& dataset) {
         return fail(ErrorCode::BadInput,
                     fmt::format("A field of \"cameras\" is missing or has the wrong type ({}); "
                                 "export the dataset again.",
-                                error.what()));
+                                plainReason(error)));
     }
     return cameras;
 }
