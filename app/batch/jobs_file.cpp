@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 using Texts = std::vector<Placed<std::string>>;
 
 constexpr std::size_t kMostMebibytes = 16;  // size limit of a jobs file
+constexpr std::size_t kMostJobs = 100'000;
 
 std::vector<std::string> valuesOf(const Texts& texts) {
     std::vector<std::string> values;
@@ -258,7 +259,23 @@ class OrderReader {
                         reader_.placeOf("exclude"));
         }
         nameScenes(order_.scenes);
-        return {};
+        return checkNumber();
+    }
+
+    [[nodiscard]] Status checkNumber() const {
+        double jobs = 1.0;  // the product of four list lengths may not fit into an integer
+        for (const std::size_t count : {order_.scenes.size(), order_.sets.size(),
+                                        order_.planners.size(), order_.seeds.size()}) {
+            jobs *= static_cast<double>(std::max<std::size_t>(count, 1));
+        }
+        if (jobs <= kMostJobs) return {};
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format(
+                "Scenes, sets, planners and seeds make {:.0f} jobs; {} are possible. Divide "
+                "them among several files.",
+                jobs, kMostJobs),
+            file_.string());
     }
 
     void passOn(const Status& status) {

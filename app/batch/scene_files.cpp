@@ -1,6 +1,6 @@
 #include "app/batch/scene_files.h"
 
-#include "app/batch/name_pattern.h"
+#include "app/batch/file_pattern.h"
 #include "engine/core/clean_text.h"
 #include "engine/core/natural_order.h"
 #include "engine/io/files/file_type.h"

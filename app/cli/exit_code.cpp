@@ -27,8 +27,8 @@ int exitCodeFor(ErrorCode code) {
 Error errorOf(const std::exception& exception) {
     if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
         return {ErrorCode::Failed,
-                "out of memory; try a larger octree_resolution_m or a smaller image, or raise the "
-                "limit on memory.",
+                "out of memory; free some or raise its limit. Planning needs less with a larger "
+                "octree_resolution_m, and an export with smaller images.",
                 {}};
     }
     const auto* system = dynamic_cast<const std::system_error*>(&exception);

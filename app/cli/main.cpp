@@ -150,8 +150,8 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return printInstead(session, app, error);
         std::string message = cli::explainUnknownName(app, arguments);
+        if (error.get_exit_code() == 0 && message.empty()) return printInstead(session, app, error);
         if (message.empty()) message = cli::explainRefusal(app, error);
         if (!session.lines) message += "\nRun with --help for more information.";
         return endWith(session, {ErrorCode::Usage, message, {}}, cli::kUsage);

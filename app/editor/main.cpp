@@ -1,3 +1,5 @@
+#include "app/cli/exit_code.h"
+#include "app/cli/terminal/standard_streams.h"
 #include "app/editor/editor.h"
 #include "app/editor/shell/inspector.h"
 #include "app/manual/manual_files.h"
@@ -9,8 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -38,12 +42,12 @@ int run(const std::string& path, const std::string& socket,
     auto window = editor::Window::open(settings.window);
     if (!window) {
         std::cerr << "dollytrack-editor: " << describe(window.error()) << "\n";
-        return 5;
+        return cli::kNoOpenGl;
     }
     auto drawing = (*window)->drawingContext();
     if (!drawing) {
         std::cerr << "dollytrack-editor: " << describe(drawing.error()) << "\n";
-        return 5;
+        return cli::kNoOpenGl;
     }
     editor::Editor shell(**window, std::move(*drawing), log_buffer, std::move(settings));
     std::unique_ptr<editor::Inspector> inspector;
@@ -83,7 +87,9 @@ int main(int argc, char** argv) {
     std::string path;
     std::string socket;
     std::string size;
-    app.add_option("file", path, "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL) or .dolly project")
+    app.add_option("file", path,
+                   "Scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL; point clouds; homes; 3D-FRONT, "
+                   "SceneNet RGB-D) or .dolly project")
         ->type_name("FILE");
     app.add_option("--size", size,
                    "Size of the window for a screen of 96 dots per inch, such as 1280x720")
@@ -94,9 +100,22 @@ int main(int argc, char** argv) {
     if (argc == 3 && std::string_view(argv[1]) == manual::kManualOption) {
         const Status written = manual::writeManual(app, {DOLLYTRACK_VERSION, {}, {}}, argv[2]);
         if (!written) std::cerr << "dollytrack-editor: " << describe(written.error()) << "\n";
-        return written ? 0 : 6;
+        return written ? cli::kDone : cli::kCannotWrite;
     }
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream text;
+        if (app.exit(error, text, text) != 0) {
+            cli::printToStandardError("dollytrack-editor: " + text.str());
+            return cli::kUsage;
+        }
+        (void)std::fputs(text.str().c_str(), stdout);
+        const Status printed = cli::finishStandardOutput();
+        if (printed) return cli::kDone;
+        cli::printToStandardError("dollytrack-editor: " + describe(printed.error()));
+        return cli::kCannotWrite;
+    }
     editor::EditorSettings settings = editor::loadSettings();
     if (!size.empty()) {
         int width = 0;
@@ -104,7 +123,7 @@ int main(int argc, char** argv) {
         if (std::sscanf(size.c_str(), "%dx%d", &width, &height) != 2 || width < 320 ||
             height < 240 || width > 16384 || height > 16384) {
             std::cerr << "dollytrack-editor: --size needs WIDTHxHEIGHT, like 1280x720.\n";
-            return 2;
+            return cli::kUsage;
         }
         settings.window = {width, height, false};
     }

@@ -1,7 +1,7 @@
 #include "app/gather/source_search.h"
 
 #include "app/batch/batch_folder.h"
-#include "app/batch/name_pattern.h"
+#include "app/batch/file_pattern.h"
 #include "app/batch/scene_files.h"
 #include "app/cli/export/room_exports.h"
 #include "engine/core/name_pattern.h"

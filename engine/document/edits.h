@@ -110,6 +110,9 @@ struct Region {
     bool operator==(const Region&) const = default;
 };
 
+/// Largest number of pinned points, of no-go boxes and of regions, each.
+constexpr std::size_t kMostPlanEntries = 1000;
+
 /// Everything that the user changed in a plan. Objects are those of the edited scene.
 struct PlanEdits {
     std::vector<PinnedPoint> pinned;

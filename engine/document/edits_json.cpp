@@ -237,15 +237,20 @@ Region readRegion(const JsonReader& from) {
     return region;
 }
 
-/// Reads a list. Names of pinned points, no-go boxes and regions must be unique.
+/// Reads a list. Pinned points, no-go boxes and regions have unique names and a largest number.
 template <class T, class Read>
 std::vector<T> readList(const JsonReader& from, Read&& read) {
+    constexpr bool kNamed =
+        std::is_same_v<T, PinnedPoint> || std::is_same_v<T, NoGoBox> || std::is_same_v<T, Region>;
     std::vector<T> list;
     std::set<std::string> names;
+    if (kNamed && from.size() > kMostPlanEntries) {
+        from.refuse(
+            fmt::format("It has {} entries; {} are possible.", from.size(), kMostPlanEntries));
+    }
     for (std::size_t i = 0; i < from.size() && from.good(); ++i) {
         list.push_back(read(from.at(i)));
-        if constexpr (std::is_same_v<T, PinnedPoint> || std::is_same_v<T, NoGoBox> ||
-                      std::is_same_v<T, Region>) {
+        if constexpr (kNamed) {
             if (!names.insert(list.back().name).second) {
                 from.at(i).at("name").refuse("Another entry has the same name.");
             }

@@ -38,11 +38,19 @@ bool isTaken(const std::vector<Entry>& entries, const std::string& name) {
                        [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// The name in the field "name", which no entry may have yet. Without this field: `base`, followed
-/// by a number if it is taken.
+/// The name for a new entry: that in the field "name", which no entry may have yet. Without this
+/// field: `base`, followed by a number if it is taken. Records an error if there are
+/// kMostPlanEntries.
 template <class Entry>
 std::string freeName(const std::vector<Entry>& entries, const OperationReader& fields,
                      const std::string& base) {
+    if (entries.size() >= kMostPlanEntries) {
+        fields.refuse(
+            fmt::format("There are {} already, which is the most that are possible; "
+                        "remove one, or make one larger instead.",
+                        entries.size()));
+        return {};
+    }
     if (fields.has("name")) {
         const JsonReader from = fields.field("name");
         std::string name = from.text();

@@ -268,7 +268,8 @@ Result<std::string> applyOperation(ProjectState& state, const OperationContext& 
 
 Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scene& imported,
                                                  const SetParameter& set_parameter,
-                                                 const json& operations, const SizeRules& rules) {
+                                                 const json& operations, const SizeRules& rules,
+                                                 const JobContext& job) {
     if (!operations.is_array()) {
         return fail(ErrorCode::Usage, "The operations must be a list: [{\"op\": ...}, ...].");
     }
@@ -284,6 +285,9 @@ Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scen
             return tl::unexpected(std::move(error));
         };
         if (!scene) return failed(scene.error());
+        if (job.cancelled()) {
+            return fail(ErrorCode::Cancelled, "The operations were stopped; nothing was changed.");
+        }
         const SceneEdits before = next.edits.scene;
         Result<std::string> name = applyOperation(next, {*scene, set_parameter}, operations[i]);
         if (!name) return failed(std::move(name.error()));

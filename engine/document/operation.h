@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/project_state.h"
+#include "engine/jobs/job.h"
 
 #include <functional>
 #include <span>
@@ -30,11 +31,12 @@ Result<std::string> applyOperation(ProjectState& state, const OperationContext& 
 
 /// Applies several operations in order, all or none. Each one sees the scene as the ones before it
 /// left it. Returns their names. The place of an error begins with the operation's number:
-/// "operation 3" is the third.
+/// "operation 3" is the third. Error: also Cancelled.
 Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scene& imported,
                                                  const SetParameter& set_parameter,
                                                  const nlohmann::json& operations,
-                                                 const SizeRules& rules = {});
+                                                 const SizeRules& rules = {},
+                                                 const JobContext& job = {});
 
 /// One field of an operation.
 struct OperationField {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace dollytrack {
@@ -22,6 +23,7 @@ class OperationReader {
     [[nodiscard]] bool has(const std::string& name) const { return !field(name).absent(); }
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] bool good() const { return fields_.good(); }
+    void refuse(std::string message) const { fields_.refuse(std::move(message)); }
 
     /// The object named by its number or by a unique name.
     [[nodiscard]] ObjectRef object(const std::string& name) const;

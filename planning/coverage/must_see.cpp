@@ -1,6 +1,7 @@
 #include "planning/coverage/must_see.h"
 
 #include "engine/core/log.h"
+#include "engine/core/object_names.h"
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
@@ -220,17 +221,20 @@ Result<std::vector<MustSee>> findMustSee(const PlanningEnvironment& environment,
                                          const std::vector<Region>& regions,
                                          std::vector<ExistingView> given, const JobContext& job) {
     std::vector<MustSee> all;
+    std::vector<std::string> empty;  // names of regions without surface
     for (const Region& region : regions) {
         Covering covering(environment, region);
         covering.takeGiven(given);
         all.push_back(std::move(covering).run(job));
-        if (all.back().surface.patches.empty()) {
-            log::warn("planning", "The must-see region '" + region.name +
-                                      "' contains no surface of the scene.");
-        }
+        if (all.back().surface.patches.empty()) empty.push_back("'" + region.name + "'");
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
         for (const int kept : all.back().kept) given[kept].fixed = true;
         for (const Pose& view : all.back().views) given.push_back({view, true});
+    }
+    if (!empty.empty()) {
+        log::warn("planning", counted(empty.size(), "must-see region contains",
+                                      "must-see regions contain") +
+                                  " no surface of the scene: " + listOf(empty));
     }
     return all;
 }

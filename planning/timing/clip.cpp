@@ -79,13 +79,14 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
     }
     const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
     if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
+    const bool repeats = params.max_repeat_rate < 1.0 && frames < params.max_frames;
     return fmt::format(
-        "frame_rate={:g} was lowered to {:.3g} ({} frames) for max_frames={}{}; --fps {:g} keeps "
-        "the rate and visits fewer objects",
-        params.frame_rate, 1.0 / trajectory.frame_interval_s, frames, params.max_frames,
-        params.max_repeat_rate < 1.0
-            ? fmt::format(" and max_repeat_rate={:g}", params.max_repeat_rate)
-            : "",
+        "frame_rate={:g} was lowered to {:.3g} ({} frames) for {}; --fps {:g} keeps the rate and "
+        "visits fewer objects",
+        params.frame_rate, 1.0 / trajectory.frame_interval_s, frames,
+        repeats ? fmt::format("max_repeat_rate={:g}, although max_frames={} allows more",
+                              params.max_repeat_rate, params.max_frames)
+                : fmt::format("max_frames={}", params.max_frames),
         params.frame_rate);
 }
 

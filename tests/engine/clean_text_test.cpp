@@ -27,6 +27,12 @@ TEST(CleanText, ReplacesBadBytes) {
 TEST(CleanText, DropsControlCharacters) {
     EXPECT_EQ(cleanText("a\x1B[31m\tb\r\n\x7F\xC2\x85"), "a[31mb");
     EXPECT_EQ(cleanText(std::string_view("a\0b", 3)), "ab");
+    // U+202E and U+2066, but not their neighbours U+202F and U+2065.
+    EXPECT_EQ(cleanText("a\xE2\x80\xAE"
+                        "b\xE2\x81\xA6"
+                        "c"),
+              "abc");
+    EXPECT_EQ(cleanText("\xE2\x80\xAF\xE2\x81\xA5"), "\xE2\x80\xAF\xE2\x81\xA5");
 }
 
 TEST(CleanLines, KeepsLineBreaksAndTabsAlone) {

@@ -74,9 +74,11 @@ ExitCode exitCodeOf(const Report& report) {
 }
 
 /// Lists the jobs and what remains to be done, without writing anything.
-ExitCode listJobs(const std::vector<Job>& jobs, const batch::RunSettings& settings, bool as_json) {
+Result<ExitCode> listJobs(const std::vector<Job>& jobs, const batch::RunSettings& settings,
+                          bool as_json, const JobContext& context) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Job& job : jobs) {
+        if (context.cancelled()) return fail(ErrorCode::Cancelled, "The list was stopped.");
         const auto resume = batch::resumeStateOf(job, settings);
         const bool done = resume && resume->action == ResumeState::Action::None;
         const bool goes_on = resume && resume->action == ResumeState::Action::Resume;
@@ -176,7 +178,7 @@ Result<ExitCode> runBatch(const BatchArguments& arguments, const Session& sessio
     std::vector<Job> jobs;
     std::copy_if(all.jobs.begin(), all.jobs.end(), std::back_inserter(jobs),
                  [&](const Job& job) { return shard.has(job); });
-    if (arguments.dry_run) return listJobs(jobs, *settings, arguments.as_json);
+    if (arguments.dry_run) return listJobs(jobs, *settings, arguments.as_json, session.job());
     if (Status status = batch::claimBatchFolder(settings->folder, all); !status) {
         return tl::unexpected(std::move(status.error()));
     }

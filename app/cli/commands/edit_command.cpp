@@ -250,7 +250,8 @@ Status checkArguments(const EditArguments& arguments) {
 
 /// Applies the operations and returns the names of the steps. If they change anything, the stored
 /// plan is dropped.
-Result<std::vector<std::string>> apply(const nlohmann::json& operations, OpenedScene& opened) {
+Result<std::vector<std::string>> apply(const nlohmann::json& operations, OpenedScene& opened,
+                                       const JobContext& job) {
     ProjectState state;
     state.parameters = toJson(planning::listFields(opened.params));
     state.edits = opened.edits;
@@ -258,7 +259,7 @@ Result<std::vector<std::string>> apply(const nlohmann::json& operations, OpenedS
     const planning::TargetParams& targets = opened.params.targets;
     Result<std::vector<std::string>> names =
         applyOperations(state, *opened.imported, planning::setParameter, operations,
-                        {targets.small_volume_m3, targets.size_ratio});
+                        {targets.small_volume_m3, targets.size_ratio}, job);
     if (!names || state == before) return names;
     opened.stored_result = nullptr;
     Status status =
@@ -297,7 +298,7 @@ Result<ExitCode> runEdit(const EditArguments& arguments, const Session& session)
     Result<OpenedScene> opened =
         openScene(arguments.scene, job.stage(0.0, arguments.plan ? 0.3 : 1.0, "loading"));
     if (!opened) return tl::unexpected(std::move(opened.error()));
-    const Result<std::vector<std::string>> names = apply(*operations, *opened);
+    const Result<std::vector<std::string>> names = apply(*operations, *opened, job);
     if (!names) return tl::unexpected(names.error());
     nlohmann::json metrics;
     if (arguments.plan) {

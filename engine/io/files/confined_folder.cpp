@@ -82,6 +82,12 @@ std::string ConfinedFolder::relative(const fs::path& file) const {
                               isOrdinaryFile("/" + beneath);
         name = absolute ? "/" + beneath : beneath;
     }
+    if (name.starts_with('/')) {  // it may lead back into the folder
+        std::error_code error;
+        const std::string root = fs::absolute(folder_, error).lexically_normal().string();
+        const std::string all = root.ends_with('/') ? root : root + "/";
+        if (!error && name.starts_with(all)) name.erase(0, all.size());
+    }
     return name;
 }
 

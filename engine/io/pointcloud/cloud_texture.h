@@ -11,6 +11,7 @@
 namespace dollytrack {
 
 /// Textures with a cloud's colours: each triangle covers half of a square of 4 x 4 texels.
+/// They keep the colours at the density of the scan, because a Scene has no vertex colours.
 class CloudTexture {
   public:
     /// Lays out the textures for this number of triangles.

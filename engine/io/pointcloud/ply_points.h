@@ -12,7 +12,9 @@
 namespace dollytrack {
 
 /// Reads the points of a PLY file (text, or binary of either byte order), with colours (red, green,
-/// blue) and normals (nx, ny, nz) if it has them. Error: BadInput.
+/// blue) and normals (nx, ny, nz) if it has them. Gaussian splats are read as their centres,
+/// coloured by the constant term of their colour, without those of less than 10 % opacity. Error:
+/// BadInput.
 Result<PointCloud> readPlyCloud(const std::filesystem::path& path);
 
 /// Reads only the vertex positions of a PLY file, which may also have faces. Positions with a

@@ -3,7 +3,7 @@
 #include "app/batch/jobs_file.h"
 #include "app/batch/log_end.h"
 #include "app/batch/markup.h"
-#include "app/batch/name_pattern.h"
+#include "app/batch/file_pattern.h"
 #include "app/batch/scene_files.h"
 #include "app/batch/toml_depth.h"
 #include "engine/io/files/text_file.h"

@@ -167,6 +167,7 @@ class CommandLine(FolderCase):
             (["--thread", 2, "plan", self.room], ["option '--thread'", "'--threads'"]),
             (["--threads", 2, "export", self.room, "--oot", "x"], ["'--oot'", "'--out'"]),
             (["zzzzzzzz"], ["no subcommand 'zzzzzzzz'."]),
+            (["paln", "--help"], ["subcommand 'paln'", "'plan'"]),
             (["plan", self.room, "--set", "foo=1"], ["no parameter 'foo'; there are"]),
             (["plan", self.room, "--max-frames", "x"],
              ["'x' is not a whole number, but --max-frames needs one."]),

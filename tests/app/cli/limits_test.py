@@ -14,7 +14,7 @@ from support import tiny_room
 from support.program import PROGRAM, FolderCase, run
 
 MB = 1_000_000
-CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
+CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80\xae")
 
 
 def run_limited(limits, *arguments, **options):
@@ -107,7 +107,7 @@ class Limits(FolderCase):
     # --- what reaches a terminal
 
     def test_no_control_character_reaches_the_terminal(self):
-        evil = "ro\x1b[31mom\x07\x9b2J\x7f"
+        evil = "ro\x1b[31mom\x07\x9b2J\x7f\u202e"
         scene = self.folder / (evil + ".obj")
         shutil.copy(self.room, scene)
         for arguments in (["info", str(scene)], ["info", str(scene), "--json"],
@@ -138,8 +138,12 @@ class Limits(FolderCase):
         scene.write_text(f"mtllib {outside}\n" + self.room.read_text())
         self.assertIn(f"not opened: {outside}", run("info", scene).stdout)
         (scene.parent / "beneath.mtl").write_text("newmtl oak\n")
-        scene.write_text("mtllib beneath.mtl\n" + self.room.read_text())
-        self.assertNotIn("not opened", run("info", scene).stdout)
+        for name in ("beneath.mtl", scene.parent / "beneath.mtl"):
+            scene.write_text(f"mtllib {name}\n" + self.room.read_text())
+            for given, where in ((scene, None), (scene.name, scene.parent)):
+                out = run("info", given, cwd=where).stdout
+                self.assertNotIn("not opened", out)
+                self.assertNotIn("missing or cannot", out)
 
     def test_missing_files_of_materials_are_reported(self):
         scene = self.folder / "grey" / "grey.obj"

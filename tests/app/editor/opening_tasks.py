@@ -15,6 +15,16 @@ class Opening(Task):
         project = plan(self.room, self.folder / "same.dolly")
         self.assertEqual(state["plan"]["frames"], len(project["result"]["trajectory"]["frames"]))
 
+    def test_exit_codes_of_arguments(self):
+        for arguments, code in [(["--help"], 0), (["--version"], 0), (["--nosuch"], 2),
+                                (["--size", "x"], 2)]:
+            done = subprocess.run([Programs.editor, *arguments], capture_output=True, text=True)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertEqual(bool(done.stdout), code == 0)
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([Programs.editor, "--help"], stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 6)
+
     def test_open_a_scene_by_typing_its_path(self):
         state = self.start()
         self.assertFalse(state["open"])

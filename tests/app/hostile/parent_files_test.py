@@ -332,6 +332,42 @@ class HandMade(ParentCase):
             with self.subTest(section=section):
                 self.refuses("edit", path, words=["m.dolly: " + section])
 
+    def test_impossible_numbers_in_a_dataset(self):
+        """Positions, lenses and depths far beyond any scene's, which Embree would abort on."""
+        copy = self.work / "out"
+        shutil.copytree(self.dataset, copy)
+        whole = json.loads((copy / "dataset.json").read_text())
+        lens = ["conventions", "intrinsics"]
+        for place, value in [(["frames", 1, "position", 0], 1e20), (lens + ["cx"], -1e30),
+                             (lens + ["cy"], 1e300), (lens + ["near_m"], -1e20),
+                             (lens + ["fx"], 1e20), (["frames", 0, "quaternion_xyzw", 3], 1e200),
+                             (["objects", 2, "box", "center", 1], -1e18),
+                             (["conventions", "rgb_right", "baseline_m"], 1e30)]:
+            card = json.loads(json.dumps(whole))
+            at = card
+            for key in place[:-1]:
+                at = at[key]
+            at[place[-1]] = value
+            (copy / "dataset.json").write_text(json.dumps(card))
+            with self.subTest(place=place):
+                words = [] if "baseline_m" in place else ["dataset.json: " + place[0]]
+                self.refuses("verify", copy, words=words)
+                if words:
+                    self.refuses("view", copy, "-o", self.work / "page.html", words=words)
+                    self.refuses("gather", copy, "--format", "coco", "--out", self.work / "all",
+                                 words=words)
+        shutil.rmtree(copy)
+
+    def test_work_over_long_lists_is_bounded_or_stops(self):
+        operations = [{"op": "add_no_go", "center": [1, 1, 1], "size": [1, 1, 1]}] * 50_000
+        (self.work / "m.json").write_text(json.dumps(operations))
+        done = self.runs("edit", self.project, "--script", self.work / "m.json", "-o",
+                         self.work / "out.dolly")
+        self.assertEqual((done.code, "1000 already" in done.output), (2, True), done.output)
+        (self.work / "m.toml").write_text(
+            f'scenes = ["room.obj"]\nout = "out"\nseeds = {list(range(200_000))}\n')
+        self.refuses("batch", self.work / "m.toml", "--dry-run", words=["200000 jobs"])
+
     def test_frames_that_are_only_listed_cost_no_time(self):
         copy = self.work / "out"
         shutil.copytree(self.dataset, copy)

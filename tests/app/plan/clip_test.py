@@ -42,6 +42,13 @@ class Clip(FolderCase):
         self.assertIn("max_frames=60", message)
         self.assertIn("--fps 30 keeps the rate", message)
 
+    def test_what_lowered_the_rate_is_named(self):
+        done, trajectory = self.plan("--max-frames", 600, "--set", "max_repeat_rate=0.2")
+        frames = len(trajectory["frames"])
+        self.assertLess(frames, 600)
+        self.assertIn(f"({frames} frames) for max_repeat_rate=0.2, although max_frames=600 allows more",
+                      " ".join(done.stderr.split()))
+
     def test_a_kept_rate_is_kept_and_nothing_is_said(self):
         done, trajectory = self.plan("--fps", 30, "--max-frames", 240)
         frames = trajectory["frames"]

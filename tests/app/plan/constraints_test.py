@@ -206,6 +206,17 @@ class Constraints(FolderCase):
         few = run("plan", project, "--max-frames", 1, "--require", "must_see_rate>=0.95", "-q")
         self.assertEqual(few.returncode, 3, few.stderr)
 
+    def test_regions_without_surface_are_named_once(self):
+        empty = self.folder / "empty.dolly"
+        operations = [arg for name in "abc" for arg in ("--op", json.dumps(
+            {"op": "add_region", "name": name, "must_see": True, "center": [1.9, -1.7, 1.8],
+             "size": [0.2, 0.2, 0.2]}))]
+        result = run("edit", self.room, "-o", empty, *operations)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        said = " ".join(run("plan", empty, "--max-frames", 4).stderr.split())
+        self.assertIn("3 must-see regions contain no surface of the scene: 'a', 'b', 'c'", said)
+        self.assertEqual(said.count("no surface of the scene"), 1)
+
     def test_surface_is_an_objective_with_metrics_of_its_own(self):
         rates = ("surface_seen_rate", "surface_covered_rate", "surface_coverable_rate")
         budget = ("--max-frames", 80)

@@ -47,6 +47,27 @@ TEST(Operation, AListIsAppliedWholeOrNotAtAll) {
     EXPECT_EQ(editing.state, before);
 }
 
+TEST(Operation, BoxesAndRegionsHaveALargestNumber) {
+    for (const char* op : {"add_no_go", "add_region"}) {
+        Editing editing;
+        json all = json::array();
+        for (std::size_t i = 0; i < kMostPlanEntries; ++i) {
+            all.push_back({{"op", op}, {"center", {1, 1, 1}}, {"size", {1, 1, 1}}});
+        }
+        ASSERT_TRUE(editing.apply(all)) << op;
+        const auto result = editing.apply(json::array({all[0]}));
+        ASSERT_FALSE(result) << op;
+        EXPECT_NE(result.error().message.find("1000 already"), std::string::npos);
+        json file = editsJson(editing.state.edits);
+        EXPECT_TRUE(editsFromJson(file)) << op;
+        json& list = file[op == std::string("add_no_go") ? "no_go" : "regions"];
+        list.push_back(list.back());
+        list.back()["name"] = "one more";
+        ASSERT_FALSE(editsFromJson(file)) << op;
+        EXPECT_NE(editsFromJson(file).error().message.find("1001 entries"), std::string::npos);
+    }
+}
+
 TEST(Operation, SaysWhatIsWrong) {
     const std::vector<std::pair<json, std::string>> wrong = {
         {{{"op", "exlude"}, {"object", "mug"}}, "did you mean 'exclude'"},

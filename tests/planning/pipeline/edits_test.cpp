@@ -444,7 +444,8 @@ TEST(Edits, AMovedPinRepeatsNoSearchAndNoMap) {
     ASSERT_TRUE(pipeline.run({}, edits, JobContext{}));
     const auto rerun = [&] {
         std::set<std::string> names;
-        for (const StageTime& stage : (*pipeline.run({}, edits, JobContext{}))->stages) {
+        const auto plan = pipeline.run({}, edits, JobContext{});
+        for (const StageTime& stage : (*plan)->stages) {
             if (!stage.reused) names.insert(stage.name);
         }
         return names;

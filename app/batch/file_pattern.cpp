@@ -1,4 +1,4 @@
-#include "app/batch/name_pattern.h"
+#include "app/batch/file_pattern.h"
 
 #include <fnmatch.h>
 
