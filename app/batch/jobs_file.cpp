@@ -259,23 +259,22 @@ class OrderReader {
                         reader_.placeOf("exclude"));
         }
         nameScenes(order_.scenes);
-        return checkNumber();
+        return checkJobCount();
     }
 
-    [[nodiscard]] Status checkNumber() const {
+    [[nodiscard]] Status checkJobCount() const {
         double jobs = 1.0;  // the product of four list lengths may not fit into an integer
         for (const std::size_t count : {order_.scenes.size(), order_.sets.size(),
                                         order_.planners.size(), order_.seeds.size()}) {
             jobs *= static_cast<double>(std::max<std::size_t>(count, 1));
         }
         if (jobs <= kMostJobs) return {};
-        return fail(
-            ErrorCode::BadInput,
-            fmt::format(
-                "Scenes, sets, planners and seeds make {:.0f} jobs; {} are possible. Divide "
-                "them among several files.",
-                jobs, kMostJobs),
-            file_.string());
+        return fail(ErrorCode::BadInput,
+                    fmt::format("The scenes, sets, planners and seeds make {:.0f} jobs, but at "
+                                "most {} are possible; divide "
+                                "them among several files.",
+                                jobs, kMostJobs),
+                    file_.string());
     }
 
     void passOn(const Status& status) {

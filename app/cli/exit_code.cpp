@@ -27,8 +27,8 @@ int exitCodeFor(ErrorCode code) {
 Error errorOf(const std::exception& exception) {
     if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
         return {ErrorCode::Failed,
-                "out of memory; free some or raise its limit. Planning needs less with a larger "
-                "octree_resolution_m, and an export with smaller images.",
+                "out of memory; plan with a larger octree_resolution_m, export smaller images, or "
+                "raise the memory limit.",
                 {}};
     }
     const auto* system = dynamic_cast<const std::system_error*>(&exception);

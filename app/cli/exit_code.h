@@ -6,7 +6,7 @@
 
 namespace dollytrack::cli {
 
-/// Exit codes of all subcommands, as the table in the repository's README.md describes them.
+/// Exit codes of dollytrack and dollytrack-editor; the table is in the repository's README.md.
 enum ExitCode : int {
     kDone = 0,
     kFailed = 1,

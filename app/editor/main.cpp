@@ -105,11 +105,13 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        std::ostringstream text;
-        if (app.exit(error, text, text) != 0) {
-            cli::printToStandardError("dollytrack-editor: " + text.str());
+        if (error.get_exit_code() != 0) {
+            cli::printToStandardError(std::string("dollytrack-editor: ") + error.what() +
+                                      "\nRun with --help for more information.");
             return cli::kUsage;
         }
+        std::ostringstream text;
+        app.exit(error, text, text);
         (void)std::fputs(text.str().c_str(), stdout);
         const Status printed = cli::finishStandardOutput();
         if (printed) return cli::kDone;

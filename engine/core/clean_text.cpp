@@ -32,10 +32,10 @@ Sequence firstSequence(std::string_view text) {
             return {i, false, false};
         }
     }
-    const bool reorders =
+    const bool is_bidi_control =
         lead == 0xE2 && ((byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) ||
                          (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9));
-    return {length, true, reorders || (lead == 0xC2 && byte(1) < 0xA0)};
+    return {length, true, is_bidi_control || (lead == 0xC2 && byte(1) < 0xA0)};
 }
 
 enum class Breaks { Drop, Keep };  // line breaks and tabs

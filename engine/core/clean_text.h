@@ -6,9 +6,9 @@
 namespace dollytrack {
 
 /// Text from a file as valid UTF-8 that can be printed and written as JSON: each byte (or cut-off
-/// sequence) that is no UTF-8 becomes U+FFFD. Control characters are dropped, and those that
-/// reverse the order of the text after them (U+202A to U+202E, U+2066 to U+2069), since a name with
-/// them looks like another. Clean text comes back as it is.
+/// sequence) that is no UTF-8 becomes U+FFFD. Control characters are dropped, and so are
+/// bidirectional embeddings, overrides and isolates (U+202A to U+202E, U+2066 to U+2069), because
+/// they can make one name look like another. Clean text comes back as it is.
 [[nodiscard]] std::string cleanText(std::string_view text);
 
 }  // namespace dollytrack

@@ -110,7 +110,7 @@ struct Region {
     bool operator==(const Region&) const = default;
 };
 
-/// Largest number of pinned points, of no-go boxes and of regions, each.
+/// Largest number of pinned points in a plan; also of no-go boxes, and of regions.
 constexpr std::size_t kMostPlanEntries = 1000;
 
 /// Everything that the user changed in a plan. Objects are those of the edited scene.

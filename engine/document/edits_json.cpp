@@ -246,7 +246,9 @@ std::vector<T> readList(const JsonReader& from, Read&& read) {
     std::set<std::string> names;
     if (kNamed && from.size() > kMostPlanEntries) {
         from.refuse(
-            fmt::format("It has {} entries; {} are possible.", from.size(), kMostPlanEntries));
+            fmt::format("The list has {} entries, but at most {} are possible; remove some "
+                        "from the file.",
+                        from.size(), kMostPlanEntries));
     }
     for (std::size_t i = 0; i < from.size() && from.good(); ++i) {
         list.push_back(read(from.at(i)));

@@ -40,15 +40,13 @@ bool isTaken(const std::vector<Entry>& entries, const std::string& name) {
 
 /// The name for a new entry: that in the field "name", which no entry may have yet. Without this
 /// field: `base`, followed by a number if it is taken. Records an error if there are
-/// kMostPlanEntries.
+/// kMostPlanEntries. `what`: the entries, as in "no-go boxes".
 template <class Entry>
 std::string freeName(const std::vector<Entry>& entries, const OperationReader& fields,
-                     const std::string& base) {
+                     const std::string& base, std::string_view what) {
     if (entries.size() >= kMostPlanEntries) {
-        fields.refuse(
-            fmt::format("There are {} already, which is the most that are possible; "
-                        "remove one, or make one larger instead.",
-                        entries.size()));
+        fields.refuse(fmt::format("There are {} {}, the most that are possible; remove one first.",
+                                  entries.size(), what));
         return {};
     }
     if (fields.has("name")) {

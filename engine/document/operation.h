@@ -31,7 +31,7 @@ Result<std::string> applyOperation(ProjectState& state, const OperationContext& 
 
 /// Applies several operations in order, all or none. Each one sees the scene as the ones before it
 /// left it. Returns their names. The place of an error begins with the operation's number:
-/// "operation 3" is the third. Error: also Cancelled.
+/// "operation 3" is the third. Errors: Usage; Cancelled if the job was cancelled.
 Result<std::vector<std::string>> applyOperations(ProjectState& state, const Scene& imported,
                                                  const SetParameter& set_parameter,
                                                  const nlohmann::json& operations,

@@ -45,7 +45,7 @@ std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fi
         same->pose = pose;
         return current;
     }
-    pinned.push_back({freeName(pinned, fields, name), pose, {}});
+    pinned.push_back({freeName(pinned, fields, name, "pinned points"), pose, {}});
     return pinned.back().name;
 }
 
@@ -113,7 +113,7 @@ std::string pin(ProjectState& state, const OperationContext& context,
         const Pose before = std::exchange(found->pose, fields.pose(found->pose));
         return fmt::format("{} {}", changeOf(before, found->pose), describeView(*found));
     } else {
-        const std::string name = freeName(pinned, fields, inWords(objects));
+        const std::string name = freeName(pinned, fields, inWords(objects), "pinned points");
         pinned.push_back({name, fields.pose({}), objects});
     }
     return "Pin the view of " + describeObjects(objects);
@@ -121,7 +121,7 @@ std::string pin(ProjectState& state, const OperationContext& context,
 
 std::string addPoint(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     std::vector<PinnedPoint>& pinned = state.edits.plan.pinned;
-    const std::string name = freeName(pinned, fields, "view");
+    const std::string name = freeName(pinned, fields, "view", "pinned points");
     pinned.push_back({name, fields.pose({}), {}});
     return "Add " + name;
 }
@@ -192,7 +192,7 @@ std::string setEnd(ProjectState& state, const OperationContext&, const Operation
 
 std::string addNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     std::vector<NoGoBox>& boxes = state.edits.plan.no_go;
-    const std::string name = freeName(boxes, fields, "no-go box");
+    const std::string name = freeName(boxes, fields, "no-go box", "no-go boxes");
     boxes.push_back({name, fields.box({})});
     return "Add " + name;
 }

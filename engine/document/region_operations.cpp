@@ -39,7 +39,7 @@ std::string whatWasDone(const Region& before, const Region& after) {
 std::string addRegion(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     std::vector<Region>& regions = state.edits.plan.regions;
     Region region;
-    region.name = freeName(regions, fields, "region");
+    region.name = freeName(regions, fields, "region", "regions");
     region.box = fields.box({});
     readInterest(region, fields);
     std::string done = "Add " + region.name;

@@ -79,7 +79,9 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
     }
     const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
     if (keepsFrameRate(params) || !lowered || trajectory.frames.size() < 2) return {};
-    const bool repeats = params.max_repeat_rate < 1.0 && frames < params.max_frames;
+    // Timing alone leaves a small part of the budget unused.
+    constexpr double kUsed = 0.95;
+    const bool repeats = params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames;
     return fmt::format(
         "frame_rate={:g} was lowered to {:.3g} ({} frames) for {}; --fps {:g} keeps the rate and "
         "visits fewer objects",

@@ -37,19 +37,12 @@ void checkAll(std::size_t count, const JobContext& job, const Check& check) {
     }
 }
 
-/// dataset.json, its list of files apart. Both are null if it cannot be read.
-struct StoredCard {
-    Json rest;
-    nlohmann::json files;  // {"files": hashes by name}
-};
-
-StoredCard readCard(const DatasetFolder& folder) {
+/// dataset.json with its list of files apart; null values if it cannot be read.
+SplitJson readCard(const DatasetFolder& folder) {
     const Result<InputFile> file = folder.folder().openInput(kCardFile);
-    const Result<std::string> text =
-        file ? file->readAll(kMostTextBytes) : Result<std::string>(tl::unexpected(file.error()));
-    if (!text) return {};
-    return {parseBoundedJson<Json>(withoutField(*text, "files"), kCardFile).value_or(Json()),
-            parseBoundedJson(*text, kCardFile, onlyField("files")).value_or(nlohmann::json())};
+    if (!file) return {};
+    const Result<std::string> text = file->readAll(kMostTextBytes);
+    return text ? parseSplitJson(*text, kCardFile, "files").value_or(SplitJson{}) : SplitJson{};
 }
 
 tl::unexpected<Error> damaged(const DatasetFolder& folder, const std::string& file,

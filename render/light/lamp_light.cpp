@@ -10,8 +10,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kReach = 9.0;    // m; lamps farther away add too little to be worth a ray
-constexpr int kShadowRays = 6;    // per lamp and point
+constexpr int kShadowRays = 6;  // per lamp and point
 constexpr std::size_t kNearestSceneLamps = 6;
 constexpr int kSceneLampShadowRays = 9;
 constexpr double kOffSurface = 2e-3;  // m; offset of lit points from their surface
@@ -28,7 +27,8 @@ class SceneLampGatherer {
         std::vector<std::pair<double, const SceneLamp*>> near;  // sorted by unshadowed strength
         for (const SceneLamp& lamp : rig_.scene_lamps) {
             const double squared = (lamp.position - from).squaredNorm();
-            if (squared < kReach * kReach) near.emplace_back(-lamp.intensity / squared, &lamp);
+            if (squared < kLampReach_m * kLampReach_m)
+                near.emplace_back(-lamp.intensity / squared, &lamp);
         }
         std::sort(near.begin(), near.end());  // ties: by position in the array
         if (near.size() > kNearestSceneLamps) near.resize(kNearestSceneLamps);
@@ -121,7 +121,7 @@ Eigen::Vector3f roomLampsAt(const Eigen::Vector3d& place, const LightRig& rig,
     for (const Lamp& lamp : rig.lamps) {
         const Eigen::Vector3d way = lamp.position - place;
         const double squared = way.squaredNorm() + lamp.radius_m * lamp.radius_m;
-        if (way.z() <= 0.0 || squared > kReach * kReach) continue;
+        if (way.z() <= 0.0 || squared > kLampReach_m * kLampReach_m) continue;
         near.emplace_back(lamp.intensity * way.z() / (squared * std::sqrt(squared)), &lamp);
     }
     std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) {

@@ -118,6 +118,7 @@ void writeRig(Writer& write, const LightRig& rig) {
         write(lamp.radius_m);
         write(lamp.intensity);
     }
+    write(std::uint64_t{rig.lamps_per_point});
     write(std::uint64_t{rig.scene_lamps.size()});
     for (const SceneLamp& lamp : rig.scene_lamps) {
         write(lamp.position);

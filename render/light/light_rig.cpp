@@ -20,7 +20,7 @@ constexpr double kFromWall = 1.0;  // m; kLampShade plus the largest lamp radius
 constexpr std::size_t kMostPerPoint = 16;
 constexpr double kShadesBeyond = 0.5;  // m; margin for eaves and other small overhangs
 
-/// Height just below the actual ceiling or a hanging lamp; in a hall kHighestLamp. Room boxes may
+/// Height just below the actual ceiling or a hanging lamp; at most kHighestLamp_m. Room boxes may
 /// include beams and the roof, and cupboards may hang over the position.
 double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::AlignedBox3d& room,
                   const Eigen::Vector2d& at) {
@@ -35,7 +35,7 @@ double lampHeight(const Scene& scene, const RayCaster& rays, const Eigen::Aligne
     if (up >= kFar) up = toFirst([](const Object&) { return true; });
     const double ceiling = up < kFar ? start + up : std::min(room.max().z(), room.min().z() + 3.0);
     const double below = std::max(ceiling - kBelowCeiling, start + 0.2 * (ceiling - start));
-    return std::min(below, room.min().z() + kHighestLamp);
+    return std::min(below, room.min().z() + kHighestLamp_m);
 }
 
 /// Shortest and longest horizontal distance to obstacles, m, at most kFromWall. Lamps are ignored,

@@ -28,9 +28,12 @@ struct Lamp {
 /// where the lamp is placed.
 constexpr double kLampShade = 0.4;
 
-/// Height above the floor of lamps in high halls, m: light of lamps farther away than 9 m is
-/// neglected.
-constexpr double kHighestLamp = 5.0;
+/// Light of lamps farther away than this is neglected, m: it would hardly be worth a ray.
+constexpr double kLampReach_m = 9.0;
+
+/// Largest height of room lamps above the floor, m. The floor of a high hall is within
+/// kLampReach_m.
+constexpr double kHighestLamp_m = 5.0;
 
 /// Emission is clamped to this, because files use no common unit; few exceed it.
 constexpr float kBrightestEmission = 8.0F;
@@ -56,7 +59,7 @@ constexpr double kSunRadius = 0.00465;
 struct LightRig {
     std::vector<Lamp> lamps;
     std::vector<SceneLamp> scene_lamps;
-    std::size_t lamps_per_point = 4;  // nearest lamps that are evaluated for a point's direct light
+    std::size_t lamps_per_point = 4;  // strongest room lamps, shadows ignored, that light a point
     Eigen::Vector3f lamp_color = {1.0F, 0.93F, 0.83F};  // linear; warm
     Eigen::Vector3f sky_color = {0.80F, 0.93F, 1.15F};  // through windows and open sides; cool
     double sky_strength = 0.8;
@@ -104,8 +107,9 @@ struct LightRig {
 /// Applies every setting of `light` except own_lamps.
 void setLight(LightRig& rig, const ResolvedLight& light);
 
-/// Places one lamp below the centre of each room's ceiling, several in large rooms; a scene lamp
-/// that hangs nearby determines the position. All other lamps of the scene become scene_lamps. Dark
+/// Places one lamp below the centre of each room's ceiling, several in large rooms, at most
+/// kHighestLamp_m above the floor; a scene lamp that hangs nearby determines the horizontal
+/// position. All other lamps of the scene become scene_lamps. Dark
 /// parts get more lamps, see lampsForUnlitAreas(). `rooms` are room boxes; if there are none,
 /// scene.room_bounds is used. Then `light` is applied.
 [[nodiscard]] LightRig makeLightRig(const Scene& scene, const RayCaster& rays,

@@ -19,7 +19,6 @@ constexpr double kFree = 0.3;           // m; free space around a position: wall
                                         // be hollow
 constexpr double kSteepest = 1.0;       // largest ceiling slope between connected positions
 constexpr double kEyes = 1.0;           // m; above the floor: height at which light is measured
-constexpr double kReach = 9.0;          // m; lamps farther away send next to nothing
 constexpr double kDark = 0.05;          // relative to the median light of lit positions
 constexpr double kLitAround = 2.7;  // m; radius that a new lamp lights: three quarters of the lamp
                                     // spacing
@@ -121,7 +120,7 @@ std::vector<double> Places::lightOf(std::span<const Lamp> lamps) const {
             for (const Lamp& lamp : lamps) {
                 const Eigen::Vector3d way = lamp.position - eyes;
                 const double distance = way.norm();
-                if (way.z() <= 0.0 || distance > kReach) continue;
+                if (way.z() <= 0.0 || distance > kLampReach_m) continue;
                 const double free = std::max(0.0, 1.0 - kLampShade / distance);
                 if (!rays_.sees(eyes, eyes + free * way)) continue;
                 light[i] += lamp.intensity * way.z() / std::pow(distance, 3.0);
@@ -216,7 +215,7 @@ std::vector<Lamp> lampsForUnlitAreas(const Scene& scene, const RayCaster& rays,
             });
             Lamp lamp;
             lamp.position = place.lamp;
-            lamp.position.z() -= std::max(0.0, place.height_m - kUnderCeiling - kHighestLamp);
+            lamp.position.z() -= std::max(0.0, place.height_m - kUnderCeiling - kHighestLamp_m);
             lamp.radius_m = 0.2;
             lamp.intensity = intensityFor(lit, places.step_m(), place.height_m);
             added.push_back(lamp);

@@ -408,6 +408,27 @@ TEST(FrameGuess, TakesAnEmptyRoomAsUpright) {
     }
 }
 
+// Names of floor and ceiling tell even an empty room that is upside down.
+TEST(FrameGuess, BelievesTheNamesOfAnEmptyRoom) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(true);
+    boxes.resize(6);
+    const Scene scene = imported(folder.write("room.obj", asObj(boxes, UpAxis('y', true))));
+    EXPECT_EQ(scene.report.up_axis, "-y");
+}
+
+// Centimetres in a file that says metres are recognised although its walls are cut at 1.2 m.
+TEST(FrameGuess, ReplacesAWrongUnitOfARoomWithLowWalls) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(true);
+    boxes.pop_back();                                             // the picture
+    boxes.erase(boxes.begin() + 1);                               // the ceiling
+    for (std::size_t i = 1; i < 5; ++i) boxes[i].high.z() = 1.2;  // the walls
+    boxes.back().high.z() = 1.0;                                  // the bookshelf
+    const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 100.0, folder)));
+    EXPECT_DOUBLE_EQ(scene.report.unit_m, 0.01) << joined(scene.report.warnings);
+}
+
 // A robot is not a room, and its format's unit is the metre.
 TEST(FrameGuess, DoubtsNoUnitThatTheFormatFixes) {
     const TempFolder folder;

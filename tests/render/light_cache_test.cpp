@@ -80,6 +80,7 @@ TEST_F(LightCacheTest, WhateverChangesTheLightHasAnotherName) {
     };
     changedRig([](LightRig& rig) { rig.lamps[0].position.x() += 0.01; });
     changedRig([](LightRig& rig) { rig.lamps.clear(); });
+    changedRig([](LightRig& rig) { rig.lamps_per_point = 16; });
     changedRig([](LightRig& rig) { rig.scene_lamps.emplace_back(); });
     changedRig([](LightRig& rig) { rig.sky_factor.x() *= 0.5F; });
     changedRig([](LightRig& rig) { rig.lamp_factor *= 0.5F; });

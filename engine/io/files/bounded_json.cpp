@@ -10,16 +10,21 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace dollytrack {
 namespace {
 
 constexpr std::uint64_t kMostMemory = std::uint64_t{2} << 30U;  // bytes of parsed values
 
-/// Nesting depth of a text's brackets, and a lower bound of the memory of its parsed values with
-/// Debian 12's libraries: even a small file of "[],[],..." would need much memory.
+/// Nesting depth of a text's brackets, the most fields of one of its objects, and a lower bound of
+/// the memory of its parsed values with Debian 12's libraries: even a small file of "[],[],..."
+/// would need much memory.
 struct JsonSize {
-    int depth = 0;
+    int depth = 0;  // up to kDeepestJson + 1
+    int fields = 0;
     std::uint64_t memory = 0;
 };
 
@@ -28,7 +33,7 @@ JsonSize sizeOf(std::string_view text) {
     constexpr std::uint64_t kList = 32;   // a list; an object is slightly larger
     constexpr std::uint64_t kKey = 96;    // a tree node of an object
     JsonSize size;
-    int depth = 0;
+    std::vector<int> fields;  // of each open list or object
     bool in_text = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -39,13 +44,16 @@ JsonSize sizeOf(std::string_view text) {
             in_text = true;
         } else if (c == '[' || c == '{') {
             size.memory += kList + kValue;
-            size.depth = std::max(size.depth, ++depth);
-        } else if (c == ']' || c == '}') {
-            --depth;
+            fields.push_back(0);
+            size.depth = std::max(size.depth, static_cast<int>(fields.size()));
+            if (size.depth > kDeepestJson) return size;  // refused whatever follows
+        } else if ((c == ']' || c == '}') && !fields.empty()) {
+            fields.pop_back();
         } else if (c == ',') {
             size.memory += kValue;
         } else if (c == ':') {
             size.memory += kKey;
+            if (!fields.empty()) size.fields = std::max(size.fields, ++fields.back());
         }
     }
     return size;
@@ -80,15 +88,7 @@ std::string placeIn(std::string_view text, std::size_t byte) {
     return fmt::format(":{}:{}", line, before.size() - (begins + 1) + 1);
 }
 
-}  // namespace
-
-template <class Json>
-JsonFilter<Json> onlyField(std::string name) {
-    return [name = std::move(name)](int depth, typename Json::parse_event_t event, Json& parsed) {
-        return depth != 1 || event != Json::parse_event_t::key || parsed == name;
-    };
-}
-
+/// The text of a JSON object with the object in this field emptied; lines and columns stay.
 std::string withoutField(std::string text, std::string_view name) {
     int depth = 0;
     bool is_key = false;  // the last string, at depth 1, is the name
@@ -117,6 +117,15 @@ std::string withoutField(std::string text, std::string_view name) {
     return text;
 }
 
+}  // namespace
+
+JsonFilter<nlohmann::json> onlyField(std::string name) {
+    using nlohmann::json;
+    return [name = std::move(name)](int depth, json::parse_event_t event, json& parsed) {
+        return depth != 1 || event != json::parse_event_t::key || parsed == name;
+    };
+}
+
 template <class Json>
 Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
                               const JsonFilter<Json>& keep) {
@@ -135,6 +144,13 @@ Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
             fmt::format("The JSON has too many values: they would need more than {} GiB of memory.",
                         kMostMemory >> 30U),
             where);
+    }
+    if (std::is_same_v<Json, nlohmann::ordered_json> && size.fields > kMostOrderedFields) {
+        return fail(ErrorCode::BadInput,
+                    fmt::format("An object of the JSON has {} fields, more than the {} of any "
+                                "supported file.",
+                                size.fields, kMostOrderedFields),
+                    where);
     }
     try {
         return Json::parse(text, keep);
@@ -165,7 +181,6 @@ Result<Json> readBoundedJson(const GuardedFolder& folder, const std::string& nam
     return parseBoundedJson<Json>(*text, (folder.path() / name).string(), keep);
 }
 
-template JsonFilter<nlohmann::json> onlyField<nlohmann::json>(std::string);
 template Result<nlohmann::json> readBoundedJson(const GuardedFolder&, const std::string&,
                                                 const JsonFilter<nlohmann::json>&);
 template Result<nlohmann::ordered_json> readBoundedJson(const GuardedFolder&, const std::string&,
@@ -178,6 +193,16 @@ template Result<nlohmann::ordered_json> readBoundedJson(const std::filesystem::p
                                                         const JsonFilter<nlohmann::ordered_json>&);
 template Result<nlohmann::ordered_json> parseBoundedJson(std::string_view, const std::string&,
                                                          const JsonFilter<nlohmann::ordered_json>&);
+
+Result<SplitJson> parseSplitJson(std::string_view text, const std::string& where,
+                                 std::string_view name) {
+    auto rest =
+        parseBoundedJson<nlohmann::ordered_json>(withoutField(std::string(text), name), where);
+    if (!rest) return tl::unexpected(rest.error());
+    auto part = parseBoundedJson(text, where, onlyField(std::string(name)));
+    if (!part) return tl::unexpected(part.error());
+    return SplitJson{std::move(*rest), std::move(*part)};
+}
 
 std::string plainReason(const std::exception& error) {
     std::string reason = error.what();

@@ -18,22 +18,20 @@ class GuardedFolder;
 /// Copies, writers and visitors of JSON recurse, so deeper files would overflow the stack.
 inline constexpr int kDeepestJson = 64;
 
+/// The most fields of an ordered object, which takes quadratic time.
+inline constexpr int kMostOrderedFields = 10'000;
+
 /// Decides during parsing which values are kept; see nlohmann::basic_json::parser_callback_t.
 template <class Json>
 using JsonFilter = typename Json::parser_callback_t;
 
 /// Keeps one field of a file's outermost object.
-template <class Json = nlohmann::json>
-JsonFilter<Json> onlyField(std::string name);
-
-/// The text of a JSON object with the object in this field emptied; lines and columns of the rest
-/// stay. nlohmann::ordered_json takes quadratic time for an object of many fields: read that one
-/// apart as nlohmann::json, with onlyField().
-std::string withoutField(std::string text, std::string_view name);
+JsonFilter<nlohmann::json> onlyField(std::string name);
 
 /// Reads a JSON file. All JSON of other origin than this process is read by this function or by
 /// parseBoundedJson(). The text is measured before it is parsed: at most 512 MiB, nested at most
-/// kDeepestJson deep, and of values that take at most 2 GiB of memory. `Json` is nlohmann::json or
+/// kDeepestJson deep, and of values that take at most 2 GiB of memory. An object of
+/// nlohmann::ordered_json has at most kMostOrderedFields fields. `Json` is nlohmann::json or
 /// nlohmann::ordered_json. Error: BadInput, with file, line and column.
 template <class Json = nlohmann::json>
 Result<Json> readBoundedJson(const std::filesystem::path& path,
@@ -49,7 +47,17 @@ template <class Json = nlohmann::json>
 Result<Json> parseBoundedJson(std::string_view text, const std::string& where,
                               const JsonFilter<Json>& keep = nullptr);
 
-/// What an exception of the JSON library says, without its "[json.exception.type_error.302] ".
+/// A JSON object whose field `name`, an object of many fields, was parsed apart:
+/// nlohmann::ordered_json takes quadratic time for it.
+struct SplitJson {
+    nlohmann::ordered_json rest;  // the object, this field empty
+    nlohmann::json part;          // {name: ...}
+};
+Result<SplitJson> parseSplitJson(std::string_view text, const std::string& where,
+                                 std::string_view name);
+
+/// The message of an exception of the JSON library, without its prefix
+/// "[json.exception.type_error.302] ".
 std::string plainReason(const std::exception& error);
 
 /// A finite number, written as one or as a string ("0.5"); data sets have both.

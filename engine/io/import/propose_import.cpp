@@ -65,9 +65,11 @@ ImportProposal proposeImport(const Scene& scene, const FrameChoice& frame, bool 
         proposal = {};
         proposal.up_axis = frame.likelier_up;
         proposal.up_doubt = upDoubt(*frame.likelier_up, scene);
-    } else if (proposal.unit_doubt.empty() || frame.likelier_unit_m) {
+    } else if (frame.other_unit_m && !proposal.up_axis) {
         proposal.unit_doubt = frame.unit_doubt;
-        if (frame.likelier_unit_m) proposal.unit_m = frame.likelier_unit_m;
+        proposal.unit_m = frame.other_unit_m;
+    } else if (proposal.unit_doubt.empty()) {
+        proposal.unit_doubt = frame.unit_doubt;
     }
     return proposal;
 }

@@ -38,7 +38,7 @@ std::vector<UpEvidence> rankUpright(const FrameEvidence& evidence) {
     if (!best.negative) return ranked;
     const auto upright = std::ranges::find(ranked, UpAxis(best.letter, false), &UpEvidence::axis);
     if (!contradicts(evidence, ranked, upright->axis, kDoubtfulLead)) {
-        upright->score = ranked[0].score + 2.0 * kSlightly;
+        upright->score = ranked[0].score;
         std::rotate(ranked.begin(), upright, upright + 1);
     }
     return ranked;
@@ -78,11 +78,13 @@ void chooseUp(const RawScene& raw, const FrameEvidence& evidence, std::optional<
     choice.up_axis = ranked[0].axis;
     choice.up_source = "found by floors, ceilings and the objects on them";
     const std::string axis = choice.up_axis.text();
-    if (ranked[0].score - ranked[1].score < kSlightly) {
+    const auto other = std::ranges::find_if(
+        ranked, [&](const UpEvidence& one) { return one.axis.letter != choice.up_axis.letter; });
+    if (ranked[0].score - other->score < kSlightly) {
         choice.warnings.push_back(
             fmt::format("the upward axis is doubtful: {} is only slightly likelier than {}; pass "
                         "--up {} if it is wrong",
-                        axis, ranked[1].axis.text(), ranked[1].axis.text()));
+                        axis, other->axis.text(), other->axis.text()));
     } else if (choice.up_axis.negative) {
         choice.warnings.push_back(
             fmt::format("the file is upside down for its format: floors and the objects on them "
@@ -148,7 +150,9 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
         UnitScore another = best;
         double another_unit = best_unit;
         preferStandingHeight(evidence, another_unit, another);
-        replaces = replaces && !isUnitDoubtful(evidence, another_unit);
+        // Without a ceiling, low walls make any unit doubtful.
+        const bool closed = evidence.room_height > 0.0;
+        replaces = replaces && !(closed && isUnitDoubtful(evidence, another_unit));
         if (!replaces) {
             choice.unit_m = unit;
             choice.unit_source = "file";
@@ -174,7 +178,7 @@ void chooseUnit(const RawScene& raw, const FrameEvidence& all, std::optional<dou
     if (maybe_feet) {
         choice.unit_doubt = "the unit is doubtful: this may be a hall in metres (" + best.evidence +
                             "), or a room in feet";
-        choice.likelier_unit_m = 0.3048;
+        choice.other_unit_m = 0.3048;
     } else if (best.score < kDoubtfulScore) {
         choice.unit_doubt = "the unit is doubtful: no usual unit gives this scene a room's size";
     }

@@ -21,7 +21,7 @@ struct FrameChoice {
     std::optional<UpAxis>
         likelier_up;         // a more plausible axis, if the file's axis is doubtful but was kept
     std::string unit_doubt;  // reason, without a full stop; empty if the unit is plausible
-    std::optional<double> likelier_unit_m;  // as plausible a unit, if it is known
+    std::optional<double> other_unit_m;  // another, equally plausible unit, if there is one
     std::vector<std::string> warnings;
 
     /// Transform from the source's axes and unit to the world: right-handed, z up, metres.

@@ -19,6 +19,7 @@ constexpr double kUsualRoomLow_m = 2.2;
 constexpr double kUsualRoomHigh_m = 3.4;
 constexpr double kFactor = 1.6;   // largest deviation of furniture and room sizes from usual ones
 constexpr double kAllFit = 0.95;  // UnitScore::furniture if all kinds have about their usual sizes
+constexpr double kRoomShare = 0.3;  // of the height; the sides of a thick floor are nearer together
 constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
 constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
 
@@ -108,7 +109,8 @@ UnitEvidence measureForUnit(const FrameEvidence& evidence, UpAxis up, double evi
     result.height = evidence.core.sizes()[up.index()] / evidence_m;
     result.length = evidence.core.sizes().maxCoeff() / evidence_m;
     std::vector<double> storeys = storeyHeights(evidence.levels[up.index()], result.height);
-    result.has_ceiling = !storeys.empty();
+    const double gap = storeys.empty() ? 0.0 : *std::ranges::max_element(storeys);
+    if (gap > kRoomShare * result.height) result.room_height = gap;
     result.storey_height = storeys.size() < 2 ? result.height : median(std::move(storeys));
     return result;
 }
@@ -136,7 +138,7 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
         return likelier < kFactor * unit_m && unit_m < kFactor * likelier;
     };
     const double storey_m = evidence.storey_height * unit_m;
-    if (evidence.has_ceiling && storey_m < kLowestRoom_m) return true;
+    if (evidence.room_height > 0.0 && evidence.room_height * unit_m < kLowestRoom_m) return true;
     if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
         scoreUnit(evidence, unit_m).furniture >= kAllFit) {
         return false;

@@ -23,7 +23,8 @@ struct UnitEvidence {
     double height = 0.0;         // of the core
     double storey_height = 0.0;  // median distance between floors; `height` for a single storey
     double length = 0.0;         // of the core's longest side
-    bool has_ceiling = false;    // and a floor; without both the height may be that of cut walls
+    double room_height = 0.0;    // largest distance between levels of floors and ceilings; 0: no
+                                 // closed room
 };
 
 /// Measures `evidence`. If it is in metres already, `evidence_m` is the number of metres per source

@@ -274,15 +274,16 @@ std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence) {
 bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked, UpAxis axis,
                  double lead) {
     if (evidence.objects.size() < std::size_t{kFewestObjects}) return false;
-    if (ranked.front().axis.letter == axis.letter) {
+    const UpEvidence& asked = *std::ranges::find(ranked, axis, &UpEvidence::axis);
+    const bool names_tell = ranked.front().named > asked.named;
+    if (ranked.front().axis.letter == axis.letter && !names_tell) {
         const auto isInside = [&](const MeasuredObject& object) {
             return !isRoomSide(object, evidence.core, 0) && !isRoomSide(object, evidence.core, 1) &&
                    !isRoomSide(object, evidence.core, 2);
         };
         if (std::ranges::count_if(evidence.objects, isInside) < kFewestObjects) return false;
     }
-    const double score = std::ranges::find(ranked, axis, &UpEvidence::axis)->score;
-    return ranked.front().score - score >= lead;
+    return ranked.front().score - asked.score >= lead;
 }
 
 }  // namespace dollytrack

@@ -28,9 +28,10 @@ struct UpEvidence {
 /// more, in sparse rooms by 1; with hardly any evidence a wrong one leads by at most 0.4.
 std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence);
 
-/// Whether the best direction leads `axis` by at least `lead`. False for fewer than four objects,
-/// since these may lie on their side, and if upside down is best but fewer than four of the objects
-/// are anything else than sides of the room, which look the same both ways.
+/// Whether the best direction leads `axis` by at least `lead`. Always false for fewer than four
+/// objects, which may lie on their side. Also false if the best direction is the opposite one, no
+/// names of floors and ceilings tell the two apart, and fewer than four objects are not sides of
+/// the room: an empty room looks the same upside down.
 [[nodiscard]] bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked,
                                UpAxis axis, double lead = 1.0);
 

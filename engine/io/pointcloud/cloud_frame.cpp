@@ -61,9 +61,9 @@ double floorEvidence(const CloudSamples& samples, const std::vector<CloudPlane>&
     return total > 0.0 ? evidence / total : 0.0;
 }
 
-/// -1..1: whether level surfaces between floor and ceiling face up, as table tops, seats and beds
-/// do, rather than down. Their undersides are small or were not scanned. A closed room's floor and
-/// ceiling look the same upside down. Closer to 0 if there are few such surfaces.
+/// Whether level surfaces between floor and ceiling face up (1) or down (-1); closer to 0 if there
+/// are few. Scans show the tops of tables, seats and beds but hardly their undersides, so this
+/// tells which way up a closed room is.
 double topsEvidence(const CloudSamples& samples, const Eigen::Vector3d& up, const Spread& spread) {
     constexpr double kEnds = 0.12;    // of the height: range of floor and ceiling
     constexpr double kEnough = 0.02;  // share of all samples

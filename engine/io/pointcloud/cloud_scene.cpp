@@ -324,7 +324,8 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
     raw.notes.push_back("up in the cloud: " + up.source);
     if (up.doubtful) {
         raw.warnings.push_back(
-            "the cloud's upward axis is doubtful; pass --up if floor and ceiling are wrong");
+            "the cloud's upward axis is doubtful; pass --up if the room is upside down or on its "
+            "side");
     }
     return raw;
 }

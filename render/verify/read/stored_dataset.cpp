@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 
 // px. Exports have at most 8192; a damaged dataset.json with larger sizes must not exhaust memory.
 constexpr int kLargestSide = 1 << 14;
-constexpr double kFarthest = 1e6;      // m, of positions; trajectory files have the same limit
-constexpr double kLargestPixel = 1e6;  // px, of focal lengths and principal points
+constexpr double kFarthest_m = 1e6;  // as in trajectory files
+constexpr double kLargestNumber = 1e6;
 
 Eigen::Vector3d vectorFrom(const Json& value) {
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
@@ -114,53 +114,48 @@ Status readCard(StoredDataset& dataset, std::string& field) {
     return {};
 }
 
-/// What makes a pose or a box useless; empty if nothing does.
-std::string problemOf(const Eigen::Vector3d& position, double quaternion_length) {
-    if (!(position.cwiseAbs().maxCoeff() <= kFarthest)) {
-        return fmt::format("It is farther than {:.0e} m from the origin.", kFarthest);
-    }
-    if (!(quaternion_length > 0.1 && quaternion_length < 10.0)) {
-        return "Its quaternion is not of length 1.";
-    }
-    return {};
+bool isFar(const Eigen::Vector3d& v) {
+    return !(v.cwiseAbs().maxCoeff() <= kFarthest_m);
 }
 
-/// Checks that numbers are within the limits that all computations with them can bear.
+/// Refuses positions, boxes and lenses with numbers far beyond those of any export.
 Status checkNumbers(const StoredDataset& dataset, const std::string& path) {
-    const auto damaged = [&](const std::string& problem, const std::string& field) {
-        return fail(ErrorCode::BadInput, problem + " Export the dataset again.",
-                    path + ": " + field);
+    const auto damaged = [&](std::string problem, const std::string& field) {
+        return fail(ErrorCode::BadInput, std::move(problem), path + ": " + field);
     };
+    const char* const kFar = "A position or size is beyond 1,000,000 m; export the dataset again.";
     const Intrinsics& lens = dataset.lens;
     const auto isSide = [](int px) { return px >= 1 && px <= kLargestSide; };
     if (!isSide(lens.width) || !isSide(lens.height)) {
-        return damaged(
-            fmt::format("The image's width and height are not 1 to {} px.", kLargestSide),
-            "conventions.intrinsics");
+        return damaged(fmt::format("The image's width and height are not 1 to {} px; export the "
+                                   "dataset again.",
+                                   kLargestSide),
+                       "conventions.intrinsics");
     }
-    const bool focal = lens.fx > 0.0 && lens.fy > 0.0 && std::max(lens.fx, lens.fy) < kLargestPixel;
-    const bool centre = std::abs(lens.cx) < kLargestPixel && std::abs(lens.cy) < kLargestPixel;
-    const bool near = dataset.near_m > 0.0 && dataset.near_m < kFarthest;
-    if (!focal || !centre || !near) {
+    const auto isSmall = [](double number) { return std::abs(number) < kLargestNumber; };
+    if (!(std::min({lens.fx, lens.fy, dataset.near_m}) > 0.0) || !isSmall(lens.fx) ||
+        !isSmall(lens.fy) || !isSmall(lens.cx) || !isSmall(lens.cy) || !isSmall(dataset.near_m)) {
         return damaged(
-            fmt::format("Focal lengths and near_m must be positive, and no number above {:.0e}.",
-                        kLargestPixel),
+            "fx, fy and near_m must be positive, and they, cx and cy below 1,000,000; export the "
+            "dataset again.",
             "conventions.intrinsics");
     }
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
         const OrientedBox& box = dataset.objects[i].box;
-        for (const Eigen::Vector3d& place : {box.center, box.half_size}) {
-            const std::string problem = problemOf(place, 1.0);
-            if (!problem.empty()) return damaged(problem, fmt::format("objects[{}].box", i));
+        if (isFar(box.center) || isFar(box.half_size)) {
+            return damaged(kFar, fmt::format("objects[{}].box", i));
         }
     }
     for (std::size_t i = 0; i < dataset.frames.size(); ++i) {
         const StoredFrame& frame = dataset.frames[i];
-        std::string problem = problemOf(frame.pose.position, frame.quaternion_length);
-        if (!problem.empty()) return damaged(problem, fmt::format("frames[{}]", i));
+        if (isFar(frame.pose.position)) return damaged(kFar, fmt::format("frames[{}]", i));
+        if (!(frame.quaternion_length > 0.1 && frame.quaternion_length < 10.0)) {
+            return damaged("The quaternion's length is not 1; export the dataset again.",
+                           fmt::format("frames[{}]", i));
+        }
         for (const MovedObject& one : frame.moving) {
-            problem = problemOf(one.now_from_rest.translation(), 1.0);
-            if (!problem.empty()) return damaged(problem, fmt::format("frames[{}].moving", i));
+            if (!isFar(one.now_from_rest.translation())) continue;
+            return damaged(kFar, fmt::format("frames[{}].moving", i));
         }
     }
     return {};
@@ -230,11 +225,9 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     }
     const Result<std::string> text = readText(path);
     if (!text) return tl::unexpected(text.error());
-    Result<Json> card = parseBoundedJson<Json>(withoutField(*text, "files"), path.string());
+    Result<SplitJson> card = parseSplitJson(*text, path.string(), "files");
     if (!card) return tl::unexpected(card.error());
-    dataset.card = std::move(*card);
-    const Result<nlohmann::json> files = parseBoundedJson(*text, path.string(), onlyField("files"));
-    if (!files) return tl::unexpected(files.error());
+    dataset.card = std::move(card->rest);
     std::string field = "format";
     try {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
@@ -245,7 +238,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
             return tl::unexpected(read.error());
         }
         field = "files";
-        dataset.sha256s = files->at("files").get<std::map<std::string, std::string>>();
+        dataset.sha256s = card->part.at("files").get<std::map<std::string, std::string>>();
         field = "metrics.pictures";
         dataset.unusable_frames = readUnusableFrames(dataset.card);
     } catch (const nlohmann::json::exception&) {

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 namespace dollytrack {
@@ -48,24 +50,35 @@ TEST(Operation, AListIsAppliedWholeOrNotAtAll) {
 }
 
 TEST(Operation, BoxesAndRegionsHaveALargestNumber) {
-    for (const char* op : {"add_no_go", "add_region"}) {
+    for (const std::string op : {"add_no_go", "add_region", "add_point"}) {
         Editing editing;
-        json all = json::array();
-        for (std::size_t i = 0; i < kMostPlanEntries; ++i) {
-            all.push_back({{"op", op}, {"center", {1, 1, 1}}, {"size", {1, 1, 1}}});
-        }
+        json add = {{"op", op}, {"center", {1, 1, 1}}, {"size", {1, 1, 1}}};
+        if (op == "add_point") add = {{"op", op}, {"position", {1, 1, 1}}, {"yaw_deg", 0}};
+        const json all(kMostPlanEntries, add);
         ASSERT_TRUE(editing.apply(all)) << op;
         const auto result = editing.apply(json::array({all[0]}));
         ASSERT_FALSE(result) << op;
-        EXPECT_NE(result.error().message.find("1000 already"), std::string::npos);
+        EXPECT_NE(result.error().message.find("There are 1000"), std::string::npos);
         json file = editsJson(editing.state.edits);
         EXPECT_TRUE(editsFromJson(file)) << op;
-        json& list = file[op == std::string("add_no_go") ? "no_go" : "regions"];
+        json& list = file[op == "add_no_go" ? "no_go" : op == "add_region" ? "regions" : "pinned"];
         list.push_back(list.back());
         list.back()["name"] = "one more";
         ASSERT_FALSE(editsFromJson(file)) << op;
         EXPECT_NE(editsFromJson(file).error().message.find("1001 entries"), std::string::npos);
     }
+}
+
+TEST(Operation, AListStopsWhenCancelled) {
+    Editing editing;
+    const ProjectState before = editing.state;
+    const JobContext cancelled(std::make_shared<std::atomic<bool>>(true), {});
+    const auto result =
+        applyOperations(editing.state, editing.imported, test::setTestParameter,
+                        json::array({{{"op", "exclude"}, {"object", "mug"}}}), {}, cancelled);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+    EXPECT_EQ(editing.state, before);
 }
 
 TEST(Operation, SaysWhatIsWrong) {

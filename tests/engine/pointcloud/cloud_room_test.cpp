@@ -46,7 +46,7 @@ class RoomScan {
         rectangle(low + x, y, z, color);
     }
 
-    /// Closes the room; its fourth wall is missing all the same.
+    /// Adds a ceiling; the fourth wall stays missing.
     RoomScan& ceiling() {
         rectangle({0, 0, 2.5}, {3, 0, 0}, {0, 4, 0}, kWall);
         return *this;
