@@ -429,6 +429,18 @@ TEST(FrameGuess, ReplacesAWrongUnitOfARoomWithLowWalls) {
     EXPECT_DOUBLE_EQ(scene.report.unit_m, 0.01) << joined(scene.report.warnings);
 }
 
+// A hall over 6 m high is doubtful, but furniture of usual sizes leads to no other unit.
+TEST(FrameGuess, ProposesNoOtherUnitForAHallWithUsualFurniture) {
+    const TempFolder folder;
+    std::vector<NamedBox> boxes = livingRoom(true);
+    boxes[1].low.z() = boxes[1].high.z() = 8.0;
+    for (std::size_t i = 2; i < 6; ++i) boxes[i].high.z() = 8.0;
+    const Scene scene = imported(folder.write("room.gltf", asGltf(boxes, 'y', 1.0, folder)));
+    EXPECT_NE(joined(scene.report.warnings).find("furniture of usual size"), std::string::npos)
+        << joined(scene.report.warnings);
+    EXPECT_EQ(scene.report.proposal.unit_m, std::nullopt);
+}
+
 // A robot is not a room, and its format's unit is the metre.
 TEST(FrameGuess, DoubtsNoUnitThatTheFormatFixes) {
     const TempFolder folder;

@@ -41,12 +41,18 @@ void doubtUnit(const FrameEvidence& evidence, const Scene& scene, ImportProposal
     const UpAxis up = proposal.up_axis ? scoreUpAxes(evidence).front().axis : kWorldUp;
     const UnitEvidence sizes = measureForUnit(evidence, up, unit_m);
     if (!isUnitDoubtful(sizes, unit_m)) return;
+    const UnitScore score = scoreUnit(sizes, unit_m);
     const double likelier = likeliestUnit(sizes);
-    if (likelier > 1.2 * unit_m || unit_m > 1.2 * likelier) proposal.unit_m = likelier;
+    // A high hall is doubtful, but a smaller unit does not suit furniture of usual sizes.
+    const bool furniture_fits =
+        sizes.kinds.size() >= 3 && score.furniture >= kUsualSizes && likelier < unit_m;
+    const bool differs = likelier > 1.2 * unit_m || unit_m > 1.2 * likelier;
+    if (differs && !furniture_fits) proposal.unit_m = likelier;
     const bool by_file = scene.report.unit_source == "file";
     proposal.unit_doubt =
-        fmt::format("the unit is doubtful: {}1 unit = {:.3g} m, which makes the {}",
-                    by_file ? "the file says " : "", unit_m, scoreUnit(sizes, unit_m).evidence);
+        fmt::format("the unit is doubtful: {}1 unit = {:.3g} m, which makes the {}{}",
+                    by_file ? "the file says " : "", unit_m, score.evidence,
+                    furniture_fits ? " of usual size" : "");
 }
 
 }  // namespace

@@ -17,8 +17,7 @@ constexpr double kLowestRoom_m = 1.8;
 constexpr double kHighestRoom_m = 6.0;
 constexpr double kUsualRoomLow_m = 2.2;
 constexpr double kUsualRoomHigh_m = 3.4;
-constexpr double kFactor = 1.6;   // largest deviation of furniture and room sizes from usual ones
-constexpr double kAllFit = 0.95;  // UnitScore::furniture if all kinds have about their usual sizes
+constexpr double kFactor = 1.6;     // largest deviation of furniture and room sizes from usual ones
 constexpr double kRoomShare = 0.3;  // of the height; the sides of a thick floor are nearer together
 constexpr double kFloorShare = 0.3;  // smallest area of a storey, relative to the largest floor
 constexpr std::array<double, 5> kUsualUnits = {1.0, 0.01, 0.001, 0.0254, 0.3048};
@@ -140,7 +139,7 @@ bool isUnitDoubtful(const UnitEvidence& evidence, double unit_m) {
     const double storey_m = evidence.storey_height * unit_m;
     if (evidence.room_height > 0.0 && evidence.room_height * unit_m < kLowestRoom_m) return true;
     if (evidence.kinds.size() >= 3 && storey_m >= kLowestRoom_m && storey_m <= kHighestRoom_m &&
-        scoreUnit(evidence, unit_m).furniture >= kAllFit) {
+        scoreUnit(evidence, unit_m).furniture >= kUsualSizes) {
         return false;
     }
     if (!near(medianVote(evidence, true))) return true;

@@ -37,6 +37,8 @@ struct UnitScore {
     double furniture = 0.0;  // 0..1, of furniture only; 0 without furniture
     std::string evidence;    // "room height 2.6 m, 5 kinds of furniture"
 };
+/// UnitScore::furniture if all kinds have about their usual sizes.
+inline constexpr double kUsualSizes = 0.95;
 UnitScore scoreUnit(const UnitEvidence& evidence, double unit_m);
 
 /// Whether furniture and room are too small or too large by a factor of 1.6 with this unit, or the

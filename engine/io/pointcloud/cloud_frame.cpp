@@ -80,16 +80,29 @@ double topsEvidence(const CloudSamples& samples, const Eigen::Vector3d& up, cons
     return (upward - downward) / std::max({upward + downward, enough, 1.0});
 }
 
-/// Whether the axes are those of a camera: nearly all surfaces face against the z axis.
-bool isCameraFrame(const CloudSamples& samples) {
+/// Whether the axes are those of a camera at the origin that looks along z (forward = 1: y points
+/// down, as in OpenCV) or against z (forward = -1: y points up, as in OpenGL): nearly all surfaces
+/// face it and lie in front of it. Against z they must also be in a camera's view, because surfaces
+/// of a room face up, too.
+bool isCameraFrame(const CloudSamples& samples, const Eigen::Vector3d& origin, double forward) {
+    constexpr double kWidestView = 2.0;  // tangent of half of it
+    constexpr double kNearlyAll = 0.9;
     std::size_t facing = 0;
+    std::size_t in_front = 0;
+    std::size_t in_view = 0;
     double mean_z = 0.0;
     for (std::size_t i = 0; i < samples.points.size(); ++i) {
-        facing += samples.normals[i].z() < 0.2 ? 1U : 0U;
-        mean_z += samples.normals[i].z();
+        const double normal = forward * samples.normals[i].z();
+        const Eigen::Vector3d from = samples.points[i] - origin;
+        const double depth = forward * from.z();
+        facing += normal < 0.2 ? 1U : 0U;
+        in_front += depth > 0.0 ? 1U : 0U;
+        in_view += from.head<2>().cwiseAbs().maxCoeff() < kWidestView * depth ? 1U : 0U;
+        mean_z += normal;
     }
     const auto n = static_cast<double>(samples.points.size());
-    return static_cast<double>(facing) > 0.9 * n && mean_z < -0.3 * n;
+    const std::size_t placed = forward > 0.0 ? in_front : in_view;
+    return static_cast<double>(std::min(facing, placed)) > kNearlyAll * n && mean_z < -0.3 * n;
 }
 
 /// The vertical direction along the walls: perpendicular to their normals, and nearest to `up`.
@@ -121,8 +134,9 @@ const CloudPlane* levelPlane(const std::vector<CloudPlane>& planes, const Eigen:
 }  // namespace
 
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
-               std::optional<UpAxis> axis) {
-    const bool camera = isCameraFrame(samples);
+               const Eigen::Vector3d& file_origin, std::optional<UpAxis> axis) {
+    const bool y_down = isCameraFrame(samples, file_origin, 1.0);
+    const bool y_up = !y_down && isCameraFrame(samples, file_origin, -1.0);
     double smallest = 1e300;
     for (int i = 0; i < 3; ++i) {
         const Spread spread = spreadAlong(samples, Eigen::Vector3d::Unit(i));
@@ -143,8 +157,8 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
             if (size < 1.001 * smallest) one.score += 0.4;
             // Common conventions: surveys have z up, models y up, cameras y down.
             if (i == 2 && sign > 0.0) one.score += 0.3;
-            if (i == 1 && sign > 0.0) one.score += 0.15;
-            if (i == 1 && sign < 0.0) one.score += camera ? 2.5 : 0.1;
+            if (i == 1 && sign > 0.0) one.score += y_up ? 2.5 : 0.15;
+            if (i == 1 && sign < 0.0) one.score += y_down ? 2.5 : 0.1;
             if (i == 0) one.score -= 0.5;
             candidates.push_back(one);
         }
@@ -154,7 +168,8 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
     CloudUp result;
     result.up = candidates[0].up;
     result.source = axis                             ? "given"
-                    : camera && result.up.y() < -0.5 ? "a camera's axes: y points down"
+                    : y_down && result.up.y() < -0.5 ? "a camera's axes: y points down"
+                    : y_up && result.up.y() > 0.5    ? "a camera's axes: y points up"
                     : candidates[0].floor > 0.1      ? "found by floors and ceilings"
                                                      : "default: no floor was found";
     result.doubtful =

@@ -239,7 +239,7 @@ Result<RawScene> readPointCloud(const std::filesystem::path& path, const ImportO
         findPlanes(samples, options.cloud.plane_m, job.stage(0.3, 0.4, "walls and floors"));
     if (job.cancelled()) return cancelled(path);
     if (samples.points.size() < kFewestPoints) return noSurface(points, path);
-    const CloudUp up = findUp(samples, planes, options.up_axis);
+    const CloudUp up = findUp(samples, planes, -unit_m * origin, options.up_axis);
     CloudLabels labels = labelCloud(samples, planes, up.up, options.cloud);
     const UpAxis axis = options.up_axis.value_or('z');
     const Eigen::Matrix3d parts_from_file = levelling(up.up, axis);

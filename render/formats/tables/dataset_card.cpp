@@ -184,7 +184,7 @@ Json datasetCardJson(const DatasetContents& contents, const DatasetCard& card) {
     const Json frames = frameTable(contents);
     Json root;
     root["format"] = kDatasetFormat;
-    root["format_version"] = 1;
+    root["format_version"] = kDatasetVersion;
     root["product_version"] = card.product_version;
     root["modalities"] = namesOf(contents.modalities);
     root["formats"] = namesOf(card.formats);

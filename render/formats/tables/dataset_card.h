@@ -16,6 +16,7 @@ namespace dollytrack::render {
 
 /// Value of `format` in dataset.json.
 inline constexpr const char* kDatasetFormat = "dollytrack dataset";
+inline constexpr int kDatasetVersion = 1;
 
 /// Contents of dataset.json that are not in DatasetContents.
 struct DatasetCard {

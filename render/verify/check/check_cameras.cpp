@@ -46,6 +46,9 @@ void checkPose(const StoredCamera& camera, const StoredFrame& planned, int frame
                       fmt::format("camera {}: {}", camera.name, found),
                       std::move(expected)});
     };
+    if (i == 0 && !(std::abs(camera.mount_length - 1.0) <= 1e-9)) {
+        tell(fmt::format("a quaternion of its mount of length {:.9g}", camera.mount_length), "1");
+    }
     if (std::abs(camera.quaternion_lengths[i] - 1.0) > 1e-9) {
         tell(fmt::format("a quaternion of length {:.9g}", camera.quaternion_lengths[i]), "1");
     }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace dollytrack::verify {
 namespace {
 
@@ -30,6 +32,15 @@ CheckWork beginScene(const Subject& subject, Findings& findings) {
     const std::string said = dataset.card.at("scene").value("geometry_sha256", "");
     const std::string is = render::geometryHash(scene);
     if (said != is) add("scene.geometry_sha256 is " + said, is);
+    const auto rows = dataset.card.at("scene").at("source_from_world");
+    const Eigen::Matrix4d frame = scene.source_from_world.matrix();
+    const double tolerance = 1e-6 * frame.cwiseAbs().maxCoeff();
+    for (int i = 0; i < 16; ++i) {
+        const double stored = rows.at(i / 4).at(i % 4).get<double>();
+        if (std::abs(stored - frame(i / 4, i % 4)) <= tolerance) continue;
+        add(fmt::format("scene.source_from_world[{}][{}] is {:.9g}", i / 4, i % 4, stored),
+            fmt::format("{:.9g}", frame(i / 4, i % 4)));
+    }
     if (dataset.objects.size() != scene.objects.size()) {
         add(fmt::format("{} objects", dataset.objects.size()),
             fmt::format("{}", scene.objects.size()));

@@ -142,6 +142,10 @@ Status checkNumbers(const StoredDataset& dataset, const std::string& path) {
     }
     for (std::size_t i = 0; i < dataset.objects.size(); ++i) {
         const OrientedBox& box = dataset.objects[i].box;
+        if (!(box.half_size.minCoeff() >= 0.0)) {
+            return damaged("A size is negative; export the dataset again.",
+                           fmt::format("objects[{}].box", i));
+        }
         if (isFar(box.center) || isFar(box.half_size)) {
             return damaged(kFar, fmt::format("objects[{}].box", i));
         }
@@ -233,6 +237,15 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {
             return fail(ErrorCode::BadInput,
                         "The file is not the dataset.json of a Dollytrack dataset.", path.string());
+        }
+        field = "format_version";
+        const int version = dataset.card.at(field).get<int>();
+        if (version < 1 || version > render::kDatasetVersion) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("The dataset has format version {}, but this program reads "
+                                    "versions up to {}; use the program's version that made it.",
+                                    version, render::kDatasetVersion),
+                        path.string());
         }
         if (Status read = readCard(dataset, field); !read) {
             return tl::unexpected(read.error());

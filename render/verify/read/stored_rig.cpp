@@ -54,7 +54,7 @@ StoredCamera cameraFrom(const Json& one) {
     }
     camera.range = one.at("depth").at("kind") == "range";
     camera.level = one.at("level").get<bool>();
-    camera.carrier_from_camera = poseFrom(one.at("carrier_from_camera"));
+    camera.carrier_from_camera = poseFrom(one.at("carrier_from_camera"), &camera.mount_length);
     for (const Json& pose : one.at("poses")) {
         camera.poses.push_back(poseFrom(pose, &camera.quaternion_lengths.emplace_back()));
     }

@@ -30,6 +30,7 @@ struct StoredCamera {
     bool range = false;   // depth is measured along the ray
     bool level = false;
     Pose carrier_from_camera;
+    double mount_length = 1.0;  // of its quaternion, as stored
     std::vector<Pose> poses;
     std::vector<double> quaternion_lengths;
 

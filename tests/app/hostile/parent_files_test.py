@@ -342,6 +342,7 @@ class HandMade(ParentCase):
                              (lens + ["cy"], 1e300), (lens + ["near_m"], -1e20),
                              (lens + ["fx"], 1e20), (["frames", 0, "quaternion_xyzw", 3], 1e200),
                              (["objects", 2, "box", "center", 1], -1e18),
+                             (["objects", 2, "box", "size", 0], -1), (["format_version"], 2),
                              (["conventions", "rgb_right", "baseline_m"], 1e30)]:
             card = json.loads(json.dumps(whole))
             at = card
@@ -350,7 +351,8 @@ class HandMade(ParentCase):
             at[place[-1]] = value
             (copy / "dataset.json").write_text(json.dumps(card))
             with self.subTest(place=place):
-                words = [] if "baseline_m" in place else ["dataset.json: " + place[0]]
+                words = (["format version 2"] if value == 2 else [] if value == 1e30 else
+                         ["dataset.json: " + place[0]])
                 self.refuses("verify", copy, words=words)
                 if words:
                     self.refuses("view", copy, "-o", self.work / "page.html", words=words)

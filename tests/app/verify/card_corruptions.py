@@ -12,6 +12,11 @@ def principal_point_by_half_a_pixel(copy):
     copy.card["conventions"]["intrinsics"]["cx"] -= 0.5
 
 
+@found_by("scene")
+def transform_to_the_scene_file(copy):
+    copy.card["scene"]["source_from_world"][0][0] += 0.01
+
+
 @found_by("card")
 def depth_scale_said(copy):
     copy.card["conventions"]["depth"]["scale_m"] = 0.0002

@@ -41,6 +41,11 @@ def rig_pose_by_a_centimetre(copy):
 
 
 @found_by("cameras")
+def rig_mount_without_a_rotation(copy):
+    camera(copy, "left")["carrier_from_camera"]["quaternion_xyzw"] = [0, 0, 0, 0]
+
+
+@found_by("cameras")
 def rig_panorama_that_is_not_level(copy):
     around = camera(copy, "around")
     for pose, frame in zip(around["poses"], copy.card["frames"]):

@@ -193,6 +193,18 @@ TEST(CloudRoom, SparseScansGetLargerCubesAndSaySo) {
         [](const std::string& line) { return line.find("mm apart") != std::string::npos; }));
 }
 
+// Surfaces of an upside-down room face against z, as those before a camera do.
+TEST(CloudRoom, IsNoCamerasViewBehindTheCamera) {
+    const test::TempFolder folder;
+    const auto upsideDown = [](const Eigen::Vector3d& p) {
+        return Eigen::Vector3d(p.x(), -p.y(), -p.z());
+    };
+    const auto scene = importScene(folder.write("room.xyz", RoomScan(upsideDown).text()));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_LT(scene->source_from_world.linear().col(2).z(), -0.9);
+    expectTheRoom(*scene, 0.05);
+}
+
 // Floor and ceiling of a closed room look alike; the tops of what stands in it tell which way up.
 TEST(CloudRoom, KnowsAClosedRoomThatIsUpsideDown) {
     const test::TempFolder folder;
@@ -206,6 +218,19 @@ TEST(CloudRoom, KnowsAClosedRoomThatIsUpsideDown) {
         EXPECT_EQ(scene->source_from_world.linear().col(2).z() < 0.0, turned);
         expectTheRoom(*scene, 0.05);
     }
+}
+
+// The axes of OpenGL's cameras: y points up, and the camera looks against z.
+TEST(CloudRoom, LevelsWhatAnOpenGlCameraSaw) {
+    const test::TempFolder folder;
+    const auto seen = [](const Eigen::Vector3d& p) {
+        const Eigen::Vector3d q = seenByACamera(p);
+        return Eigen::Vector3d(q.x(), -q.y(), -q.z());
+    };
+    const auto scene = importScene(folder.write("room.xyz", RoomScan(seen).text()));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    expectTheRoom(*scene, 0.05);
+    EXPECT_GT(scene->source_from_world.linear().col(2).y(), 0.9);
 }
 
 // The same room in a camera's tilted axes is levelled; the transform to the file's axes has the
