@@ -10,6 +10,10 @@ namespace {
 
 constexpr double kAlong = 0.87;  // cosine of 30 degrees, the largest tilt of a scan
 
+// Score of a camera's axes, more than all other evidence: a wall before the camera looks like a
+// floor below it.
+constexpr double kCamera = 4.0;
+
 struct UpCandidate {
     Eigen::Vector3d up;
     double score = 0.0;
@@ -157,8 +161,8 @@ CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& plane
             if (size < 1.001 * smallest) one.score += 0.4;
             // Common conventions: surveys have z up, models y up, cameras y down.
             if (i == 2 && sign > 0.0) one.score += 0.3;
-            if (i == 1 && sign > 0.0) one.score += y_up ? 2.5 : 0.15;
-            if (i == 1 && sign < 0.0) one.score += y_down ? 2.5 : 0.1;
+            if (i == 1 && sign > 0.0) one.score += y_up ? kCamera : 0.15;
+            if (i == 1 && sign < 0.0) one.score += y_down ? kCamera : 0.1;
             if (i == 0) one.score -= 0.5;
             candidates.push_back(one);
         }
