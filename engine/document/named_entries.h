@@ -38,9 +38,10 @@ bool isTaken(const std::vector<Entry>& entries, const std::string& name) {
                        [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// The name for a new entry: that in the field "name", which no entry may have yet. Without this
-/// field: `base`, followed by a number if it is taken. Records an error if there are
-/// kMostPlanEntries. `what`: the entries, as in "no-go boxes".
+/// The name for a new entry: the one in the field "name", which no entry may have yet, or without
+/// this field `base`, followed by a number if that name is taken. Records an error if the list is
+/// full (kMostPlanEntries).
+/// @param what  the kind of entries for that error, such as "no-go boxes"
 template <class Entry>
 std::string freeName(const std::vector<Entry>& entries, const OperationReader& fields,
                      const std::string& base, std::string_view what) {

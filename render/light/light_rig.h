@@ -28,11 +28,11 @@ struct Lamp {
 /// where the lamp is placed.
 constexpr double kLampShade = 0.4;
 
-/// Light of lamps farther away than this is neglected, m: it would hardly be worth a ray.
+/// Distance beyond which a lamp's light is neglected, m.
 constexpr double kLampReach_m = 9.0;
 
-/// Largest height of room lamps above the floor, m. The floor of a high hall is within
-/// kLampReach_m.
+/// Largest height of room lamps above the floor, m. It keeps the floor of a high hall within
+/// kLampReach_m of the lamps.
 constexpr double kHighestLamp_m = 5.0;
 
 /// Emission is clamped to this, because files use no common unit; few exceed it.

@@ -18,7 +18,7 @@ class GuardedFolder;
 /// Copies, writers and visitors of JSON recurse, so deeper files would overflow the stack.
 inline constexpr int kDeepestJson = 64;
 
-/// The most fields of an ordered object, which takes quadratic time.
+/// The most fields of an object of nlohmann::ordered_json, which takes quadratic time to parse.
 inline constexpr int kMostOrderedFields = 10'000;
 
 /// Decides during parsing which values are kept; see nlohmann::basic_json::parser_callback_t.

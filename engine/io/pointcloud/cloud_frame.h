@@ -23,8 +23,8 @@ struct CloudUp {
 /// at the top), the tops of furniture, the scanner's direction (a camera's y axis points down) and
 /// common conventions.
 /// Then tilts it by at most 30 degrees to the normal of the largest floor or ceiling, or to be
-/// parallel to the walls. If `axis` is given, only that one is considered. `file_origin`: origin of
-/// the file's coordinates, in those of the samples.
+/// parallel to the walls. If `axis` is given, only that one is considered.
+/// @param file_origin  position of the file's origin in the coordinates of the samples, m
 CloudUp findUp(const CloudSamples& samples, const std::vector<CloudPlane>& planes,
                const Eigen::Vector3d& file_origin, std::optional<UpAxis> axis);
 
