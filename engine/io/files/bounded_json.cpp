@@ -19,6 +19,14 @@ namespace {
 
 constexpr std::uint64_t kMostMemory = std::uint64_t{2} << 30U;  // bytes of parsed values
 
+/// The position of the quote that closes the string which begins at `quote`; the text's size if
+/// none does.
+std::size_t stringEnd(std::string_view text, std::size_t quote) {
+    std::size_t i = quote + 1;
+    while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
+    return std::min(i, text.size());
+}
+
 /// Nesting depth of a text's brackets, the most fields of one of its objects, and a lower bound of
 /// the memory of its parsed values with Debian 12's libraries: even a small file of "[],[],..."
 /// would need much memory.
@@ -34,14 +42,10 @@ JsonSize sizeOf(std::string_view text) {
     constexpr std::uint64_t kKey = 96;    // a tree node of an object
     JsonSize size;
     std::vector<int> fields;  // of each open list or object
-    bool in_text = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (in_text) {
-            if (c == '\\') ++i;
-            if (c == '"') in_text = false;
-        } else if (c == '"') {
-            in_text = true;
+        if (c == '"') {
+            i = stringEnd(text, i);
         } else if (c == '[' || c == '{') {
             size.memory += kList + kValue;
             fields.push_back(0);
@@ -63,14 +67,10 @@ JsonSize sizeOf(std::string_view text) {
 /// none does.
 std::size_t objectEnd(std::string_view text, std::size_t begin) {
     int depth = 0;
-    bool in_text = false;
     for (std::size_t i = begin; i < text.size(); ++i) {
         const char c = text[i];
-        if (in_text) {
-            if (c == '\\') ++i;
-            if (c == '"') in_text = false;
-        } else if (c == '"') {
-            in_text = true;
+        if (c == '"') {
+            i = stringEnd(text, i);
         } else if (c == '[' || c == '{') {
             ++depth;
         } else if ((c == ']' || c == '}') && --depth == 0) {
@@ -95,10 +95,9 @@ std::string withoutField(std::string text, std::string_view name) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (c == '"') {
-            const std::size_t quote = i++;
-            while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
-            is_key = depth == 1 && i < text.size() &&
-                     std::string_view(text).substr(quote + 1, i - quote - 1) == name;
+            const std::size_t begin = i + 1;
+            i = stringEnd(text, i);
+            is_key = depth == 1 && std::string_view(text).substr(begin, i - begin) == name;
         } else if (c == '{' && depth == 1 && is_key) {
             const std::size_t end = objectEnd(text, i);
             std::replace_if(
