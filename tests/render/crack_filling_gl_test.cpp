@@ -1,5 +1,6 @@
 #include "render/draw/crack_filling.h"
 
+#include "engine/core/random.h"
 #include "render/dataset/contents/frame_context.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
@@ -144,6 +145,54 @@ TEST_F(CrackFillingGl, DepthOfASurfaceSeenAlongItselfIsThatOfItsRay) {
         EXPECT_EQ(depthsOfNothing(*frame, view, rays), 0) << "frame " << i;
     }
     EXPECT_GT(drawn_wrong, 0) << "nothing here is seen along itself";
+}
+
+/// A sloping board with 3,000 triangles on it whose corners lie on one line.
+Scene boardWithLines() {
+    dollytrack::test::SceneBuilder builder;
+    builder.object("board").quad({-1, 1, -1}, {2, 0, 0.3}, {0.2, 2, 1.9});
+    Scene scene = builder.build();
+    Object& board = scene.objects.front();
+    Random random(7);
+    for (int i = 0; i < 3000; ++i) {
+        const auto place = [&] {
+            return Eigen::Vector3d(Eigen::Vector3d(-1, 1, -1) +
+                                   random.uniform() * Eigen::Vector3d(2, 0, 0.3) +
+                                   random.uniform() * Eigen::Vector3d(0.2, 2, 1.9));
+        };
+        const Eigen::Vector3d from = place();
+        const Eigen::Vector3d to = place();
+        const Eigen::Vector3d between = from + random.uniform() * (to - from);
+        const auto first = static_cast<std::uint32_t>(scene.positions.size());
+        for (const Eigen::Vector3d& corner : {from, to, between}) {
+            scene.positions.push_back(corner.cast<float>());
+            scene.normals.push_back(scene.normals.front());
+            scene.uvs.emplace_back(0.0F, 0.0F);
+        }
+        scene.triangles.push_back({first, first + 1, first + 2});
+        scene.triangle_material.push_back(scene.triangle_material.front());
+    }
+    board.vertex_count = static_cast<std::uint32_t>(scene.positions.size());
+    board.triangle_count = static_cast<std::uint32_t>(scene.triangles.size());
+    return scene;
+}
+
+// Of a triangle without area the rasterizer knows no depth.
+TEST_F(CrackFillingGl, TrianglesWithoutAreaAreNotDrawn) {
+    const Scene scene = boardWithLines();
+    const RayCaster rays(scene);
+    CameraParams camera;
+    camera.width_px = 320;
+    camera.height_px = 240;
+    Result<OffscreenRenderer> renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    for (int i = 0; i < 10; ++i) {
+        const View view = makeView(camera, lookAt({0.1 * i - 0.5, -0.7, 0.05 * i}, {0, 1.8, 0}));
+        Result<FrameRecord> frame = renderer->render(view);
+        ASSERT_TRUE(frame);
+        EXPECT_GT(std::ranges::count(frame->instance, 1), 10000);
+        EXPECT_EQ(depthsOfNothing(*frame, view, rays), 0) << "frame " << i;
+    }
 }
 
 // Open areas and the corner of a window must not be filled as cracks.

@@ -33,6 +33,21 @@ static_assert(sizeof(Vertex) == 40);
 constexpr int kMaxTextureSize = 2048;
 constexpr int kAnisotropy = 8;  // on a graphics card; on the CPU it makes drawing 1.5 times as slow
 
+/// Whether a triangle's corners lie on one line, within the rounding of their coordinates. No ray
+/// meets such a triangle, and rasterization interpolates its depth from noise. Modellers leave them
+/// where a long edge meets two short ones.
+bool isLine(const Scene& scene, const Triangle& triangle) {
+    constexpr double kRounding = 1e-6;  // of the largest coordinate
+    const auto corner = [&](std::size_t k) {
+        return Eigen::Vector3d(scene.positions[triangle[k]].cast<double>());
+    };
+    const Eigen::Vector3d ab = corner(1) - corner(0);
+    const Eigen::Vector3d ac = corner(2) - corner(0);
+    const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
+    const double farthest = corner(0).cwiseAbs().maxCoeff() + longest;
+    return ab.cross(ac).norm() <= kRounding * farthest * longest;
+}
+
 std::uint8_t toByte(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
 }
@@ -179,6 +194,7 @@ class SceneSorter {
         known.reserve(object.vertex_count);
         for (std::uint32_t t = object.first_triangle;
              t < object.first_triangle + object.triangle_count; ++t) {
+            if (isLine(scene_, scene_.triangles[t])) continue;
             const std::uint32_t material = scene_.triangle_material[t];
             auto& groups = indices[keys_[material]];
             if (groups.empty() || groups.back().first != object.id)
