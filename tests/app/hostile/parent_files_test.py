@@ -51,7 +51,7 @@ formats = ["coco"]
 LABELS = "coffee table,table\n=1234,chair,target\nleg,,part\nwall,wall,structure\n"
 RIG = {"format": "dollytrack-rig", "version": 1, "cameras": [
     {"name": "left", "lens": "pinhole", "width_px": 64, "height_px": 48},
-    {"name": "wide", "lens": "fisheye", "width_px": 64, "height_px": 64, "hfov_deg": 170}]}
+    {"name": "wide", "lens": "fisheye", "width_px": 64, "height_px": 64, "fov_deg": 170}]}
 SCRIPT = [small_export.TRACK, {"op": "exclude", "object": "sofa"},
           {"op": "add_region", "name": "r", "center": [1, 1, 1], "size": [1, 1, 1], "weight": 2}]
 
@@ -124,22 +124,24 @@ class Mutants(ParentCase):
 
     def seeds(self):
         """(name, bytes, command); the command reads the file of this name in the work folder."""
-        texts = [("m.tum", TUM), ("m.kitti", KITTI), ("images.txt", COLMAP),
-                 ("m.scenenet", SCENE_NET), ("m.tartan", TARTAN)]
-        trajectories = [(name, text.encode()) for name, text in texts]
-        trajectories += [(f"m_{name}", (self.dataset / name).read_bytes())
-                         for name in ("camera.json", "transforms.json")]
-        trajectories.append(("m.sh3d", small_models.sh3d()))
+        with_times = [("m.tum", TUM.encode()), ("m.scenenet", SCENE_NET.encode()),
+                      ("m_camera.json", (self.dataset / "camera.json").read_bytes())]
+        without_times = [("m.kitti", KITTI.encode()), ("images.txt", COLMAP.encode()),
+                         ("m.tartan", TARTAN.encode()), ("m.sh3d", small_models.sh3d()),
+                         ("m_transforms.json", (self.dataset / "transforms.json").read_bytes())]
         estimates = [(name, data, ["evaluate", self.dataset, "--estimated", self.work / name])
-                     for name, data in trajectories]
+                     for name, data in with_times]
+        estimates += [(name, data, ["compare", self.work / "room.obj", "--planners", "uniform",
+                                    "--max-frames", "2", "--trajectory", self.work / name])
+                      for name, data in without_times]
         listed = ["edit", self.work / "m.dolly"]
         project = self.project.read_bytes()
         others = [
             ("m.dolly", project, listed),
             ("m.dolly", project, ["edit", self.work / "m.dolly", "--json"]),
             ("m_rig.json", json.dumps(RIG).encode(),
-             ["export", self.work / "none.obj", "--rig", self.work / "m_rig.json", "--out",
-              self.work / "out"]),
+             ["export", self.work / "room.obj", "--rig", self.work / "m_rig.json", "--max-frames",
+              "8", "--modalities", "depth", "--out", self.work / "out"]),
             ("m.toml", JOBS.encode(), ["batch", self.work / "m.toml", "--dry-run"]),
             ("m.toml", JOBS.encode(), ["batch", self.work / "m.toml", "--dry-run"]),
             ("m.csv", LABELS.encode(), ["info", self.work / "room.obj", "--labels",
@@ -165,6 +167,13 @@ class Mutants(ParentCase):
         """Files that no run may change: all except the mutant and the outputs."""
         return {name: value for name, value in hashes(self.folder).items()
                 if not name.startswith(("work/m", "work/out", "work/images", "work/room.obj.o"))}
+
+    def test_each_seed_is_accepted_undamaged(self):
+        for name, data, command in self.seeds():
+            (self.work / name).write_bytes(data)
+            with self.subTest(file=name):
+                done = self.runs(*command)
+                self.assertEqual(done.code, 0, done.output)
 
     def test_the_program_outlives_them_all(self):
         seeds = self.seeds()

@@ -276,6 +276,8 @@ end
 def home_xml():
     return b"""<?xml version='1.0'?>
 <home version='7000' name='flat.sh3d' wallHeight='250.0'>
+<observerCamera attribute='storedCamera' name='Door' x='60' y='60' z='150' yaw='-0.8' pitch='0.2'
+ fieldOfView='1.1'/>
 <wall id='a' wallAtEnd='b' xStart='0' yStart='0' xEnd='400' yEnd='0' height='250' thickness='10'/>
 <wall id='b' wallAtStart='a' xStart='400' yStart='0' xEnd='400' yEnd='300' height='250'
  thickness='10'/>
