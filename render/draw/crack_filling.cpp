@@ -104,6 +104,30 @@ CrackPixel crackAt(std::size_t pixel, const View& view, std::span<const std::uin
     return crack;
 }
 
+bool isSteep(float drawn_depth_m) {
+    return !(drawn_depth_m > 0.0F && std::isfinite(drawn_depth_m));
+}
+
+/// The pixels on either side of the outlines of objects, and of steps in depth on one object.
+std::vector<bool> outlinePixels(int width, std::span<const std::uint16_t> labels,
+                                std::span<const float> drawn_depth_m) {
+    constexpr float kStep = 0.02F;  // relative
+    std::vector<bool> found(labels.size(), false);
+    const auto compare = [&](std::size_t a, std::size_t b) {
+        const float least = std::min(drawn_depth_m[a], drawn_depth_m[b]);
+        const float most = std::max(drawn_depth_m[a], drawn_depth_m[b]);
+        // Steep pixels have a negative depth.
+        const bool steps = most - least > kStep * least && least > 0.0F;
+        if (labels[a] != labels[b] || steps) found[a] = found[b] = true;
+    };
+    const auto columns = static_cast<std::size_t>(width);
+    for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
+        if ((pixel + 1) % columns != 0) compare(pixel, pixel + 1);
+        if (pixel + columns < labels.size()) compare(pixel, pixel + columns);
+    }
+    return found;
+}
+
 float depthOf(const CrackPixel& crack) {
     return crack.hit.object_id == 0 ? 0.0F : static_cast<float>(crack.hit.distance);
 }
@@ -135,10 +159,12 @@ std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16
 std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16_t> labels,
                                    std::span<const float> drawn_depth_m, const RayCaster& rays) {
     std::vector<CrackPixel> cracks = findCracks(view, labels, rays);
+    const std::vector<bool> on_outline =
+        outlinePixels(view.intrinsics.width, labels, drawn_depth_m);
     std::vector<std::size_t> unknown;
     for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
-        const float depth = drawn_depth_m[pixel];
-        if (labels[pixel] != 0 && !(depth > 0.0F && std::isfinite(depth))) unknown.push_back(pixel);
+        if (labels[pixel] == 0) continue;
+        if (on_outline[pixel] || isSteep(drawn_depth_m[pixel])) unknown.push_back(pixel);
     }
     const std::vector<RayHit> hits = castPixels(view, unknown, rays);
     for (std::size_t i = 0; i < unknown.size(); ++i) {

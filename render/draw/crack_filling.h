@@ -13,8 +13,8 @@ namespace dollytrack::render {
 
 /// A pixel whose content rasterisation cannot determine, with the ray-cast result for its centre.
 /// Rasterisation rounds vertex positions: it leaves one-pixel gaps where surfaces meet without
-/// sharing vertices (walls standing on a floor), and on surfaces seen edge-on it extrapolates depth
-/// by metres.
+/// sharing vertices (walls standing on a floor), on surfaces seen edge-on it extrapolates depth
+/// by metres, and the thin triangles along an object's outline get depths millimetres off.
 struct CrackPixel {
     std::size_t pixel = 0;
     bool drawn = false;           // the rasteriser drew a surface here, but its depth is unreliable
@@ -30,7 +30,8 @@ struct CrackPixel {
                                                  std::span<const std::uint16_t> labels,
                                                  const RayCaster& rays);
 
-/// Finds gap pixels and the pixels that RenderTarget::readDrawnDepth() marks as unreliable.
+/// Finds gap pixels, the pixels that RenderTarget::readDrawnDepth() marks as unreliable, and those
+/// beside outlines: where the label changes, or the depth by more than 2 %.
 [[nodiscard]] std::vector<CrackPixel> findCracks(const View& view,
                                                  std::span<const std::uint16_t> labels,
                                                  std::span<const float> drawn_depth_m,

@@ -195,6 +195,47 @@ TEST_F(CrackFillingGl, TrianglesWithoutAreaAreNotDrawn) {
     }
 }
 
+// Thin triangles along an outline get depths that are millimetres off.
+TEST_F(CrackFillingGl, PixelsBesideAnOutlineShowWhatTheirRaysHit) {
+    const Scene scene = dollytrack::test::furnishedRoom();
+    const RayCaster rays(scene);
+    const MovingObjects still(scene, rays, {});
+    CameraParams camera;
+    camera.width_px = 320;
+    camera.height_px = 240;
+    const DatasetContents contents{scene, camera, {}, {}};
+    const FrameContext context{contents, still};
+    Result<OffscreenRenderer> renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    constexpr double kTolerance_m = 2e-5;
+    int beside = 0;
+    int drawn_off = 0;
+    for (int i = 0; i < 10; ++i) {
+        const View view = makeView(
+            camera, lookAt({0.4 + 0.3 * i, 0.5, 1.2 + 0.07 * i}, {2.0, 1.9 - 0.1 * i, 0.6}));
+        Result<FrameRecord> frame = renderer->render(view);
+        ASSERT_TRUE(frame);
+        std::vector<float> drawn;
+        renderer->target().readDrawnDepth(drawn);
+        const std::vector<std::uint16_t> labels = frame->instance;
+        const std::vector<float> before = frame->depth_m;
+        fillCracks(findCracks(view, labels, drawn, rays), context.contents.scene, context.moving,
+                   view, *frame);
+        for (std::size_t pixel = 0; pixel + 320 < labels.size(); ++pixel) {
+            if (labels[pixel] == labels[pixel + 320]) continue;
+            ++beside;
+            const ViewRay ray = view.rayThrough(static_cast<double>(pixel % 320) + 0.5,
+                                                static_cast<double>(pixel / 320) + 0.5);
+            const RayHit hit = rays.cast(ray.origin, ray.direction,
+                                         std::numeric_limits<double>::infinity(), view.near_m);
+            drawn_off += std::abs(before[pixel] - hit.distance) > kTolerance_m;
+            EXPECT_NEAR(frame->depth_m[pixel], hit.distance, kTolerance_m) << "frame " << i;
+        }
+    }
+    EXPECT_GT(beside, 1000);
+    EXPECT_GT(drawn_off, 0) << "no drawn depth beside an outline is off";
+}
+
 // Open areas and the corner of a window must not be filled as cracks.
 TEST_F(CrackFillingGl, WhatIsOpenStaysOpen) {
     dollytrack::test::SceneBuilder builder;
