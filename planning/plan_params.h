@@ -168,9 +168,14 @@ void visitSmoothingParams(Params& p, Visitor&& visit) {
                     "d"});
 }
 
+/// Whether the camera avoids views in which a feature detector finds few corners.
+/// Auto: on with motion_preset=slam.
+enum class Trackability { Auto, Off, On };
+
 /// Viewing directions between key frames.
 struct GazeParams {
     double view_mix = 0.9;
+    Trackability trackability = Trackability::Auto;
     bool operator==(const GazeParams&) const = default;
 };
 
@@ -181,10 +186,16 @@ void visitGazeParams(Params& p, Visitor&& visit) {
                     "Weight of views that show many objects at once: room views take this share of "
                     "the spare frames, and higher values make looking across the room between "
                     "close views cheaper in turning time; 0: close views only"});
+    visit("trackability", p.trackability,
+          ChoiceInfo{{"auto", "off", "on"},
+                     "on: between key frames the camera avoids views in which a feature detector "
+                     "would find fewer than about 200 corners (in an image of 320 x 240), and fill "
+                     "is at most 0.45, so that SLAM does not lose track; auto: on with "
+                     "motion_preset=slam"});
 }
 
 /// Named sets of motion limits; see motionLimits().
-enum class MotionPreset { Easy, Medium, Hard, Custom };
+enum class MotionPreset { Easy, Medium, Hard, Custom, Slam };
 
 /// Frame rate, duration and motion limits. A motion limit of 0 stands for the preset's value.
 struct TimingParams {
@@ -214,9 +225,11 @@ void visitTimingParams(Params& p, Visitor&& visit) {
                     "objects as the motion limits allow; 0: as long as needed"});
     visit("motion_preset", p.motion_preset,
           ChoiceInfo{
-              {"easy", "medium", "hard", "custom"},
-              "Motion limits used where the four below are 0, in m/s, m/s2, deg/s, deg/s2: easy "
-              "0.25, 0.4, 20, 60; medium 0.5, 1, 45, 180; hard 1.5, 4, 120, 720; custom: none"});
+              {"easy", "medium", "hard", "custom", "slam"},
+              "Motion limits used where the five below are 0, in m/s, m/s2, deg/s, deg/s2: easy "
+              "0.25, 0.4, 20, 60; medium 0.5, 1, 45, 180; hard 1.5, 4, 120, 720; custom: none; "
+              "slam: easy for SLAM programs to follow: 0.5, 1, 40, 120, an image motion of 40 "
+              "deg/s, trackability, and a frame rate that is kept"});
     visit("max_speed_mps", p.max_speed_mps,
           FieldInfo{0, 100, "m/s", "Speed limit; 0: the preset's"});
     visit("max_acceleration_mps2", p.max_acceleration_mps2,
@@ -227,9 +240,9 @@ void visitTimingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 1e5, "deg/s2", "Limit of turning acceleration; 0: the preset's"});
     visit("max_image_motion_dps", p.max_image_motion_dps,
           FieldInfo{0, 3600, "deg/s",
-                    "With max_frames, unless the frame rate is kept: the camera slows down where "
-                    "turning or passing near objects would move the image faster than this, so "
-                    "that frames are evenly spaced in the image; 0: no limit"});
+                    "With max_frames or motion_preset=slam: the camera slows down where turning or "
+                    "passing near objects would move the image faster than this, so that frames "
+                    "are evenly spaced in the image; 0: the preset's, if any"});
     visit("max_frames", p.max_frames,
           FieldInfo{0, 1e6, "",
                     "Budget of frames; the frame rate is lowered to meet it; 0: no limit"});
@@ -473,6 +486,16 @@ void applyCameraPreset(PlanParams& params);
 /// Whether the objective includes surface.
 [[nodiscard]] inline bool asksForSurface(const PlanParams& params) {
     return params.coverage.objective != Objective::Objects;
+}
+
+/// The largest ViewpointParams::fill with trackability: key frames then show an object with its
+/// surroundings.
+inline constexpr double kFillForTrackability = 0.45;
+
+/// Whether views with few corners are avoided; see Trackability.
+[[nodiscard]] inline bool asksForTrackability(const GazeParams& gaze, const TimingParams& timing) {
+    return gaze.trackability == Trackability::On ||
+           (gaze.trackability == Trackability::Auto && timing.motion_preset == MotionPreset::Slam);
 }
 
 /// Checks constraints between fields. Error: Usage, naming the field.

@@ -1,6 +1,7 @@
 #include "planning/gaze/context_views.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/gaze/corner_panorama.h"
 #include "planning/gaze/panorama.h"
 #include "planning/plan_params.h"
 #include "planning/timing/clip.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -30,6 +32,12 @@ constexpr int kPasses = 3;
 // Factors on the motion limits that give more frames of the budget to views of many objects.
 constexpr double kSlowdownAtMean = 4.0;
 constexpr double kMostSlowdown = 8.0;
+
+// Trackability: views with fewer corners cost time in proportion to those missing.
+constexpr double kEnoughCorners = 350.0;  // estimated, in an image of 320 x 240; about 200 of ORB's
+constexpr double kCostOfNoCorners = 10.0;  // in times as long as the view lasts
+constexpr double kLeastViewMix = 0.1;      // for trackability without context views
+constexpr double kTurnBetweenViews = 40.0 * kRadian;
 
 // Directions tried at each position.
 constexpr int kHeadings = 36;
@@ -49,9 +57,11 @@ constexpr double kFastest_rps2 = 720.0 * kRadian;
 struct Place {
     SmoothPath::Key key;
     bool free = false;  // else a key frame, with its own direction only
-    std::vector<Eigen::Vector3d> directions;
-    std::vector<double> values;  // by direction
-    Grid grid{};                 // value of every grid direction
+    std::vector<Eigen::Vector3d> directions = {};
+    std::vector<double> values = {};  // by direction
+    std::vector<double> lacks = {};   // of corners, 0 to 1, by direction; see kEnoughCorners
+    Grid grid{};                      // value of every grid direction
+    Grid grid_lacks{};                // of corners there
 };
 
 /// A target shown in a view, and how well (0..1).
@@ -95,9 +105,13 @@ class GazeSearch {
         });
         for (auto& one : made) panoramas_.push_back(std::move(*one));
         shown_.resize(places_.size());
+        if (environment.corners) corners_.resize(places_.size());
         parallelFor(places_.size(), [&](std::size_t i) {
+            if (environment.corners) corners_[i] = environment.corners->at(places_[i].key.position);
             for (int e = 0; e < kElevations; ++e) {
                 for (int h = 0; h < kHeadings; ++h) {
+                    places_[i].grid_lacks[e * kHeadings + h] =
+                        lackOf(i, gridDirection(h, e, pitch_));
                     std::vector<Shown>& list = shown_[i][e * kHeadings + h];
                     panoramas_[i].visitShown(
                         gridDirection(h, e, pitch_), [&](std::size_t target, double share) {
@@ -146,6 +160,12 @@ class GazeSearch {
         return value;
     }
 
+    /// The share of kEnoughCorners that a view lacks; 0 without trackability.
+    [[nodiscard]] double lackOf(std::size_t place, const Eigen::Vector3d& direction) const {
+        if (corners_.empty()) return 0.0;
+        return std::max(0.0, 1.0 - corners_[place]->corners(direction) / kEnoughCorners);
+    }
+
     /// Sets a position's candidates: the direct turn's direction, the one chosen before, and the
     /// best grid directions, at a distance from one another.
     void propose(std::size_t index, const Eigen::Vector3d& chosen) {
@@ -161,8 +181,9 @@ class GazeSearch {
             place.directions = {direct, chosen};
             std::vector<std::size_t> order(place.grid.size());
             for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-            std::ranges::stable_sort(order, std::greater<>(),
-                                     [&](std::size_t i) { return place.grid[i]; });
+            std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
+                return place.grid[i] * (1.0 - place.grid_lacks[i]);
+            });
             for (const std::size_t i : order) {
                 if (place.directions.size() == kMostCandidates + 2) break;
                 const Eigen::Vector3d direction = gridDirection(
@@ -174,7 +195,11 @@ class GazeSearch {
             }
         }
         place.values.clear();
-        for (const Eigen::Vector3d& d : place.directions) place.values.push_back(valueOf(index, d));
+        place.lacks.clear();
+        for (const Eigen::Vector3d& d : place.directions) {
+            place.values.push_back(valueOf(index, d));
+            place.lacks.push_back(lackOf(index, d));
+        }
     }
 
     [[nodiscard]] double turnTime(double angle) const {
@@ -200,6 +225,15 @@ class GazeSearch {
                                             gridValue(end.grid, middle.normalized()))
                                    : 0.0;
         made.value = 0.25 * begin.values[a] + 0.5 * between + 0.25 * end.values[b];
+        if (!corners_.empty()) {
+            const double lack_between =
+                middle.squaredNorm() > 1e-6
+                    ? 0.5 * (gridValue(begin.grid_lacks, middle.normalized()) +
+                             gridValue(end.grid_lacks, middle.normalized()))
+                    : 1.0;
+            const double lack = 0.25 * begin.lacks[a] + 0.5 * lack_between + 0.25 * end.lacks[b];
+            made.cost_s += kCostOfNoCorners * lack * std::max(travel_s, turnTime(angle));
+        }
         return made;
     }
 
@@ -263,15 +297,18 @@ class GazeSearch {
     std::vector<double> weights_;  // by target
     double turn_price_;            // s/rad
     double speed_mps_ = 0.0, turn_rps_ = 0.0, turn_rps2_ = 0.0;
-    std::vector<Panorama> panoramas_;  // by position
+    std::vector<Panorama> panoramas_;                             // by position
+    std::vector<std::shared_ptr<const CornerPanorama>> corners_;  // as above; empty without
+                                                                  // trackability
     // Targets shown in each grid direction, by position.
     std::vector<std::array<std::vector<Shown>, std::size_t{kHeadings} * kElevations>> shown_;
 };
 
-/// The key frames, and the positions between them where a view may be inserted.
+/// The key frames, and the positions between them where a view may be inserted; with `tracks` more
+/// of them in large turns, for ways round that avoid bare walls.
 std::vector<Place> placesOn(const SmoothPath& path,
                             const std::function<Pose(const SmoothPath::Key&)>& pose_at,
-                            const PitchBand& pitch, int max_frames) {
+                            const PitchBand& pitch, int max_frames, bool tracks) {
     const std::vector<SmoothPath::Key>& keys = path.keys;
     double spacing = kSpacing_m;
     bool in_short_ones = true;
@@ -284,20 +321,24 @@ std::vector<Place> placesOn(const SmoothPath& path,
     std::vector<Place> places;
     for (std::size_t k = 0; k < keys.size(); ++k) {
         const Eigen::Quaterniond rotation = pose_at(keys[k]).rotation;
-        places.push_back({keys[k], false, {rotation * Eigen::Vector3d::UnitZ()}, {}, {}});
+        places.push_back({keys[k], false, {rotation * Eigen::Vector3d::UnitZ()}});
         if (k + 1 == keys.size()) break;
         const double length = keys[k + 1].arc_m - keys[k].arc_m;
         if (length < kShortest_m) continue;
-        const int count = std::clamp(static_cast<int>(std::lround(length / spacing)),
-                                     in_short_ones ? 1 : 0, kMostBetweenKeys);
         const Turn turn(rotation, pose_at(keys[k + 1]).rotation, pitch);
+        int least = in_short_ones ? 1 : 0;
+        if (tracks && in_short_ones) {
+            least = std::max(least, static_cast<int>(turn.angle() / kTurnBetweenViews));
+        }
+        const int count = std::clamp(static_cast<int>(std::lround(length / spacing)),
+                                     std::min(least, kMostBetweenKeys), kMostBetweenKeys);
         for (int i = 1; i <= count; ++i) {
             const double share = static_cast<double>(i) / (count + 1);
             SmoothPath::Key key;
             key.arc_m = keys[k].arc_m + share * length;
             key.position = path.at(key.arc_m);
             places.push_back(
-                {key, true, {turn.at(share * turn.angle()) * Eigen::Vector3d::UnitZ()}, {}, {}});
+                {key, true, {turn.at(share * turn.angle()) * Eigen::Vector3d::UnitZ()}});
         }
     }
     return places;
@@ -309,10 +350,13 @@ SmoothPath withContextViews(const SmoothPath& path,
                             const std::function<Pose(const SmoothPath::Key&)>& pose_at,
                             const PlanningEnvironment& environment, const GazeParams& params,
                             const TimingParams& timing) {
-    if (params.view_mix <= 0.0 || environment.heading.restricts()) return path;
-    const std::vector<Place> places = placesOn(path, pose_at, environment.pitch, timing.max_frames);
+    const bool wanted = params.view_mix > 0.0 || environment.corners;
+    if (!wanted || environment.heading.restricts()) return path;
+    const std::vector<Place> places = placesOn(path, pose_at, environment.pitch, timing.max_frames,
+                                               environment.corners != nullptr);
     if (std::ranges::none_of(places, &Place::free)) return path;
-    const double turn_price = (1.0 - params.view_mix) / params.view_mix;
+    const double view_mix = std::max(params.view_mix, kLeastViewMix);
+    const double turn_price = (1.0 - view_mix) / view_mix;
     const auto [directions, shown] = GazeSearch(places, environment, turn_price, timing).search();
     double mean = 0.0;
     for (const double value : shown) mean += value / static_cast<double>(shown.size() - 1);

@@ -75,6 +75,7 @@ void PlanCache::refreshSearches(const CurrentMap& map, const SearchInputs& input
 void PlanCache::refreshViews(unsigned views_version, const CameraParams& camera,
                              const ViewEstimator& views) {
     if (views_version_ != views_version) {
+        corners_.reset();
         if (views_camera_ != camera || moved_since_views_.empty()) {
             key_frame_visibility.clear();
             frame_views.clear();
@@ -86,6 +87,11 @@ void PlanCache::refreshViews(unsigned views_version, const CameraParams& camera,
     views_version_ = views_version;
     views_camera_ = camera;
     moved_since_views_.clear();
+}
+
+CornerPanoramas& PlanCache::corners(const ViewEstimator& views) {
+    if (!corners_) corners_ = std::make_unique<CornerPanoramas>(views);
+    return *corners_;
 }
 
 }  // namespace dollytrack::planning

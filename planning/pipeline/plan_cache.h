@@ -3,6 +3,7 @@
 #include "engine/camera/camera_params.h"
 #include "engine/document/edits.h"
 #include "engine/geometry/ray_caster.h"
+#include "planning/gaze/corner_panorama.h"
 #include "planning/metrics/view_cache.h"
 #include "planning/plan_params.h"
 #include "planning/viewpoints/key_frames.h"
@@ -51,6 +52,9 @@ class PlanCache {
     VisibilityCache key_frame_visibility;
     ViewCache frame_views;
 
+    /// Corners visible from positions, for these views; valid until the next refreshViews().
+    [[nodiscard]] CornerPanoramas& corners(const ViewEstimator& views);
+
     /// Records a new scene with the same objects, of which `moved` (ids, ascending; may be empty)
     /// changed their pose. `rays` and `map` are those of the scene before.
     void noteMoves(const Scene& before, const Scene& now, const std::vector<int>& moved,
@@ -80,6 +84,7 @@ class PlanCache {
     std::optional<SearchInputs> searched_with_;
     unsigned views_version_ = 0;  // of the views that the cached ones were made with
     std::optional<CameraParams> views_camera_;
+    std::unique_ptr<CornerPanoramas> corners_;  // null: not asked for since the views changed
 
     // Objects moved since the ray structure was built, and that structure.
     std::vector<int> moved_since_cast_;  // ids, ascending

@@ -12,6 +12,7 @@
 #include "planning/timing/clip.h"
 #include "planning/viewpoints/key_frames.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -202,6 +203,9 @@ PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
 }
 
 Status Pipeline::Stages::PlanRun::selectKeyFrames() {
+    if (asksForTrackability(params_.gaze, params_.timing)) {
+        environment_.corners = &stages_.cache.corners(*stages_.views);
+    }
     builder_.emplace(environment_, movementEnvironment(), viewpoints(), params_, job_);
     ends_ = pathEnds();
     const KeyFrameInputs inputs{stages_.pointsVersion(),
@@ -308,7 +312,7 @@ Status Pipeline::Stages::PlanRun::smoothPaths() {
 
 Status Pipeline::Stages::PlanRun::addContextViews() {
     GazeInputs inputs{stages_.smoothing.version(), stages_.views.version(), params_.gaze};
-    if (params_.gaze.view_mix > 0.0) inputs.timing = params_.timing;
+    if (params_.gaze.view_mix > 0.0 || environment_.corners) inputs.timing = params_.timing;
     return stages_.run("gaze", stages_.gaze, inputs, job_.stage(0.89, 0.9, "gaze"),
                        [&]() -> Result<std::vector<SmoothPath>> {
                            return builder_->withContext(*stages_.smoothing);
@@ -386,7 +390,11 @@ Result<Pipeline::Stages::Coverages> Pipeline::Stages::PlanRun::measureCoverages(
 
 Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                               const JobContext& job, const OnTrajectory& on_trajectory) {
-    return PlanRun(*this, params, edits, job, on_trajectory).run();
+    PlanParams used = params;
+    if (asksForTrackability(params.gaze, params.timing)) {
+        used.viewpoints.fill = std::min(used.viewpoints.fill, kFillForTrackability);
+    }
+    return PlanRun(*this, used, edits, job, on_trajectory).run();
 }
 
 }  // namespace dollytrack::planning

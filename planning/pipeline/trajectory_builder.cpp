@@ -69,7 +69,10 @@ std::vector<SmoothPath> TrajectoryBuilder::withContext(const std::vector<SmoothP
     return made;
 }
 
-void TrajectoryBuilder::measureImageMotions(std::vector<SmoothPath>& paths) const {
+void TrajectoryBuilder::measureImageMotions(std::vector<SmoothPath>& paths,
+                                            const TimingParams& timing) const {
+    // With a heading limit, timing adds keys of its own, which have no image motion.
+    if (imageMotionLimit_rps(timing) <= 0.0 || environment_.heading.restricts()) return;
     for (SmoothPath& path : paths) {
         measureImageMotion(
             path, [this](const SmoothPath::Key& key) { return poseAt(key); }, environment_.views,
@@ -102,8 +105,7 @@ Result<Trajectory> TrajectoryBuilder::withoutRepeats(Trajectory&& steady,
 
 Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
                                            const TimingParams& timing) const {
-    // With a heading limit, timing adds keys of its own, which have no image motion.
-    if (limitsImageMotion(timing) && !environment_.heading.restricts()) measureImageMotions(paths);
+    measureImageMotions(paths, timing);
     return timeSteadily(paths, timing)
         .and_then(
             [&](Trajectory&& steady) { return withoutRepeats(std::move(steady), paths, timing); })
@@ -115,11 +117,22 @@ Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
 }
 
 Result<std::size_t> TrajectoryBuilder::countFrames(const std::vector<CameraPath>& paths) const {
-    return smooth(paths)
-        .and_then([&](const std::vector<SmoothPath>& smoothed) {
-            return timeSteadily(withContext(smoothed), timing_of_part_);
-        })
-        .map([](const Trajectory& trajectory) { return trajectory.frames.size(); });
+    const auto count = [&](std::vector<SmoothPath> timed) {
+        measureImageMotions(timed, timing_of_part_);
+        return timeSteadily(timed, timing_of_part_).map([](const Trajectory& trajectory) {
+            return trajectory.frames.size();
+        });
+    };
+    return smooth(paths).and_then(
+        [&](const std::vector<SmoothPath>& smoothed) -> Result<std::size_t> {
+            // Context views add frames, and take long to find on paths that are too long anyway.
+            const Result<std::size_t> without_context = count(smoothed);
+            if (!without_context ||
+                *without_context > static_cast<std::size_t>(clipFrames(params_.timing))) {
+                return without_context;
+            }
+            return count(withContext(smoothed));
+        });
 }
 
 TrajectoryMaker TrajectoryBuilder::maker(const std::vector<SmoothPath>& paths) const {

@@ -36,7 +36,7 @@ class TrajectoryBuilder {
     [[nodiscard]] Result<Trajectory> time(std::vector<SmoothPath> paths,
                                           const TimingParams& timing) const;
     /// The number of frames of a clip along these paths, after smoothing and with context views, at
-    /// the limits of motion.
+    /// the limits of motion; without context views if even that is more than the clip has.
     [[nodiscard]] Result<std::size_t> countFrames(const std::vector<CameraPath>& paths) const;
 
     /// Smoothing and timing as functions for repairTrajectory(). A repaired path shares the budget
@@ -49,7 +49,7 @@ class TrajectoryBuilder {
     [[nodiscard]] Result<Trajectory> withoutRepeats(Trajectory&& steady,
                                                     const std::vector<SmoothPath>& paths,
                                                     const TimingParams& timing) const;
-    void measureImageMotions(std::vector<SmoothPath>& paths) const;
+    void measureImageMotions(std::vector<SmoothPath>& paths, const TimingParams& timing) const;
     [[nodiscard]] Pose poseAt(const SmoothPath::Key& key) const;
 
     const PlanningEnvironment& environment_;

@@ -5,19 +5,27 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace dollytrack::planning {
 
 bool keepsFrameRate(const TimingParams& params) {
-    return params.keep_frame_rate || params.duration_s > 0.0;
+    return params.keep_frame_rate || params.duration_s > 0.0 ||
+           params.motion_preset == MotionPreset::Slam;
 }
 
-bool limitsImageMotion(const TimingParams& params) {
-    return params.max_image_motion_dps > 0.0 && params.max_frames > 0 && !keepsFrameRate(params);
+double imageMotionLimit_rps(const TimingParams& params) {
+    constexpr double kOfSlam_dps = 40.0;
+    const bool slam = params.motion_preset == MotionPreset::Slam;
+    if (params.max_frames <= 0 && !slam) return 0.0;
+    const double limit_dps = params.max_image_motion_dps > 0.0 ? params.max_image_motion_dps
+                             : slam                            ? kOfSlam_dps
+                                                               : 0.0;
+    return limit_dps * std::numbers::pi / 180.0;
 }
 
 int clipFrames(const TimingParams& params) {
-    if (params.duration_s <= 0.0) return params.keep_frame_rate ? params.max_frames : 0;
+    if (params.duration_s <= 0.0) return keepsFrameRate(params) ? params.max_frames : 0;
     return static_cast<int>(std::lround(params.duration_s * params.frame_rate));
 }
 

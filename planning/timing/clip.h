@@ -10,12 +10,12 @@ namespace dollytrack::planning {
 struct PlanParams;
 struct TimingParams;
 
-/// Whether the frame rate is fixed, by keep_frame_rate or duration_s, so that budgets must not
-/// lower it.
+/// Whether the frame rate is fixed, by keep_frame_rate, duration_s or motion_preset=slam, so that
+/// budgets must not lower it.
 [[nodiscard]] bool keepsFrameRate(const TimingParams& params);
 
-/// Whether frames of a budget are distributed by image motion; see max_image_motion_dps.
-[[nodiscard]] bool limitsImageMotion(const TimingParams& params);
+/// Limit of the image's motion, rad/s; see max_image_motion_dps; 0: none.
+[[nodiscard]] double imageMotionLimit_rps(const TimingParams& params);
 
 /// Number of frames of a trajectory with fixed frame rate: exactly that many with `duration_s`, at
 /// most that many with keep_frame_rate and `max_frames`; 0: no limit.

@@ -16,10 +16,11 @@ constexpr double kNoLimit = 1e6;
 struct Preset {
     double speed_mps, acceleration_mps2, turn_dps, turn_acceleration_dps2;
 };
-constexpr std::array<Preset, 4> kPresets = {{{0.25, 0.4, 20.0, 60.0},
+constexpr std::array<Preset, 5> kPresets = {{{0.25, 0.4, 20.0, 60.0},
                                              {0.5, 1.0, 45.0, 180.0},
                                              {1.5, 4.0, 120.0, 720.0},
-                                             {kNoLimit, kNoLimit, kNoLimit, kNoLimit}}};
+                                             {kNoLimit, kNoLimit, kNoLimit, kNoLimit},
+                                             {0.5, 1.0, 40.0, 120.0}}};
 
 }  // namespace
 

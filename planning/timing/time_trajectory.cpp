@@ -215,8 +215,7 @@ Result<Trajectory> timeTrajectory(const std::vector<SmoothPath>& smooth_paths,
             segments[i] = makeSegment(*motions[motion].path, key, views, pitch, limits);
         }
     });
-    const double motion_rps =
-        limitsImageMotion(params) ? params.max_image_motion_dps * std::numbers::pi / 180.0 : 0.0;
+    const double motion_rps = imageMotionLimit_rps(params);
     for (std::size_t i = 0; i < begins.size(); ++i) {
         const SmoothPath::Key& to = *segments[i].to;
         double least_s = segments[i].turn_profile.time();

@@ -15,6 +15,7 @@
 
 namespace dollytrack::planning {
 
+class CornerPanoramas;
 class FreeSpace;
 class SweptSphere;
 class ViewEstimator;
@@ -28,6 +29,7 @@ struct PlanningEnvironment {
     const SweptSphere& sphere;
     PitchBand pitch = {};
     HeadingLimit heading = {};
+    CornerPanoramas* corners = nullptr;  // set if trackability is asked for
 };
 
 struct Viewpoints {

@@ -1,8 +1,10 @@
 #include "engine/jobs/parallel.h"
+#include "planning/gaze/corner_panorama.h"
 #include "planning/gaze/image_motion.h"
 #include "planning/gaze/panorama.h"
 #include "planning/timing/turn.h"
 #include "planning/visibility/pitch_band.h"
+#include "planning/visibility/view_estimator.h"
 #include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 namespace dollytrack::planning {
@@ -26,6 +29,24 @@ Scene furnishedHall() {
         const double x = 0.9 + i;
         builder.object("south " + std::to_string(i)).box({x, 0.3, 0.3}, {0.3, 0.3, 0.6});
         builder.object("north " + std::to_string(i)).box({x + 0.4, 4.7, 0.4}, {0.4, 0.3, 0.8});
+    }
+    return builder.build();
+}
+
+/// A hall with four plain objects along a bare wall, and shelves full of small things opposite.
+Scene hallWithShelves() {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {9, 5, 2.6});
+    for (int i = 0; i < 4; ++i) {
+        builder.object("box " + std::to_string(i)).box({1.0 + 2.3 * i, 4.7, 0.3}, {0.4, 0.4, 0.6});
+    }
+    for (int row = 0; row < 4; ++row) {
+        for (int i = 0; i < 24; ++i) {
+            test::SceneBuilder::Look look{kNyuWall, Role::Structure, {0.1F, 0.05F, 0.1F}};
+            if (i % 2 == 0) look.color = {0.9F, 0.9F, 0.8F};
+            builder.object("thing", look)
+                .box({0.5 + 0.35 * i, 0.15, 0.4 + 0.5 * row}, {0.2, 0.3, 0.3});
+        }
     }
     return builder.build();
 }
@@ -134,6 +155,50 @@ TEST(ContextViews, AreNoneForACameraThatLooksAlongItsMotion) {
     for (std::size_t i = 0; i < with->trajectory.frames.size(); ++i) {
         EXPECT_EQ(with->trajectory.frames[i].pose, without->trajectory.frames[i].pose);
     }
+}
+
+TEST(Trackability, LooksLessAtBareWalls) {
+    const Scene scene = hallWithShelves();
+    const RayCaster rays(scene);
+    const ViewEstimator views(scene, rays, CameraParams{});
+    CornerPanoramas corners(views);
+    PlanParams params;
+    params.viewpoints.fill = kFillForTrackability;  // the same close views in both
+    params.timing.motion_preset = MotionPreset::Easy;
+    const auto shareWithFewCorners = [&](Trackability trackability) {
+        params.gaze.trackability = trackability;
+        const auto plan = planOf(scene, params);
+        EXPECT_EQ(plan->trajectory_metrics.frame_collision_rate, 0.0);
+        double few = 0.0;
+        for (const TrajectoryFrame& frame : plan->trajectory.frames) {
+            few += corners.at(frame.pose.position)->corners(frame.pose.forward()) < 200.0;
+        }
+        return few / static_cast<double>(plan->trajectory.frames.size());
+    };
+    const double off = shareWithFewCorners(Trackability::Auto);
+    EXPECT_GT(off, 0.2);
+    EXPECT_LT(shareWithFewCorners(Trackability::On), 0.75 * off);
+}
+
+TEST(SlamPreset, KeepsTheFrameRateAndTheImagesMotion) {
+    const Scene scene = hallWithShelves();
+    PlanParams params;
+    params.timing.motion_preset = MotionPreset::Slam;
+    params.timing.max_frames = 250;
+    const auto plan = planOf(scene, params);
+    const auto& frames = plan->trajectory.frames;
+    EXPECT_LE(frames.size(), 250U);
+    EXPECT_GT(frames.size(), 100U);
+    EXPECT_DOUBLE_EQ(plan->trajectory.frame_interval_s, 0.1);
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        // 40 degrees per second at 10 frames per second.
+        EXPECT_LE(angleBetween(frames[i - 1].pose.rotation, frames[i].pose.rotation),
+                  4.01 * std::numbers::pi / 180.0);
+    }
+    PlanParams same = params;
+    same.viewpoints.fill = kFillForTrackability;
+    EXPECT_EQ(planOf(scene, same)->trajectory.frames.size(), frames.size());
+    EXPECT_EQ(keyFramePoses(*planOf(scene, same)), keyFramePoses(*plan));
 }
 
 TEST(RoomViews, ShowManyObjectsFromEyeLevelBesideTheCloseViews) {

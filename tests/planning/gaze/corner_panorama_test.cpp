@@ -1,0 +1,90 @@
+#include "planning/gaze/corner_panorama.h"
+
+#include "planning/visibility/view_estimator.h"
+#include "tests/planning/support/plan_support.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+namespace dollytrack::planning {
+namespace {
+
+/// A texture of squares, each `square` texels wide; a grey one for 0.
+Texture squares(int size, int square) {
+    Texture texture{"squares", size, size, {}};
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const bool white = square > 0 && (x / square + y / square) % 2 == 0;
+            const std::uint8_t value = square == 0 ? 128 : white ? 255 : 0;
+            texture.rgba.insert(texture.rgba.end(), {value, value, value, 255});
+        }
+    }
+    return texture;
+}
+
+Scene texturedWith(Texture texture) {
+    Scene scene;
+    scene.textures.push_back(std::move(texture));
+    scene.materials.emplace_back().texture = 0;
+    return scene;
+}
+
+/// A room with shelves of many small boxes along the wall at x = 0.
+Scene roomWithShelves() {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 5, 2.6});
+    builder.object("box").box({5.5, 0.4, 0.2}, {0.3, 0.3, 0.4});
+    for (int row = 0; row < 4; ++row) {
+        for (int i = 0; i < 12; ++i) {
+            test::SceneBuilder::Look look;
+            look.color =
+                i % 2 == 0 ? Eigen::Vector3f(0.9F, 0.9F, 0.8F) : Eigen::Vector3f(0.1F, 0.05F, 0.1F);
+            builder.object("book", look)
+                .box({0.15, 0.5 + 0.35 * i, 0.4 + 0.5 * row}, {0.3, 0.2, 0.3});
+        }
+    }
+    return builder.build();
+}
+
+}  // namespace
+
+// A board of squares has one corner per square.
+TEST(TextureCorners, CountTheCornersOfSquares) {
+    const TextureCorners corners(texturedWith(squares(512, 16)));
+    const double expected = 1.0 / (16.0 * 16.0);
+    for (const Eigen::Vector2f& uv : {Eigen::Vector2f(0.3F, 0.3F), Eigen::Vector2f(-3.4F, 7.7F)}) {
+        EXPECT_NEAR(corners.perPixel(0, uv, 1.0), expected, 0.25 * expected);
+        // Drawn at half the size there are four times as many per pixel; at twice the size, a
+        // quarter.
+        EXPECT_NEAR(corners.perPixel(0, uv, 2.0), 4.0 * expected, expected);
+        EXPECT_NEAR(corners.perPixel(0, uv, 0.5), 0.25 * expected, 0.07 * expected);
+    }
+    EXPECT_NEAR(corners.brightness(0), 0.5, 0.01);
+    EXPECT_EQ(corners.brightness(-1), 1.0);
+}
+
+TEST(TextureCorners, FindNoneOnGreyAndOnWhatIsNoTexture) {
+    const TextureCorners corners(texturedWith(squares(64, 0)));
+    EXPECT_EQ(corners.perPixel(0, {0.5F, 0.5F}, 1.0), 0.0);
+    EXPECT_EQ(corners.perPixel(-1, {0.5F, 0.5F}, 1.0), 0.0);
+    EXPECT_EQ(TextureCorners(texturedWith(Texture{"missing", 0, 0, {}})).perPixel(0, {0, 0}, 1.0),
+              0.0);
+    EXPECT_EQ(corners.perPixel(0, {std::nanf(""), 0.5F}, 1.0), 0.0);
+}
+
+TEST(CornerPanorama, TellsShelvesFromABareWall) {
+    const Scene scene = roomWithShelves();
+    const RayCaster rays(scene);
+    const CameraParams camera;
+    const ViewEstimator views(scene, rays, camera);
+    CornerPanoramas panoramas(views);
+    const auto panorama = panoramas.at({2.5, 2.5, 1.3});
+    const double shelves = panorama->corners({-1, 0, 0});
+    EXPECT_GT(shelves, 350.0);
+    EXPECT_LT(panorama->corners({0, 1, 0.1}), 0.1 * shelves);
+    EXPECT_LT(panorama->corners({0, -1, 0.1}), 0.1 * shelves);
+    EXPECT_EQ(panoramas.at({2.5, 2.5, 1.3}), panorama);
+    EXPECT_NE(panoramas.at({2.5, 2.5, 1.4}), panorama);
+}
+
+}  // namespace dollytrack::planning
