@@ -90,9 +90,11 @@ struct ViewpointParams {
 
 template <class Params, class Visitor>
 void visitViewpointParams(Params& p, Visitor&& visit) {
-    visit(
-        "fill", p.fill,
-        FieldInfo{0.1, 1.0, "", "Share of the image's width or height that the target takes", "d"});
+    visit("fill", p.fill,
+          FieldInfo{0.1, 1.0, "",
+                    "Share of the image's width or height that the target takes; at most 0.45 with "
+                    "trackability",
+                    "d"});
     visit("yaw_offset_deg", p.yaw_offset_deg,
           FieldInfo{-180, 180, "deg", "Turns the viewing direction about the vertical", "M"});
     visit("pitch_offset_deg", p.pitch_offset_deg,
@@ -189,9 +191,9 @@ void visitGazeParams(Params& p, Visitor&& visit) {
     visit("trackability", p.trackability,
           ChoiceInfo{{"auto", "off", "on"},
                      "on: between key frames the camera avoids views in which a feature detector "
-                     "would find fewer than about 200 corners (in an image of 320 x 240), and fill "
-                     "is at most 0.45, so that SLAM does not lose track; auto: on with "
-                     "motion_preset=slam"});
+                     "would find fewer than about 200 corners (in an image of 320 x 240), and key "
+                     "frames are taken with fill at most 0.45, so that SLAM does not lose track; "
+                     "auto: on with motion_preset=slam"});
 }
 
 /// Named sets of motion limits; see motionLimits().
@@ -228,8 +230,8 @@ void visitTimingParams(Params& p, Visitor&& visit) {
               {"easy", "medium", "hard", "custom", "slam"},
               "Motion limits used where the five below are 0, in m/s, m/s2, deg/s, deg/s2: easy "
               "0.25, 0.4, 20, 60; medium 0.5, 1, 45, 180; hard 1.5, 4, 120, 720; custom: none; "
-              "slam: easy for SLAM programs to follow: 0.5, 1, 40, 120, an image motion of 40 "
-              "deg/s, trackability, and a frame rate that is kept"});
+              "slam: 0.5, 1, 40, 120 and an image motion of 40 deg/s, with the frame rate kept and "
+              "trackability on"});
     visit("max_speed_mps", p.max_speed_mps,
           FieldInfo{0, 100, "m/s", "Speed limit; 0: the preset's"});
     visit("max_acceleration_mps2", p.max_acceleration_mps2,
@@ -240,9 +242,9 @@ void visitTimingParams(Params& p, Visitor&& visit) {
           FieldInfo{0, 1e5, "deg/s2", "Limit of turning acceleration; 0: the preset's"});
     visit("max_image_motion_dps", p.max_image_motion_dps,
           FieldInfo{0, 3600, "deg/s",
-                    "With max_frames or motion_preset=slam: the camera slows down where turning or "
-                    "passing near objects would move the image faster than this, so that frames "
-                    "are evenly spaced in the image; 0: the preset's, if any"});
+                    "The camera slows down where turning or passing near objects would move the "
+                    "image faster than this, averaged between two views; no effect with "
+                    "heading=along; 0: the preset's limit, if any"});
     visit("max_frames", p.max_frames,
           FieldInfo{0, 1e6, "",
                     "Budget of frames; the frame rate is lowered to meet it; 0: no limit"});

@@ -33,11 +33,15 @@ constexpr int kPasses = 3;
 constexpr double kSlowdownAtMean = 4.0;
 constexpr double kMostSlowdown = 8.0;
 
-// Trackability: views with fewer corners cost time in proportion to those missing.
-constexpr double kEnoughCorners = 350.0;  // estimated, in an image of 320 x 240; about 200 of ORB's
-constexpr double kCostOfNoCorners = 10.0;  // in times as long as the view lasts
-constexpr double kLeastViewMix = 0.1;      // for trackability without context views
+// Trackability: views with few corners cost extra time in the dynamic programming.
+constexpr double kEnoughCorners = 350.0;  // as estimated, which is too high in views with few
+                                          // corners: ORB finds about 200
+constexpr double kCostOfNoCorners = 10.0;  // s per second of a view without corners
+constexpr double kLeastViewMix = 0.1;      // used if view_mix is smaller
 constexpr double kTurnBetweenViews = 40.0 * kRadian;
+constexpr int kMostInTurn = 4;
+constexpr double kManyCorners = 900.0;  // the first view should have so many: SLAM programs start
+                                        // with 500
 
 // Directions tried at each position.
 constexpr int kHeadings = 36;
@@ -58,10 +62,10 @@ struct Place {
     SmoothPath::Key key;
     bool free = false;  // else a key frame, with its own direction only
     std::vector<Eigen::Vector3d> directions = {};
-    std::vector<double> values = {};  // by direction
-    std::vector<double> lacks = {};   // of corners, 0 to 1, by direction; see kEnoughCorners
-    Grid grid{};                      // value of every grid direction
-    Grid grid_lacks{};                // of corners there
+    std::vector<double> values = {};    // by direction
+    std::vector<double> deficits = {};  // of corners, by direction
+    Grid grid{};                        // value of every grid direction
+    Grid grid_deficits{};               // of corners there
 };
 
 /// A target shown in a view, and how well (0..1).
@@ -110,8 +114,8 @@ class GazeSearch {
             if (environment.corners) corners_[i] = environment.corners->at(places_[i].key.position);
             for (int e = 0; e < kElevations; ++e) {
                 for (int h = 0; h < kHeadings; ++h) {
-                    places_[i].grid_lacks[e * kHeadings + h] =
-                        lackOf(i, gridDirection(h, e, pitch_));
+                    places_[i].grid_deficits[e * kHeadings + h] =
+                        cornerDeficit(i, gridDirection(h, e, pitch_));
                     std::vector<Shown>& list = shown_[i][e * kHeadings + h];
                     panoramas_[i].visitShown(
                         gridDirection(h, e, pitch_), [&](std::size_t target, double share) {
@@ -160,8 +164,8 @@ class GazeSearch {
         return value;
     }
 
-    /// The share of kEnoughCorners that a view lacks; 0 without trackability.
-    [[nodiscard]] double lackOf(std::size_t place, const Eigen::Vector3d& direction) const {
+    /// The share of kEnoughCorners that a view lacks, 0 to 1; 0 without trackability.
+    [[nodiscard]] double cornerDeficit(std::size_t place, const Eigen::Vector3d& direction) const {
         if (corners_.empty()) return 0.0;
         return std::max(0.0, 1.0 - corners_[place]->corners(direction) / kEnoughCorners);
     }
@@ -181,8 +185,10 @@ class GazeSearch {
             place.directions = {direct, chosen};
             std::vector<std::size_t> order(place.grid.size());
             for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+            // With trackability, directions without targets are ranked by their corners.
+            const double least = corners_.empty() ? 0.0 : 0.1 * std::ranges::max(place.grid) + 1e-9;
             std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
-                return place.grid[i] * (1.0 - place.grid_lacks[i]);
+                return (place.grid[i] + least) * (1.0 - place.grid_deficits[i]);
             });
             for (const std::size_t i : order) {
                 if (place.directions.size() == kMostCandidates + 2) break;
@@ -195,10 +201,10 @@ class GazeSearch {
             }
         }
         place.values.clear();
-        place.lacks.clear();
+        place.deficits.clear();
         for (const Eigen::Vector3d& d : place.directions) {
             place.values.push_back(valueOf(index, d));
-            place.lacks.push_back(lackOf(index, d));
+            place.deficits.push_back(cornerDeficit(index, d));
         }
     }
 
@@ -226,13 +232,14 @@ class GazeSearch {
                                    : 0.0;
         made.value = 0.25 * begin.values[a] + 0.5 * between + 0.25 * end.values[b];
         if (!corners_.empty()) {
-            const double lack_between =
+            const double deficit_between =
                 middle.squaredNorm() > 1e-6
-                    ? 0.5 * (gridValue(begin.grid_lacks, middle.normalized()) +
-                             gridValue(end.grid_lacks, middle.normalized()))
+                    ? 0.5 * (gridValue(begin.grid_deficits, middle.normalized()) +
+                             gridValue(end.grid_deficits, middle.normalized()))
                     : 1.0;
-            const double lack = 0.25 * begin.lacks[a] + 0.5 * lack_between + 0.25 * end.lacks[b];
-            made.cost_s += kCostOfNoCorners * lack * std::max(travel_s, turnTime(angle));
+            const double deficit =
+                0.25 * begin.deficits[a] + 0.5 * deficit_between + 0.25 * end.deficits[b];
+            made.cost_s += kCostOfNoCorners * deficit * std::max(travel_s, turnTime(angle));
         }
         return made;
     }
@@ -304,19 +311,21 @@ class GazeSearch {
     std::vector<std::array<std::vector<Shown>, std::size_t{kHeadings} * kElevations>> shown_;
 };
 
-/// The key frames, and the positions between them where a view may be inserted; with `tracks` more
-/// of them in large turns, for ways round that avoid bare walls.
+/// The key frames, and the positions between them where a view may be inserted; with
+/// `trackability`, large turns get more positions.
 std::vector<Place> placesOn(const SmoothPath& path,
                             const std::function<Pose(const SmoothPath::Key&)>& pose_at,
-                            const PitchBand& pitch, int max_frames, bool tracks) {
+                            const PitchBand& pitch, int max_frames, bool trackability) {
     const std::vector<SmoothPath::Key>& keys = path.keys;
     double spacing = kSpacing_m;
     bool in_short_ones = true;
+    bool in_turns = trackability;
     if (max_frames > 0) {
         const double room = max_frames / kFramesPerView - static_cast<double>(keys.size());
         if (room < 1.0) return {};
         spacing = std::max(spacing, path.length_m / room);
         in_short_ones = room > static_cast<double>(keys.size());
+        in_turns = trackability && room > kMostInTurn * static_cast<double>(keys.size());
     }
     std::vector<Place> places;
     for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -327,11 +336,12 @@ std::vector<Place> placesOn(const SmoothPath& path,
         if (length < kShortest_m) continue;
         const Turn turn(rotation, pose_at(keys[k + 1]).rotation, pitch);
         int least = in_short_ones ? 1 : 0;
-        if (tracks && in_short_ones) {
-            least = std::max(least, static_cast<int>(turn.angle() / kTurnBetweenViews));
+        if (in_turns) {
+            const auto in_turn = static_cast<int>(turn.angle() / kTurnBetweenViews);
+            least = std::max(least, std::min(kMostInTurn, in_turn));
         }
-        const int count = std::clamp(static_cast<int>(std::lround(length / spacing)),
-                                     std::min(least, kMostBetweenKeys), kMostBetweenKeys);
+        const int count =
+            std::clamp(static_cast<int>(std::lround(length / spacing)), least, kMostBetweenKeys);
         for (int i = 1; i <= count; ++i) {
             const double share = static_cast<double>(i) / (count + 1);
             SmoothPath::Key key;
@@ -344,17 +354,52 @@ std::vector<Place> placesOn(const SmoothPath& path,
     return places;
 }
 
+/// Positions for a turn on the spot from a view of many corners to the first key frame's view; none
+/// if that has many itself, or no view has more.
+std::vector<Place> startingTurn(const Place& first, CornerPanoramas& corners,
+                                const PitchBand& pitch) {
+    const auto panorama = corners.at(first.key.position);
+    const Eigen::Vector3d& towards = first.directions.front();
+    const auto worth = [&](const Eigen::Vector3d& direction) {
+        return std::min(kManyCorners, panorama->corners(direction));
+    };
+    Eigen::Vector3d best = towards;
+    for (int e = 0; e < kElevations; ++e) {
+        for (int h = 0; h < kHeadings; ++h) {
+            const Eigen::Vector3d direction = gridDirection(h, e, pitch);
+            if (worth(direction) > worth(best)) best = direction;
+        }
+    }
+    std::vector<Place> places;
+    if (best == towards) return places;
+    const Turn turn(lookAlong(best), lookAlong(towards), pitch);
+    const int steps = 1 + std::min(kMostInTurn, static_cast<int>(turn.angle() / kTurnBetweenViews));
+    for (int i = 0; i < steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        Place place{first.key, i > 0, {turn.at(share * turn.angle()) * Eigen::Vector3d::UnitZ()}};
+        place.key.position_point = -1;
+        place.key.looks_at = place.key.position + kLooksAhead_m * best;
+        places.push_back(place);
+    }
+    return places;
+}
+
 }  // namespace
 
 SmoothPath withContextViews(const SmoothPath& path,
                             const std::function<Pose(const SmoothPath::Key&)>& pose_at,
                             const PlanningEnvironment& environment, const GazeParams& params,
-                            const TimingParams& timing) {
+                            const TimingParams& timing, bool may_start_elsewhere) {
     const bool wanted = params.view_mix > 0.0 || environment.corners;
     if (!wanted || environment.heading.restricts()) return path;
-    const std::vector<Place> places = placesOn(path, pose_at, environment.pitch, timing.max_frames,
-                                               environment.corners != nullptr);
+    std::vector<Place> places = placesOn(path, pose_at, environment.pitch, timing.max_frames,
+                                         environment.corners != nullptr);
     if (std::ranges::none_of(places, &Place::free)) return path;
+    if (environment.corners && may_start_elsewhere) {
+        const std::vector<Place> turn =
+            startingTurn(places.front(), *environment.corners, environment.pitch);
+        places.insert(places.begin(), turn.begin(), turn.end());
+    }
     const double view_mix = std::max(params.view_mix, kLeastViewMix);
     const double turn_price = (1.0 - view_mix) / view_mix;
     const auto [directions, shown] = GazeSearch(places, environment, turn_price, timing).search();

@@ -16,9 +16,9 @@ namespace {
 constexpr double kImageWidth = 320.0;
 
 // Textures.
-constexpr int kLargest = 1024;  // finer levels would only be seen from very near
-constexpr int kSmallest = 16;
-constexpr int kBlock = 32;
+constexpr int kLargestSide_px = 1024;  // finer levels would only be seen from very near
+constexpr int kSmallestSide_px = 16;
+constexpr int kBlock_px = 32;
 constexpr double kCornerStrength = 1.2e-3;  // least eigenvalue of the gradients' covariance
 constexpr float kLargestDensity = 0.02F;    // more corners than this suppress each other
 
@@ -27,7 +27,7 @@ constexpr int kColumns = 180;
 constexpr int kRows = 81;
 constexpr double kStep = 2.0 * std::numbers::pi / kColumns;
 
-// Corners of a cell, fitted to those that ORB finds in 1,400 drawn views of two scenes (rank
+// Corners of a cell, fitted to those that ORB finds in 1,400 rendered views of two scenes (rank
 // correlation 0.81).
 constexpr double kPerJunction = 4.3;  // at full contrast
 constexpr double kPerTextureCorner = 0.95;
@@ -36,8 +36,15 @@ constexpr double kLeastContrast = 0.04;  // less is the shading of a curved surf
 constexpr double kFullContrast = 0.25;   // more does not count for more
 constexpr double kLeastInCell = 0.01;    // fewer corners are left out
 
+/// Number of blocks along a side.
+int blocks(int side_px) {
+    return (side_px + kBlock_px - 1) / kBlock_px;
+}
+
 /// Corners per texel of one level, by block.
-std::vector<float> cornersByBlock(const cv::Mat& grey, int columns, int rows) {
+std::vector<float> cornersByBlock(const cv::Mat& grey) {
+    const int columns = blocks(grey.cols);
+    const int rows = blocks(grey.rows);
     cv::Mat strength;
     cv::Mat strongest;
     cv::cornerMinEigenVal(grey, strength, 3, 3, cv::BORDER_REPLICATE);
@@ -47,16 +54,16 @@ std::vector<float> cornersByBlock(const cv::Mat& grey, int columns, int rows) {
         for (int x = 0; x < grey.cols; ++x) {
             const float here = strength.at<float>(y, x);
             if (here < kCornerStrength || here < strongest.at<float>(y, x)) continue;
-            // Of equal neighbours the first counts.
+            // A plateau of equal strength counts once.
             if (x > 0 && strength.at<float>(y, x - 1) == here) continue;
             if (y > 0 && strength.at<float>(y - 1, x) == here) continue;
-            density[y / kBlock * columns + x / kBlock] += 1.0F;
+            density[y / kBlock_px * columns + x / kBlock_px] += 1.0F;
         }
     }
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < columns; ++x) {
-            const int width = std::min(kBlock, grey.cols - x * kBlock);
-            const int height = std::min(kBlock, grey.rows - y * kBlock);
+            const int width = std::min(kBlock_px, grey.cols - x * kBlock_px);
+            const int height = std::min(kBlock_px, grey.rows - y * kBlock_px);
             float& one = density[y * columns + x];
             one = std::min(kLargestDensity, one / static_cast<float>(width * height));
         }
@@ -86,15 +93,16 @@ TextureCorners::TextureCorners(const Scene& scene) : textures_(scene.textures.si
         cv::cvtColor(rgba, grey, cv::COLOR_RGBA2GRAY);
         Detail& detail = textures_[t];
         detail.brightness = cv::mean(grey)[0] / 255.0;
-        detail.scale =
-            std::min(1.0, static_cast<double>(kLargest) / std::max(texture.width, texture.height));
+        detail.scale = std::min(
+            1.0, static_cast<double>(kLargestSide_px) / std::max(texture.width, texture.height));
         if (detail.scale < 1.0) {
-            cv::resize(grey, grey, {}, detail.scale, detail.scale, cv::INTER_AREA);
+            // A very narrow texture keeps one row or column.
+            const cv::Size size(std::max(1, cvRound(detail.scale * texture.width)),
+                                std::max(1, cvRound(detail.scale * texture.height)));
+            cv::resize(grey, grey, size, 0.0, 0.0, cv::INTER_AREA);
         }
-        while (std::min(grey.cols, grey.rows) >= kSmallest) {
-            const int columns = (grey.cols + kBlock - 1) / kBlock;
-            const int rows = (grey.rows + kBlock - 1) / kBlock;
-            detail.levels.push_back({columns, rows, cornersByBlock(grey, columns, rows)});
+        while (std::min(grey.cols, grey.rows) >= kSmallestSide_px) {
+            detail.levels.push_back({grey.cols, grey.rows, cornersByBlock(grey)});
             cv::resize(grey, grey, {}, 0.5, 0.5, cv::INTER_AREA);
         }
     });
@@ -107,8 +115,9 @@ double TextureCorners::perPixel(int texture, const Eigen::Vector2f& uv, double t
     const auto last = static_cast<double>(detail.levels.size() - 1);
     const double level = std::clamp(std::round(std::log2(std::max(covered, 1e-3))), 0.0, last);
     const Level& at = detail.levels[static_cast<std::size_t>(level)];
-    const double density =
-        at.density[wrapped(1.0F - uv.y(), at.rows) * at.columns + wrapped(uv.x(), at.columns)];
+    const int row = wrapped(1.0F - uv.y(), at.height) / kBlock_px;
+    const int column = wrapped(uv.x(), at.width) / kBlock_px;
+    const double density = at.density[row * blocks(at.width) + column];
     // A magnified texture has fewer corners per pixel.
     return density * std::min(1.0, covered * covered);
 }
@@ -119,19 +128,19 @@ double TextureCorners::brightness(int texture) const {
 
 namespace {
 
-/// What a ray of the grid shows.
+/// The surface that a ray of the grid hits.
 struct Surface {
     double brightness = 0.0;       // 0 to 1
     double texture_corners = 0.0;  // per pixel
 };
 
-/// Reads surfaces at the hits of rays from one place.
+/// Reads surfaces at the hits of rays from one position.
 class SurfaceReader {
   public:
     SurfaceReader(const Scene& scene, const TextureCorners& textures, double focal_px)
         : scene_(scene), textures_(textures), focal_px_(focal_px) {}
 
-    [[nodiscard]] Surface at(const RayHit& hit, const Eigen::Vector3d& place,
+    [[nodiscard]] Surface at(const RayHit& hit, const Eigen::Vector3d& position,
                              const Eigen::Vector3d& direction) const {
         if (hit.object_id == 0) return {};
         const Triangle& triangle = scene_.triangles[hit.triangle];
@@ -143,9 +152,9 @@ class SurfaceReader {
         const Eigen::Vector3d ab = corner(1) - a;
         const Eigen::Vector3d ac = corner(2) - a;
         const Eigen::Vector3d normal = ab.cross(ac);
-        const double area2 = normal.norm();
-        if (area2 <= 0.0) return {};
-        const Eigen::Vector3d unit = normal / area2;
+        const double twice_area_m2 = normal.norm();
+        if (twice_area_m2 <= 0.0) return {};
+        const Eigen::Vector3d unit = normal / twice_area_m2;
         // Light from above and aside, as in a room: three directions have different brightness.
         const double lit = 0.55 + 0.45 * std::abs(unit.dot(Eigen::Vector3d(0.3, 0.5, 0.81)));
         const double reflected =
@@ -153,22 +162,23 @@ class SurfaceReader {
         const double encoded = std::pow(std::clamp(reflected, 0.0, 1.0), 1.0 / 2.2);
         Surface surface{encoded * textures_.brightness(material.texture) * lit};
         if (material.texture < 0) return surface;
-        const Eigen::Vector3d from_a = place + hit.distance * direction - a;
-        const double v = ab.cross(from_a).dot(unit) / area2;
-        const double u = from_a.cross(ac).dot(unit) / area2;
+        const Eigen::Vector3d from_a = position + hit.distance * direction - a;
+        const double v = ab.cross(from_a).dot(unit) / twice_area_m2;
+        const double u = from_a.cross(ac).dot(unit) / twice_area_m2;
         const auto uv = [&](std::size_t k) { return scene_.uvs[triangle[k]]; };
         const Eigen::Vector2f b = uv(1) - uv(0);
         const Eigen::Vector2f c = uv(2) - uv(0);
         const Texture& texture = scene_.textures[material.texture];
-        const double texels2 = std::abs(static_cast<double>(b.x() * c.y() - b.y() * c.x())) *
-                               texture.width * texture.height;
-        const double texels_a_metre = std::sqrt(texels2 / area2);
+        const double twice_texels = std::abs(static_cast<double>(b.x() * c.y() - b.y() * c.x())) *
+                                    texture.width * texture.height;
+        const double texels_per_m = std::sqrt(twice_texels / twice_area_m2);
         const double facing = std::max(0.05, std::abs(unit.dot(direction)));
         const double pixel_m = hit.distance / focal_px_ / std::sqrt(facing);
+        // Dark materials lower the contrast of their texture.
         surface.texture_corners =
             textures_.perPixel(material.texture,
                                uv(0) + static_cast<float>(u) * b + static_cast<float>(v) * c,
-                               texels_a_metre * pixel_m) *
+                               texels_per_m * pixel_m) *
             encoded;
         return surface;
     }
@@ -179,7 +189,7 @@ class SurfaceReader {
     double focal_px_;
 };
 
-/// Sobel gradients of the brightness in a grid of surfaces around a place, clipped, in units of
+/// Sobel gradients of the brightness in a grid of surfaces around a position, clipped, in units of
 /// kFullContrast.
 std::vector<Eigen::Vector2d> gradients(const std::vector<Surface>& surfaces) {
     std::vector<Eigen::Vector2d> found(surfaces.size(), Eigen::Vector2d::Zero());
@@ -221,7 +231,7 @@ double junction(const std::vector<Eigen::Vector2d>& gradients, int row, int colu
 }  // namespace
 
 CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
-                               const Eigen::Vector3d& place) {
+                               const Eigen::Vector3d& position) {
     const Intrinsics& lens = views.intrinsics();
     half_size_ = Eigen::Vector2d(lens.cx / lens.fx, lens.cy / lens.fy).cast<float>();
     const double focal_px = lens.fx * kImageWidth / lens.width;
@@ -235,11 +245,11 @@ CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners&
         }
     }
     thread_local std::vector<RayHit> hits;
-    views.rays().castBundle(place, rays, 0.0, hits);
+    views.rays().castBundle(position, rays, 0.0, hits);
     const SurfaceReader reader(views.scene(), textures, focal_px);
     std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        surfaces.push_back(reader.at(hits[i], place, rays[i].direction));
+        surfaces.push_back(reader.at(hits[i], position, rays[i].direction));
     }
     const std::vector<Eigen::Vector2d> changes = gradients(surfaces);
     const double side_px = kStep * focal_px;
@@ -255,6 +265,7 @@ CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners&
                               static_cast<float>(corners)});
         }
     }
+    cells_.shrink_to_fit();
 }
 
 double CornerPanorama::corners(const Eigen::Vector3d& direction) const {
@@ -274,14 +285,14 @@ double CornerPanorama::corners(const Eigen::Vector3d& direction) const {
 CornerPanoramas::CornerPanoramas(const ViewEstimator& views)
     : views_(views), textures_(views.scene()) {}
 
-std::shared_ptr<const CornerPanorama> CornerPanoramas::at(const Eigen::Vector3d& place) {
-    constexpr std::size_t kMostKept = 1500;  // about 50 KB each
-    const std::array<double, 3> key{place.x(), place.y(), place.z()};
+std::shared_ptr<const CornerPanorama> CornerPanoramas::at(const Eigen::Vector3d& position) {
+    constexpr std::size_t kMostKept = 500;  // up to 230 KB each
+    const std::array<double, 3> key{position.x(), position.y(), position.z()};
     {
         const std::scoped_lock lock(mutex_);
         if (const auto found = made_.find(key); found != made_.end()) return found->second;
     }
-    auto made = std::make_shared<const CornerPanorama>(views_, textures_, place);
+    auto made = std::make_shared<const CornerPanorama>(views_, textures_, position);
     const std::scoped_lock lock(mutex_);
     if (made_.size() >= kMostKept) made_.clear();
     made_.emplace(key, made);

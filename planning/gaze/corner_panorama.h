@@ -22,12 +22,12 @@ class TextureCorners {
 
     /// Corners per image pixel where a pixel covers `texels` x `texels` texels around `uv`.
     [[nodiscard]] double perPixel(int texture, const Eigen::Vector2f& uv, double texels) const;
-    /// Mean brightness of a texture, 0 to 1, as encoded; 1 for -1, no texture.
+    /// Mean sRGB-encoded grey value of a texture, 0 to 1; 1 for -1, no texture.
     [[nodiscard]] double brightness(int texture) const;
 
   private:
     struct Level {
-        int columns = 0, rows = 0;   // of blocks
+        int width = 0, height = 0;   // texels
         std::vector<float> density;  // corners per texel, by block
     };
     struct Detail {
@@ -40,14 +40,14 @@ class TextureCorners {
 
 /// Estimates how many corners a feature detector finds in views from one position, by rays all
 /// around: junctions between surfaces of different brightness, and corners of their textures. The
-/// weights are fitted to the corners that ORB (FAST with threshold 20, 8 scales) finds in drawn
+/// weights are fitted to the corners that ORB (FAST with threshold 20, 8 scales) finds in rendered
 /// images. Keeps no references.
 class CornerPanorama {
   public:
     CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
-                   const Eigen::Vector3d& place);
+                   const Eigen::Vector3d& position);
 
-    /// Corners in the image of a view without roll, scaled to 320 x 240 pixels.
+    /// Number of corners in the image of a view without roll, scaled to a width of 320 pixels.
     [[nodiscard]] double corners(const Eigen::Vector3d& direction) const;
 
   private:
@@ -64,7 +64,7 @@ class CornerPanorama {
 class CornerPanoramas {
   public:
     explicit CornerPanoramas(const ViewEstimator& views);
-    [[nodiscard]] std::shared_ptr<const CornerPanorama> at(const Eigen::Vector3d& place);
+    [[nodiscard]] std::shared_ptr<const CornerPanorama> at(const Eigen::Vector3d& position);
 
   private:
     const ViewEstimator& views_;

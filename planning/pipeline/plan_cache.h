@@ -52,7 +52,8 @@ class PlanCache {
     VisibilityCache key_frame_visibility;
     ViewCache frame_views;
 
-    /// Corners visible from positions, for these views; valid until the next refreshViews().
+    /// Corner panoramas for `views`, which must be those last given to refreshViews(). The
+    /// reference is valid until refreshViews() is called with other views.
     [[nodiscard]] CornerPanoramas& corners(const ViewEstimator& views);
 
     /// Records a new scene with the same objects, of which `moved` (ids, ascending; may be empty)

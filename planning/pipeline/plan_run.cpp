@@ -176,7 +176,7 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
                             params_.constraints.rooms};
     stages_.has_constraints = rooms || !inputs.must_see.empty() || room_views || surface;
     if (!stages_.has_constraints) return {};
-    if (room_views) inputs.gaze = params_.gaze;
+    if (room_views) inputs.view_mix = params_.gaze.view_mix;
     if (room_views) inputs.seed = params_.seed;
     if (room_views || surface) inputs.max_frames = params_.timing.max_frames;
     if (surface) inputs.coverage = params_.coverage;
@@ -203,7 +203,7 @@ PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
 }
 
 Status Pipeline::Stages::PlanRun::selectKeyFrames() {
-    if (asksForTrackability(params_.gaze, params_.timing)) {
+    if (asksForTrackability(params_.gaze, params_.timing) && !environment_.heading.restricts()) {
         environment_.corners = &stages_.cache.corners(*stages_.views);
     }
     builder_.emplace(environment_, movementEnvironment(), viewpoints(), params_, job_);
@@ -296,7 +296,10 @@ Status Pipeline::Stages::PlanRun::findPaths() {
                       ends_.loop,
                       ends_.visits};
     if (clip || params_.path.max_length_m > 0.0) inputs.smoothing = params_.smoothing;
-    if (clip) inputs.timing = params_.timing;
+    if (clip) {
+        inputs.timing = params_.timing;
+        inputs.gaze = params_.gaze;
+    }
     inputs.body = params_.body;
     return stages_.run("path", stages_.paths, inputs, job, [&] {
         return clip ? pathsOfClip(job) : pathsWithin(params_.path.max_length_m, job);

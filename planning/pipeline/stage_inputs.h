@@ -88,7 +88,7 @@ struct ConstraintInputs {
     std::vector<Region> must_see;
     Anchors anchors = Anchors::None;
     RoomTours tours = RoomTours::Joined;
-    GazeParams gaze = {};
+    double view_mix = 0.0;  // 0: no room views
     int max_frames = 0;
     int seed = 0;
     CoverageParams coverage = {};
@@ -120,8 +120,8 @@ struct LinkingInputs {
     bool operator==(const LinkingInputs&) const = default;
 };
 
-/// Smoothing and timing only matter under a limit of length or of frames; without one they keep
-/// their defaults.
+/// Smoothing, timing and gaze only matter under a limit of length or of frames; without one they
+/// keep their defaults.
 struct PathInputs {
     StageVersion linking = 0;
     PathParams path;
@@ -133,6 +133,7 @@ struct PathInputs {
     int visits = 0;
     SmoothingParams smoothing = {};
     TimingParams timing = {};
+    GazeParams gaze = {};
     BodyParams body = {};
     bool operator==(const PathInputs&) const = default;
 };

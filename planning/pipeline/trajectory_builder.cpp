@@ -58,9 +58,12 @@ SmoothPath TrajectoryBuilder::withContext(const SmoothPath& path,
         const double part = static_cast<double>(path.keys.size()) / static_cast<double>(keys);
         share.max_frames = std::max(1, static_cast<int>(share.max_frames * part));
     }
+    const int first = path.keys.empty() ? -1 : path.keys.front().position_point;
+    const bool pinned =
+        first >= 0 && (position_points_[first].pin >= 0 || position_points_[first].fixed);
     return withContextViews(
         path, [this](const SmoothPath::Key& key) { return poseAt(key); }, environment_,
-        params_.gaze, share);
+        params_.gaze, share, !pinned);
 }
 
 std::vector<SmoothPath> TrajectoryBuilder::withContext(const std::vector<SmoothPath>& all) const {

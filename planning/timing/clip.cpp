@@ -15,12 +15,9 @@ bool keepsFrameRate(const TimingParams& params) {
 }
 
 double imageMotionLimit_rps(const TimingParams& params) {
-    constexpr double kOfSlam_dps = 40.0;
-    const bool slam = params.motion_preset == MotionPreset::Slam;
-    if (params.max_frames <= 0 && !slam) return 0.0;
-    const double limit_dps = params.max_image_motion_dps > 0.0 ? params.max_image_motion_dps
-                             : slam                            ? kOfSlam_dps
-                                                               : 0.0;
+    const double of_preset_dps = params.motion_preset == MotionPreset::Slam ? 40.0 : 0.0;
+    const double limit_dps =
+        params.max_image_motion_dps > 0.0 ? params.max_image_motion_dps : of_preset_dps;
     return limit_dps * std::numbers::pi / 180.0;
 }
 
@@ -42,7 +39,7 @@ Status validateClip(const PlanParams& params) {
     if (params.path.path_mode == PathMode::LongestBranch) {
         return fail(ErrorCode::Usage,
                     "path_mode=longest_branch cannot meet a number of frames at a fixed frame "
-                    "rate; use path_mode=tour.",
+                    "rate (keep_frame_rate, duration_s or motion_preset=slam); use path_mode=tour.",
                     "path_mode");
     }
     const int frames = clipFrames(timing);

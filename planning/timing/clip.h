@@ -14,11 +14,11 @@ struct TimingParams;
 /// budgets must not lower it.
 [[nodiscard]] bool keepsFrameRate(const TimingParams& params);
 
-/// Limit of the image's motion, rad/s; see max_image_motion_dps; 0: none.
+/// Limit of the image motion, rad/s, from max_image_motion_dps or the preset; 0: no limit.
 [[nodiscard]] double imageMotionLimit_rps(const TimingParams& params);
 
 /// Number of frames of a trajectory with fixed frame rate: exactly that many with `duration_s`, at
-/// most that many with keep_frame_rate and `max_frames`; 0: no limit.
+/// most that many with `max_frames`; 0: no limit, or the frame rate is not fixed.
 [[nodiscard]] int clipFrames(const TimingParams& params);
 
 /// Error: Usage, if the length of a clip contradicts other parameters or is too long.

@@ -29,7 +29,8 @@ struct PlanningEnvironment {
     const SweptSphere& sphere;
     PitchBand pitch = {};
     HeadingLimit heading = {};
-    CornerPanoramas* corners = nullptr;  // set if trackability is asked for
+    CornerPanoramas* corners = nullptr;  // null without trackability, and in the stages before
+                                         // key frames are selected
 };
 
 struct Viewpoints {

@@ -104,7 +104,7 @@ CrackPixel crackAt(std::size_t pixel, const View& view, std::span<const std::uin
     return crack;
 }
 
-bool isSteep(float drawn_depth_m) {
+bool isUnreliable(float drawn_depth_m) {
     return !(drawn_depth_m > 0.0F && std::isfinite(drawn_depth_m));
 }
 
@@ -114,9 +114,8 @@ std::vector<bool> outlinePixels(int width, std::span<const std::uint16_t> labels
     constexpr float kStep = 0.02F;  // relative
     std::vector<bool> found(labels.size(), false);
     const auto compare = [&](std::size_t a, std::size_t b) {
-        const float least = std::min(drawn_depth_m[a], drawn_depth_m[b]);
-        const float most = std::max(drawn_depth_m[a], drawn_depth_m[b]);
-        // Steep pixels have a negative depth.
+        const auto [least, most] =
+            std::minmax({std::abs(drawn_depth_m[a]), std::abs(drawn_depth_m[b])});
         const bool steps = most - least > kStep * least && least > 0.0F;
         if (labels[a] != labels[b] || steps) found[a] = found[b] = true;
     };
@@ -164,7 +163,7 @@ std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16
     std::vector<std::size_t> unknown;
     for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
         if (labels[pixel] == 0) continue;
-        if (on_outline[pixel] || isSteep(drawn_depth_m[pixel])) unknown.push_back(pixel);
+        if (on_outline[pixel] || isUnreliable(drawn_depth_m[pixel])) unknown.push_back(pixel);
     }
     const std::vector<RayHit> hits = castPixels(view, unknown, rays);
     for (std::size_t i = 0; i < unknown.size(); ++i) {

@@ -128,8 +128,9 @@ Result<planning::PlannedMotion> Sweeper::planMotion(const planning::Planner& pla
                                                     const JobContext& job) {
     const bool ours = planner.plan == planning::planWithDollytrack;
     // Without room views, the paper's smoothing uses the same path as our planner.
-    const bool same_path =
-        planner.plan == planning::planPaperSmoothing && params.gaze.view_mix <= 0.0;
+    const bool same_path = planner.plan == planning::planPaperSmoothing &&
+                           params.gaze.view_mix <= 0.0 &&
+                           !planning::asksForTrackability(params.gaze, params.timing);
     if (!ours && !same_path) {
         const auto begin = std::chrono::steady_clock::now();
         return planner.plan(*mapped_, params, params.seed, job)

@@ -33,11 +33,12 @@ static_assert(sizeof(Vertex) == 40);
 constexpr int kMaxTextureSize = 2048;
 constexpr int kAnisotropy = 8;  // on a graphics card; on the CPU it makes drawing 1.5 times as slow
 
-/// Whether a triangle's corners lie on one line, within the rounding of their coordinates. No ray
-/// meets such a triangle, and rasterization interpolates its depth from noise. Modellers leave them
-/// where a long edge meets two short ones.
-bool isLine(const Scene& scene, const Triangle& triangle) {
-    constexpr double kRounding = 1e-6;  // of the largest coordinate
+/// Whether a triangle is degenerate: its corners lie on one line within the rounding of their
+/// coordinates. Rays miss it, and its rasterised depth is arbitrary. Modelling programs leave such
+/// triangles where one long edge meets two short ones.
+bool isDegenerate(const Scene& scene, const Triangle& triangle) {
+    constexpr double kRounding =
+        2.5e-7;  // of the largest coordinate: two steps of single precision
     const auto corner = [&](std::size_t k) {
         return Eigen::Vector3d(scene.positions[triangle[k]].cast<double>());
     };
@@ -194,7 +195,7 @@ class SceneSorter {
         known.reserve(object.vertex_count);
         for (std::uint32_t t = object.first_triangle;
              t < object.first_triangle + object.triangle_count; ++t) {
-            if (isLine(scene_, scene_.triangles[t])) continue;
+            if (isDegenerate(scene_, scene_.triangles[t])) continue;
             const std::uint32_t material = scene_.triangle_material[t];
             auto& groups = indices[keys_[material]];
             if (groups.empty() || groups.back().first != object.id)

@@ -63,12 +63,16 @@ TEST(TextureCorners, CountTheCornersOfSquares) {
     EXPECT_EQ(corners.brightness(-1), 1.0);
 }
 
-TEST(TextureCorners, FindNoneOnGreyAndOnWhatIsNoTexture) {
+TEST(TextureCorners, FindNoneOnGreyOrWithoutATexture) {
     const TextureCorners corners(texturedWith(squares(64, 0)));
     EXPECT_EQ(corners.perPixel(0, {0.5F, 0.5F}, 1.0), 0.0);
     EXPECT_EQ(corners.perPixel(-1, {0.5F, 0.5F}, 1.0), 0.0);
     EXPECT_EQ(TextureCorners(texturedWith(Texture{"missing", 0, 0, {}})).perPixel(0, {0, 0}, 1.0),
               0.0);
+    Texture narrow = squares(64, 0);  // as many texels, in one row
+    narrow.width = 4096;
+    narrow.height = 1;
+    EXPECT_EQ(TextureCorners(texturedWith(narrow)).perPixel(0, {0.5F, 0.5F}, 1.0), 0.0);
     EXPECT_EQ(corners.perPixel(0, {std::nanf(""), 0.5F}, 1.0), 0.0);
 }
 

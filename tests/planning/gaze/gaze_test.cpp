@@ -180,7 +180,7 @@ TEST(Trackability, LooksLessAtBareWalls) {
     EXPECT_LT(shareWithFewCorners(Trackability::On), 0.75 * off);
 }
 
-TEST(SlamPreset, KeepsTheFrameRateAndTheImagesMotion) {
+TEST(SlamPreset, KeepsTheFrameRateAndTheTurningLimit) {
     const Scene scene = hallWithShelves();
     PlanParams params;
     params.timing.motion_preset = MotionPreset::Slam;
@@ -197,8 +197,40 @@ TEST(SlamPreset, KeepsTheFrameRateAndTheImagesMotion) {
     }
     PlanParams same = params;
     same.viewpoints.fill = kFillForTrackability;
-    EXPECT_EQ(planOf(scene, same)->trajectory.frames.size(), frames.size());
-    EXPECT_EQ(keyFramePoses(*planOf(scene, same)), keyFramePoses(*plan));
+    const auto again = planOf(scene, same);
+    EXPECT_EQ(again->trajectory.frames.size(), frames.size());
+    EXPECT_EQ(keyFramePoses(*again), keyFramePoses(*plan));
+}
+
+TEST(SlamPreset, BeginsWithAViewOfManyCorners) {
+    const Scene scene = hallWithShelves();
+    const RayCaster rays(scene);
+    const ViewEstimator views(scene, rays, CameraParams{});
+    CornerPanoramas corners(views);
+    PlanParams params;
+    params.timing.motion_preset = MotionPreset::Slam;
+    const auto plan = planOf(scene, params);
+    const Pose& first = plan->trajectory.frames.front().pose;
+    EXPECT_GT(corners.at(first.position)->corners(first.forward()), 350.0);
+}
+
+TEST(Trackability, ReplansLikeAFreshPipeline) {
+    const auto scene = std::make_shared<const Scene>(hallWithShelves());
+    PlanParams params;
+    params.viewpoints.fill = kFillForTrackability;
+    params.timing.keep_frame_rate = true;
+    params.timing.max_frames = 200;
+    Pipeline pipeline(scene);
+    ASSERT_TRUE(pipeline.run(params, JobContext{}));
+    params.gaze.trackability = Trackability::On;
+    const auto changed = pipeline.run(params, JobContext{});
+    ASSERT_TRUE(changed);
+    const auto fresh = planOf(*scene, params);
+    EXPECT_LE(fresh->trajectory.frames.size(), 200U);
+    ASSERT_EQ((*changed)->trajectory.frames.size(), fresh->trajectory.frames.size());
+    for (std::size_t i = 0; i < fresh->trajectory.frames.size(); ++i) {
+        EXPECT_EQ((*changed)->trajectory.frames[i].pose, fresh->trajectory.frames[i].pose);
+    }
 }
 
 TEST(RoomViews, ShowManyObjectsFromEyeLevelBesideTheCloseViews) {
