@@ -236,6 +236,10 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
     if (!in_the_way) return tl::unexpected(in_the_way.error());
     for (const std::string& file : *in_the_way) {
         if (Status status = folder_.checkFile(file); !status) return status;
+        // A damaged journal does not name the files of a killed run. Its frames are replaced, but
+        // its temporary files would stay.
+        if (file.find(".tmp.") == std::string::npos) continue;
+        if (Status status = folder_.remove(file); !status) return status;
     }
     if (isComplete()) {
         const Result<std::set<std::string>> old = filesListed(folder_, kCardFile);
