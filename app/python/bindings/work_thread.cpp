@@ -114,7 +114,7 @@ Status outcomeOf(const std::function<Status(const JobContext&)>& work, const Job
 
 /// Periodic work of the waiting thread, with the GIL: signals, log, progress. Throws exceptions
 /// raised by Python.
-void castEnclosureRays(const py::object& progress, News& news) {
+void pollPython(const py::object& progress, News& news) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     handOnLog();
     double fraction = 0.0;
@@ -201,7 +201,7 @@ void waitFor(const py::object& progress, const std::function<Status(const JobCon
         }
         if (raised) continue;
         try {
-            castEnclosureRays(progress, *news);
+            pollPython(progress, *news);
         } catch (...) {
             raised = std::current_exception();
             cancel_flag->store(true);

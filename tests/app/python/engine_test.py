@@ -330,11 +330,13 @@ class EngineTest(FolderCase):
 
         def refuse(*_):
             raise Enough
+        # Progress is reported every 50 ms; this export takes much longer than that.
+        plan = self.scene.plan(max_frames=60, width_px=320, height_px=240)
         with self.assertRaises(Enough):
-            self.plan.export(self.folder / "stopped", progress=refuse)
+            plan.export(self.folder / "stopped", progress=refuse)
         self.assertFalse((self.folder / "stopped" / "dataset.json").exists())
-        self.plan.export(self.folder / "stopped", resume=True)
-        self.plan.export(self.folder / "unstopped")
+        plan.export(self.folder / "stopped", resume=True)
+        plan.export(self.folder / "unstopped")
         self.assertSameFiles(self.folder / "stopped", self.folder / "unstopped")
 
     def test_other_threads_run_meanwhile(self):
