@@ -14,6 +14,7 @@ struct ImportProposal {
     std::optional<UpAxis> up_axis;  // in the file
     std::string unit_doubt;         // why, without a full stop; empty: no doubt
     std::string up_doubt;
+    bool up_unconfirmed = false;  // the evidence for the upward axis used is weak
 
     [[nodiscard]] bool isEmpty() const { return unit_doubt.empty() && up_doubt.empty(); }
     /// Whether it has values to apply. There can be a doubt without a better value.

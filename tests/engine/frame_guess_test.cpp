@@ -267,6 +267,29 @@ TEST(FrameGuess, DoubtsTheAxisOfAFileWhereGravityContradictsIt) {
     }
 }
 
+// Panels of walls look the same upside down, so the file is believed, and the report says that
+// nothing confirms it.
+TEST(FrameGuess, SaysWhenNothingConfirmsTheAxisOfAFile) {
+    const TempFolder folder;
+    std::vector<NamedBox> panels;
+    for (int i = 0; i < 4; ++i) {
+        const double begin = i;
+        const double end = begin + 0.98;
+        for (const double side : {0.0, 4.0}) {
+            panels.push_back(
+                {fmt::format("a{}_{}", i, side), {begin, side, 0}, {end, side + 0.02, 2.6}});
+            panels.push_back(
+                {fmt::format("b{}_{}", i, side), {side, begin, 0}, {side + 0.02, end, 2.6}});
+        }
+    }
+    for (const UpAxis axis : {UpAxis('y'), UpAxis('y', true)}) {
+        const Scene scene = imported(folder.write("room.gltf", asGltf(panels, axis, 1.0, folder)));
+        EXPECT_EQ(scene.report.up_axis, "y");
+        EXPECT_EQ(scene.report.up_source, "file; nothing in the scene shows whether it is right");
+        EXPECT_EQ(joined(scene.report.warnings).find("up"), std::string::npos);
+    }
+}
+
 // Walls and floors that were found by shape depend on the assumed axis, so they are no evidence for
 // it.
 TEST(FrameGuess, ProposesTheAxisOfATurnedRoomOfOneMesh) {

@@ -12,6 +12,8 @@ namespace dollytrack {
 namespace {
 
 const UpAxis kWorldUp('z');
+// With hardly any evidence a wrong axis leads by at most this; see scoreUpAxes().
+constexpr double kUnconfirmingLead = 0.4;
 
 /// The file's axis nearest to an axis of the world; levelled scenes are rotated by any angle.
 UpAxis inFile(UpAxis in_world, const Scene& scene) {
@@ -30,7 +32,10 @@ std::string upDoubt(UpAxis likelier, const Scene& scene) {
 
 void doubtAxis(const FrameEvidence& evidence, const Scene& scene, ImportProposal& proposal) {
     const std::vector<UpEvidence> ranked = scoreUpAxes(evidence);
-    if (!contradicts(evidence, ranked, kWorldUp)) return;
+    if (!contradicts(evidence, ranked, kWorldUp)) {
+        proposal.up_unconfirmed = leadOf(ranked, kWorldUp) <= kUnconfirmingLead;
+        return;
+    }
     proposal.up_axis = inFile(ranked.front().axis, scene);
     proposal.up_doubt = upDoubt(*proposal.up_axis, scene);
 }

@@ -271,6 +271,11 @@ std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence) {
     return all;
 }
 
+double leadOf(const std::vector<UpEvidence>& ranked, UpAxis axis) {
+    const auto own = std::ranges::find(ranked, axis, &UpEvidence::axis);
+    return own->score - (own == ranked.begin() ? ranked[1] : ranked[0]).score;
+}
+
 bool contradicts(const FrameEvidence& evidence, const std::vector<UpEvidence>& ranked, UpAxis axis,
                  double lead) {
     if (evidence.objects.size() < std::size_t{kFewestObjects}) return false;

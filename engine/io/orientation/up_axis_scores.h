@@ -28,6 +28,10 @@ struct UpEvidence {
 /// more, in sparse rooms by 1; with hardly any evidence a wrong one leads by at most 0.4.
 std::vector<UpEvidence> scoreUpAxes(const FrameEvidence& evidence);
 
+/// How far the score of `axis` is above the best of the other five; negative if below. `ranked`:
+/// from scoreUpAxes().
+[[nodiscard]] double leadOf(const std::vector<UpEvidence>& ranked, UpAxis axis);
+
 /// Whether the best direction leads `axis` by at least `lead`. Always false for fewer than four
 /// objects, which may lie on their side. Also false if the best direction is the opposite one, no
 /// names of floors and ceilings tell the two apart, and fewer than four objects are not sides of

@@ -63,7 +63,7 @@ json planForm() {
           "area_share_mask", "repeat_rate", "object_pixels", "corner_collision_rate",
           "frame_collision_rate", "min_clearance_m", "must_see_rate", "capturable_rate",
           "well_capturable_rate", "scanned_share", "surface_seen_rate", "surface_covered_rate",
-          "surface_coverable_rate"}) {
+          "surface_coverable_rate", "trackable_rate"}) {
         metrics[name] = "number?";
     }
     for (const char* name : {"path_length_m", "frame_interval_s", "surface_patch_m"}) {
