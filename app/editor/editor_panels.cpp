@@ -75,6 +75,8 @@ void Editor::drawLayers() {
     view.has_map = shown.free_space != nullptr;
     if (shown.free_space) view.cell_m = shown.free_space->resolution_m();
     view.has_plan = shown.plan != nullptr;
+    view.measured = shown.measured;
+    view.has_surface = view.has_plan && shown.plan->surface;
     view.stepping = step_playback_.shown();
     const int search = layers_.candidateSearch();
     if (shown.plan && search >= 0 &&

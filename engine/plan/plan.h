@@ -53,6 +53,8 @@ struct TrajectoryMetrics {
     int straight_lines_that_hit = 0;
     MinimumClearance minimum_clearance;
     MotionMetrics motion;
+    std::optional<double> trackable_rate;  // share of the frames with at least kTrackableCorners;
+                                           // empty without trackability
 };
 
 /// What the frames show of the surface in a must-see region, in patches of about 0.1 m.
@@ -68,6 +70,21 @@ struct RegionCoverage {
     }
 };
 
+/// What the frames show of a patch of surface.
+enum class PatchState {
+    Unseen,
+    Seen,        // some frame shows it, but not from the directions and at the resolution asked for
+    SeenAtBest,  // seen from as many directions as the tried positions allow, fewer than asked for
+    Covered,     // seen from the directions and at the resolution asked for
+};
+
+/// A patch of surface in the world frame, m, and what the frames show of it.
+struct MeasuredPatch {
+    Eigen::Vector3f point = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  // unit, towards the camera's positions
+    PatchState state = PatchState::Unseen;
+};
+
 /// What the frames show of all surface that is visible from where the camera may be, in patches.
 struct SurfaceShare {
     double patch_m = 0.0;  // edge of a patch
@@ -75,6 +92,7 @@ struct SurfaceShare {
     int seen = 0;       // patches that some frame shows
     int covered = 0;    // patches shown from the directions and at the resolution asked for
     int coverable = 0;  // patches that the tried positions can cover, or that frames cover
+    std::vector<MeasuredPatch> measured;  // one per patch
     /// Share of the patches, 0..1; 0 without any.
     [[nodiscard]] double rateOf(int count) const {
         return patches > 0 ? static_cast<double>(count) / patches : 0.0;

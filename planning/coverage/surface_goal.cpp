@@ -10,31 +10,27 @@ namespace dollytrack::planning {
 namespace {
 
 /// What a trajectory shows of one patch.
-struct ShownPatch {
-    bool seen = false;
-    bool covered = false;
-};
-
-ShownPatch shownBy(const Trajectory& trajectory, const SurfacePatch& patch, const SurfaceGoal& goal,
-                   const ViewEstimator& views) {
+/// `coverable`: as SurfaceGoal::coverable of the patch.
+PatchState shownBy(const Trajectory& trajectory, const SurfacePatch& patch, int coverable,
+                   const SurfaceGoal& goal, const ViewEstimator& views) {
     const PatchVisibility visibility(views.rays(), surfaceRules());
-    ShownPatch shown;
+    bool seen = false;
     DistinctDirections sharp;
     for (const TrajectoryFrame& frame : trajectory.frames) {
         const Eigen::Vector3d way = frame.pose.position - patch.point;
         const double distance = way.norm();
         const bool helps = distance <= goal.sharp_m && distance > 0.0 &&
                            sharp.adds(way / distance, goal.directions);
-        if ((shown.seen && !helps) || !views.inImage(frame.pose, patch.point) ||
+        if ((seen && !helps) || !views.inImage(frame.pose, patch.point) ||
             !visibility.reaches(frame.pose.position, patch)) {
             continue;
         }
-        shown.seen = true;
+        seen = true;
         if (helps) sharp.add(way / distance, goal.directions);
-        shown.covered = sharp.count() == goal.directions;
-        if (shown.covered) break;
+        if (sharp.count() == goal.directions) return PatchState::Covered;
     }
-    return shown;
+    if (!seen) return PatchState::Unseen;
+    return sharp.count() >= coverable ? PatchState::SeenAtBest : PatchState::Seen;
 }
 
 }  // namespace
@@ -42,18 +38,21 @@ ShownPatch shownBy(const Trajectory& trajectory, const SurfacePatch& patch, cons
 Result<SurfaceShare> measureSurface(const SurfaceGoal& goal, const ViewEstimator& views,
                                     const Trajectory& trajectory, const JobContext& job) {
     const std::vector<SurfacePatch>& patches = goal.surface.patches;
-    std::vector<ShownPatch> shown(patches.size());
-    parallelFor(patches.size(), [&](std::size_t p) {
-        if (!job.cancelled()) shown[p] = shownBy(trajectory, patches[p], goal, views);
-    });
-    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     SurfaceShare share;
     share.patch_m = goal.surface.spacing_m;
     share.patches = static_cast<int>(patches.size());
+    share.measured.resize(patches.size());
+    parallelFor(patches.size(), [&](std::size_t p) {
+        if (job.cancelled()) return;
+        share.measured[p] = {patches[p].point.cast<float>(), patches[p].normal.cast<float>(),
+                             shownBy(trajectory, patches[p], goal.coverable[p], goal, views)};
+    });
+    if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     for (std::size_t p = 0; p < patches.size(); ++p) {
-        share.seen += shown[p].seen ? 1 : 0;
-        share.covered += shown[p].covered ? 1 : 0;
-        share.coverable += shown[p].covered || goal.coverable[p] == goal.directions ? 1 : 0;
+        const bool covered = share.measured[p].state == PatchState::Covered;
+        share.seen += share.measured[p].state != PatchState::Unseen ? 1 : 0;
+        share.covered += covered ? 1 : 0;
+        share.coverable += covered || goal.coverable[p] == goal.directions ? 1 : 0;
     }
     return share;
 }

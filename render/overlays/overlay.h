@@ -41,7 +41,7 @@ struct OverlayBox {
     std::int32_t tag = kNoTag;
 };
 
-/// A two-sided triangle, world frame, m.
+/// A triangle, world frame, m; its front is the side from which a, b, c are counter-clockwise.
 struct OverlayTriangle {
     Eigen::Vector3d a = Eigen::Vector3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -56,6 +56,7 @@ struct OverlayTriangle {
 struct Overlay {
     std::vector<OverlayBox> boxes;
     std::vector<OverlayTriangle> triangles;
+    bool one_sided_triangles = false;  // draws only their fronts
     std::vector<OverlayLine> lines;
     std::vector<OverlayMark> marks;
 };

@@ -128,6 +128,7 @@ void OverlayBuffers::upload(const Overlay& overlay) {
         }
     }
     triangle_indices_ = static_cast<int>(indices.size()) - box_indices_;
+    one_sided_triangles_ = overlay.one_sided_triangles;
     fill(surfaces_.vertices, surfaces);
     fill(surfaces_.indices, indices);
 

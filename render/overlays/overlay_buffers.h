@@ -31,6 +31,7 @@ class OverlayBuffers {
     Part marks_;
     int box_indices_ = 0;
     int triangle_indices_ = 0;
+    bool one_sided_triangles_ = false;
     int line_count_ = 0;
     int mark_count_ = 0;
 };

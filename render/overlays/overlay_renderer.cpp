@@ -101,14 +101,15 @@ void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
     glFrontFace(GL_CW);
     glEnable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, buffers.box_indices_, GL_UNSIGNED_INT, nullptr);
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
+    if (!buffers.one_sided_triangles_) glDisable(GL_CULL_FACE);
     if (buffers.triangle_indices_ > 0) {
         glDrawElements(
             GL_TRIANGLES, buffers.triangle_indices_, GL_UNSIGNED_INT,
             reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets
                 static_cast<std::uintptr_t>(buffers.box_indices_) * sizeof(std::uint32_t)));
     }
+    glDisable(GL_CULL_FACE);
+    glFrontFace(GL_CCW);
     glDisable(GL_DEPTH_TEST);
 
     glBindFramebuffer(GL_FRAMEBUFFER, canvas.frame_.get());

@@ -229,6 +229,23 @@ TEST_F(OverlayRendererGl, BoxesBehindOneAnotherTintOnceInAnyOrder) {
     EXPECT_NEAR(cover(100, 75), 0.7, 0.02);
 }
 
+TEST_F(OverlayRendererGl, OneSidedTrianglesAreNotDrawnFromBehind) {
+    Overlay overlay;
+    // Its front faces the camera, which looks along x.
+    overlay.triangles.push_back({{2, 3, -3}, {2, -3, -3}, {2, 0, 3}, kRed});
+    for (const bool one_sided : {false, true}) {
+        overlay.one_sided_triangles = one_sided;
+        draw(overlay);
+        EXPECT_NEAR(cover(100, 75), 1.0, 0.02) << one_sided;
+    }
+    std::swap(overlay.triangles[0].a, overlay.triangles[0].b);
+    for (const bool one_sided : {false, true}) {
+        overlay.one_sided_triangles = one_sided;
+        draw(overlay);
+        EXPECT_NEAR(cover(100, 75), one_sided ? 0.0 : 1.0, 0.02) << one_sided;
+    }
+}
+
 TEST_F(OverlayRendererGl, AWallHidesBoxes) {
     Overlay overlay;
     OverlayBox box;

@@ -11,7 +11,7 @@ struct Layers {
     Layers() {
         view.room = {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 3, 2.5)};
         view.has_map = true;
-        view.has_plan = true;
+        view.has_plan = view.has_surface = true;
     }
     void draw() {
         const LayersActions actions = drawLayersPanel(view, settings);
@@ -36,7 +36,8 @@ TEST(LayersPanel, EverySwitchChangesOneSetting) {
                              "roadmap.path",    "trajectory.arrows",  "cone",
                              "no_go_boxes",     "ceiling_cut",        "grid",
                              "candidates",      "trajectory",         "points",
-                             "roadmap",         "free_space"}) {
+                             "roadmap",         "free_space",         "surface.unseen",
+                             "surface.seen",    "surface.covered",    "surface"}) {
         const LayerSettings before = layers.settings;
         const int changes = layers.changes;
         ASSERT_TRUE(screen.click(std::string("layers.") + name)) << name << ": " << screen.names();
@@ -45,6 +46,14 @@ TEST(LayersPanel, EverySwitchChangesOneSetting) {
     }
     EXPECT_EQ(layers.finished, layers.changes);
     EXPECT_FALSE(screen.shows("layers.cells.free")) << "a layer that is off has no details";
+}
+
+TEST(LayersPanel, OffersSurfaceOnlyWhereThePlanAimsAtIt) {
+    Layers layers;
+    layers.view.has_surface = false;
+    test::Screen screen([&] { layers.draw(); }, 360, 1200);
+    EXPECT_FALSE(screen.enabled("layers.surface"));
+    EXPECT_FALSE(screen.shows("layers.surface.unseen"));
 }
 
 TEST(LayersPanel, ChoosesColours) {

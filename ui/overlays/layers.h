@@ -5,6 +5,7 @@
 #include "ui/overlays/points_overlay.h"
 #include "ui/overlays/roadmap_overlay.h"
 #include "ui/overlays/slice.h"
+#include "ui/overlays/surface_overlay.h"
 #include "ui/overlays/trajectory_overlay.h"
 
 namespace dollytrack::ui {
@@ -33,6 +34,8 @@ struct LayerSettings {
     bool candidates = true;  // candidates of the selected observation point
     bool cone = true;
     ShownVerdicts candidate_kinds = allButOutside();
+    bool surface = true;  // what the frames show of all surface, if the plan aims at it
+    SurfaceOverlayOptions surface_options;
     bool no_go_boxes = true;
     bool ceiling_cut = true;  // cut away ceilings, for views from above
     int storey = 0;           // the storey shown by the cut, 1 the lowest; 0: the topmost

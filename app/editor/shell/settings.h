@@ -24,6 +24,7 @@ void visitLayerSwitches(Layers& switches, Visitor&& visit) {
     visit("trajectory", switches.trajectory);
     visit("candidates", switches.candidates);
     visit("cone", switches.cone);
+    visit("surface", switches.surface);
     visit("no_go_boxes", switches.no_go_boxes);
     visit("ceiling_cut", switches.ceiling_cut);
     visit("grid", switches.grid);

@@ -200,7 +200,7 @@ struct LayerBuilder::WorkerState {
         std::any of;
         std::shared_ptr<const PlanLayer> layer;
     };
-    std::array<Made, 10> made;
+    std::array<Made, 11> made;
 
     template <class Inputs, class Make>
     void add(Layers& layers, std::size_t place, const Inputs& inputs, Make&& make) {
@@ -212,8 +212,26 @@ struct LayerBuilder::WorkerState {
         layers.layers.push_back(slot.layer);
     }
 
+    void addSurface(Layers& layers, const LayersRequest& request);
     Layers build(const LayersRequest& request);
+
+    std::string surface_of;  // the scene of the last surface layer, by its hash
 };
+
+/// A plan that is still being measured leaves the layer of the plan before, to avoid flicker.
+void LayerBuilder::WorkerState::addSurface(Layers& layers, const LayersRequest& request) {
+    constexpr std::size_t kSlot = 10;
+    const Plan& plan = *request.plan;
+    if (plan.surface) {
+        const ui::SurfaceOverlayOptions& options = request.settings.surface_options;
+        add(layers, kSlot, std::tuple(request.plan, options),
+            [&] { return ui::surfaceLayer(plan, options); });
+        surface_of = request.scene->source_sha256;
+    } else if (plan.series.size() == 0 && made[kSlot].layer &&
+               surface_of == request.scene->source_sha256) {
+        layers.layers.push_back(made[kSlot].layer);
+    }
+}
 
 Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
     Layers layers;
@@ -255,6 +273,7 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
             add(layers, 4, std::tuple(request.plan, on.trajectory_options),
                 [&] { return ui::trajectoryLayer(plan, on.trajectory_options); });
         }
+        if (on.surface && !request.stepping) addSurface(layers, request);
         const ui::CandidatesOverlayOptions candidates = candidatesOptions(request);
         if (on.candidates && candidates.observation_point >= 0) {
             layers.candidates_of = candidates.observation_point;

@@ -163,8 +163,47 @@ TEST(SurfaceObjective, CoversABoxRoom) {
     EXPECT_GE(plan->surface->rateOf(plan->surface->seen), 0.99);
     EXPECT_GE(plan->surface->rateOf(plan->surface->coverable), 0.95);
     EXPECT_GE(plan->surface->covered, 0.95 * plan->surface->coverable);
+    const auto inState = [&](PatchState state) {
+        return std::ranges::count(plan->surface->measured, state, &MeasuredPatch::state);
+    };
+    EXPECT_EQ(plan->surface->measured.size(), static_cast<std::size_t>(plan->surface->patches));
+    EXPECT_EQ(inState(PatchState::Unseen), plan->surface->patches - plan->surface->seen);
+    EXPECT_EQ(inState(PatchState::Covered), plan->surface->covered);
     EXPECT_LE(plan->trajectory.frames.size(), 300U);
     EXPECT_EQ(plan->trajectory_metrics.frame_collision_rate, 0.0);
+}
+
+TEST(SurfaceGoal, TellsWhetherMoreDirectionsArePossible) {
+    const Scene scene = boxRoom();
+    const RayCaster rays(scene);
+    const ViewEstimator views(scene, rays, CameraParams{});
+    SurfaceGoal goal;
+    goal.surface = {{{{4.0, 1.5, 1.2}, {-1, 0, 0}},
+                     {{4.0, 1.6, 1.2}, {-1, 0, 0}},
+                     {{4.0, 1.4, 1.2}, {-1, 0, 0}},
+                     {{0.0, 1.5, 1.2}, {1, 0, 0}}},
+                    0.1};
+    goal.sharp_m = 5.0;
+    goal.directions = 3;
+    goal.coverable = {1, 2, 3, 3};
+    Trajectory trajectory;
+    trajectory.frames.emplace_back().pose = lookAt({1, 1.5, 1.2}, {4, 1.5, 1.2});
+    const auto one = measureSurface(goal, views, trajectory, {});
+    ASSERT_TRUE(one);
+    const std::vector<PatchState> expected = {PatchState::SeenAtBest, PatchState::Seen,
+                                              PatchState::Seen, PatchState::Unseen};
+    for (std::size_t p = 0; p < expected.size(); ++p) {
+        EXPECT_EQ(one->measured[p].state, expected[p]) << p;
+    }
+    for (const double y : {0.5, 2.5}) {
+        trajectory.frames.emplace_back().pose = lookAt({1.5, y, 1.2}, {4, 1.5, 1.2});
+    }
+    const auto three = measureSurface(goal, views, trajectory, {});
+    ASSERT_TRUE(three);
+    EXPECT_EQ(three->measured[0].state, PatchState::Covered);
+    EXPECT_EQ(three->measured[3].state, PatchState::Unseen);
+    EXPECT_EQ(three->covered, 3);
+    EXPECT_EQ(three->seen, 3);
 }
 
 TEST(SurfaceObjective, IsCountedAsABruteForceRayCasterCounts) {

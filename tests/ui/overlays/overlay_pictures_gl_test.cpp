@@ -14,6 +14,7 @@
 #include "ui/overlays/points_overlay.h"
 #include "ui/overlays/roadmap_overlay.h"
 #include "ui/overlays/steps_overlay.h"
+#include "ui/overlays/surface_overlay.h"
 #include "ui/overlays/trajectory_overlay.h"
 
 #include <array>
@@ -152,6 +153,14 @@ TEST_F(OverlayPicturesGl, EveryOverlayShows) {
     }
     show("points_and_trajectory",
          together(trajectoryLayer(plan, {}), pointsLayer(scene, plan, room_.params.camera, {})));
+    Plan seen = plan;
+    SurfaceShare& surface = seen.surface.emplace();
+    surface.patch_m = 0.4;
+    for (const PositionPoint& point : plan.position_points) {
+        Eigen::Vector3f at = point.pose.position.cast<float>();
+        surface.measured.push_back({at, Eigen::Vector3f::UnitZ(), PatchState::Unseen});
+    }
+    show("surface", surfaceLayer(seen, {}));
     CandidatesOverlayOptions candidates;
     for (std::size_t o = 0; o < plan.searches.size(); ++o) {
         const std::size_t tried = plan.searches[o].candidates.size();

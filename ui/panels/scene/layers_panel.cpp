@@ -216,10 +216,32 @@ void drawTrajectory(LayerSettings& settings, Switches& switches, const std::stri
                    settings.trajectory_options.direction_arrows);
     ImGui::Unindent();
     details("trajectory", [&] {
-        constexpr std::array kColors = {"time",      "clearance", "speed",
-                                        "turn rate", "score",     "newly captured"};
+        constexpr std::array kColors = {"time",  "clearance",      "speed",        "turn rate",
+                                        "score", "newly captured", "image corners"};
         switches.choose("Colour", "trajectory.color", settings.trajectory_options.color, kColors);
     });
+}
+
+void drawSurface(const LayersView& view, LayerSettings& settings, Switches& switches,
+                 const std::string& why_not) {
+    std::string why = why_not;
+    if (why.empty() && !view.has_surface) {
+        why = view.measured ? "Set objective to surface or both." : "The plan is being measured.";
+    }
+    if (!switches.check("Surface", "surface", settings.surface,
+                        "What the frames show of all surface", why)) {
+        return;
+    }
+    ImGui::Indent();
+    SurfaceOverlayOptions& options = settings.surface_options;
+    switches.check("unseen", "surface.unseen", options.unseen, "No frame shows it");
+    flowToSwitch("seen");
+    switches.check("seen", "surface.seen", options.seen,
+                   "From fewer directions or from farther away than asked for");
+    flowToSwitch("covered");
+    switches.check("covered", "surface.covered", options.covered,
+                   "From the directions and at the resolution asked for");
+    ImGui::Unindent();
 }
 
 /// A switch for each verdict that occurs; none if no target is selected.
@@ -260,6 +282,7 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
                        "Candidates of the selected object, by verdict", why_not)) {
         drawCandidates(view, settings, switches);
     }
+    drawSurface(view, settings, switches, why_not);
     drawFreeSpace(view, settings, switches);
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
     switches.check("Cut ceilings away", "ceiling_cut", settings.ceiling_cut,

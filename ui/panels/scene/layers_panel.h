@@ -17,6 +17,8 @@ struct LayersView {
     int storeys = 1;           // storeys of the building
     bool has_map = false;      // a free-space map exists
     bool has_plan = false;
+    bool measured = false;             // the plan has its metrics
+    bool has_surface = false;          // the plan tells what its frames show of all surface
     bool stepping = false;             // the step view replaces the roadmap
     std::vector<Legend> legends;       // legends of the drawn layers
     ShownVerdicts candidates_there{};  // verdicts that occur among the selected point's candidates

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/plan/plan.h"
+#include "ui/overlays/legend.h"
+
+namespace dollytrack::ui {
+
+/// Which patches are drawn, by PatchState.
+struct SurfaceOverlayOptions {
+    bool unseen = true;
+    bool seen = true;  // also SeenAtBest
+    bool covered = false;
+    bool operator==(const SurfaceOverlayOptions&) const = default;
+};
+
+/// The patches of Plan::surface as squares on the surface, coloured by what the frames show of
+/// them. Empty without Plan::surface.
+[[nodiscard]] PlanLayer surfaceLayer(const Plan& plan, const SurfaceOverlayOptions& options);
+
+}  // namespace dollytrack::ui
