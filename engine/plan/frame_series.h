@@ -9,6 +9,9 @@ namespace dollytrack {
 
 class RayCaster;
 
+/// Estimated image corners from which ORB usually finds 100 or more, which SLAM programs can track.
+inline constexpr double kTrackableCorners = 150.0;
+
 /// What is known of each frame of a trajectory, for timelines and colours. One entry a frame.
 struct FrameSeries {
     std::vector<double> clearance_m;   // from the camera's centre to the nearest surface, exact
@@ -20,6 +23,9 @@ struct FrameSeries {
     std::vector<int> well_captured;    // of them, captured well
     std::vector<int> captured_so_far;  // targets captured by this frame or an earlier one
     std::vector<std::vector<int>> newly_captured;  // ids of those captured for the first time
+    /// Estimated number of corners that a feature detector finds in the image, scaled to a width
+    /// of 320 pixels; empty without trackability.
+    std::vector<double> image_corners;
 
     [[nodiscard]] std::size_t size() const { return clearance_m.size(); }
 };

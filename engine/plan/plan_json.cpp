@@ -168,6 +168,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
     }
     visitMotionMetrics(motion.motion,
                        [&](const std::string& name, double value) { result[name] = value; });
+    if (motion.trackable_rate) result["trackable_rate"] = *motion.trackable_rate;
     result["repair"] = repairJson(plan.repair);
     for (const StageTime& stage : plan.stages) result["stages"][stage.name] = stage.milliseconds;
     for (const LedgerRow& row : plan.ledger) {

@@ -4,6 +4,7 @@
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/gaze/texture_corners.h"
 #include "planning/timing/clip.h"
 #include "planning/visibility/view_estimator.h"
 
@@ -30,6 +31,7 @@ Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const
     made.sphere = std::make_shared<const SweptSphere>(*made.rays, *made.free_space, radius,
                                                       made.region.get());
     made.views = std::make_shared<const ViewEstimator>(*made.scene, *made.rays, params.camera);
+    made.texture_corners = std::make_shared<const TextureCorners>(*made.scene);
     return made;
 }
 

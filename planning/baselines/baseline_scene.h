@@ -21,6 +21,7 @@ namespace dollytrack::planning {
 class AllowedRegion;
 class FreeSpace;
 class SweptSphere;
+class TextureCorners;
 class ViewEstimator;
 
 /// Shared input of all planners, Dollytrack's own included: one scene, its free space map and one
@@ -33,6 +34,7 @@ struct BaselineScene {
     std::shared_ptr<const AllowedRegion> region;
     std::shared_ptr<const SweptSphere> sphere;
     std::shared_ptr<const ViewEstimator> views;
+    std::shared_ptr<const TextureCorners> texture_corners;
 };
 
 /// Maps the scene. Errors: those of Pipeline::run() that concern the parameters and the map.

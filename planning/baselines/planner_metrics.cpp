@@ -5,6 +5,7 @@
 #include "planning/baselines/median.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/gaze/image_corners.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/visibility/shown_surface.h"
 #include "planning/visibility/view_estimator.h"
@@ -145,6 +146,10 @@ Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const Pl
     if (job.cancelled())
         return fail(ErrorCode::Cancelled, "Measuring the trajectory was cancelled.");
     measureMotion(motion, lengths, result);
+    const auto corners =
+        estimateImageCorners(*scene.views, *scene.texture_corners, motion.trajectory, job);
+    if (!corners) return tl::unexpected(corners.error());
+    result.trackable_rate = trackableRate(*corners);
     return measureShownSurface(*scene.views, motion.trajectory, job)
         .map([&](const ShownSurface& shown) {
             result.repeat_rate = shown.repeat_rate;

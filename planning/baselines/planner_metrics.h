@@ -17,12 +17,13 @@ struct PlannerMetrics {
     CaptureMetrics captures;
     std::vector<ObjectCapture> objects;  // one per target
     int frames = 0;
-    double repeat_rate = 0.0;           // see TrajectoryMetrics
-    double object_pixels = 0.0;         // see TrajectoryMetrics
-    double frame_collision_rate = 0.0;  // share of the frames with a surface inside the camera
-                                        // sphere
-    double outside_rate = 0.0;          // share of the frames outside free space
-    double min_clearance_m = 0.0;       // camera centre to surface, along all motion, to 1 cm
+    double repeat_rate = 0.0;              // see TrajectoryMetrics
+    double object_pixels = 0.0;            // see TrajectoryMetrics
+    std::optional<double> trackable_rate;  // see TrajectoryMetrics
+    double frame_collision_rate = 0.0;     // share of the frames with a surface inside the camera
+                                           // sphere
+    double outside_rate = 0.0;             // share of the frames outside free space
+    double min_clearance_m = 0.0;          // camera centre to surface, along all motion, to 1 cm
     std::optional<double> move_collision_rate;    // share of the moves between frames with a
                                                   // surface inside the camera sphere
     std::optional<double> corner_collision_rate;  // see PlannedMotion
@@ -61,6 +62,7 @@ void visitPlannerMetrics(Metrics& metrics, Visitor&& visit) {
     visit(MetricInfo{"area_share_mask", "mask", "%", Higher}, metrics.captures.area_share_mask);
     visit(MetricInfo{"object_pixels", "on objects", "%", Higher}, metrics.object_pixels);
     visit(MetricInfo{"repeat_rate", "repeats", "%", Lower}, metrics.repeat_rate);
+    visit(MetricInfo{"trackable_rate", "trackable", "%", Higher}, metrics.trackable_rate);
     visit(MetricInfo{"frame_collision_rate", "hit frames", "%", Lower},
           metrics.frame_collision_rate);
     visit(MetricInfo{"move_collision_rate", "hit moves", "%", Lower}, metrics.move_collision_rate);

@@ -1,10 +1,8 @@
 #include "planning/gaze/corner_panorama.h"
 
-#include "engine/jobs/parallel.h"
+#include "engine/geometry/ray_caster.h"
 #include "engine/math/pose.h"
 #include "planning/visibility/view_estimator.h"
-
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +12,6 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kImageWidth = 320.0;
-
-// Textures.
-constexpr int kLargestSide_px = 1024;  // finer levels would only be seen from very near
-constexpr int kSmallestSide_px = 16;
-constexpr int kBlock_px = 32;
-constexpr double kCornerStrength = 1.2e-3;  // least eigenvalue of the gradients' covariance
-constexpr float kLargestDensity = 0.02F;    // more corners than this suppress each other
 
 // The grid of rays, by heading and elevation; it ends a step from the poles.
 constexpr int kColumns = 180;
@@ -35,98 +26,6 @@ constexpr double kPerTextureCorner = 0.95;
 constexpr double kLeastContrast = 0.04;  // less is the shading of a curved surface
 constexpr double kFullContrast = 0.25;   // more does not count for more
 constexpr double kLeastInCell = 0.01;    // fewer corners are left out
-
-/// Number of blocks along a side.
-int blocks(int side_px) {
-    return (side_px + kBlock_px - 1) / kBlock_px;
-}
-
-/// Corners per texel of one level, by block.
-std::vector<float> cornersByBlock(const cv::Mat& grey) {
-    const int columns = blocks(grey.cols);
-    const int rows = blocks(grey.rows);
-    cv::Mat strength;
-    cv::Mat strongest;
-    cv::cornerMinEigenVal(grey, strength, 3, 3, cv::BORDER_REPLICATE);
-    cv::dilate(strength, strongest, {});
-    std::vector<float> density(static_cast<std::size_t>(columns) * rows, 0.0F);
-    for (int y = 0; y < grey.rows; ++y) {
-        for (int x = 0; x < grey.cols; ++x) {
-            const float here = strength.at<float>(y, x);
-            if (here < kCornerStrength || here < strongest.at<float>(y, x)) continue;
-            // A plateau of equal strength counts once.
-            if (x > 0 && strength.at<float>(y, x - 1) == here) continue;
-            if (y > 0 && strength.at<float>(y - 1, x) == here) continue;
-            density[y / kBlock_px * columns + x / kBlock_px] += 1.0F;
-        }
-    }
-    for (int y = 0; y < rows; ++y) {
-        for (int x = 0; x < columns; ++x) {
-            const int width = std::min(kBlock_px, grey.cols - x * kBlock_px);
-            const int height = std::min(kBlock_px, grey.rows - y * kBlock_px);
-            float& one = density[y * columns + x];
-            one = std::min(kLargestDensity, one / static_cast<float>(width * height));
-        }
-    }
-    return density;
-}
-
-/// Where in a repeated texture, 0 to below `size`.
-int wrapped(float coordinate, int size) {
-    const float part = coordinate - std::floor(coordinate);
-    return std::clamp(static_cast<int>(part * static_cast<float>(size)), 0, size - 1);
-}
-
-}  // namespace
-
-TextureCorners::TextureCorners(const Scene& scene) : textures_(scene.textures.size()) {
-    std::vector<bool> used(scene.textures.size(), false);
-    for (const Material& material : scene.materials) {
-        if (material.texture >= 0) used[material.texture] = true;
-    }
-    parallelFor(scene.textures.size(), [&](std::size_t t) {
-        const Texture& texture = scene.textures[t];
-        if (!used[t] || texture.width <= 0 || texture.height <= 0) return;
-        const cv::Mat rgba(texture.height, texture.width, CV_8UC4,
-                           const_cast<std::uint8_t*>(texture.rgba.data()));
-        cv::Mat grey;
-        cv::cvtColor(rgba, grey, cv::COLOR_RGBA2GRAY);
-        Detail& detail = textures_[t];
-        detail.brightness = cv::mean(grey)[0] / 255.0;
-        detail.scale = std::min(
-            1.0, static_cast<double>(kLargestSide_px) / std::max(texture.width, texture.height));
-        if (detail.scale < 1.0) {
-            // A very narrow texture keeps one row or column.
-            const cv::Size size(std::max(1, cvRound(detail.scale * texture.width)),
-                                std::max(1, cvRound(detail.scale * texture.height)));
-            cv::resize(grey, grey, size, 0.0, 0.0, cv::INTER_AREA);
-        }
-        while (std::min(grey.cols, grey.rows) >= kSmallestSide_px) {
-            detail.levels.push_back({grey.cols, grey.rows, cornersByBlock(grey)});
-            cv::resize(grey, grey, {}, 0.5, 0.5, cv::INTER_AREA);
-        }
-    });
-}
-
-double TextureCorners::perPixel(int texture, const Eigen::Vector2f& uv, double texels) const {
-    if (texture < 0 || textures_[texture].levels.empty() || !uv.allFinite()) return 0.0;
-    const Detail& detail = textures_[texture];
-    const double covered = texels * detail.scale;
-    const auto last = static_cast<double>(detail.levels.size() - 1);
-    const double level = std::clamp(std::round(std::log2(std::max(covered, 1e-3))), 0.0, last);
-    const Level& at = detail.levels[static_cast<std::size_t>(level)];
-    const int row = wrapped(1.0F - uv.y(), at.height) / kBlock_px;
-    const int column = wrapped(uv.x(), at.width) / kBlock_px;
-    const double density = at.density[row * blocks(at.width) + column];
-    // A magnified texture has fewer corners per pixel.
-    return density * std::min(1.0, covered * covered);
-}
-
-double TextureCorners::brightness(int texture) const {
-    return texture < 0 ? 1.0 : textures_[texture].brightness;
-}
-
-namespace {
 
 /// The surface that a ray of the grid hits.
 struct Surface {
@@ -189,11 +88,29 @@ class SurfaceReader {
     double focal_px_;
 };
 
-/// Sobel gradients of the brightness in a grid of surfaces around a position, clipped, in units of
-/// kFullContrast.
-std::vector<Eigen::Vector2d> gradients(const std::vector<Surface>& surfaces) {
+/// The directions of the grid, row by row from the lowest.
+const std::vector<Eigen::Vector3d>& gridDirections() {
+    static const std::vector<Eigen::Vector3d> directions = [] {
+        std::vector<Eigen::Vector3d> all;
+        for (int row = 0; row < kRows; ++row) {
+            const double up = (row - 0.5 * (kRows - 1)) * kStep;
+            for (int column = 0; column < kColumns; ++column) {
+                const double heading = column * kStep;
+                all.emplace_back(std::cos(up) * std::cos(heading), std::cos(up) * std::sin(heading),
+                                 std::sin(up));
+            }
+        }
+        return all;
+    }();
+    return directions;
+}
+
+/// Sobel gradients of the brightness in rows of a grid of surfaces around a position, clipped, in
+/// units of kFullContrast; zero in other rows.
+std::vector<Eigen::Vector2d> gradients(const std::vector<Surface>& surfaces, int first_row,
+                                       int last_row) {
     std::vector<Eigen::Vector2d> found(surfaces.size(), Eigen::Vector2d::Zero());
-    for (int row = 1; row + 1 < kRows; ++row) {
+    for (int row = std::max(1, first_row); row <= std::min(kRows - 2, last_row); ++row) {
         for (int column = 0; column < kColumns; ++column) {
             const auto at = [&](int down, int right) {
                 const int x = (column + right + kColumns) % kColumns;
@@ -232,45 +149,66 @@ double junction(const std::vector<Eigen::Vector2d>& gradients, int row, int colu
 
 CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
                                const Eigen::Vector3d& position) {
+    constexpr double kAllDirections = -2.0;
+    cast(views, textures, position, Eigen::Vector3d::UnitX(), kAllDirections);
+}
+
+CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
+                               const Eigen::Vector3d& position, const Eigen::Vector3d& direction) {
+    const Intrinsics& lens = views.intrinsics();
+    // A cell's corners depend on cells up to two rows and columns away, 2.83 steps diagonally.
+    constexpr double kMargin = 3.0 * kStep;
+    const double diagonal = std::atan(std::hypot(lens.cx / lens.fx, lens.cy / lens.fy));
+    cast(views, textures, position, direction.normalized(), std::cos(diagonal + kMargin));
+}
+
+void CornerPanorama::cast(const ViewEstimator& views, const TextureCorners& textures,
+                          const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
+                          double least_cosine) {
     const Intrinsics& lens = views.intrinsics();
     half_size_ = Eigen::Vector2d(lens.cx / lens.fx, lens.cy / lens.fy).cast<float>();
     const double focal_px = lens.fx * kImageWidth / lens.width;
     std::vector<RayCaster::BundleRay> rays;
-    for (int row = 0; row < kRows; ++row) {
-        const double up = (row - 0.5 * (kRows - 1)) * kStep;
-        for (int column = 0; column < kColumns; ++column) {
-            const double heading = column * kStep;
-            rays.push_back({{std::cos(up) * std::cos(heading), std::cos(up) * std::sin(heading),
-                             std::sin(up)}});
-        }
+    std::vector<int> cells;  // of the rays, row by row
+    const std::vector<Eigen::Vector3d>& grid = gridDirections();
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        if (grid[i].dot(direction) < least_cosine) continue;
+        rays.push_back({grid[i]});
+        cells.push_back(static_cast<int>(i));
     }
+    if (cells.empty()) return;
     thread_local std::vector<RayHit> hits;
     views.rays().castBundle(position, rays, 0.0, hits);
     const SurfaceReader reader(views.scene(), textures, focal_px);
-    std::vector<Surface> surfaces;
+    std::vector<Surface> surfaces(static_cast<std::size_t>(kRows) * kColumns);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        surfaces.push_back(reader.at(hits[i], position, rays[i].direction));
+        surfaces[cells[i]] = reader.at(hits[i], position, rays[i].direction);
     }
-    const std::vector<Eigen::Vector2d> changes = gradients(surfaces);
+    const std::vector<Eigen::Vector2d> changes =
+        gradients(surfaces, cells.front() / kColumns, cells.back() / kColumns);
     const double side_px = kStep * focal_px;
-    for (int row = 1; row + 1 < kRows; ++row) {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const int row = cells[i] / kColumns;
+        const int column = cells[i] % kColumns;
+        if (row == 0 || row + 1 == kRows) continue;
         const double narrow = std::cos((row - 0.5 * (kRows - 1)) * kStep);
-        for (int column = 0; column < kColumns; ++column) {
-            const Surface& here = surfaces[row * kColumns + column];
-            const double corners =
-                narrow * (kPerJunction * junction(changes, row, column) +
-                          kPerTextureCorner * here.texture_corners * side_px * side_px);
-            if (corners < kLeastInCell) continue;
-            cells_.push_back({rays[row * kColumns + column].direction.cast<float>(),
-                              static_cast<float>(corners)});
-        }
+        const Surface& here = surfaces[cells[i]];
+        const double corners =
+            narrow * (kPerJunction * junction(changes, row, column) +
+                      kPerTextureCorner * here.texture_corners * side_px * side_px);
+        if (corners < kLeastInCell) continue;
+        cells_.push_back({rays[i].direction.cast<float>(), static_cast<float>(corners)});
     }
     cells_.shrink_to_fit();
 }
 
 double CornerPanorama::corners(const Eigen::Vector3d& direction) const {
+    return corners(lookAlong(direction));
+}
+
+double CornerPanorama::corners(const Eigen::Quaterniond& world_from_camera) const {
     const Eigen::Matrix3f camera_from_world =
-        lookAlong(direction).conjugate().toRotationMatrix().cast<float>();
+        world_from_camera.conjugate().toRotationMatrix().cast<float>();
     float sum = 0.0F;
     for (const Cell& cell : cells_) {
         const Eigen::Vector3f p = camera_from_world * cell.direction;

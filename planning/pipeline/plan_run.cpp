@@ -1,5 +1,6 @@
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
+#include "planning/gaze/image_corners.h"
 #include "planning/gaze/room_views.h"
 #include "planning/linking/link_groups.h"
 #include "planning/path/frame_budget.h"
@@ -367,9 +368,16 @@ Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const 
         report.threshold = lowThreshold(series.score, params_.repair.score_threshold);
         report.before = report.after = tally(series.score, report.threshold);
     }
+    if (asksForTrackability(params_.gaze, params_.timing)) {
+        auto corners = estimateImageCorners(
+            *stages_.views, stages_.cache.corners(*stages_.views).textures(), trajectory, job);
+        if (!corners) return tl::unexpected(std::move(corners.error()));
+        series.image_corners = std::move(*corners);
+    }
     return measureTrajectory(*stages_.views, stages_.repair->smooth_paths, trajectory,
                              movementEnvironment().sphere, *stages_.rays, job)
-        .and_then([&](const TrajectoryMetrics& measured) {
+        .and_then([&](TrajectoryMetrics&& measured) {
+            measured.trackable_rate = trackableRate(series.image_corners);
             return measureCoverages(job).map([&](Coverages&& shown) {
                 return Metrics{std::move(*estimate), measured, std::move(shown), std::move(series),
                                report};

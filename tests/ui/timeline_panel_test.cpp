@@ -1,5 +1,6 @@
 #include "ui/panels/timeline/timeline_panel.h"
 
+#include "ui/panels/timeline/timeline_strips.h"
 #include "ui/panels/timeline/timeline_time.h"
 
 #include "tests/ui/screen.h"
@@ -152,6 +153,31 @@ TEST(TimelinePanel, SwitchesStrips) {
     screen.click("timeline.strips");
     ASSERT_TRUE(screen.click("timeline.strip.turn")) << screen.names();
     EXPECT_FALSE(timeline.state.strips[static_cast<std::size_t>(TimelineStrip::Turn)]);
+}
+
+TEST(TimelinePanel, ShowsImageCornersOnlyWhereTheyWereCounted) {
+    Timeline timeline(300);
+    EXPECT_FALSE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
+    EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::Speed));
+    timeline.series.image_corners.assign(300, 220.0);
+    EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
+    EXPECT_EQ(stripText(timeline.series, TimelineStrip::ImageCorners, 7), "220");
+    test::Screen screen([&] { timeline.draw(); });
+    // While a plan is measured, the strip of the plan before stays.
+    timeline.view.earlier = &timeline.series;
+    timeline.view.series = nullptr;
+    screen.frame();
+    EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
+    FrameSeries without = timeline.series;
+    without.image_corners.clear();
+    timeline.view.series = &without;
+    EXPECT_FALSE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
+    ASSERT_TRUE(screen.click("timeline.strips"));
+    EXPECT_FALSE(screen.enabled("timeline.strip.image_corners"));
+    EXPECT_TRUE(screen.enabled("timeline.strip.speed"));
+    timeline.view.series = &timeline.series;
+    timeline.state.strips[static_cast<std::size_t>(TimelineStrip::ImageCorners)] = false;
+    EXPECT_FALSE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
 }
 
 TEST(TimelineTime, FollowsTheTimesWhereFramesWereLeftOut) {

@@ -54,9 +54,17 @@ Values valuesOf(const Plan& plan, TrajectoryColor color) {
             }
             values.scale = {"Newly captured", "objects", 0.0, 0.0};
             break;
+        case TrajectoryColor::ImageCorners:
+            values.of_frame = series.image_corners;
+            values.scale = {"Image corners", "", 0.0, 0.0};
+            break;
     }
     values.of_frame.resize(plan.trajectory.frames.size(), 0.0);
     for (const double value : values.of_frame) values.scale.max = std::max(values.scale.max, value);
+    if (color == TrajectoryColor::ImageCorners) {
+        // A fixed scale: more corners make no difference to SLAM programs.
+        values.scale.max = series.image_corners.empty() ? 0.0 : 2.0 * kTrackableCorners;
+    }
     // A dangerously low clearance must not blend in with moderately low ones.
     if (color == TrajectoryColor::Clearance && !values.of_frame.empty()) {
         values.scale.min = *std::min_element(values.of_frame.begin(), values.of_frame.end());
@@ -95,12 +103,14 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
     layer.legend.title = "Trajectory";
     const auto& frames = plan.trajectory.frames;
     const bool dots = options.color == TrajectoryColor::NewlyCaptured;
+    const bool unknown =
+        options.color == TrajectoryColor::ImageCorners && plan.series.image_corners.empty();
     const Values values = valuesOf(plan, options.color);
     for (std::size_t i = 1; i < frames.size(); ++i) {
         // Between separate paths the camera was moved by other means: there is no motion to draw.
         if (frames[i].path != frames[i - 1].path) continue;
         layer.overlay.lines.push_back({frames[i - 1].pose.position, frames[i].pose.position,
-                                       dots ? kPlain : colorOf(values, i), kWidth, 0.0,
+                                       dots || unknown ? kPlain : colorOf(values, i), kWidth, 0.0,
                                        toTag(Picked::Frame, static_cast<int>(i))});
     }
     if (options.direction_arrows) addArrows(layer.overlay, plan.trajectory);
@@ -120,6 +130,11 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
         entries.push_back(
             {"Frame that captures something new", Shape::Dot, scaleColor(1.0), capturing});
         entries.push_back({"Trajectory", Shape::Line, kPlain, static_cast<int>(frames.size())});
+    } else if (unknown) {
+        const bool measured = plan.series.size() == frames.size();
+        entries.push_back(
+            {measured ? "Frame (image corners need trackability=on)" : "Frame (being measured)",
+             Shape::Line, kPlain, static_cast<int>(frames.size())});
     } else {
         entries.push_back({"Frame", Shape::Line, scaleColor(0.5), static_cast<int>(frames.size())});
     }

@@ -6,7 +6,7 @@
 namespace dollytrack::ui {
 
 /// The value from Plan::series that colours the trajectory.
-enum class TrajectoryColor { Time, Clearance, Speed, TurnRate, Score, NewlyCaptured };
+enum class TrajectoryColor { Time, Clearance, Speed, TurnRate, Score, NewlyCaptured, ImageCorners };
 
 struct TrajectoryOverlayOptions {
     TrajectoryColor color = TrajectoryColor::Time;

@@ -116,7 +116,9 @@ nlohmann::json metricsOf(const std::string& planner) {
     nlohmann::json metrics;
     if (planner == planning::planners().front().name) {
         Plan plan;
-        plan.surface.emplace();  // only plans whose objective includes surface have these metrics
+        // Only plans whose objective includes surface, or with trackability, have these metrics.
+        plan.surface.emplace();
+        plan.trajectory_metrics.trackable_rate = 0.0;
         metrics = metricsJson(Scene{}, plan);
     } else {
         metrics = plannerMetricsJson({}, planner);

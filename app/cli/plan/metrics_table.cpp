@@ -181,6 +181,9 @@ std::string metricsTable(const nlohmann::json& m) {
         row("frames", fmt::format("{}, {} of them key frames, every {:.3g} s", m.value("frames", 0),
                                   m.value("key_frames", 0), m.value("frame_interval_s", 0.0)));
     text += row("repeats", percent(m, "repeat_rate"));
+    if (m.contains("trackable_rate")) {
+        text += row("trackable", percent(m, "trackable_rate") + " of the frames");
+    }
     text += scoreRows(m.value("repair", nlohmann::json::object()));
     text += motionRows(m) + coverageRows(m);
     for (const auto& room : m.value("rooms", nlohmann::json::array())) {

@@ -16,7 +16,7 @@ namespace {
 
 /// Names in the order of TimelineStrip.
 constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
-    "clearance", "speed", "turn", "score", "in_view", "captured"};
+    "clearance", "speed", "turn", "score", "in_view", "captured", "image_corners"};
 
 std::filesystem::path userFolder(const char* variable, const char* fallback) {
     const char* value = std::getenv(variable);

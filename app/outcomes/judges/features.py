@@ -6,7 +6,7 @@ import numpy as np
 
 CORNERS = 1000        # number of strongest corners that ORB keeps
 FEW = 100             # corners per frame, below which tracking usually fails
-TRACKABLE = 30        # correct matches that a pair of frames needs
+CORRECT_NEEDED = 30   # correct matches that a pair of frames needs
 CORRECT_PX = 3.0      # largest error of a correct match, against the true motion
 HAMMING = 64          # largest Hamming distance of matched descriptors, of 256 bits
 SAME_SURFACE = 0.05   # largest depth difference to the other frame's surface, as a share of the depth
@@ -17,7 +17,7 @@ METRICS = {
     "matches_per_pair": {"unit": "", "better": "higher"},
     "correct_per_pair": {"unit": "", "better": "higher"},
     "correct_rate": {"unit": "%", "better": "higher"},
-    "trackable_rate": {"unit": "%", "better": "higher"},
+    "matched_pair_rate": {"unit": "%", "better": "higher"},
     "boxes_per_frame": {"unit": "", "better": "higher"},
     "frames": {"unit": "", "better": ""},
 }
@@ -72,7 +72,8 @@ def measure(data, _request, _entry):
         "matches_per_pair": dataset.mean(matched),
         "correct_per_pair": dataset.mean(correct),
         "correct_rate": sum(correct) / sum(matched) if sum(matched) else None,
-        "trackable_rate": sum(count >= TRACKABLE for count in correct) / pairs if correct else None,
+        "matched_pair_rate": (sum(count >= CORRECT_NEEDED for count in correct) / pairs
+                              if correct else None),
         "boxes_per_frame": dataset.mean(boxes),
         "frames": len(data),
     }

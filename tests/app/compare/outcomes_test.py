@@ -147,7 +147,7 @@ class Outcomes(OutcomesCase):
         self.assertGreater(good["boxes_per_frame"], 0)
         self.assertEqual(bad["boxes_per_frame"], 0)
         self.assertEqual(bad["few_corners_rate"], 1)
-        self.assertEqual(bad["trackable_rate"], 0)
+        self.assertEqual(bad["matched_pair_rate"], 0)
         self.assertLess(bad["corners_per_frame"], good["corners_per_frame"])
         self.assertTrue(any(f"Control: {STARE} is worst or tied in" in note
                             for note in self.judged("features")["notes"]))

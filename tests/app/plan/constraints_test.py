@@ -242,6 +242,24 @@ class Constraints(FolderCase):
         self.assertIn("surface seen", table.stdout)
         self.assertIn("surface covered", table.stdout)
 
+    def test_trackability_has_a_metric_of_its_own(self):
+        budget = ("--max-frames", 40)
+        without, _, _ = self.plan(*budget)
+        self.assertNotIn("trackable_rate", without)
+        plan, _, project = self.plan(*budget, "--set", "motion_preset=slam", "--require",
+                                     "trackable_rate>=0")
+        self.assertTrue(0 <= plan["trackable_rate"] <= 1)
+        self.assertEqual(json.loads(project.read_text())["result"]["metrics"]["trackable_rate"],
+                         plan["trackable_rate"])
+        again, _, _ = self.plan(scene=project)
+        self.assertEqual(again["trackable_rate"], plan["trackable_rate"])
+        self.assertIn("trackable", run("plan", project, "-q").stdout)
+        # Compared planners are measured without the parameter.
+        compared = run("compare", self.room, *budget, "--planners", "dollytrack,uniform", "--json")
+        self.assertEqual(compared.returncode, 0, compared.stderr)
+        for row in json.loads(compared.stdout)["scenes"][0]["rows"]:
+            self.assertTrue(0 <= row["trackable_rate"] <= 1, row)
+
     def test_the_coverage_curve_knows_surface_if_it_is_an_objective(self):
         for objective, known in (("objects", False), ("both", True)):
             curve = self.folder / f"{objective}.csv"

@@ -148,6 +148,7 @@ TEST(PlannerMetrics, AnEmptyFlightCapturesNothing) {
 TEST(PlannerMetrics, AgreesWithThePipeline) {
     PlanParams params;
     params.timing.max_frames = 120;
+    params.gaze.trackability = Trackability::On;
     const auto scene = std::make_shared<const Scene>(test::furnishedRoom());
     Pipeline pipeline(scene);
     const auto plan = pipeline.run(params, JobContext{});
@@ -161,6 +162,7 @@ TEST(PlannerMetrics, AgreesWithThePipeline) {
     EXPECT_EQ(result.captures.area_share_box, captures.area_share_box);
     EXPECT_EQ(result.repeat_rate, motion.repeat_rate);
     EXPECT_EQ(result.object_pixels, motion.object_pixels);
+    EXPECT_EQ(result.trackable_rate, motion.trackable_rate);
     EXPECT_EQ(*result.corner_collision_rate, motion.corner_collision_rate);
     EXPECT_EQ(*result.move_collision_rate, 0.0);
     EXPECT_EQ(result.outside_rate, 0.0);

@@ -1,10 +1,14 @@
 #include "planning/gaze/corner_panorama.h"
 
+#include "engine/plan/frame_series.h"
+#include "planning/gaze/image_corners.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace dollytrack::planning {
 namespace {
@@ -89,6 +93,55 @@ TEST(CornerPanorama, TellsShelvesFromABareWall) {
     EXPECT_LT(panorama->corners({0, -1, 0.1}), 0.1 * shelves);
     EXPECT_EQ(panoramas.at({2.5, 2.5, 1.3}), panorama);
     EXPECT_NE(panoramas.at({2.5, 2.5, 1.4}), panorama);
+}
+
+// Rays near the direction suffice, also where the image reaches the end of the grid.
+TEST(CornerPanorama, CountsTheSameWithRaysOfOneView) {
+    const Scene scene = roomWithShelves();
+    const RayCaster rays(scene);
+    const CameraParams camera;
+    const ViewEstimator views(scene, rays, camera);
+    const TextureCorners textures(scene);
+    const Eigen::Vector3d position(1.5, 2.5, 1.3);
+    const CornerPanorama all(views, textures, position);
+    int counted = 0;
+    for (const Eigen::Vector3d& direction :
+         {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(-1, 0.7, -0.4), Eigen::Vector3d(0.3, -1, 0.9),
+          Eigen::Vector3d(-0.3, 0.1, -1)}) {
+        const CornerPanorama one(views, textures, position, direction);
+        const double expected = all.corners(direction);
+        EXPECT_NEAR(one.corners(direction), expected, 0.01 * expected) << direction.transpose();
+        counted += all.corners(direction) > 50.0;
+    }
+    EXPECT_GE(counted, 2);
+}
+
+TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
+    const Scene scene = roomWithShelves();
+    const RayCaster rays(scene);
+    const CameraParams camera;
+    const ViewEstimator views(scene, rays, camera);
+    const TextureCorners textures(scene);
+    Trajectory trajectory;
+    for (const Eigen::Vector3d& direction :
+         {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 1, 0.1), Eigen::Vector3d(-1, 0.1, 0),
+          Eigen::Vector3d(0, -1, 0.1)}) {
+        TrajectoryFrame& frame = trajectory.frames.emplace_back();
+        frame.pose = {{2.5, 2.5, 1.3}, lookAlong(direction)};
+    }
+    // A camera that lies on its side sees more of the wall above and below the shelves.
+    TrajectoryFrame& turned = trajectory.frames.emplace_back(trajectory.frames[0]);
+    turned.pose.rotation =
+        turned.pose.rotation *
+        Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()));
+    auto corners = estimateImageCorners(views, textures, trajectory, {});
+    ASSERT_TRUE(corners);
+    EXPECT_GT((*corners)[0], 350.0);
+    EXPECT_LT(corners->back(), 0.95 * corners->front());
+    corners->pop_back();
+    EXPECT_EQ(trackableRate(*corners), 0.5);
+    EXPECT_EQ(trackableRate({}), std::nullopt);
+    EXPECT_EQ(trackableRate({kTrackableCorners, kTrackableCorners - 1}), 0.5);
 }
 
 }  // namespace dollytrack::planning

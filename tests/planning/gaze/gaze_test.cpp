@@ -221,11 +221,24 @@ TEST(Trackability, ReplansLikeAFreshPipeline) {
     params.timing.keep_frame_rate = true;
     params.timing.max_frames = 200;
     Pipeline pipeline(scene);
-    ASSERT_TRUE(pipeline.run(params, JobContext{}));
+    const auto without = pipeline.run(params, JobContext{});
+    ASSERT_TRUE(without);
+    EXPECT_TRUE((*without)->series.image_corners.empty());
+    EXPECT_FALSE((*without)->trajectory_metrics.trackable_rate);
     params.gaze.trackability = Trackability::On;
     const auto changed = pipeline.run(params, JobContext{});
     ASSERT_TRUE(changed);
     const auto fresh = planOf(*scene, params);
+    EXPECT_EQ((*changed)->series.image_corners, fresh->series.image_corners);
+    EXPECT_EQ(fresh->series.image_corners.size(), fresh->trajectory.frames.size());
+    EXPECT_EQ((*changed)->trajectory_metrics.trackable_rate,
+              fresh->trajectory_metrics.trackable_rate);
+    EXPECT_TRUE(fresh->trajectory_metrics.trackable_rate);
+    params.gaze.trackability = Trackability::Off;
+    const auto off = pipeline.run(params, JobContext{});
+    ASSERT_TRUE(off);
+    EXPECT_TRUE((*off)->series.image_corners.empty());
+    params.gaze.trackability = Trackability::On;
     EXPECT_LE(fresh->trajectory.frames.size(), 200U);
     ASSERT_EQ((*changed)->trajectory.frames.size(), fresh->trajectory.frames.size());
     for (std::size_t i = 0; i < fresh->trajectory.frames.size(); ++i) {

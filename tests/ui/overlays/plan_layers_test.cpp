@@ -5,6 +5,7 @@
 #include "ui/overlays/pick_tag.h"
 #include "ui/overlays/points_overlay.h"
 #include "ui/overlays/roadmap_overlay.h"
+#include "ui/overlays/surface_overlay.h"
 #include "ui/overlays/trajectory_overlay.h"
 
 #include <gtest/gtest.h>
@@ -242,6 +243,58 @@ TEST(TrajectoryLayer, ColoursFramesByTheirValues) {
             EXPECT_LT((line.rgba - scaleColor(share)).norm(), 1e-5F);
         }
         EXPECT_EQ(lines, room.plan->trajectory.frames.size() - room.plan->paths.size());
+    }
+}
+
+TEST(SurfaceLayer, DrawsASquareOnEachPatchOfTheStatesAskedFor) {
+    Plan plan;
+    EXPECT_TRUE(surfaceLayer(plan, {}).overlay.triangles.empty());
+    SurfaceShare& surface = plan.surface.emplace();
+    surface.patch_m = 0.1;
+    const Eigen::Vector3f normal = Eigen::Vector3f(1, 2, -2) / 3.0F;
+    surface.measured = {{{0, 0, 0}, normal, PatchState::Unseen},
+                        {{1, 0, 0}, normal, PatchState::Seen},
+                        {{2, 0, 0}, normal, PatchState::SeenAtBest},
+                        {{3, 0, 0}, normal, PatchState::Covered},
+                        {{4, 0, 0}, normal, PatchState::Covered}};
+    SurfaceOverlayOptions options;
+    const PlanLayer missing = surfaceLayer(plan, options);
+    EXPECT_EQ(missing.overlay.triangles.size(), 6U);
+    EXPECT_EQ(countOf(missing.legend, "Surface that no frame shows"), 1);
+    options.covered = true;
+    options.unseen = options.seen = false;
+    const PlanLayer covered = surfaceLayer(plan, options);
+    ASSERT_EQ(covered.overlay.triangles.size(), 4U);
+    EXPECT_EQ(countOf(covered.legend, "Covered"), 2);
+    double area_m2 = 0.0;
+    for (const render::OverlayTriangle& one : covered.overlay.triangles) {
+        const Eigen::Vector3d twice = (one.b - one.a).cross(one.c - one.a);
+        area_m2 += 0.5 * twice.norm();
+        EXPECT_NEAR(twice.normalized().dot(normal.cast<double>()), 1.0, 1e-6);
+        const double x = one.a.x() < 3.5 ? 3.0 : 4.0;
+        EXPECT_NEAR((one.a - Eigen::Vector3d(x, 0, 0)).dot(normal.cast<double>()), 0.01, 1e-6);
+    }
+    EXPECT_NEAR(area_m2, 2.0 * 0.07 * 0.07, 1e-6);
+}
+
+TEST(TrajectoryLayer, ColoursByImageCornersWhereTheyWereCounted) {
+    Plan plan = *furnished().plan;
+    TrajectoryOverlayOptions options;
+    options.color = TrajectoryColor::ImageCorners;
+    const PlanLayer without = trajectoryLayer(plan, options);
+    EXPECT_FALSE(without.legend.scale);
+    ASSERT_FALSE(without.legend.entries.empty());
+    EXPECT_NE(without.legend.entries[0].name.find("trackability"), std::string::npos);
+    plan.series.image_corners.assign(plan.trajectory.frames.size(), 0.5 * kTrackableCorners);
+    EXPECT_EQ(trajectoryLayer(plan, options).legend.scale->max, 2.0 * kTrackableCorners);
+    plan.series.image_corners.assign(plan.trajectory.frames.size(), 5.0 * kTrackableCorners);
+    plan.series.image_corners[1] = 0.0;
+    const PlanLayer with = trajectoryLayer(plan, options);
+    ASSERT_TRUE(with.legend.scale);
+    EXPECT_EQ(with.legend.scale->max, 2.0 * kTrackableCorners);
+    for (const render::OverlayLine& line : with.overlay.lines) {
+        const float share = fromTag(line.tag).index == 1 ? 0.0F : 1.0F;
+        EXPECT_LT((line.rgba - scaleColor(share)).norm(), 1e-5F);
     }
 }
 

@@ -115,6 +115,10 @@ void drawTrajectory(const Plan& plan, bool measured) {
             "Share of frames that show almost no new surface");
         row("Object pixels", fmt::format("{:.1f} %", 100.0 * metrics.object_pixels),
             "Share of the images' pixels on targets");
+        if (metrics.trackable_rate) {
+            row("Trackable", fmt::format("{:.1f} % of the frames", 100.0 * *metrics.trackable_rate),
+                "Share of frames with enough corners for SLAM programs");
+        }
         if (plan.surface) drawSurface(*plan.surface);
         drawScores(plan.repair);
         const auto spread = [](const SampleStatistics& of, const char* unit) {

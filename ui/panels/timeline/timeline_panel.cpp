@@ -133,9 +133,14 @@ void drawRightEnd(const TimelineView& view, TimelineState& state) {
     }
     if (!ImGui::BeginPopup("strips")) return;
     for (std::size_t i = 0; i < kTimelineStrips; ++i) {
-        const StripStyle& strip = stripStyle(static_cast<TimelineStrip>(i));
-        ImGui::Checkbox(strip.title, &state.strips[i]);
-        nameItem(std::string("timeline.strip.") + strip.name);
+        const auto strip = static_cast<TimelineStrip>(i);
+        const StripStyle& text = stripStyle(strip);
+        const bool measured = isMeasured(view, strip);
+        ImGui::BeginDisabled(!measured);
+        ImGui::Checkbox(text.title, &state.strips[i]);
+        ImGui::EndDisabled();
+        nameItem(std::string("timeline.strip.") + text.name, measured);
+        if (!measured) tooltip("Measured with trackability=on or motion_preset=slam.");
     }
     ImGui::EndPopup();
 }

@@ -42,15 +42,15 @@ struct TimelineView {
     double max_turn_dps = 0.0;
 };
 
-enum class TimelineStrip { Clearance, Speed, Turn, Score, InView, Captured };
-constexpr std::size_t kTimelineStrips = 6;
+enum class TimelineStrip { Clearance, Speed, Turn, Score, InView, Captured, ImageCorners };
+constexpr std::size_t kTimelineStrips = 7;
 
 /// State kept between window frames. The editor plays at `speed` and restarts at the end if `loop`
 /// is set.
 struct TimelineState {
     double speed = 1.0;  // multiple of real time
     bool loop = false;
-    std::array<bool, kTimelineStrips> strips = {true, true, false, false, true, true};
+    std::array<bool, kTimelineStrips> strips = {true, true, false, false, true, true, true};
     // Visible range of the axis, in frames; `shown` 0: all frames.
     double first = 0.0;
     double shown = 0.0;

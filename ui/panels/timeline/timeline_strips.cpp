@@ -16,6 +16,7 @@ constexpr std::array<StripStyle, kTimelineStrips> kStyles = {{
     {"score", "Score", "", 2, 0.12F},
     {"in_view", "Objects in view", "", 0, 0.50F},
     {"captured", "Captured so far", "", 0, 0.33F},
+    {"image_corners", "Image corners", "", 0, 0.04F},
 }};
 
 /// Calls `use` with the strip's values as a typed vector (double or int).
@@ -33,9 +34,11 @@ auto withValues(const FrameSeries& series, TimelineStrip strip, const Use& use) 
         case TimelineStrip::InView:
             return use(series.in_view);
         case TimelineStrip::Captured:
+            return use(series.captured_so_far);
+        case TimelineStrip::ImageCorners:
             break;
     }
-    return use(series.captured_so_far);
+    return use(series.image_corners);
 }
 
 struct Extremes {
@@ -54,6 +57,7 @@ double limitOf(const TimelineView& view, TimelineStrip strip) {
     if (strip == TimelineStrip::Clearance) return view.camera_radius_m;
     if (strip == TimelineStrip::Speed) return view.max_speed_mps;
     if (strip == TimelineStrip::Turn) return view.max_turn_dps;
+    if (strip == TimelineStrip::ImageCorners) return kTrackableCorners;
     return 0.0;
 }
 
@@ -87,6 +91,16 @@ const StripStyle& stripStyle(TimelineStrip strip) {
 bool hasSeries(const TimelineView& view) {
     return view.series != nullptr && view.frame_count > 0 &&
            view.series->size() == static_cast<std::size_t>(view.frame_count);
+}
+
+bool isMeasured(const TimelineView& view, TimelineStrip strip) {
+    if (strip != TimelineStrip::ImageCorners) return true;
+    const FrameSeries* series = hasSeries(view) ? view.series : view.earlier;
+    return series != nullptr && !series->image_corners.empty();
+}
+
+bool isShown(const TimelineView& view, const TimelineState& state, TimelineStrip strip) {
+    return state.strips[static_cast<std::size_t>(strip)] && isMeasured(view, strip);
 }
 
 std::string stripText(const FrameSeries& series, TimelineStrip strip, int frame) {
@@ -127,8 +141,9 @@ void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& a
     }
     if (const double limit = limitOf(view, strip); limit > 0.0) {
         const float y = yOf(limit);
-        const ImU32 color = ImGui::GetColorU32(
-            strip == TimelineStrip::Clearance ? palette().bad : palette().warning);
+        const bool is_least =
+            strip == TimelineStrip::Clearance || strip == TimelineStrip::ImageCorners;
+        const ImU32 color = ImGui::GetColorU32(is_least ? palette().bad : palette().warning);
         for (auto x = static_cast<float>(axis.left()); x < axis.right(); x += scaled(7)) {
             const float end = std::min(x + scaled(4), static_cast<float>(axis.right()));
             list->AddLine({x, y}, {end, y}, color);

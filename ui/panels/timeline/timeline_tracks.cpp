@@ -154,8 +154,8 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
     }
     if (hasSeries(view)) {
         for (std::size_t i = 0; i < kTimelineStrips; ++i) {
-            if (!state.strips[i]) continue;
             const auto strip = static_cast<TimelineStrip>(i);
+            if (!isShown(view, state, strip)) continue;
             ImGui::TextColored(palette().text_dim, "%s", stripStyle(strip).title);
             ImGui::SameLine(scaled(120));
             ImGui::TextUnformatted(stripText(*view.series, strip, frame).c_str());
@@ -190,8 +190,8 @@ void drawStrips(const TimelineView& view, const TimelineState& state, const Fram
     const ImU32 dim = ImGui::GetColorU32(palette().text_dim);
     float top = rows.strips;
     for (std::size_t i = 0; i < kTimelineStrips; ++i) {
-        if (!state.strips[i]) continue;
         const auto strip = static_cast<TimelineStrip>(i);
+        if (!isShown(view, state, strip)) continue;
         const float bottom = top + rows.strip_height;
         const float text_y = std::floor((top + bottom - ImGui::GetTextLineHeight()) / 2);
         list->AddText({rows.labels, text_y}, ImGui::GetColorU32(ImGuiCol_Text),
@@ -235,7 +235,10 @@ Rows layOut(const TimelineView& view, const TimelineState& state, ImVec2 origin,
     const bool several = view.bands != nullptr && view.bands->size() > 1;
     rows.keys = rows.bands + (several ? rowHeight() : 0.0F);
     rows.strips = rows.keys + rowHeight();
-    const auto count = static_cast<float>(std::ranges::count(state.strips, true));
+    float count = 0.0F;
+    for (std::size_t i = 0; i < kTimelineStrips; ++i) {
+        count += isShown(view, state, static_cast<TimelineStrip>(i)) ? 1.0F : 0.0F;
+    }
     const float left_over = origin.y + height - rows.strips;
     rows.strip_height =
         count > 0 ? std::max(rowHeight() + scaled(3), std::floor(left_over / count)) : 0.0F;
