@@ -16,6 +16,17 @@ bool isMeasured(const nlohmann::json& metric) {
     return metric.is_number() || metric.is_null() || metric.is_array();
 }
 
+/// Why a metric was not measured: "there is nothing to measure".
+std::string_view reasonOfNoValue(std::string_view metric) {
+    // Metrics of an export have a prefix: "planned.trackable_rate".
+    const std::string_view name = metric.substr(metric.rfind('.') + 1);
+    if (name == "trackable_rate") {
+        return "only trackability=on and motion_preset=slam measure it";
+    }
+    if (name.starts_with("surface_")) return "only objective=surface and both measure it";
+    return "there is nothing to measure";
+}
+
 }  // namespace
 
 bool Requirement::holds(double measured) const {
@@ -81,8 +92,8 @@ bool areMet(const std::vector<Requirement>& requirements, const nlohmann::json& 
         if (!value.is_number() && !value.is_array()) {
             all = false;
             log::warn("require",
-                      fmt::format("not met: {} has no value, because there is nothing to measure",
-                                  requirement.metric));
+                      fmt::format("not met: {} has no value, because {}", requirement.metric,
+                                  reasonOfNoValue(requirement.metric)));
             continue;
         }
         const double measured =

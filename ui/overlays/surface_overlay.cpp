@@ -21,9 +21,9 @@ StateStyle styleOf(PatchState state) {
         case PatchState::Unseen:
             return {"Surface that no frame shows", kRefusedColor};
         case PatchState::Seen:
-            return {"Seen from too few directions or too far away", kLargeTargetColor};
+            return {"Seen from too few sides or too far away", kLargeTargetColor};
         case PatchState::SeenAtBest:
-            return {"Seen from as many directions as possible", kSpareColor};
+            return {"Seen from as many sides as possible", kSpareColor};
         case PatchState::Covered:
             break;
     }
@@ -40,7 +40,11 @@ void addSquare(render::Overlay& overlay, const MeasuredPatch& patch, double side
                const Eigen::Vector4f& rgba) {
     const Eigen::Vector3d normal = patch.normal.cast<double>();
     const Eigen::Vector3d center = patch.point.cast<double>() + kLifted_m * normal;
-    const Eigen::Vector3d across = 0.5 * side_m * normal.unitOrthogonal();
+    // Sides are level where the surface is not.
+    const Eigen::Vector3d level = Eigen::Vector3d::UnitZ().cross(normal);
+    const bool flat = level.norm() < 0.3;
+    const Eigen::Vector3d along_x = Eigen::Vector3d::UnitY().cross(normal);
+    const Eigen::Vector3d across = 0.5 * side_m * (flat ? along_x : level).normalized();
     const Eigen::Vector3d along = normal.cross(across);
     const Eigen::Vector3d a = center - across - along;
     const Eigen::Vector3d b = center + across - along;

@@ -246,6 +246,9 @@ class Constraints(FolderCase):
         budget = ("--max-frames", 40)
         without, _, _ = self.plan(*budget)
         self.assertNotIn("trackable_rate", without)
+        unmet = run("plan", self.room, "-q", *budget, "--require", "trackable_rate>=0")
+        self.assertEqual(unmet.returncode, 3)
+        self.assertIn("trackability=on", unmet.stderr)
         plan, _, project = self.plan(*budget, "--set", "motion_preset=slam", "--require",
                                      "trackable_rate>=0")
         self.assertTrue(0 <= plan["trackable_rate"] <= 1)

@@ -240,8 +240,7 @@ Rows layOut(const TimelineView& view, const TimelineState& state, ImVec2 origin,
         count += isShown(view, state, static_cast<TimelineStrip>(i)) ? 1.0F : 0.0F;
     }
     const float left_over = origin.y + height - rows.strips;
-    rows.strip_height =
-        count > 0 ? std::max(rowHeight() + scaled(3), std::floor(left_over / count)) : 0.0F;
+    rows.strip_height = count > 0 ? std::max(rowHeight(), std::floor(left_over / count)) : 0.0F;
     rows.bottom = rows.strips + count * rows.strip_height;
     return rows;
 }
