@@ -1,6 +1,7 @@
 #include "planning/gaze/context_views.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/plan/frame_series.h"
 #include "planning/gaze/corner_panorama.h"
 #include "planning/gaze/panorama.h"
 #include "planning/plan_params.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -34,11 +36,12 @@ constexpr double kSlowdownAtMean = 4.0;
 constexpr double kMostSlowdown = 8.0;
 
 // Trackability: views with few corners cost extra time in the dynamic programming.
-constexpr double kEnoughCorners = 350.0;  // as estimated, which is too high in views with few
-                                          // corners: ORB finds about 200
+constexpr double kEnoughCorners = 350.0;   // as estimated, which is too high in views with few
+                                           // corners: ORB finds about 200
 constexpr double kCostOfNoCorners = 10.0;  // s per second of a view without corners
 constexpr double kLeastViewMix = 0.1;      // used if view_mix is smaller
 constexpr double kTurnBetweenViews = 40.0 * kRadian;
+constexpr double kCheckedTurn = 10.0 * kRadian;
 constexpr int kMostInTurn = 4;
 constexpr double kManyCorners = 900.0;  // the first view should have so many: SLAM programs start
                                         // with 500
@@ -355,7 +358,7 @@ std::vector<Place> placesOn(const SmoothPath& path,
 }
 
 /// Positions for a turn on the spot from a view of many corners to the first key frame's view; none
-/// if that has many itself, or no view has more.
+/// if that has many itself, or no view has more from which the camera can turn past enough corners.
 std::vector<Place> startingTurn(const Place& first, CornerPanoramas& corners,
                                 const PitchBand& pitch) {
     const auto panorama = corners.at(first.key.position);
@@ -363,15 +366,34 @@ std::vector<Place> startingTurn(const Place& first, CornerPanoramas& corners,
     const auto worth = [&](const Eigen::Vector3d& direction) {
         return std::min(kManyCorners, panorama->corners(direction));
     };
-    Eigen::Vector3d best = towards;
+    // The turn must not pass views with few corners, such as those of a bare wall.
+    const double enough = std::min(kTrackableCorners, worth(towards));
+    const auto keepsCorners = [&](const Eigen::Vector3d& from) {
+        const Turn turn(lookAlong(from), lookAlong(towards), pitch);
+        const int steps = static_cast<int>(turn.angle() / kCheckedTurn);
+        for (int i = 1; i <= steps; ++i) {
+            const double share = static_cast<double>(i) / (steps + 1);
+            if (panorama->corners(turn.at(share * turn.angle())) < enough) return false;
+        }
+        return true;
+    };
+    std::vector<std::pair<double, Eigen::Vector3d>> better;
     for (int e = 0; e < kElevations; ++e) {
         for (int h = 0; h < kHeadings; ++h) {
             const Eigen::Vector3d direction = gridDirection(h, e, pitch);
-            if (worth(direction) > worth(best)) best = direction;
+            const double value = worth(direction);
+            if (value > worth(towards)) better.emplace_back(value, direction);
         }
     }
+    std::ranges::stable_sort(better, std::greater(), [](const auto& one) { return one.first; });
+    if (better.empty()) return {};
+    const double many = std::min(2.0 * kTrackableCorners, better.front().first);
+    const auto found = std::ranges::find_if(
+        better, [&](const auto& one) { return one.first >= many && keepsCorners(one.second); });
+    // A bare wall on the way is better than one in the first view.
+    if (found == better.end() && worth(towards) >= kTrackableCorners) return {};
+    const Eigen::Vector3d best = found == better.end() ? better.front().second : found->second;
     std::vector<Place> places;
-    if (best == towards) return places;
     const Turn turn(lookAlong(best), lookAlong(towards), pitch);
     const int steps = 1 + std::min(kMostInTurn, static_cast<int>(turn.angle() / kTurnBetweenViews));
     for (int i = 0; i < steps; ++i) {
