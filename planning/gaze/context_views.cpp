@@ -357,8 +357,9 @@ std::vector<Place> placesOn(const SmoothPath& path,
     return places;
 }
 
-/// Positions for a turn on the spot from a view of many corners to the first key frame's view; none
-/// if that has many itself, or no view has more from which the camera can turn past enough corners.
+/// Positions for a turn on the spot from a view of many corners to the first key frame's view,
+/// preferably past no view with few corners. None if no view has more corners than the key frame's,
+/// or if that has enough and each such turn passes a view with few.
 std::vector<Place> startingTurn(const Place& first, CornerPanoramas& corners,
                                 const PitchBand& pitch) {
     const auto panorama = corners.at(first.key.position);
@@ -366,7 +367,6 @@ std::vector<Place> startingTurn(const Place& first, CornerPanoramas& corners,
     const auto worth = [&](const Eigen::Vector3d& direction) {
         return std::min(kManyCorners, panorama->corners(direction));
     };
-    // The turn must not pass views with few corners, such as those of a bare wall.
     const double enough = std::min(kTrackableCorners, worth(towards));
     const auto keepsCorners = [&](const Eigen::Vector3d& from) {
         const Turn turn(lookAlong(from), lookAlong(towards), pitch);

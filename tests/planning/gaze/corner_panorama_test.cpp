@@ -50,6 +50,14 @@ Scene roomWithShelves() {
     return builder.build();
 }
 
+/// What estimates of corners in that room need.
+struct ShelfRoom {
+    Scene scene = roomWithShelves();
+    RayCaster rays{scene};
+    ViewEstimator views{scene, rays, CameraParams{}};
+    TextureCorners textures{scene};
+};
+
 }  // namespace
 
 // A board of squares has one corner per square.
@@ -81,11 +89,8 @@ TEST(TextureCorners, FindNoneOnGreyOrWithoutATexture) {
 }
 
 TEST(CornerPanorama, TellsShelvesFromABareWall) {
-    const Scene scene = roomWithShelves();
-    const RayCaster rays(scene);
-    const CameraParams camera;
-    const ViewEstimator views(scene, rays, camera);
-    CornerPanoramas panoramas(views);
+    const ShelfRoom room;
+    CornerPanoramas panoramas(room.views);
     const auto panorama = panoramas.at({2.5, 2.5, 1.3});
     const double shelves = panorama->corners({-1, 0, 0});
     EXPECT_GT(shelves, 350.0);
@@ -97,18 +102,14 @@ TEST(CornerPanorama, TellsShelvesFromABareWall) {
 
 // Rays near the direction suffice, also where the image reaches the end of the grid.
 TEST(CornerPanorama, CountsTheSameWithRaysOfOneView) {
-    const Scene scene = roomWithShelves();
-    const RayCaster rays(scene);
-    const CameraParams camera;
-    const ViewEstimator views(scene, rays, camera);
-    const TextureCorners textures(scene);
+    const ShelfRoom room;
     const Eigen::Vector3d position(1.5, 2.5, 1.3);
-    const CornerPanorama all(views, textures, position);
+    const CornerPanorama all(room.views, room.textures, position);
     int counted = 0;
     for (const Eigen::Vector3d& direction :
          {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(-1, 0.7, -0.4), Eigen::Vector3d(0.3, -1, 0.9),
           Eigen::Vector3d(-0.3, 0.1, -1)}) {
-        const CornerPanorama one(views, textures, position, direction);
+        const CornerPanorama one(room.views, room.textures, position, direction);
         const double expected = all.corners(direction);
         EXPECT_NEAR(one.corners(direction), expected, 0.01 * expected) << direction.transpose();
         counted += all.corners(direction) > 50.0;
@@ -117,11 +118,7 @@ TEST(CornerPanorama, CountsTheSameWithRaysOfOneView) {
 }
 
 TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
-    const Scene scene = roomWithShelves();
-    const RayCaster rays(scene);
-    const CameraParams camera;
-    const ViewEstimator views(scene, rays, camera);
-    const TextureCorners textures(scene);
+    const ShelfRoom room;
     Trajectory trajectory;
     for (const Eigen::Vector3d& direction :
          {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 1, 0.1), Eigen::Vector3d(-1, 0.1, 0),
@@ -134,7 +131,7 @@ TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
     turned.pose.rotation =
         turned.pose.rotation *
         Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()));
-    auto corners = estimateImageCorners(views, textures, trajectory, {});
+    auto corners = estimateImageCorners(room.views, room.textures, trajectory, {});
     ASSERT_TRUE(corners);
     EXPECT_GT((*corners)[0], 350.0);
     EXPECT_LT(corners->back(), 0.95 * corners->front());

@@ -238,7 +238,6 @@ TEST(Trackability, ReplansLikeAFreshPipeline) {
     const auto off = pipeline.run(params, JobContext{});
     ASSERT_TRUE(off);
     EXPECT_TRUE((*off)->series.image_corners.empty());
-    params.gaze.trackability = Trackability::On;
     EXPECT_LE(fresh->trajectory.frames.size(), 200U);
     ASSERT_EQ((*changed)->trajectory.frames.size(), fresh->trajectory.frames.size());
     for (std::size_t i = 0; i < fresh->trajectory.frames.size(); ++i) {
