@@ -108,24 +108,75 @@ bool isUnreliable(float drawn_depth_m) {
     return !(drawn_depth_m > 0.0F && std::isfinite(drawn_depth_m));
 }
 
-/// The pixels on either side of the outlines of objects, and of steps in depth on one object.
-std::vector<bool> outlinePixels(int width, std::span<const std::uint16_t> labels,
-                                std::span<const float> drawn_depth_m) {
-    constexpr float kStep = 0.02F;  // relative
-    std::vector<bool> found(labels.size(), false);
-    const auto compare = [&](std::size_t a, std::size_t b) {
-        const auto [least, most] =
-            std::minmax({std::abs(drawn_depth_m[a]), std::abs(drawn_depth_m[b])});
-        const bool steps = most - least > kStep * least && least > 0.0F;
-        if (labels[a] != labels[b] || steps) found[a] = found[b] = true;
-    };
-    const auto columns = static_cast<std::size_t>(width);
-    for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
-        if ((pixel + 1) % columns != 0) compare(pixel, pixel + 1);
-        if (pixel + columns < labels.size()) compare(pixel, pixel + columns);
-    }
-    return found;
+/// Largest error of a drawn depth that is not marked as unreliable, m.
+double drawingError(double depth_m) {
+    constexpr double kSteepest = 0.05;  // m per px: the depth of steeper surfaces is marked
+    constexpr double kRounding = 5e-5;  // of single precision, per metre
+    return kNudge_px * kSteepest + kRounding * (1.0 + depth_m);
 }
+
+/// An image of depth and labels as drawn, read along rows and columns.
+class DrawnImage {
+  public:
+    DrawnImage(int width, std::span<const std::uint16_t> labels,
+               std::span<const float> drawn_depth_m)
+        : columns_(width), labels_(labels), inverse_depth_(drawn_depth_m.size()) {
+        std::transform(drawn_depth_m.begin(), drawn_depth_m.end(), inverse_depth_.begin(),
+                       [](float depth) { return 1.0F / std::abs(depth); });
+    }
+
+    /// The pixels whose depth or label is doubtful: those on either side of the outlines of objects
+    /// and of steps in depth on one object, and those that continue the surface of neither side
+    /// along their row or column.
+    [[nodiscard]] std::vector<bool> doubtfulPixels() const {
+        std::vector<bool> found(labels_.size(), false);
+        const std::size_t rows = labels_.size() / columns_;
+        for (std::size_t y = 0; y < rows; ++y) {
+            for (std::size_t x = 0; x < columns_; ++x) {
+                const std::size_t pixel = y * columns_ + x;
+                const auto compare = [&](std::size_t other) {
+                    if (isOutline(pixel, other)) found[pixel] = found[other] = true;
+                };
+                if (x + 1 < columns_) compare(pixel + 1);
+                if (y + 1 < rows) compare(pixel + columns_);
+                if (!continuesAlong(pixel, 1, x, columns_) ||
+                    !continuesAlong(pixel, columns_, y, rows)) {
+                    found[pixel] = true;
+                }
+            }
+        }
+        return found;
+    }
+
+  private:
+    /// Whether the pixel continues the surface on one of its sides along a row or column.
+    /// @param stride  from one pixel of the row or column to the next
+    /// @param index   the pixel's place among its `count` pixels
+    [[nodiscard]] bool continuesAlong(std::size_t pixel, std::size_t stride, std::size_t index,
+                                      std::size_t count) const {
+        return (index >= 2 && continues(pixel, pixel - stride, pixel - 2 * stride)) ||
+               (index + 2 < count && continues(pixel, pixel + stride, pixel + 2 * stride));
+    }
+
+    [[nodiscard]] bool isOutline(std::size_t a, std::size_t b) const {
+        constexpr float kStep = 0.02F;  // relative
+        const auto [farther, nearer] = std::minmax(inverse_depth_[a], inverse_depth_[b]);
+        return labels_[a] != labels_[b] || nearer > (1.0F + kStep) * farther;
+    }
+
+    /// Whether the pixel lies on the plane through two others of its row or column. Inverse depth
+    /// is linear across the image of a plane.
+    [[nodiscard]] bool continues(std::size_t pixel, std::size_t next, std::size_t second) const {
+        const float expected = 2.0F * inverse_depth_[next] - inverse_depth_[second];
+        const float found = inverse_depth_[pixel];
+        const auto depth_m = static_cast<double>(1.0F / found);
+        return std::abs(found - expected) * depth_m * depth_m <= drawingError(depth_m);
+    }
+
+    std::size_t columns_;
+    std::span<const std::uint16_t> labels_;
+    std::vector<float> inverse_depth_;  // 1/m
+};
 
 float depthOf(const CrackPixel& crack) {
     return crack.hit.object_id == 0 ? 0.0F : static_cast<float>(crack.hit.distance);
@@ -158,12 +209,12 @@ std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16
 std::vector<CrackPixel> findCracks(const View& view, std::span<const std::uint16_t> labels,
                                    std::span<const float> drawn_depth_m, const RayCaster& rays) {
     std::vector<CrackPixel> cracks = findCracks(view, labels, rays);
-    const std::vector<bool> on_outline =
-        outlinePixels(view.intrinsics.width, labels, drawn_depth_m);
+    const std::vector<bool> doubtful =
+        DrawnImage(view.intrinsics.width, labels, drawn_depth_m).doubtfulPixels();
     std::vector<std::size_t> unknown;
     for (std::size_t pixel = 0; pixel < labels.size(); ++pixel) {
         if (labels[pixel] == 0) continue;
-        if (on_outline[pixel] || isUnreliable(drawn_depth_m[pixel])) unknown.push_back(pixel);
+        if (doubtful[pixel] || isUnreliable(drawn_depth_m[pixel])) unknown.push_back(pixel);
     }
     const std::vector<RayHit> hits = castPixels(view, unknown, rays);
     for (std::size_t i = 0; i < unknown.size(); ++i) {

@@ -236,6 +236,48 @@ TEST_F(CrackFillingGl, PixelsBesideAnOutlineShowWhatTheirRaysHit) {
     EXPECT_GT(drawn_off, 0) << "no drawn depth beside an outline is off";
 }
 
+/// A cupboard's front of two rows of boards whose edges lie on one line but share no corner, with
+/// the back of the boards 3 mm behind, all of one object.
+Scene frontOfBoards() {
+    dollytrack::test::SceneBuilder builder;
+    auto& front = builder.object("front");
+    const Eigen::Vector3d along(std::cos(0.2), 0.0, std::sin(0.2));
+    const Eigen::Vector3d up(-std::sin(0.2), 0.0, std::cos(0.2));
+    const auto addRow = [&](double width_m, double bottom_m) {
+        for (double at = -1.0; at < 1.0; at += width_m) {
+            front.quad(at * along + bottom_m * up, width_m * along, up);
+        }
+    };
+    addRow(0.137, 0.0);
+    addRow(0.171, -1.0);
+    front.quad({-3.0, 0.003, -3.0}, {6.0, 0.0, 0.0}, {0.0, 0.0, 6.0});
+    return builder.build();
+}
+
+TEST_F(CrackFillingGl, NoCrackShowsAnotherSurfaceOfTheSameObjectCloseBehind) {
+    const Scene scene = frontOfBoards();
+    const RayCaster rays(scene);
+    const MovingObjects still(scene, rays, {});
+    CameraParams camera;
+    camera.width_px = 320;
+    camera.height_px = 240;
+    Result<OffscreenRenderer> renderer = makeRenderer(scene, camera);
+    ASSERT_TRUE(renderer);
+    int drawn_wrong = 0;
+    for (int i = 0; i < 100; ++i) {
+        const View view = makeView(
+            camera, lookAt({0.013 * i - 0.7, -1.1, 0.31 - 0.004 * i}, {0.01 * i - 0.5, 0.0, 0.0}));
+        Result<FrameRecord> frame = renderer->render(view);
+        ASSERT_TRUE(frame);
+        drawn_wrong += depthsOfNothing(*frame, view, rays);
+        std::vector<float> drawn;
+        renderer->target().readDrawnDepth(drawn);
+        fillCracks(findCracks(view, frame->instance, drawn, rays), scene, still, view, *frame);
+        EXPECT_EQ(depthsOfNothing(*frame, view, rays), 0) << "frame " << i;
+    }
+    EXPECT_GT(drawn_wrong, 0) << "these boards have no cracks to be filled";
+}
+
 // Open areas and the corner of a window must not be filled as cracks.
 TEST_F(CrackFillingGl, WhatIsOpenStaysOpen) {
     dollytrack::test::SceneBuilder builder;
