@@ -1,5 +1,6 @@
 // Where rooms end: cases that occur in real scenes.
 
+#include "planning/free_space/opening_summary.h"
 #include "tests/planning/support/map_support.h"
 
 #include <gtest/gtest.h>
@@ -314,6 +315,21 @@ TEST(FreeSpaceRooms, AWindowWithoutGlassIsReportedWhereItIs) {
 }
 
 // A yard between two wings of a house without floor and ceiling, and a low wall in front of a room.
+TEST(FreeSpaceRooms, OpeningsOfOneKindOnOneSideAreDescribedInOneSentence) {
+    OpeningReport report;
+    for (int i = 0; i < 69; ++i) {
+        report.openings.push_back(
+            {OpeningKind::Hole, 0, {1, 0, 0}, {4.0, 0.5 * i, 1.5}, i == 3 ? 2.0 : 0.5, true});
+    }
+    report.openings.push_back({OpeningKind::Hole, 0, {0, 1, 0}, {2.0, 3.0, 1.5}, 0.7, true});
+    report.openings.push_back({OpeningKind::Hole, 1, {1, 0, 0}, {9.0, 3.0, 1.5}, 0.9, true});
+    EXPECT_EQ(describeAll(report),
+              (std::vector<std::string>{
+                  "Room 1 is open towards its +x side at 69 openings (36.0 m2 in total; the "
+                  "largest has 2.0 m2 around 4.0, 1.5, 1.5)",
+                  describe(report.openings[69]), describe(report.openings[70])}));
+}
+
 TEST(FreeSpaceRooms, AYardWithThreeWallsIsOutsideButTheRoomBehindItsLowWallIsNot) {
     SceneBuilder builder;
     addWall(builder, {0, 10, 0}, {16, 10, 0}, 2.5);
