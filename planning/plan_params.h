@@ -8,6 +8,8 @@
 #include "engine/scene/light_params.h"
 #include "planning/free_space_params.h"
 
+#include <algorithm>
+
 namespace dollytrack::planning {
 
 /// The carrier of the camera. A preset sets fields of several sections; see applyCameraPreset().
@@ -498,6 +500,13 @@ inline constexpr double kFillForTrackability = 0.45;
 [[nodiscard]] inline bool asksForTrackability(const GazeParams& gaze, const TimingParams& timing) {
     return gaze.trackability == Trackability::On ||
            (gaze.trackability == Trackability::Auto && timing.motion_preset == MotionPreset::Slam);
+}
+
+/// The fill that viewpoints are sought with: at most kFillForTrackability with trackability.
+[[nodiscard]] inline double usedFill(const PlanParams& params) {
+    const double fill = params.viewpoints.fill;
+    return asksForTrackability(params.gaze, params.timing) ? std::min(fill, kFillForTrackability)
+                                                           : fill;
 }
 
 /// Checks constraints between fields. Error: Usage, naming the field.

@@ -1,6 +1,7 @@
 #include "app/batch/batch_folder.h"
 
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/durable_file.h"
 #include "engine/io/files/text_file.h"
 
 #include <fcntl.h>
@@ -40,7 +41,7 @@ bool isFree(const fs::path& folder) {
     for (auto entry = fs::directory_iterator(folder, error);
          !error && entry != fs::directory_iterator(); entry.increment(error)) {
         const std::string name = entry->path().filename().string();
-        if (name != kList && !name.starts_with(std::string(kList) + ".tmp.")) return false;
+        if (completedName(name) != kList) return false;
     }
     return !error;
 }

@@ -97,9 +97,7 @@ Result<PlannedMotion> planPaperSmoothing(const BaselineScene& scene, const PlanP
                                          int seed, const JobContext& job) {
     PlanParams as_paper = params;
     as_paper.timing.max_frames = frameBudget(params);
-    if (asksForTrackability(params.gaze, params.timing)) {
-        as_paper.viewpoints.fill = std::min(as_paper.viewpoints.fill, kFillForTrackability);
-    }
+    as_paper.viewpoints.fill = usedFill(params);
     as_paper.gaze = {0.0, Trackability::Off};  // the same key frames, without context views
     return runPipeline(scene, as_paper, seed, job).and_then([&](const auto& plan) {
         return smoothAsThePaper(scene, *plan, as_paper);

@@ -402,9 +402,7 @@ Result<Pipeline::Stages::Coverages> Pipeline::Stages::PlanRun::measureCoverages(
 Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                               const JobContext& job, const OnTrajectory& on_trajectory) {
     PlanParams used = params;
-    if (asksForTrackability(params.gaze, params.timing)) {
-        used.viewpoints.fill = std::min(used.viewpoints.fill, kFillForTrackability);
-    }
+    used.viewpoints.fill = usedFill(params);
     return PlanRun(*this, used, edits, job, on_trajectory).run();
 }
 

@@ -70,6 +70,13 @@ TEST_F(DurableFile, KeepsTheOldFileWhenAWriteFailsHalfWay) {
     EXPECT_EQ(fileCount(), 1);
 }
 
+TEST(CompletedName, DropsOnlyWhatWriteWholeAdds) {
+    EXPECT_EQ(completedName("rgb/000000.png.tmp.123"), "rgb/000000.png");
+    for (const char* other : {"000000.png", "a.tmp.", "a.tmp.12x", "a.tmp", "tmp.1", ""}) {
+        EXPECT_EQ(completedName(other), other);
+    }
+}
+
 TEST(WriteError, TellsTheCausesApart) {
     EXPECT_NE(writeError(ENOSPC, "x").message.find("full"), std::string::npos);
     EXPECT_NE(writeError(EACCES, "x").message.find("permission"), std::string::npos);

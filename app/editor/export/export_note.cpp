@@ -42,16 +42,10 @@ bool removeEnding(std::string_view& text, std::string_view ending) {
     return true;
 }
 
-/// The mark in a file name of exportFile(), [HOST-]NUMBER-NUMBER; empty for other files. Partly
-/// written files end in ".tmp.<process>".
+/// The mark in a file name of exportFile(), [HOST-]NUMBER-NUMBER; empty for other files.
 std::string markOf(const fs::path& file) {
     const std::string whole = file.filename().string();
-    std::string_view name = whole;
-    const std::size_t half = name.rfind(".tmp.");
-    if (half != std::string_view::npos && half + 5 < name.size() &&
-        name.find_first_not_of(kDigits, half + 5) == std::string_view::npos) {
-        name = name.substr(0, half);
-    }
+    std::string_view name = completedName(whole);
     constexpr std::string_view kBegin = "export-";
     if (!name.starts_with(kBegin)) return {};
     name.remove_prefix(kBegin.size());

@@ -1,5 +1,7 @@
 #include "engine/io/files/cache_eviction.h"
 
+#include "engine/io/files/durable_file.h"
+
 #include <algorithm>
 #include <string>
 #include <tuple>
@@ -22,15 +24,13 @@ void evictOldest(const GuardedFolder& folder, std::initializer_list<std::string_
     for (const std::string& name : folder.list("").value_or(std::vector<std::string>())) {
         const auto found = folder.find(name);
         if (!found || !S_ISREG(found->st_mode)) continue;
-        const auto ends_so = [&](std::string_view ending) { return name.ends_with(ending); };
-        const auto half_written = [&](std::string_view ending) {
-            return name.find(std::string(ending) + ".tmp.") != std::string::npos;
-        };
-        if (std::ranges::any_of(endings, ends_so)) {
+        const std::string_view completed = completedName(name);
+        const auto ends_so = [&](std::string_view ending) { return completed.ends_with(ending); };
+        if (!std::ranges::any_of(endings, ends_so)) continue;
+        if (completed == name) {
             entries.push_back({found->st_mtim.tv_sec, found->st_mtim.tv_nsec, name,
                                static_cast<std::uint64_t>(found->st_size)});
-        } else if (std::ranges::any_of(endings, half_written) &&
-                   std::time(nullptr) - found->st_mtim.tv_sec > kHour_s) {
+        } else if (std::time(nullptr) - found->st_mtim.tv_sec > kHour_s) {
             (void)folder.remove(name);
         }
     }

@@ -12,6 +12,8 @@
 namespace dollytrack {
 namespace {
 
+constexpr std::string_view kTemporary = ".tmp.";
+
 int writeTemporary(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
                    Durability durability) {
     // Only new files are opened: an existing one may be a symbolic or hard link to another file.
@@ -87,7 +89,7 @@ Error writeError(int error_number, const std::filesystem::path& path) {
 
 int writeWholeAt(int folder, const std::string& name, std::span<const std::uint8_t> bytes,
                  Durability durability) {
-    const std::string temporary = name + ".tmp." + std::to_string(::getpid());
+    const std::string temporary = name + std::string(kTemporary) + std::to_string(::getpid());
     int error = writeTemporary(folder, temporary, bytes, durability);
     if (error == 0 && ::renameat(folder, temporary.c_str(), folder, name.c_str()) != 0) {
         error = errno;
@@ -97,6 +99,15 @@ int writeWholeAt(int folder, const std::string& name, std::span<const std::uint8
         return error;
     }
     return durability == Durability::Synced ? syncDirectory(folder) : 0;
+}
+
+std::string_view completedName(std::string_view name) {
+    const std::size_t end = name.rfind(kTemporary);
+    if (end == std::string_view::npos) return name;
+    const std::string_view process = name.substr(end + kTemporary.size());
+    const bool numbered =
+        !process.empty() && process.find_first_not_of("0123456789") == std::string_view::npos;
+    return numbered ? name.substr(0, end) : name;
 }
 
 Status writeWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,

@@ -24,6 +24,10 @@ enum class Durability {
 [[nodiscard]] Status writeWhole(const std::filesystem::path& path, std::string_view text,
                                 Durability durability = Durability::Synced);
 
+/// The name that a temporary file of writeWhole() would get when complete: `<name>` for
+/// `<name>.tmp.<pid>`. Any other name is returned as it is.
+[[nodiscard]] std::string_view completedName(std::string_view name);
+
 /// Writes all bytes to an open file, however many calls that takes. Returns 0 or errno.
 [[nodiscard]] int writeAll(int descriptor, std::string_view bytes);
 

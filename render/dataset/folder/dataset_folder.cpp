@@ -1,6 +1,7 @@
 #include "render/dataset/folder/dataset_folder.h"
 
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/durable_file.h"
 #include "render/dataset/folder/dataset_journal.h"
 #include "render/formats/tables/fold_files.h"
 
@@ -238,7 +239,7 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
         if (Status status = folder_.checkFile(file); !status) return status;
         // A damaged journal does not name the files of a killed run. Its frames are replaced, but
         // its temporary files would stay.
-        if (file.find(".tmp.") == std::string::npos) continue;
+        if (completedName(file) == file) continue;
         if (Status status = folder_.remove(file); !status) return status;
     }
     if (isComplete()) {

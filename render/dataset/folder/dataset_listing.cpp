@@ -1,6 +1,7 @@
 #include "render/dataset/folder/dataset_listing.h"
 
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/durable_file.h"
 #include "engine/io/files/text_file.h"
 #include "render/formats/tables/dataset_card.h"
 #include "render/formats/tables/fold_files.h"
@@ -84,7 +85,7 @@ Result<std::vector<std::string>> filesNamed(const GuardedFolder& folder,
         if (!found) return found;
         for (const std::string& name : *found) {
             const std::string path = prefix + name;
-            if (path == wanted || path.starts_with(wanted + ".tmp.")) files.push_back(path);
+            if (completedName(path) == wanted) files.push_back(path);
         }
     }
     for (const std::string& subfolder : names.folders) {

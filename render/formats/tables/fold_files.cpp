@@ -1,5 +1,6 @@
 #include "render/formats/tables/fold_files.h"
 
+#include "engine/io/files/durable_file.h"
 #include "render/formats/labels/coco.h"
 
 #include <fmt/format.h>
@@ -52,16 +53,14 @@ nlohmann::ordered_json foldConvention(const DatasetContents& contents) {
 
 bool isFoldFile(std::string_view name) {
     constexpr std::string_view kStart = "fold_";
+    name = completedName(name);
     if (!name.starts_with(kStart)) return false;
     name.remove_prefix(kStart.size());
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits == 0 || digits == std::string_view::npos) return false;
     name.remove_prefix(digits);
-    for (const std::string_view end : {"_train.txt", "_train.json", "_val.txt", "_val.json"}) {
-        if (!name.starts_with(end)) continue;
-        return name.size() == end.size() || name.substr(end.size()).starts_with(".tmp.");
-    }
-    return false;
+    return name == "_train.txt" || name == "_train.json" || name == "_val.txt" ||
+           name == "_val.json";
 }
 
 }  // namespace dollytrack::render
