@@ -1,7 +1,7 @@
 #include "planning/coverage/must_see.h"
 
 #include "engine/core/log.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"

@@ -1,5 +1,7 @@
 #include "render/pictures/picture_quality.h"
 
+#include "engine/core/text_lists.h"
+
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -50,20 +52,6 @@ bool Tiles::areFlat() const {
     return 200 * differing < pairs;
 }
 
-/// "frames 3-9, 17": runs of frames in increasing order, the first ten of them.
-std::string rangesOf(const std::vector<int>& frames) {
-    constexpr int kMostRuns = 10;
-    std::string text = frames.size() == 1 ? "frame " : "frames ";
-    int runs = 0;
-    for (std::size_t i = 0, end = 0; i < frames.size(); i = end) {
-        if (runs == kMostRuns) return text + ", ...";
-        for (end = i + 1; end < frames.size() && frames[end] == frames[end - 1] + 1;) ++end;
-        text += fmt::format("{}{}", runs++ == 0 ? "" : ", ", frames[i]);
-        if (end - i > 1) text += fmt::format("-{}", frames[end - 1]);
-    }
-    return text;
-}
-
 }  // namespace
 
 PictureQuality pictureQuality(int width, int height, std::span<const std::uint8_t> rgb) {
@@ -104,8 +92,9 @@ std::string unusableText(const PictureTally& tally) {
                                        {PictureQuality::White, &tally.white},
                                        {PictureQuality::Flat, &tally.flat}}) {
         if (frames->empty()) continue;
-        kinds += fmt::format("{} {} {} ({})", kinds.empty() ? ":" : ",", frames->size(),
-                             kPictureQualities[static_cast<std::size_t>(kind)], rangesOf(*frames));
+        kinds +=
+            fmt::format("{} {} {} ({})", kinds.empty() ? ":" : ",", frames->size(),
+                        kPictureQualities[static_cast<std::size_t>(kind)], frameRanges(*frames));
     }
     return fmt::format("{} of {} images {} unusable{}", tally.unusable(), tally.pictures,
                        tally.unusable() == 1 ? "is" : "are", kinds);

@@ -1,6 +1,7 @@
 #include "app/cli/plan/planned_scene.h"
 
 #include "engine/core/log.h"
+#include "engine/core/text_lists.h"
 #include "engine/plan/plan_json.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
@@ -52,6 +53,19 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
 void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
     const std::string note = planning::frameRateNote(plan.trajectory, timing);
     if (!note.empty()) log::warn("planning", note);
+}
+
+/// Warns about frames that a SLAM program cannot track by their corners.
+void warnOfFewCorners(const Plan& plan) {
+    const std::vector<double>& corners = plan.series.image_corners;
+    std::vector<int> few;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (corners[i] < kTrackableCorners) few.push_back(static_cast<int>(i));
+    }
+    if (few.empty()) return;
+    log::warn("planning",
+              fmt::format("in {} of {} frames too few image corners are visible for SLAM: {}",
+                          few.size(), corners.size(), frameRanges(few)));
 }
 
 /// Whether each path is in a different room, so that exporting by room separates them.
@@ -145,6 +159,7 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     warnOfAnchors(**plan);
     warnOfFrameRate(**plan, opened.params.timing);
     warnOfFewFrames(**plan, opened.params.timing);
+    warnOfFewCorners(**plan);
     warnOfSeparateMotions(**plan, opened.params.constraints);
     PlannedScene planned;
     planned.nothing_free = whyNothingIsFree(pipeline, opened.params.free_space);

@@ -1,6 +1,7 @@
 #include "engine/io/datasets/front3d_architecture.h"
 
 #include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/datasets/front3d_materials.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"

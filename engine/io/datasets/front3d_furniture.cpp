@@ -1,6 +1,7 @@
 #include "engine/io/datasets/front3d_furniture.h"
 
 #include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/datasets/model_info.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/files/confined_folder.h"

@@ -1,6 +1,6 @@
 #include "engine/io/datasets/front3d_reader.h"
 
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/datasets/front3d_architecture.h"
 #include "engine/io/datasets/front3d_furniture.h"
 #include "engine/io/datasets/front3d_scene.h"

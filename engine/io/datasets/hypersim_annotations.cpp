@@ -1,7 +1,7 @@
 #include "engine/io/datasets/hypersim_annotations.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/files/confined_folder.h"
 #include "engine/io/files/number_lines.h"
 #include "engine/io/hdf5/hdf5_reader.h"

@@ -1,7 +1,7 @@
 #include "engine/io/datasets/hypersim_objects.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/geometry/oriented_box.h"
 #include "engine/io/files/confined_folder.h"
 #include "engine/scene/label_table.h"

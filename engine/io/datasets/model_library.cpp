@@ -1,7 +1,7 @@
 #include "engine/io/datasets/model_library.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/files/confined_folder.h"
 #include "engine/io/models/model_reader.h"
 #include "engine/jobs/parallel.h"

@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/datasets/scenenet_description.h"
 #include "engine/io/files/file_type.h"

@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/field_list.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/gazebo/link_xml.h"
 #include "engine/io/gazebo/visuals.h"
 

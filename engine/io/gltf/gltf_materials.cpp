@@ -1,7 +1,7 @@
 #include "engine/io/gltf/gltf_materials.h"
 
 #include "engine/core/clean_text.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 
 #include <algorithm>
 #include <array>

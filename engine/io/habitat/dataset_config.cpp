@@ -4,7 +4,7 @@
 #include "engine/core/field_list.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/natural_order.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/input_file.h"
 #include "engine/io/habitat/folder_search.h"

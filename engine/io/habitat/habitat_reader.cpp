@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/files/file_type.h"
 #include "engine/io/files/input_record.h"
 #include "engine/io/habitat/attributes.h"

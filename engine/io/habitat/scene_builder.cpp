@@ -3,6 +3,7 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
 #include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/gazebo/urdf_reader.h"

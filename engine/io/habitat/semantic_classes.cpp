@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/input_file.h"
 #include "engine/io/files/number_lines.h"

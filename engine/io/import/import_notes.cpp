@@ -1,6 +1,6 @@
 #include "engine/io/import/import_notes.h"
 
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

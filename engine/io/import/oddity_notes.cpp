@@ -1,6 +1,6 @@
 #include "engine/io/import/oddity_notes.h"
 
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/scene/labels.h"
 #include "engine/scene/mirror.h"
 #include "engine/scene/storeys.h"

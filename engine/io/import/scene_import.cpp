@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/fold_repeats.h"
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/format_table/input_check.h"
 #include "engine/io/format_table/scene_format.h"
 #include "engine/io/import/annotated_objects.h"

@@ -1,6 +1,6 @@
 #include "engine/io/import/size_warnings.h"
 
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/scene/furniture_sizes.h"
 #include "engine/scene/labels.h"
 

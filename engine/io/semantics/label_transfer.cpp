@@ -1,6 +1,6 @@
 #include "engine/io/semantics/label_transfer.h"
 
-#include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/io/semantics/labelled_surface.h"
 #include "engine/jobs/parallel.h"

@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/object_names.h"
+#include "engine/core/text_lists.h"
 #include "engine/io/files/confined_folder.h"
 #include "engine/io/files/file_type.h"
 #include "engine/io/files/input_file.h"
