@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 
 namespace dollytrack::cli {
@@ -14,6 +15,17 @@ namespace {
 /// Whether a metric can be compared: numbers, missing values (null), and lists, which are counted.
 bool isMeasured(const nlohmann::json& metric) {
     return metric.is_number() || metric.is_null() || metric.is_array();
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Whether a metric lies between 0 and 1.
+bool isShare(std::string_view metric) {
+    return metric.ends_with("_rate") || metric.ends_with("_share");
 }
 
 /// Why a metric was not measured: "there is nothing to measure".
@@ -44,18 +56,28 @@ Result<Requirement> parseRequirement(std::string_view text) {
             fmt::format("'{}' is not a condition; write it like well_captured_rate>=0.8.", text),
             "--require");
     };
-    const std::size_t at = text.find_first_of("<>=");
-    if (at == std::string_view::npos || at == 0) return broken();
+    const std::size_t at = std::min(text.find_first_of("<>="), text.size());
+    if (at == text.size() || trimmed(text.substr(0, at)).empty()) return broken();
     std::size_t end = at + 1;
     while (end < text.size() && text[end] == '=') ++end;
     Requirement requirement;
-    requirement.metric = text.substr(0, at);
+    requirement.metric = trimmed(text.substr(0, at));
     requirement.comparison = text.substr(at, end - at);
     if (requirement.comparison == "==") requirement.comparison = "=";
     if (requirement.comparison.size() > 2) return broken();
-    const char* last = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + end, last, requirement.value);
+    std::string_view number = trimmed(text.substr(end));
+    const bool in_percent = number.ends_with('%');
+    if (in_percent) number = trimmed(number.substr(0, number.size() - 1));
+    const char* last = number.data() + number.size();
+    const auto [stop, error] = std::from_chars(number.data(), last, requirement.value);
     if (error != std::errc() || stop != last) return broken();
+    if (in_percent) requirement.value /= 100.0;
+    if (isShare(requirement.metric) && requirement.value > 1.0) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("{} is at most 1; write {:g}%.", requirement.metric,
+                                in_percent ? 100.0 : std::min(100.0, requirement.value)),
+                    "--require");
+    }
     return requirement;
 }
 

@@ -111,6 +111,9 @@ class CommandLine(FolderCase):
 
     def test_requirements_decide_the_exit_code(self):
         self.assertEqual(run("plan", self.room, "--require", "capture_rate>=0.9").returncode, 0)
+        spaced = run("plan", self.room, "--require", " capture_rate >= 90 % ")
+        self.assertEqual(spaced.returncode, 0, spaced.stderr)
+        self.assertEqual(run("plan", self.room, "--require", "capture_rate<=10%").returncode, 3)
         unmet = run("plan", self.room, "--require", "objects>=6")
         self.assertEqual(unmet.returncode, 3)
         self.assertIn("objects is 5", unmet.stderr)
@@ -158,6 +161,7 @@ class CommandLine(FolderCase):
         self.assertFails(run("plan", self.room, "--set", "fill=wide"), 2, "not a number")
         self.assertFails(run("plan", self.room, "--set", "path_mode=round"), 2, "longest_branch")
         self.assertFails(run("plan", self.room, "--require", "objects"), 2, "--require")
+        self.assertFails(run("plan", self.room, "--require", "capture_rate>=90"), 2, "write 90%")
         self.assertFails(run("plan", self.room, "--require", "objets>=1"), 2, "'objects'")
         self.assertEqual(run("plan").returncode, 2)
         self.assertFails(run("paln", self.room), 2)
