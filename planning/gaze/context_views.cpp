@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kSpacing_m = 0.6;   // distance between two context views
-constexpr double kShortest_m = 0.1;  // no context view between key frames closer than this
+constexpr double kShortest_m = 0.1;  // key frames closer than this count as one place
 constexpr int kMostBetweenKeys = 6;
 constexpr double kFramesPerView = 2.0;  // frames of the budget that each key needs
 constexpr double kLooksAhead_m = 2.0;
@@ -36,10 +36,12 @@ constexpr double kSlowdownAtMean = 4.0;
 constexpr double kMostSlowdown = 8.0;
 
 // Trackability: views with few corners cost extra time in the dynamic programming.
-constexpr double kEnoughCorners = 350.0;   // as estimated, which is too high in views with few
-                                           // corners: ORB finds about 200
-constexpr double kCostOfNoCorners = 10.0;  // s per second of a view without corners
-constexpr double kLeastViewMix = 0.1;      // used if view_mix is smaller
+constexpr double kEnoughCorners = 350.0;  // as estimated, which is too high in views with few
+                                          // corners: ORB finds about 200
+// s per second, see costOfDeficit()
+constexpr double kCostOfFewCorners = 10.0;
+constexpr double kCostOfNoCorners = 30.0;
+constexpr double kLeastViewMix = 0.1;  // used if view_mix is smaller
 constexpr double kTurnBetweenViews = 40.0 * kRadian;
 constexpr double kCheckedTurn = 10.0 * kRadian;
 constexpr int kMostInTurn = 4;
@@ -90,6 +92,13 @@ double gridValue(const Grid& grid, const Eigen::Vector3d& direction) {
         static_cast<int>(std::lround((elevationOf(direction) - kLowest) / kElevationStep)), 0,
         kElevations - 1);
     return grid[elevation * kHeadings + heading];
+}
+
+/// Extra cost of a view that lacks this share of kEnoughCorners, s per second. It grows faster than
+/// the share, because a SLAM program loses track in the few views without corners, not in the many
+/// with half of them.
+double costOfDeficit(double share) {
+    return kCostOfFewCorners * share + kCostOfNoCorners * std::pow(share, 4);
 }
 
 class GazeSearch {
@@ -217,6 +226,16 @@ class GazeSearch {
                             : angle / turn_rps_ + turn_rps_ / turn_rps2_;
     }
 
+    /// The share of corners that a view lacks part of the way from one direction to another.
+    [[nodiscard]] static double deficitBetween(const Place& begin, std::size_t a, const Place& end,
+                                               std::size_t b, double share) {
+        const Eigen::Vector3d along =
+            (1.0 - share) * begin.directions[a] + share * end.directions[b];
+        if (along.squaredNorm() < 1e-6) return 1.0;
+        return (1.0 - share) * gridValue(begin.grid_deficits, along.normalized()) +
+               share * gridValue(end.grid_deficits, along.normalized());
+    }
+
     [[nodiscard]] Step step(std::size_t from, std::size_t a, std::size_t b) const {
         const Place& begin = places_[from];
         const Place& end = places_[from + 1];
@@ -235,14 +254,12 @@ class GazeSearch {
                                    : 0.0;
         made.value = 0.25 * begin.values[a] + 0.5 * between + 0.25 * end.values[b];
         if (!corners_.empty()) {
-            const double deficit_between =
-                middle.squaredNorm() > 1e-6
-                    ? 0.5 * (gridValue(begin.grid_deficits, middle.normalized()) +
-                             gridValue(end.grid_deficits, middle.normalized()))
-                    : 1.0;
-            const double deficit =
-                0.25 * begin.deficits[a] + 0.5 * deficit_between + 0.25 * end.deficits[b];
-            made.cost_s += kCostOfNoCorners * deficit * std::max(travel_s, turnTime(angle));
+            double cost =
+                0.125 * (costOfDeficit(begin.deficits[a]) + costOfDeficit(end.deficits[b]));
+            for (const double share : {0.25, 0.5, 0.75}) {
+                cost += 0.25 * costOfDeficit(deficitBetween(begin, a, end, b, share));
+            }
+            made.cost_s += cost * std::max(travel_s, turnTime(angle));
         }
         return made;
     }
@@ -336,9 +353,10 @@ std::vector<Place> placesOn(const SmoothPath& path,
         places.push_back({keys[k], false, {rotation * Eigen::Vector3d::UnitZ()}});
         if (k + 1 == keys.size()) break;
         const double length = keys[k + 1].arc_m - keys[k].arc_m;
-        if (length < kShortest_m) continue;
+        const bool on_the_spot = length < kShortest_m;
+        if (on_the_spot && !in_turns) continue;
         const Turn turn(rotation, pose_at(keys[k + 1]).rotation, pitch);
-        int least = in_short_ones ? 1 : 0;
+        int least = in_short_ones && !on_the_spot ? 1 : 0;
         if (in_turns) {
             const auto in_turn = static_cast<int>(turn.angle() / kTurnBetweenViews);
             least = std::max(least, std::min(kMostInTurn, in_turn));

@@ -8,6 +8,15 @@
 #include <algorithm>
 
 namespace dollytrack::planning {
+namespace {
+
+constexpr double kManyCorners = 2.0 * kTrackableCorners;
+
+double cornersIn(const ViewEstimator& views, const TextureCorners& textures, const Pose& pose) {
+    return CornerPanorama(views, textures, pose.position, pose.forward()).corners(pose.rotation);
+}
+
+}  // namespace
 
 Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
                                                  const TextureCorners& textures,
@@ -16,12 +25,32 @@ Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
     std::vector<double> corners(trajectory.frames.size());
     parallelFor(corners.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        const Pose& pose = trajectory.frames[i].pose;
-        corners[i] =
-            CornerPanorama(views, textures, pose.position, pose.forward()).corners(pose.rotation);
+        corners[i] = cornersIn(views, textures, trajectory.frames[i].pose);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return corners;
+}
+
+void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
+                    const std::vector<PositionPoint>& position_points,
+                    std::vector<double>& object_weights) {
+    constexpr double kLeastWeight = 0.1;
+    std::vector<double> shares(position_points.size());
+    parallelFor(shares.size(), [&](std::size_t i) {
+        const double corners = cornersIn(views, textures, position_points[i].pose);
+        shares[i] = std::clamp(corners / kManyCorners, kLeastWeight, 1.0);
+    });
+    const std::size_t objects = views.scene().objects.size();
+    std::vector<double> best(objects, 0.0);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        for (const int id : position_points[i].captured) {
+            best[id - 1] = std::max(best[id - 1], shares[i]);
+        }
+    }
+    object_weights.resize(objects, 1.0);
+    for (std::size_t i = 0; i < objects; ++i) {
+        if (best[i] > 0.0) object_weights[i] *= best[i];
+    }
 }
 
 std::optional<double> trackableRate(const std::vector<double>& corners) {

@@ -1,11 +1,15 @@
 #include "planning/path/time_budget.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
 constexpr int kHalvings = 8;
+// Lengths tried beyond that found by bisection, relative to it.
+constexpr double kStep = 1.15;
+constexpr double kFarthest = 2.0;
 constexpr double kShortest_m = 1e-3;  // so short that only fixed stops are visited
 
 /// Length before smoothing, which never makes it longer.
@@ -39,7 +43,8 @@ Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double m
     const Result<std::size_t> all = timed.frames(*whole);
     if (!all) return tl::unexpected(all.error());
     if (*all <= most_frames) return std::optional(std::move(*whole));
-    double high = lengthOf(*whole);
+    const double whole_m = lengthOf(*whole);
+    double high = whole_m;
     double low = 0.0;
     for (int halving = 0; halving < kHalvings; ++halving) {
         const double middle = 0.5 * (low + high);
@@ -47,9 +52,17 @@ Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double m
         if (!few) return tl::unexpected(few.error());
         (*few ? low : high) = middle;
     }
-    if (longest) return longest;
-    const Result<bool> few = fits(kShortest_m);
-    if (!few) return tl::unexpected(few.error());
+    if (!longest) {
+        const Result<bool> few = fits(kShortest_m);
+        if (!few) return tl::unexpected(few.error());
+        return longest;
+    }
+    // A longer path may need fewer frames, if it leaves out large turns or context views.
+    for (double length_m = kStep * low; length_m < std::min(whole_m, kFarthest * low);
+         length_m += (kStep - 1.0) * low) {
+        const Result<bool> few = fits(length_m);
+        if (!few) return tl::unexpected(few.error());
+    }
     return longest;
 }
 

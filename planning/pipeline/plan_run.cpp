@@ -190,7 +190,10 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
 }
 
 PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
-    const std::vector<double> weights = objectWeights(*stages_.scene, edits_.regions);
+    std::vector<double> weights = objectWeights(*stages_.scene, edits_.regions);
+    if (environment_.corners) {
+        weighByCorners(*stages_.views, environment_.corners->textures(), positionPoints(), weights);
+    }
     PathEnds ends{pointOfPin(*stages_.placed, edits_, edits_.start),
                   pointOfPin(*stages_.placed, edits_, edits_.end),
                   params_.constraints.loop,
@@ -210,7 +213,7 @@ Status Pipeline::Stages::PlanRun::selectKeyFrames() {
     builder_.emplace(environment_, movementEnvironment(), viewpoints(), params_, job_);
     ends_ = pathEnds();
     const KeyFrameInputs inputs{stages_.pointsVersion(),
-                                edits_.regions,
+                                ends_.object_weights,
                                 ends_.chosen_by_tour ? 0 : ends_.visits,
                                 ends_.start,
                                 ends_.end,
@@ -291,7 +294,7 @@ Status Pipeline::Stages::PlanRun::findPaths() {
     PathInputs inputs{stages_.linking.version(),
                       params_.path,
                       params_.roadmap,
-                      edits_.regions,
+                      ends_.object_weights,
                       ends_.start,
                       ends_.end,
                       ends_.loop,

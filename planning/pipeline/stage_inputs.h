@@ -97,7 +97,7 @@ struct ConstraintInputs {
 
 struct KeyFrameInputs {
     StageVersion points = 0;
-    std::vector<Region> regions;
+    std::vector<double> object_weights;
     int visits = 0;
     int start = -1;
     int end = -1;
@@ -126,7 +126,7 @@ struct PathInputs {
     StageVersion linking = 0;
     PathParams path;
     RoadmapParams roadmap;
-    std::vector<Region> regions;
+    std::vector<double> object_weights;
     int start = -1;
     int end = -1;
     bool loop = false;

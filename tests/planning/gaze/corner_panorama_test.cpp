@@ -117,6 +117,26 @@ TEST(CornerPanorama, CountsTheSameWithRaysOfOneView) {
     EXPECT_GE(counted, 2);
 }
 
+TEST(ImageCorners, WeighObjectsByTheBestOfTheirViews) {
+    const ShelfRoom room;
+    std::vector<PositionPoint> points(2);
+    points[0].pose = {{2.5, 2.5, 1.3}, lookAlong({-1, 0, 0})};   // the shelves
+    points[1].pose = {{2.5, 2.5, 1.3}, lookAlong({0, 1, 0.1})};  // a bare wall
+    points[0].captured = {1, 2};
+    points[1].captured = {2, 3};
+    std::vector<double> weights;
+    weighByCorners(room.views, room.textures, points, weights);
+    ASSERT_EQ(weights.size(), room.scene.objects.size());
+    EXPECT_EQ(weights[0], 1.0);
+    EXPECT_EQ(weights[1], 1.0);
+    EXPECT_LT(weights[2], 0.2);
+    EXPECT_EQ(weights[3], 1.0);  // no view of it
+    std::vector<double> given(room.scene.objects.size(), 3.0);
+    weighByCorners(room.views, room.textures, points, given);
+    EXPECT_EQ(given[0], 3.0);
+    EXPECT_EQ(given[2], 3.0 * weights[2]);
+}
+
 TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
     const ShelfRoom room;
     Trajectory trajectory;

@@ -1,10 +1,14 @@
 #include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/gaze/context_views.h"
 #include "planning/gaze/corner_panorama.h"
 #include "planning/gaze/image_motion.h"
 #include "planning/gaze/panorama.h"
 #include "planning/timing/turn.h"
+#include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/pitch_band.h"
 #include "planning/visibility/view_estimator.h"
+#include "tests/planning/support/map_support.h"
 #include "tests/planning/support/plan_support.h"
 #include "tests/support/scene_builder.h"
 
@@ -178,6 +182,35 @@ TEST(Trackability, LooksLessAtBareWalls) {
     const double off = shareWithFewCorners(Trackability::Auto);
     EXPECT_GT(off, 0.2);
     EXPECT_LT(shareWithFewCorners(Trackability::On), 0.75 * off);
+}
+
+// Two key frames that face the ends of the hall: the shorter turn passes the bare wall.
+TEST(Trackability, TurnsPastTheShelvesOnTheSpot) {
+    const Scene scene = hallWithShelves();
+    const RayCaster rays(scene);
+    const ViewEstimator views(scene, rays, CameraParams{});
+    const FreeSpace free_space = test_support::map(scene);
+    const SweptSphere sphere(rays, free_space, 0.1);
+    CornerPanoramas corners(views);
+    PlanningEnvironment environment{views, free_space, sphere};
+    const Eigen::Vector3d from(4.5, 2.0, 1.3), to(4.55, 2.0, 1.3);
+    SmoothPath path;
+    path.append(from, 0.5 * (from + to), to, false);
+    path.length_m = 0.05;
+    path.keys = {{0.0, 0, from}, {0.05, 1, to}};
+    const auto pose_at = [](const SmoothPath::Key& key) -> Pose {
+        const double azimuth = (key.position_point == 0 ? 170.0 : 10.0) * std::numbers::pi / 180.0;
+        return {key.position, lookAlong({std::cos(azimuth), std::sin(azimuth), 0.0})};
+    };
+    const GazeParams gaze{0.1, Trackability::On};
+    EXPECT_EQ(withContextViews(path, pose_at, environment, gaze, {}).keys.size(), 2U);
+    environment.corners = &corners;
+    const SmoothPath turned = withContextViews(path, pose_at, environment, gaze, {});
+    ASSERT_GT(turned.keys.size(), 2U);
+    for (const SmoothPath::Key& key : turned.keys) {
+        if (key.position_point >= 0) continue;
+        EXPECT_LT(key.looks_at.y(), key.position.y());
+    }
 }
 
 TEST(SlamPreset, KeepsTheFrameRateAndTheTurningLimit) {
