@@ -107,9 +107,9 @@ const std::vector<Eigen::Vector3d>& gridDirections() {
 
 /// Sobel gradients of the brightness in rows of a grid of surfaces around a position, clipped, in
 /// units of kFullContrast; zero in other rows.
-std::vector<Eigen::Vector2d> gradients(const std::vector<Surface>& surfaces, int first_row,
-                                       int last_row) {
-    std::vector<Eigen::Vector2d> found(surfaces.size(), Eigen::Vector2d::Zero());
+void findGradients(const std::vector<Surface>& surfaces, int first_row, int last_row,
+                   std::vector<Eigen::Vector2d>& found) {
+    found.assign(surfaces.size(), Eigen::Vector2d::Zero());
     for (int row = std::max(1, first_row); row <= std::min(kRows - 2, last_row); ++row) {
         for (int column = 0; column < kColumns; ++column) {
             const auto at = [&](int down, int right) {
@@ -124,7 +124,6 @@ std::vector<Eigen::Vector2d> gradients(const std::vector<Surface>& surfaces, int
             found[row * kColumns + column] = 0.25 * gradient / std::max(contrast, kFullContrast);
         }
     }
-    return found;
 }
 
 /// How much the brightness around a cell changes in all directions (Shi and Tomasi, 1994), 0 to 1.
@@ -177,15 +176,17 @@ void CornerPanorama::cast(const ViewEstimator& views, const TextureCorners& text
         cells.push_back(static_cast<int>(i));
     }
     if (cells.empty()) return;
+    // Kept between calls: freed memory of this size goes back to the system each time.
     thread_local std::vector<RayHit> hits;
+    thread_local std::vector<Surface> surfaces;
+    thread_local std::vector<Eigen::Vector2d> changes;
     views.rays().castBundle(position, rays, 0.0, hits);
     const SurfaceReader reader(views.scene(), textures, focal_px);
-    std::vector<Surface> surfaces(static_cast<std::size_t>(kRows) * kColumns);
+    surfaces.assign(static_cast<std::size_t>(kRows) * kColumns, {});
     for (std::size_t i = 0; i < rays.size(); ++i) {
         surfaces[cells[i]] = reader.at(hits[i], position, rays[i].direction);
     }
-    const std::vector<Eigen::Vector2d> changes =
-        gradients(surfaces, cells.front() / kColumns, cells.back() / kColumns);
+    findGradients(surfaces, cells.front() / kColumns, cells.back() / kColumns, changes);
     const double side_px = kStep * focal_px;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const int row = cells[i] / kColumns;
@@ -209,12 +210,24 @@ double CornerPanorama::corners(const Eigen::Vector3d& direction) const {
 double CornerPanorama::corners(const Eigen::Quaterniond& world_from_camera) const {
     const Eigen::Matrix3f camera_from_world =
         world_from_camera.conjugate().toRotationMatrix().cast<float>();
+    // Cells are sorted by elevation; only those in the image's range are looked at.
+    constexpr float kRounding = 1e-3F;  // rad
+    const float reach = std::atan(half_size_.norm()) + kRounding;
+    const float elevation = std::asin(std::clamp(camera_from_world(2, 2), -1.0F, 1.0F));
+    const auto sineOf = [](float angle) {
+        return std::sin(
+            std::clamp(angle, -0.5F * std::numbers::pi_v<float>, 0.5F * std::numbers::pi_v<float>));
+    };
+    const float lowest = sineOf(elevation - reach);
+    const float highest = sineOf(elevation + reach);
+    const auto first = std::ranges::lower_bound(
+        cells_, lowest, {}, [](const Cell& cell) { return cell.direction.z(); });
     float sum = 0.0F;
-    for (const Cell& cell : cells_) {
-        const Eigen::Vector3f p = camera_from_world * cell.direction;
+    for (auto cell = first; cell != cells_.end() && cell->direction.z() <= highest; ++cell) {
+        const Eigen::Vector3f p = camera_from_world * cell->direction;
         if (p.z() > 0.0F && std::abs(p.x()) < half_size_.x() * p.z() &&
             std::abs(p.y()) < half_size_.y() * p.z()) {
-            sum += cell.corners;
+            sum += cell->corners;
         }
     }
     return sum;

@@ -42,7 +42,7 @@ class CornerPanorama {
               double least_cosine);
 
     Eigen::Vector2f half_size_;  // of the image at depth 1
-    std::vector<Cell> cells_;    // those with corners
+    std::vector<Cell> cells_;    // those with corners, by rising elevation
 };
 
 /// Corner panoramas by position, made when first asked for. Thread-safe. Keeps a reference to
