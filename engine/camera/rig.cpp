@@ -18,7 +18,10 @@ constexpr std::size_t kMostCameras = 64;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 40;
 constexpr double kWidestPinhole = 150.0;  // deg, the limit of the planned camera too
-constexpr double kMostSide_px = 6144.0;   // of the pinhole images that make up a lens's image
+// Largest side of the pinhole images that make up a fisheye's image, and relative to its own size.
+// Usual lenses need 1.2 times their width.
+constexpr double kMostSide_px = 6144.0;
+constexpr double kMostSideOfSize = 2.5;
 
 /// Side of a pinhole image with the resolution of the finest part of a lens with one centre.
 double sidePx(const LensModel& lens) {
@@ -73,11 +76,13 @@ Status validateLens(const RigCamera& camera) {
     }
     if (camera.lens == Lens::Fisheye) {
         const double side_px = sidePx(LensModel(camera));
-        if (side_px > kMostSide_px) {
+        const double most_px =
+            std::min(kMostSide_px, kMostSideOfSize * std::max(camera.width_px, camera.height_px));
+        if (side_px > most_px) {
             return refuse(camera,
                           fmt::format("With these k1 .. k4, {:.0f} px per side would have to be "
                                       "rendered, more than {:g}; lower k1 .. k4 or width_px.",
-                                      side_px, kMostSide_px));
+                                      side_px, most_px));
         }
     }
     return {};

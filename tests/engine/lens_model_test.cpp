@@ -135,7 +135,7 @@ TEST(Rig, RefusesLensesThatCannotBe) {
     EXPECT_NE(falls.error().where.find("wide"), std::string::npos);
     camera.fov_deg = 100.0;  // ends before that
     EXPECT_TRUE(validate(Rig{camera}));
-    // Its edge would have thousands of pixels per radian.
+    // Its edge would have thousands of pixels per radian, or many more than its middle.
     RigCamera stretched = standardCamera(Lens::Fisheye);
     stretched.name = "stretched";
     stretched.width_px = stretched.height_px = 4096;
@@ -143,6 +143,8 @@ TEST(Rig, RefusesLensesThatCannotBe) {
     stretched.k1 = stretched.k2 = 10.0;
     EXPECT_FALSE(validate(Rig{stretched}));
     stretched.width_px = stretched.height_px = 640;
+    EXPECT_FALSE(validate(Rig{stretched}));
+    stretched.k1 = stretched.k2 = 0.2;
     EXPECT_TRUE(validate(Rig{stretched}));
     RigCamera pinhole;
     pinhole.name = "wide";
