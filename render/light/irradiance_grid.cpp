@@ -88,6 +88,13 @@ void IrradianceGrid::visitAround(std::size_t i, Add&& add) const {
     }
 }
 
+std::optional<std::size_t> IrradianceGrid::below(std::size_t i) const {
+    constexpr unsigned kUp = 2;
+    const std::size_t layer = step(kUp);
+    if (i < layer || (open_[i - layer] >> kUp & 1U) == 0) return std::nullopt;
+    return i - layer;
+}
+
 std::vector<char> IrradianceGrid::reachedFrom(const std::vector<std::size_t>& starts) const {
     std::vector<char> reached(count(), 0);
     std::vector<std::size_t> next;

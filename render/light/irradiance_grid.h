@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace dollytrack::render {
@@ -35,8 +36,10 @@ class IrradianceGrid {
     [[nodiscard]] bool inAir(std::size_t i) const { return in_air_[i] != 0; }
     void leaveAir(std::size_t i) { in_air_[i] = 0; }
 
-    /// Finds which neighbouring cells see each other. Call it before the two functions below.
+    /// Finds which neighbouring cells see each other. Call it before the three functions below.
     void link(const RayCaster& rays);
+    /// The neighbour straight below, if they see each other.
+    [[nodiscard]] std::optional<std::size_t> below(std::size_t i) const;
     /// By cell: whether it is connected to one of `starts` through neighbours that see each other.
     [[nodiscard]] std::vector<char> reachedFrom(const std::vector<std::size_t>& starts) const;
     /// Blurs the values of free cells over connected free cells, by about a Gaussian of this

@@ -61,6 +61,7 @@ class Baker {
             sunny_.assign(count * bounces_.perCell(), 0.0F);
         }
         sees_sky_.assign(count, 0);
+        sees_much_sky_.assign(count, 0);
         balanced_.assign(count, 0.0F);
         for (const Material& material : scene.materials) {
             albedo_.push_back(meanAlbedo(scene, material));
@@ -74,7 +75,8 @@ class Baker {
         });
         if (job.cancelled()) return {};
         cells_.link(rays_);
-        leaveOutside();
+        leaveOutdoors();
+        leaveUnconnected();
         cells_.blur(volume_.lamps, blurWidth());
         cells_.closeHoles(volume_.lamps);
         balance();
@@ -113,23 +115,43 @@ class Baker {
             escaped += ray.distance_m == 0.0F ? 1 : 0;
             stuck += ray.distance_m > 0.0F && ray.distance_m < volume_.cell_m ? 1 : 0;
         }
-        // Cells behind a wall see the open sky and cells inside cushions are dark; neither may
-        // bleed onto the surface a few centimetres away. Rooms without a ceiling see their lamps
-        // and stay.
+        // Cells inside cushions are dark, which may not bleed onto the surface a few centimetres
+        // away.
         sees_sky_[i] = escaped > 0 ? 1 : 0;
-        const bool in_the_dark = volume_.lamps[i].squaredNorm() == 0.0F;
-        if (in_the_dark && (4 * escaped > count || 4 * stuck > 3 * count)) cells_.leaveAir(i);
+        sees_much_sky_[i] = 4 * escaped > count ? 1 : 0;
+        if (!isLit(i) && 4 * stuck > 3 * count) cells_.leaveAir(i);
+    }
+
+    [[nodiscard]] bool isLit(std::size_t i) const { return volume_.lamps[i].squaredNorm() > 0.0F; }
+
+    /// Whether a lamp hangs above a cell, near enough to light it if nothing is between.
+    [[nodiscard]] bool hasLampAbove(std::size_t i) const {
+        const Eigen::Vector3d at = cells_.center(i);
+        return std::ranges::any_of(rig_.lamps, [&](const Lamp& lamp) {
+            return lamp.position.z() > at.z() && (lamp.position - at).norm() < kLampReach_m;
+        });
+    }
+
+    /// Excludes cells behind a wall, which see the open sky but no lamp. Rooms without a ceiling
+    /// see their lamps and stay, and so does the air above the lamps.
+    void leaveOutdoors() {
+        std::vector<char> in_room(cells_.count(), 0);
+        for (std::size_t i = 0; i < in_room.size(); ++i) {  // from the lowest layer to the highest
+            const auto below = cells_.below(i);
+            in_room[i] = isLit(i) || (below && in_room[*below] != 0 && !hasLampAbove(i)) ? 1 : 0;
+            if (in_room[i] == 0 && sees_much_sky_[i] != 0) cells_.leaveAir(i);
+        }
     }
 
     /// Excludes cells that are not connected to lit ones. Those that see the sky lie behind a wall,
     /// and daylight must not bleed through walls thinner than a cell. Those without any light are
     /// inside columns or cupboards, and their darkness must not bleed out.
-    void leaveOutside() {
+    void leaveUnconnected() {
         std::vector<std::size_t> lit;
         std::vector<std::size_t> bright;
         for (std::size_t i = 0; i < cells_.count(); ++i) {
-            if (volume_.lamps[i].squaredNorm() > 0.0F) lit.push_back(i);
-            if (volume_.lamps[i].squaredNorm() > 0.0F || balanced_[i] > 0.0F) bright.push_back(i);
+            if (isLit(i)) lit.push_back(i);
+            if (isLit(i) || balanced_[i] > 0.0F) bright.push_back(i);
         }
         if (lit.empty()) return;
         const std::vector<char> in_rooms = cells_.reachedFrom(lit);
@@ -331,6 +353,7 @@ class Baker {
     std::vector<float> balanced_;              // by cell: sum of neutral source radiance over its
                                                // rays
     std::vector<char> sees_sky_;               // by cell
+    std::vector<char> sees_much_sky_;          // by cell: in a quarter of its rays
     std::vector<Eigen::Vector3f> sent_;        // by cell, see gatherSent()
     std::vector<Eigen::Vector3f> sent_aside_;  // by cell: the same times the incoming direction
     std::vector<Eigen::Vector3f> albedo_;      // by material

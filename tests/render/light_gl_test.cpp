@@ -28,6 +28,13 @@ CameraParams squareCamera() {
     return camera;
 }
 
+View smallView(const Eigen::Vector3d& eye, const Eigen::Vector3d& target) {
+    CameraParams camera;
+    camera.width_px = 40;
+    camera.height_px = 30;
+    return makeView(camera, lookAt(eye, target));
+}
+
 /// Looks straight down at the floor from below the ceiling: 100 px per metre, the image centre at x
 /// = 1.5, y = 1.5.
 View downwards() {
@@ -230,10 +237,7 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeInTheSun) {
     LightRig rig = sunAlone(scene);
     rig.sky_strength = 0.5;
     const LightVolume volume = bakeLightVolume(scene, rays, rig);
-    CameraParams camera = squareCamera();
-    camera.width_px = 40;
-    camera.height_px = 30;
-    const View view = makeView(camera, lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
+    const View view = smallView({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8});
     EXPECT_LT(difference(scene, rays, rig, volume, view, 1.0F), 0.08);
     EXPECT_GT(difference(scene, rays, rig, volume, view, 1.5F), 0.12);
 }
@@ -245,10 +249,7 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
     const RayCaster rays(scene);
     const LightRig rig = makeLightRig(scene, rays);
     ASSERT_EQ(rig.scene_lamps.size(), 1U);
-    CameraParams camera = squareCamera();
-    camera.width_px = 40;
-    camera.height_px = 30;
-    const View view = makeView(camera, lookAt({1.6, 2.2, 1.6}, {0.1, 1.5, 1.1}));
+    const View view = smallView({1.6, 2.2, 1.6}, {0.1, 1.5, 1.1});
     const LightVolume volume = bakeLightVolume(scene, rays, rig);
     EXPECT_LT(difference(scene, rays, rig, volume, view, 1.0F), 0.06);
     LightRig without = rig;
@@ -280,16 +281,59 @@ TEST_F(LightGl, AHighHallIsNotDark) {
     const RayCaster rays(scene);
     const LightRig rig = makeLightRig(scene, rays);
     const LightVolume volume = bakeLightVolume(scene, rays, rig);
-    CameraParams camera = squareCamera();
-    camera.width_px = 40;
-    camera.height_px = 30;
-    const View view = makeView(camera, lookAt({3.0, 3.0, 1.5}, {7.0, 9.0, 0.6}));
+    const View view = smallView({3.0, 3.0, 1.5}, {7.0, 9.0, 0.6});
     const std::vector<float> drawn = lightOf(scene, volume, view);
     double mean = 0.0;
     for (const float value : drawn) mean += value / static_cast<double>(drawn.size());
     EXPECT_GT(mean, 0.2);
     EXPECT_LT(mean, 1.0);
     EXPECT_LT(difference(scene, rays, rig, volume, view, 1.0F), 0.1);
+}
+
+// A surface that also emits a little blue light, as some files have it, keeps its own colour.
+TEST_F(LightGl, FaintEmissionLeavesTheColourOfASurface) {
+    Scene scene = test::lampRoom(0.8F);
+    const RayCaster rays(scene);
+    const LightVolume volume = bakeLightVolume(scene, rays, makeLightRig(scene, rays));
+    const View view = smallView({1.6, 2.2, 1.6}, {0.1, 1.5, 1.1});
+    const std::vector<float> plain = lightOf(scene, volume, view);
+    for (Material& material : scene.materials) {
+        if (material.emission.isZero(0.0F)) material.emission = {0.0006F, 0.0013F, 0.017F};
+    }
+    const std::vector<float> faint = lightOf(scene, volume, view);
+    ASSERT_EQ(faint.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        ASSERT_NEAR(faint[i], plain[i], 0.02F) << "value " << i;
+    }
+}
+
+// The lamps of a room without a ceiling hang 3 m high and shine down. The walls above them have the
+// light of the sky and of a small bright screen, without blotches.
+TEST_F(LightGl, TheWallsOfAnOpenRoomAreLitEvenlyAboveItsLamps) {
+    dollytrack::test::SceneBuilder builder;
+    const Eigen::Vector3f paint(0.7F, 0.7F, 0.7F);
+    builder.object("floor", {kNyuFloor, Role::Structure, paint})
+        .quad({0, 0, 0}, {6, 0, 0}, {0, 6, 0});
+    builder.object("walls", {kNyuWall, Role::Structure, paint})
+        .box({-0.02, 3, 2.8}, {0.04, 6.1, 5.6})
+        .box({3, 6.02, 2.8}, {6, 0.04, 5.6});
+    builder.object("screen").box({4.0, 3.0, 1.0}, {0.4, 0.4, 0.4});
+    Scene scene = builder.build();
+    for (Material& material : scene.materials) material.roughness = 1.0F;
+    const std::uint32_t screen = scene.objects.back().first_triangle;
+    scene.materials[scene.triangle_material[screen]].emission.setConstant(8.0F);
+    const RayCaster rays(scene);
+    const LightRig rig = makeLightRig(scene, rays);
+    const LightVolume volume = bakeLightVolume(scene, rays, rig);
+    const View view = smallView({3.0, 3.0, 3.8}, {1.5, 6.0, 4.4});
+    EXPECT_LT(difference(scene, rays, rig, volume, view, 1.0F), 0.1);
+    const std::vector<float> drawn = lightOf(scene, volume, view);
+    for (std::size_t y = 6; y < 30; ++y) {  // the wall at y = 6
+        for (std::size_t x = 16; x + 1 < 40; ++x) {
+            const std::size_t pixel = 3 * (y * 40 + x);
+            EXPECT_NEAR(drawn[pixel], drawn[pixel + 3], 0.04F) << x << ", " << y;
+        }
+    }
 }
 
 class DatasetLightGl : public test::DatasetGlTest {

@@ -74,15 +74,15 @@ Vertex makeVertex(const Scene& scene, const Object& object, bool shows_outside,
     vertex.uv = index < scene.uvs.size() ? scene.uvs[index] : Eigen::Vector2f::Zero();
     // Emitting surfaces carry the hue of their emission as colour; its strength is a trait.
     const Eigen::Vector3f shines = plainEmission(material);
-    const float emission = shines.maxCoeff();
+    // Fainter emission is lost in reflected light; see surface.frag.
+    constexpr float kFaintest = 0.0625F;
+    const float emission = shines.maxCoeff() < kFaintest ? 0.0F : shines.maxCoeff();
     const Eigen::Vector3f color =
         emission > 0.0F ? Eigen::Vector3f(shines / emission) : material.base_color;
     for (int c = 0; c < 3; ++c) vertex.base_color[c] = toByte(std::sqrt(std::max(color[c], 0.0F)));
     vertex.base_color[3] = toByte(material.opacity);
-    vertex.traits = {
-        toByte(material.roughness), toByte(plainMetallic(scene, material)),
-        emission > 0.0F ? toByte(std::max(emission / 8.0F, 1.0F / 255.0F)) : std::uint8_t{0},
-        structureTrait(object, shows_outside)};
+    vertex.traits = {toByte(material.roughness), toByte(plainMetallic(scene, material)),
+                     toByte(emission / 8.0F), structureTrait(object, shows_outside)};
     vertex.object_id = static_cast<std::uint32_t>(object.id);
     return vertex;
 }

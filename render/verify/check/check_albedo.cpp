@@ -47,10 +47,11 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
             }
         }
     }
-    // A uniformly emitting surface has the hue of its emission.
+    // A uniformly emitting surface has the hue of its emission, unless that is faint.
+    constexpr float kFaintest = 0.0625F;
     const float emission = material.emission_map < 0 ? material.emission.maxCoeff() : 0.0F;
     const Eigen::Vector3f color_of_it =
-        emission > 0.0F ? Eigen::Vector3f(material.emission / emission) : material.base_color;
+        emission >= kFaintest ? Eigen::Vector3f(material.emission / emission) : material.base_color;
     ColorRange range;
     for (std::size_t c = 0; c < 3; ++c) {
         // The renderer decodes texels by squaring.
