@@ -502,7 +502,7 @@ inline constexpr double kFillForTrackability = 0.45;
            (gaze.trackability == Trackability::Auto && timing.motion_preset == MotionPreset::Slam);
 }
 
-/// The fill that viewpoints are sought with: at most kFillForTrackability with trackability.
+/// The parameter `fill`, limited to kFillForTrackability if trackability is asked for.
 [[nodiscard]] inline double usedFill(const PlanParams& params) {
     const double fill = params.viewpoints.fill;
     return asksForTrackability(params.gaze, params.timing) ? std::min(fill, kFillForTrackability)

@@ -10,7 +10,7 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kManyCorners = 2.0 * kTrackableCorners;
+constexpr double kCornersOfFullWeight = 2.0 * kTrackableCorners;
 
 double cornersIn(const ViewEstimator& views, const TextureCorners& textures, const Pose& pose) {
     return CornerPanorama(views, textures, pose.position, pose.forward()).corners(pose.rotation);
@@ -38,7 +38,7 @@ void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
     std::vector<double> shares(position_points.size());
     parallelFor(shares.size(), [&](std::size_t i) {
         const double corners = cornersIn(views, textures, position_points[i].pose);
-        shares[i] = std::clamp(corners / kManyCorners, kLeastWeight, 1.0);
+        shares[i] = std::clamp(corners / kCornersOfFullWeight, kLeastWeight, 1.0);
     });
     const std::size_t objects = views.scene().objects.size();
     std::vector<double> best(objects, 0.0);

@@ -20,8 +20,9 @@ Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
                                                  const Trajectory& trajectory,
                                                  const JobContext& job);
 
-/// Lowers the weights of objects (index id - 1) whose views all show few corners, so that a budget
-/// drops these views first. `object_weights` may be empty, which means 1 for each.
+/// Lowers the weight of each object that no position point captures in a view of many corners. A
+/// plan with limited frames leaves out such objects first.
+/// @param object_weights  by object, at index id - 1; if empty, filled from weights of 1
 void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
                     const std::vector<PositionPoint>& position_points,
                     std::vector<double>& object_weights);

@@ -38,7 +38,7 @@ class IrradianceGrid {
 
     /// Finds which neighbouring cells see each other. Call it before the three functions below.
     void link(const RayCaster& rays);
-    /// The neighbour straight below, if they see each other.
+    /// The index of the cell straight below, if no surface lies between the two.
     [[nodiscard]] std::optional<std::size_t> below(std::size_t i) const;
     /// By cell: whether it is connected to one of `starts` through neighbours that see each other.
     [[nodiscard]] std::vector<char> reachedFrom(const std::vector<std::size_t>& starts) const;

@@ -24,8 +24,8 @@ enum class Durability {
 [[nodiscard]] Status writeWhole(const std::filesystem::path& path, std::string_view text,
                                 Durability durability = Durability::Synced);
 
-/// The name that a temporary file of writeWhole() would get when complete: `<name>` for
-/// `<name>.tmp.<pid>`. Any other name is returned as it is.
+/// Drops the ending `.tmp.<pid>` that writeWhole() gives to a file until it is complete. A name
+/// without that ending is returned unchanged.
 [[nodiscard]] std::string_view completedName(std::string_view name);
 
 /// Writes all bytes to an open file, however many calls that takes. Returns 0 or errno.
