@@ -9,10 +9,11 @@ namespace dollytrack {
 
 class RayCaster;
 
-/// Estimated image corners from which ORB usually finds 100 or more, which SLAM programs can track.
+/// Smallest estimated number of image corners of a trackable frame; ORB usually finds at least 100
+/// there.
 inline constexpr double kTrackableCorners = 150.0;
 
-/// What is known of each frame of a trajectory, for timelines and colours. One entry a frame.
+/// Measurements of each frame of a trajectory, for timelines and colours. One entry per frame.
 struct FrameSeries {
     std::vector<double> clearance_m;   // from the camera's centre to the nearest surface, exact
     std::vector<double> speed_mps;     // on the way from the frame before; 0 where a path begins
@@ -24,7 +25,8 @@ struct FrameSeries {
     std::vector<int> captured_so_far;  // targets captured by this frame or an earlier one
     std::vector<std::vector<int>> newly_captured;  // ids of those captured for the first time
     /// Estimated number of corners that a feature detector finds in the image, scaled to a width
-    /// of 320 pixels; empty without trackability.
+    /// of 320 pixels; at most 1.5 times those that the image three frames earlier shows too. Empty
+    /// without trackability.
     std::vector<double> image_corners;
 
     [[nodiscard]] std::size_t size() const { return clearance_m.size(); }

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kSpacing_m = 0.6;   // distance between two context views
-constexpr double kShortest_m = 0.1;  // key frames closer than this count as one place
+constexpr double kShortest_m = 0.1;  // between closer key frames the camera only turns
 constexpr int kMostBetweenKeys = 6;
 constexpr double kFramesPerView = 2.0;  // frames of the budget that each key needs
 constexpr double kLooksAhead_m = 2.0;
@@ -36,11 +36,10 @@ constexpr double kSlowdownAtMean = 4.0;
 constexpr double kMostSlowdown = 8.0;
 
 // Trackability: views with few corners cost extra time in the dynamic programming.
-constexpr double kEnoughCorners = 350.0;  // as estimated, which is too high in views with few
-                                          // corners: ORB finds about 200
-// s per second, see costOfDeficit()
-constexpr double kCostOfFewCorners = 10.0;
-constexpr double kCostOfNoCorners = 30.0;
+constexpr double kEnoughCorners = 350.0;  // as estimated; ORB finds about 400
+// Extra cost of few corners, s per second of a view: see costOfDeficit().
+constexpr double kLinearCost = 10.0;
+constexpr double kQuarticCost = 30.0;
 constexpr double kLeastViewMix = 0.1;  // used if view_mix is smaller
 constexpr double kTurnBetweenViews = 40.0 * kRadian;
 constexpr double kCheckedTurn = 10.0 * kRadian;
@@ -68,9 +67,9 @@ struct Place {
     bool free = false;  // else a key frame, with its own direction only
     std::vector<Eigen::Vector3d> directions = {};
     std::vector<double> values = {};    // by direction
-    std::vector<double> deficits = {};  // of corners, by direction
+    std::vector<double> deficits = {};  // missing share of kEnoughCorners, by direction
     Grid grid{};                        // value of every grid direction
-    Grid grid_deficits{};               // of corners there
+    Grid grid_deficits{};               // deficit of every grid direction
 };
 
 /// A target shown in a view, and how well (0..1).
@@ -98,7 +97,7 @@ double gridValue(const Grid& grid, const Eigen::Vector3d& direction) {
 /// the share, because a SLAM program loses track in the few views without corners, not in the many
 /// with half of them.
 double costOfDeficit(double share) {
-    return kCostOfFewCorners * share + kCostOfNoCorners * std::pow(share, 4);
+    return kLinearCost * share + kQuarticCost * std::pow(share, 4);
 }
 
 class GazeSearch {
@@ -226,14 +225,16 @@ class GazeSearch {
                             : angle / turn_rps_ + turn_rps_ / turn_rps2_;
     }
 
-    /// The share of corners that a view lacks part of the way from one direction to another.
-    [[nodiscard]] static double deficitBetween(const Place& begin, std::size_t a, const Place& end,
-                                               std::size_t b, double share) {
+    /// A grid's value at a fraction of the turn from one direction to another; `opposite` if the
+    /// two are opposite.
+    [[nodiscard]] static double valueBetween(const Place& begin, std::size_t a, const Place& end,
+                                             std::size_t b, double fraction, Grid Place::*grid,
+                                             double opposite) {
         const Eigen::Vector3d along =
-            (1.0 - share) * begin.directions[a] + share * end.directions[b];
-        if (along.squaredNorm() < 1e-6) return 1.0;
-        return (1.0 - share) * gridValue(begin.grid_deficits, along.normalized()) +
-               share * gridValue(end.grid_deficits, along.normalized());
+            (1.0 - fraction) * begin.directions[a] + fraction * end.directions[b];
+        if (along.squaredNorm() < 1e-6) return opposite;
+        return (1.0 - fraction) * gridValue(begin.*grid, along.normalized()) +
+               fraction * gridValue(end.*grid, along.normalized());
     }
 
     [[nodiscard]] Step step(std::size_t from, std::size_t a, std::size_t b) const {
@@ -247,17 +248,14 @@ class GazeSearch {
         const double travel_s = length / speed_mps_;
         made.time_s = travel_s;
         made.cost_s = std::max(0.0, turnTime(angle) - travel_s) + turn_price_ * angle;
-        const Eigen::Vector3d middle = first + last;
-        const double between = middle.squaredNorm() > 1e-6
-                                   ? 0.5 * (gridValue(begin.grid, middle.normalized()) +
-                                            gridValue(end.grid, middle.normalized()))
-                                   : 0.0;
+        const double between = valueBetween(begin, a, end, b, 0.5, &Place::grid, 0.0);
         made.value = 0.25 * begin.values[a] + 0.5 * between + 0.25 * end.values[b];
         if (!corners_.empty()) {
             double cost =
                 0.125 * (costOfDeficit(begin.deficits[a]) + costOfDeficit(end.deficits[b]));
-            for (const double share : {0.25, 0.5, 0.75}) {
-                cost += 0.25 * costOfDeficit(deficitBetween(begin, a, end, b, share));
+            for (const double fraction : {0.25, 0.5, 0.75}) {
+                cost += 0.25 * costOfDeficit(valueBetween(begin, a, end, b, fraction,
+                                                          &Place::grid_deficits, 1.0));
             }
             made.cost_s += cost * std::max(travel_s, turnTime(angle));
         }

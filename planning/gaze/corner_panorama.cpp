@@ -1,7 +1,6 @@
 #include "planning/gaze/corner_panorama.h"
 
 #include "engine/geometry/ray_caster.h"
-#include "engine/math/pose.h"
 #include "planning/visibility/view_estimator.h"
 
 #include <algorithm>
@@ -18,13 +17,14 @@ constexpr int kColumns = 180;
 constexpr int kRows = 81;
 constexpr double kStep = 2.0 * std::numbers::pi / kColumns;
 
-// Corners of a cell, fitted to those that ORB finds in 1,400 rendered views of two scenes (rank
-// correlation 0.81).
-constexpr double kPerJunction = 4.3;  // at full contrast
-constexpr double kPerTextureCorner = 0.95;
+// Corners of a cell, fitted to those that ORB finds in 4,248 rendered views of ten scenes (rank
+// correlation 0.87).
+constexpr double kPerJunction = 4.4;  // at full contrast
+constexpr double kPerTextureCorner = 0.42;
 // Differences of brightness (0 to 1) between neighbouring cells.
-constexpr double kLeastContrast = 0.04;  // less is the shading of a curved surface
-constexpr double kFullContrast = 0.25;   // more does not count for more
+constexpr double kLeastContrast = 0.03;  // less is the shading of a curved surface
+constexpr double kFullContrast = 0.08;   // more does not count for more
+constexpr double kBorder_px = 16.0;      // where detectors find no corners
 constexpr double kLeastInCell = 0.01;    // fewer corners are left out
 
 /// The surface that a ray of the grid hits.
@@ -54,8 +54,8 @@ class SurfaceReader {
         const double twice_area_m2 = normal.norm();
         if (twice_area_m2 <= 0.0) return {};
         const Eigen::Vector3d unit = normal / twice_area_m2;
-        // Light from above and aside, as in a room: three directions have different brightness.
-        const double lit = 0.55 + 0.45 * std::abs(unit.dot(Eigen::Vector3d(0.3, 0.5, 0.81)));
+        // Faint light from above and aside gives three directions different brightness.
+        const double lit = 0.92 + 0.08 * std::abs(unit.dot(Eigen::Vector3d(0.3, 0.5, 0.81)));
         const double reflected =
             material.base_color.dot(Eigen::Vector3f(0.2126F, 0.7152F, 0.0722F));
         const double encoded = std::pow(std::clamp(reflected, 0.0, 1.0), 1.0 / 2.2);
@@ -105,8 +105,8 @@ const std::vector<Eigen::Vector3d>& gridDirections() {
     return directions;
 }
 
-/// Sobel gradients of the brightness in rows of a grid of surfaces around a position, clipped, in
-/// units of kFullContrast; zero in other rows.
+/// Computes the Sobel gradients of the brightness in rows `first_row` to `last_row` of the grid,
+/// clipped, in units of kFullContrast; those of other rows become zero.
 void findGradients(const std::vector<Surface>& surfaces, int first_row, int last_row,
                    std::vector<Eigen::Vector2d>& found) {
     found.assign(surfaces.size(), Eigen::Vector2d::Zero());
@@ -147,13 +147,15 @@ double junction(const std::vector<Eigen::Vector2d>& gradients, int row, int colu
 }  // namespace
 
 CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
-                               const Eigen::Vector3d& position) {
+                               const Eigen::Vector3d& position)
+    : position_(position) {
     constexpr double kAllDirections = -2.0;
     cast(views, textures, position, Eigen::Vector3d::UnitX(), kAllDirections);
 }
 
 CornerPanorama::CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
-                               const Eigen::Vector3d& position, const Eigen::Vector3d& direction) {
+                               const Eigen::Vector3d& position, const Eigen::Vector3d& direction)
+    : position_(position) {
     const Intrinsics& lens = views.intrinsics();
     // A cell's corners depend on cells up to two rows and columns away, 2.83 steps diagonally.
     constexpr double kMargin = 3.0 * kStep;
@@ -165,8 +167,11 @@ void CornerPanorama::cast(const ViewEstimator& views, const TextureCorners& text
                           const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
                           double least_cosine) {
     const Intrinsics& lens = views.intrinsics();
-    half_size_ = Eigen::Vector2d(lens.cx / lens.fx, lens.cy / lens.fy).cast<float>();
     const double focal_px = lens.fx * kImageWidth / lens.width;
+    const double border = kBorder_px / focal_px;
+    half_size_ = Eigen::Vector2d(lens.cx / lens.fx - border, lens.cy / lens.fy - border)
+                     .cwiseMax(0.0)
+                     .cast<float>();
     std::vector<RayCaster::BundleRay> rays;
     std::vector<int> cells;  // of the rays, row by row
     const std::vector<Eigen::Vector3d>& grid = gridDirections();
@@ -176,7 +181,7 @@ void CornerPanorama::cast(const ViewEstimator& views, const TextureCorners& text
         cells.push_back(static_cast<int>(i));
     }
     if (cells.empty()) return;
-    // Kept between calls: freed memory of this size goes back to the system each time.
+    // Kept between calls, because allocating buffers of this size each time is slow.
     thread_local std::vector<RayHit> hits;
     thread_local std::vector<Surface> surfaces;
     thread_local std::vector<Eigen::Vector2d> changes;
@@ -198,7 +203,10 @@ void CornerPanorama::cast(const ViewEstimator& views, const TextureCorners& text
             narrow * (kPerJunction * junction(changes, row, column) +
                       kPerTextureCorner * here.texture_corners * side_px * side_px);
         if (corners < kLeastInCell) continue;
-        cells_.push_back({rays[i].direction.cast<float>(), static_cast<float>(corners)});
+        constexpr double kFarAway_m = 1e3;  // where a ray hits nothing
+        const double distance_m = hits[i].object_id == 0 ? kFarAway_m : hits[i].distance;
+        cells_.push_back({rays[i].direction.cast<float>(), static_cast<float>(distance_m),
+                          static_cast<float>(corners)});
     }
     cells_.shrink_to_fit();
 }
@@ -207,7 +215,13 @@ double CornerPanorama::corners(const Eigen::Vector3d& direction) const {
     return corners(lookAlong(direction));
 }
 
-double CornerPanorama::corners(const Eigen::Quaterniond& world_from_camera) const {
+bool CornerPanorama::inImage(const Eigen::Vector3f& in_camera) const {
+    return in_camera.z() > 0.0F && std::abs(in_camera.x()) < half_size_.x() * in_camera.z() &&
+           std::abs(in_camera.y()) < half_size_.y() * in_camera.z();
+}
+
+template <typename Visit>
+void CornerPanorama::visitImage(const Eigen::Quaterniond& world_from_camera, Visit&& visit) const {
     const Eigen::Matrix3f camera_from_world =
         world_from_camera.conjugate().toRotationMatrix().cast<float>();
     // Cells are sorted by elevation; only those in the image's range are looked at.
@@ -222,14 +236,27 @@ double CornerPanorama::corners(const Eigen::Quaterniond& world_from_camera) cons
     const float highest = sineOf(elevation + reach);
     const auto first = std::ranges::lower_bound(
         cells_, lowest, {}, [](const Cell& cell) { return cell.direction.z(); });
-    float sum = 0.0F;
     for (auto cell = first; cell != cells_.end() && cell->direction.z() <= highest; ++cell) {
-        const Eigen::Vector3f p = camera_from_world * cell->direction;
-        if (p.z() > 0.0F && std::abs(p.x()) < half_size_.x() * p.z() &&
-            std::abs(p.y()) < half_size_.y() * p.z()) {
-            sum += cell->corners;
-        }
+        if (inImage(camera_from_world * cell->direction)) visit(*cell);
     }
+}
+
+double CornerPanorama::corners(const Eigen::Quaterniond& world_from_camera) const {
+    float sum = 0.0F;
+    visitImage(world_from_camera, [&](const Cell& cell) { sum += cell.corners; });
+    return sum;
+}
+
+double CornerPanorama::cornersAlsoIn(const Pose& other,
+                                     const Eigen::Quaterniond& world_from_camera) const {
+    const Eigen::Matrix3f other_from_world =
+        other.rotation.conjugate().toRotationMatrix().cast<float>();
+    const Eigen::Vector3f moved = (position_ - other.position).cast<float>();
+    float sum = 0.0F;
+    visitImage(world_from_camera, [&](const Cell& cell) {
+        const Eigen::Vector3f from_other = moved + cell.distance_m * cell.direction;
+        if (inImage(other_from_world * from_other)) sum += cell.corners;
+    });
     return sum;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/math/pose.h"
 #include "planning/gaze/texture_corners.h"
 
 #include <Eigen/Geometry>
@@ -30,18 +31,28 @@ class CornerPanorama {
     /// of the view without roll.
     [[nodiscard]] double corners(const Eigen::Quaterniond& world_from_camera) const;
     [[nodiscard]] double corners(const Eigen::Vector3d& direction) const;
+    /// Number of these corners that lie in the image of another view too, whether or not something
+    /// hides them there.
+    [[nodiscard]] double cornersAlsoIn(const Pose& other,
+                                       const Eigen::Quaterniond& world_from_camera) const;
 
   private:
     struct Cell {
         Eigen::Vector3f direction;
+        float distance_m = 0.0F;
         float corners = 0.0F;
     };
+    [[nodiscard]] bool inImage(const Eigen::Vector3f& in_camera) const;
+    /// Calls visit(cell) for every cell in the image of a view.
+    template <typename Visit>
+    void visitImage(const Eigen::Quaterniond& world_from_camera, Visit&& visit) const;
     /// Casts the rays whose cosine with `direction` is at least `least_cosine`.
     void cast(const ViewEstimator& views, const TextureCorners& textures,
               const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
               double least_cosine);
 
-    Eigen::Vector2f half_size_;  // of the image at depth 1
+    Eigen::Vector3d position_;
+    Eigen::Vector2f half_size_;  // of the image without its border, at depth 1
     std::vector<Cell> cells_;    // those with corners, by rising elevation
 };
 

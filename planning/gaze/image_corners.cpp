@@ -22,10 +22,19 @@ Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
                                                  const TextureCorners& textures,
                                                  const Trajectory& trajectory,
                                                  const JobContext& job) {
-    std::vector<double> corners(trajectory.frames.size());
+    constexpr double kPerKnownCorner = 1.5;
+    constexpr std::size_t kFramesBack = 3;
+    const std::vector<TrajectoryFrame>& frames = trajectory.frames;
+    std::vector<double> corners(frames.size());
     parallelFor(corners.size(), [&](std::size_t i) {
         if (job.cancelled()) return;
-        corners[i] = cornersIn(views, textures, trajectory.frames[i].pose);
+        std::size_t back = std::min(i, kFramesBack);
+        while (frames[i - back].path != frames[i].path) --back;
+        const Pose& pose = frames[i].pose;
+        const CornerPanorama panorama(views, textures, pose.position, pose.forward());
+        corners[i] = std::min(
+            panorama.corners(pose.rotation),
+            kPerKnownCorner * panorama.cornersAlsoIn(frames[i - back].pose, pose.rotation));
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     return corners;
@@ -33,10 +42,11 @@ Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
 
 void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
                     const std::vector<PositionPoint>& position_points,
-                    std::vector<double>& object_weights) {
+                    std::vector<double>& object_weights, const JobContext& job) {
     constexpr double kLeastWeight = 0.1;
     std::vector<double> shares(position_points.size());
     parallelFor(shares.size(), [&](std::size_t i) {
+        if (job.cancelled()) return;
         const double corners = cornersIn(views, textures, position_points[i].pose);
         shares[i] = std::clamp(corners / kCornersOfFullWeight, kLeastWeight, 1.0);
     });
@@ -51,6 +61,49 @@ void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
     for (std::size_t i = 0; i < objects; ++i) {
         if (best[i] > 0.0) object_weights[i] *= best[i];
     }
+}
+
+std::vector<int> pointsAmongBareViews(const Trajectory& trajectory,
+                                      const std::vector<double>& corners,
+                                      const std::vector<PositionPoint>& position_points) {
+    /// A key frame, and the numbers of frames with few corners up to the key frames around it.
+    struct Stop {
+        int point = -1;
+        int bare_before = 0;
+        int bare_after = 0;
+    };
+    std::vector<Stop> stops;
+    bool same_path = false;
+    int bare = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const TrajectoryFrame& frame = trajectory.frames[i];
+        if (i > 0 && frame.path != trajectory.frames[i - 1].path) {
+            same_path = false;
+            bare = 0;
+        }
+        if (corners[i] < kTrackableCorners) ++bare;
+        if (same_path) stops.back().bare_after = bare;
+        if (frame.position_point < 0) continue;
+        stops.push_back({frame.position_point, bare, 0});
+        same_path = true;
+        bare = corners[i] < kTrackableCorners ? 1 : 0;
+    }
+    std::erase_if(stops, [&](const Stop& stop) {
+        return position_points[stop.point].pin >= 0 || position_points[stop.point].fixed ||
+               stop.bare_before + stop.bare_after == 0;
+    });
+    if (stops.empty()) return {};
+    const auto least = [](const Stop& stop) { return std::min(stop.bare_before, stop.bare_after); };
+    std::vector<int> found;
+    for (const Stop& stop : stops) {
+        if (least(stop) > 0) found.push_back(stop.point);
+    }
+    if (found.empty()) {
+        found.push_back(std::ranges::max_element(stops, {}, [](const Stop& stop) {
+                            return stop.bare_before + stop.bare_after;
+                        })->point);
+    }
+    return found;
 }
 
 std::optional<double> trackableRate(const std::vector<double>& corners) {

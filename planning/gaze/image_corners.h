@@ -14,7 +14,8 @@ class TextureCorners;
 class ViewEstimator;
 
 /// Estimated number of corners in each frame's image, scaled to a width of 320 pixels; see
-/// CornerPanorama. Error: Cancelled.
+/// CornerPanorama. At most 1.5 times the corners that the image three frames earlier shows too:
+/// SLAM programs track a frame by corners that they know already. Error: Cancelled.
 Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
                                                  const TextureCorners& textures,
                                                  const Trajectory& trajectory,
@@ -22,10 +23,16 @@ Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
 
 /// Lowers the weight of each object that no position point captures in a view of many corners. A
 /// plan with limited frames leaves out such objects first.
-/// @param object_weights  by object, at index id - 1; if empty, filled from weights of 1
+/// @param object_weights  by object, at index id - 1; empty: all 1
 void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
                     const std::vector<PositionPoint>& position_points,
-                    std::vector<double>& object_weights);
+                    std::vector<double>& object_weights, const JobContext& job);
+
+/// Position points whose views to either side along the trajectory have too few corners; if there
+/// is none, the one beside most such frames. Not pinned or fixed ones.
+[[nodiscard]] std::vector<int> pointsAmongBareViews(
+    const Trajectory& trajectory, const std::vector<double>& corners,
+    const std::vector<PositionPoint>& position_points);
 
 /// Share of the frames with at least kTrackableCorners, 0..1; empty without frames.
 [[nodiscard]] std::optional<double> trackableRate(const std::vector<double>& corners);

@@ -117,7 +117,7 @@ class Budget {
 
     [[nodiscard]] bool fits() const { return length_ <= max_; }
 
-    /// Worth of everything shown.
+    /// Sum of the weights of all objects shown.
     [[nodiscard]] double worth() const {
         const auto shown = [this](const std::map<int, int>& stops) {
             double sum = 0.0;

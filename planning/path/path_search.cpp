@@ -112,9 +112,10 @@ Result<std::vector<CameraPath>> takePaths(Roadmap& roadmap,
             walks.push_back(walkBranch(parts[i], ends.weights, part_ends[i]));
         }
     } else {
-        const TourBudget budget{params.max_length_m,  ends.chosen_by_tour ? ends.visits : 0,
-                                ends.object_weights,  ends.rank,
-                                ends.smooth_length_m, ends.corner_distance_m};
+        const TourBudget budget{params.max_length_m,   ends.chosen_by_tour ? ends.visits : 0,
+                                ends.object_weights,   ends.rank,
+                                ends.avoided,          ends.smooth_length_m,
+                                ends.corner_distance_m};
         walks = walkTours(parts, part_ends, sphere, budget, weights, job);
     }
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");

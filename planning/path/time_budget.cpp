@@ -7,8 +7,8 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr int kHalvings = 8;
-// Lengths tried beyond that found by bisection, relative to it.
-constexpr double kStep = 1.15;
+// After bisection, longer lengths up to twice its result are tried.
+constexpr double kStep = 0.15;  // relative to that result
 constexpr double kFarthest = 2.0;
 constexpr double kShortest_m = 1e-3;  // so short that only fixed stops are visited
 
@@ -58,8 +58,8 @@ Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double m
         return longest;
     }
     // A longer path may need fewer frames, if it leaves out large turns or context views.
-    for (double length_m = kStep * low; length_m < std::min(whole_m, kFarthest * low);
-         length_m += (kStep - 1.0) * low) {
+    for (double length_m = (1.0 + kStep) * low; length_m < std::min(whole_m, kFarthest * low);
+         length_m += kStep * low) {
         const Result<bool> few = fits(length_m);
         if (!few) return tl::unexpected(few.error());
     }

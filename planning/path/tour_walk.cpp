@@ -28,7 +28,7 @@ struct TourOfPart {
 };
 
 TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, const PartEnds& ends,
-                     const std::vector<int>& rank, const JobContext& job) {
+                     const TourBudget& budget, const JobContext& job) {
     const auto count = part.keys.size();
     TourOfPart tour;
     tour.shortest.resize(count);
@@ -47,9 +47,10 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
             plan.cost[i][j] = plan.cost[j][i] = weights.distance_weight * length + turn;
         }
         const PositionPoint& point = part.point(static_cast<int>(i));
-        plan.shows.push_back(point.well_captured);
-        plan.shows_less.push_back(point.captured);
-        if ((point.fixed && point.pin < 0) || point.surface_view) {
+        const bool counts = !budget.avoided.contains(part.keys[i]);
+        plan.shows.push_back(counts ? point.well_captured : std::vector<int>());
+        plan.shows_less.push_back(counts ? point.captured : std::vector<int>());
+        if (counts && ((point.fixed && point.pin < 0) || point.surface_view)) {
             // A constraint viewpoint, of a must-see region, an anchor or surface, is worth as much
             // as an object.
             const int asked = -1 - part.keys[i];
@@ -58,7 +59,7 @@ TourOfPart startTour(const RoadmapPart& part, const RoadmapParams& weights, cons
         }
         plan.fixed.push_back(point.pin >= 0);
         tour.vertices.push_back(static_cast<int>(i));
-        if (!rank.empty()) plan.rank.push_back(rank[part.keys[i]]);
+        if (!budget.rank.empty()) plan.rank.push_back(budget.rank[part.keys[i]]);
     }
     plan.ends = {ends.first, ends.last};
     if (ends.closed) {
@@ -240,7 +241,7 @@ std::vector<std::vector<PathVertex>> walkTours(const std::vector<RoadmapPart>& p
                                                const JobContext& job) {
     std::vector<TourOfPart> tours;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        tours.push_back(startTour(parts[i], weights, ends[i], budget.rank, job));
+        tours.push_back(startTour(parts[i], weights, ends[i], budget, job));
     }
     std::vector<Legs> legs;
     for (std::size_t i = 0; i < parts.size(); ++i) legs.emplace_back(parts[i], tours[i], sphere);

@@ -4,6 +4,7 @@
 #include "planning/path/roadmap_part.h"
 
 #include <functional>
+#include <set>
 #include <vector>
 
 namespace dollytrack::planning {
@@ -18,6 +19,7 @@ struct TourBudget {
     std::vector<double> object_weights;  // by object, at index id - 1; empty: all 1
     std::vector<int> rank;  // by position point: rank among key frames, 0 is the most useful; may
                             // be empty
+    std::set<int> avoided;  // see PathEnds
     std::function<double(const CameraPath&)> smooth_length_m;  // see PathEnds
     double corner_distance_m = 0.0;
 };

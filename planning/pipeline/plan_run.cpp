@@ -85,7 +85,7 @@ class Pipeline::Stages::PlanRun {
     Status measure();
 
     [[nodiscard]] PathEnds pathEnds() const;
-    Result<Paths> pathsWithin(double max_length_m, const JobContext& job);
+    Result<Paths> pathsWithin(double max_length_m, const PathEnds& ends, const JobContext& job);
     Result<Paths> pathsOfClip(const JobContext& job);
     Result<Metrics> measureFound(const JobContext& job);
     [[nodiscard]] Result<Coverages> measureCoverages(const JobContext& job) const;
@@ -191,8 +191,10 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
 
 PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
     std::vector<double> weights = objectWeights(*stages_.scene, edits_.regions);
-    if (environment_.corners) {
-        weighByCorners(*stages_.views, environment_.corners->textures(), positionPoints(), weights);
+    const bool limited = params_.timing.max_frames > 0 || params_.path.max_length_m > 0.0;
+    if (environment_.corners && limited) {
+        weighByCorners(*stages_.views, environment_.corners->textures(), positionPoints(), weights,
+                       job_);
     }
     PathEnds ends{pointOfPin(*stages_.placed, edits_, edits_.start),
                   pointOfPin(*stages_.placed, edits_, edits_.end),
@@ -265,12 +267,13 @@ Status Pipeline::Stages::PlanRun::linkRoadmap() {
                        });
 }
 
-Result<Paths> Pipeline::Stages::PlanRun::pathsWithin(double max_length_m, const JobContext& job) {
+Result<Paths> Pipeline::Stages::PlanRun::pathsWithin(double max_length_m, const PathEnds& ends,
+                                                     const JobContext& job) {
     Paths found{*stages_.linking, {}};
     PathParams within = params_.path;
     within.max_length_m = max_length_m;
     return takePaths(found.roadmap, positionPoints(), movementEnvironment().sphere, within,
-                     params_.roadmap, ends_, job)
+                     params_.roadmap, ends, job)
         .map([&](std::vector<CameraPath> paths) {
             found.paths = std::move(paths);
             return std::move(found);
@@ -278,14 +281,39 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsWithin(double max_length_m, const 
 }
 
 Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
-    const TimedPaths timed{[&](double max_length_m) { return pathsWithin(max_length_m, job); },
-                           [&](const Paths& found) { return builder_->countFrames(found.paths); }};
-    return pathsWithinFrames(timed, params_.path.max_length_m,
-                             static_cast<std::size_t>(clipFrames(params_.timing)))
-        .and_then([&](std::optional<Paths>&& found) -> Result<Paths> {
-            if (!found) return tooShortClip(params_.timing);
-            return std::move(*found);
-        });
+    constexpr int kMostRounds = 5;
+    PathEnds ends = ends_;
+    const TimedPaths timed{
+        [&](double max_length_m) { return pathsWithin(max_length_m, ends, job); },
+        [&](const Paths& found) {
+            return builder_->timeAtLimits(found.paths).map([](const Trajectory& trajectory) {
+                return trajectory.frames.size();
+            });
+        }};
+    std::optional<Paths> best;
+    double best_rate = -1.0;
+    // With trackability, key frames among bare views are avoided, until there are none.
+    for (int round = 0; round < kMostRounds; ++round) {
+        auto found = pathsWithinFrames(timed, params_.path.max_length_m,
+                                       static_cast<std::size_t>(clipFrames(params_.timing)));
+        if (!found) return tl::unexpected(std::move(found.error()));
+        if (!*found) break;
+        if (!environment_.corners) return std::move(**found);
+        const auto trajectory = builder_->timeAtLimits((*found)->paths);
+        if (!trajectory) return tl::unexpected(trajectory.error());
+        const auto corners = estimateImageCorners(*stages_.views, environment_.corners->textures(),
+                                                  *trajectory, job);
+        if (!corners) return tl::unexpected(corners.error());
+        if (const double rate = trackableRate(*corners).value_or(1.0); rate > best_rate) {
+            best_rate = rate;
+            best = std::move(**found);
+        }
+        const std::vector<int> bare = pointsAmongBareViews(*trajectory, *corners, positionPoints());
+        if (bare.empty()) break;
+        ends.avoided.insert(bare.begin(), bare.end());
+    }
+    if (!best) return tooShortClip(params_.timing);
+    return std::move(*best);
 }
 
 Status Pipeline::Stages::PlanRun::findPaths() {
@@ -306,7 +334,7 @@ Status Pipeline::Stages::PlanRun::findPaths() {
     }
     inputs.body = params_.body;
     return stages_.run("path", stages_.paths, inputs, job, [&] {
-        return clip ? pathsOfClip(job) : pathsWithin(params_.path.max_length_m, job);
+        return clip ? pathsOfClip(job) : pathsWithin(params_.path.max_length_m, ends_, job);
     });
 }
 

@@ -119,22 +119,20 @@ Result<Trajectory> TrajectoryBuilder::time(std::vector<SmoothPath> paths,
         });
 }
 
-Result<std::size_t> TrajectoryBuilder::countFrames(const std::vector<CameraPath>& paths) const {
-    const auto count = [&](std::vector<SmoothPath> timed) {
-        measureImageMotions(timed, timing_of_part_);
-        return timeSteadily(timed, timing_of_part_).map([](const Trajectory& trajectory) {
-            return trajectory.frames.size();
-        });
+Result<Trajectory> TrajectoryBuilder::timeAtLimits(const std::vector<CameraPath>& paths) const {
+    const auto timed = [&](std::vector<SmoothPath> smoothed) {
+        measureImageMotions(smoothed, timing_of_part_);
+        return timeSteadily(smoothed, timing_of_part_);
     };
     return smooth(paths).and_then(
-        [&](const std::vector<SmoothPath>& smoothed) -> Result<std::size_t> {
+        [&](const std::vector<SmoothPath>& smoothed) -> Result<Trajectory> {
             // Context views add frames, and take long to find on paths that are too long anyway.
-            const Result<std::size_t> without_context = count(smoothed);
-            if (!without_context ||
-                *without_context > static_cast<std::size_t>(clipFrames(params_.timing))) {
+            Result<Trajectory> without_context = timed(smoothed);
+            if (!without_context || without_context->frames.size() >
+                                        static_cast<std::size_t>(clipFrames(params_.timing))) {
                 return without_context;
             }
-            return count(withContext(smoothed));
+            return timed(withContext(smoothed));
         });
 }
 

@@ -35,9 +35,9 @@ class TrajectoryBuilder {
     /// The trajectory with limited image motion, without repeats, and with the camera shake.
     [[nodiscard]] Result<Trajectory> time(std::vector<SmoothPath> paths,
                                           const TimingParams& timing) const;
-    /// The number of frames of a clip along these paths, after smoothing and with context views, at
-    /// the limits of motion; without context views if even that is more than the clip has.
-    [[nodiscard]] Result<std::size_t> countFrames(const std::vector<CameraPath>& paths) const;
+    /// A trajectory along these paths, after smoothing and with context views, at the limits of
+    /// motion; without context views if even that has more frames than the clip.
+    [[nodiscard]] Result<Trajectory> timeAtLimits(const std::vector<CameraPath>& paths) const;
 
     /// Smoothing and timing as functions for repairTrajectory(). A repaired path shares the budget
     /// of frames with `paths`, to which the functions keep a reference.

@@ -125,16 +125,69 @@ TEST(ImageCorners, WeighObjectsByTheBestOfTheirViews) {
     points[0].captured = {1, 2};
     points[1].captured = {2, 3};
     std::vector<double> weights;
-    weighByCorners(room.views, room.textures, points, weights);
+    weighByCorners(room.views, room.textures, points, weights, JobContext{});
     ASSERT_EQ(weights.size(), room.scene.objects.size());
     EXPECT_EQ(weights[0], 1.0);
     EXPECT_EQ(weights[1], 1.0);
     EXPECT_LT(weights[2], 0.2);
     EXPECT_EQ(weights[3], 1.0);  // no view of it
     std::vector<double> given(room.scene.objects.size(), 3.0);
-    weighByCorners(room.views, room.textures, points, given);
+    weighByCorners(room.views, room.textures, points, given, JobContext{});
     EXPECT_EQ(given[0], 3.0);
     EXPECT_EQ(given[2], 3.0 * weights[2]);
+}
+
+TEST(ImageCorners, FindPointsWithBareViewsOnBothSides) {
+    std::vector<PositionPoint> points(5);
+    points[3].pin = 0;
+    /// Frames of one path: -1 for few corners, -2 for many, a position point for its key frame.
+    const auto among = [&](const std::vector<std::vector<int>>& paths) {
+        Trajectory trajectory;
+        std::vector<double> corners;
+        for (std::size_t path = 0; path < paths.size(); ++path) {
+            for (const int each : paths[path]) {
+                TrajectoryFrame& frame = trajectory.frames.emplace_back();
+                frame.path = static_cast<int>(path);
+                frame.position_point = std::max(each, -1);
+                corners.push_back(each == -1 ? 0.0 : kTrackableCorners);
+            }
+        }
+        return pointsAmongBareViews(trajectory, corners, points);
+    };
+    using Points = std::vector<int>;
+    EXPECT_EQ(among({{0, -2, -1, 1, -1, 2, -2, 4}}), Points{1});
+    EXPECT_EQ(among({{0, -2, -1, 1, -1, -1, 2, -1, 4}}), (Points{1, 2}));
+    EXPECT_EQ(among({{0, -1, 1, -2, 2, -1, -1, 4, -2}}), Points{2});  // the more frames
+    EXPECT_EQ(among({{0, -1, 3, -1, 1}}), Points{0});                 // the pinned one stays
+    EXPECT_EQ(among({{0, -1, 1}, {-1, 2, -2}}), Points{0});           // a jump between paths
+    EXPECT_EQ(among({{0, -2, 1}, {2, -2}}), Points{});
+    EXPECT_EQ(among({{-1, -1}}), Points{});
+    EXPECT_EQ(among({}), Points{});
+}
+
+TEST(ImageCorners, CountLittleWhereTheImageThreeFramesEarlierShowsNone) {
+    const ShelfRoom room;
+    Trajectory trajectory;
+    for (int i = 0; i < 7; ++i) {
+        TrajectoryFrame& frame = trajectory.frames.emplace_back();
+        const Eigen::Vector3d shelves(-1, 0, 0), wall(0, 1, 0.1);
+        frame.pose = {{2.5, 2.5, 1.3}, lookAlong(i < 3 ? wall : shelves)};
+    }
+    const auto turned = estimateImageCorners(room.views, room.textures, trajectory, {});
+    ASSERT_TRUE(turned);
+    EXPECT_LT((*turned)[3], 10.0);
+    EXPECT_LT((*turned)[5], 10.0);
+    EXPECT_GT((*turned)[6], 350.0);
+    for (std::size_t i = 3; i < 7; ++i) trajectory.frames[i].path = 1;
+    const auto two_paths = estimateImageCorners(room.views, room.textures, trajectory, {});
+    ASSERT_TRUE(two_paths);
+    EXPECT_EQ((*two_paths)[3], (*turned)[6]);
+    // A step back: the earlier image shows the middle of the shelves only.
+    trajectory.frames[3].pose.position.x() = 0.9;
+    const auto moved = estimateImageCorners(room.views, room.textures, trajectory, {});
+    ASSERT_TRUE(moved);
+    EXPECT_LT((*moved)[6], 0.9 * (*turned)[6]);
+    EXPECT_GT((*moved)[6], 10.0);
 }
 
 TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
@@ -148,6 +201,7 @@ TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
     }
     // A camera that lies on its side sees more of the wall above and below the shelves.
     TrajectoryFrame& turned = trajectory.frames.emplace_back(trajectory.frames[0]);
+    turned.path = 1;
     turned.pose.rotation =
         turned.pose.rotation *
         Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitZ()));

@@ -235,6 +235,37 @@ TEST(SlamPreset, KeepsTheFrameRateAndTheTurningLimit) {
     EXPECT_EQ(keyFramePoses(*again), keyFramePoses(*plan));
 }
 
+// A small shelf on the bare wall opposite is near, but the turn to it sweeps across bare walls.
+TEST(SlamPreset, LeavesOutObjectsAmongBareViews) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {12, 3, 2.6});
+    const auto addShelf = [&](double from_x, int columns, double y) {
+        for (int row = 0; row < 5; ++row) {
+            for (int i = 0; i < columns; ++i) {
+                test::SceneBuilder::Look look{kNyuWall, Role::Structure, {0.1F, 0.05F, 0.1F}};
+                if ((i + row) % 2 == 0) look.color = {0.9F, 0.9F, 0.8F};
+                builder.object("thing", look)
+                    .box({from_x + 0.25 * i, y, 0.4 + 0.3 * row}, {0.2, 0.1, 0.2});
+            }
+        }
+    };
+    addShelf(0.5, 45, 0.05);
+    for (int i = 0; i < 6; ++i) {
+        builder.object("cup " + std::to_string(i)).box({1.0 + 2.0 * i, 0.2, 1.0}, {0.2, 0.2, 0.3});
+    }
+    addShelf(4.5, 5, 2.95);
+    builder.object("cup opposite").box({5.0, 2.8, 1.0}, {0.2, 0.2, 0.3});
+    const Scene scene = builder.build();
+    PlanParams params;
+    params.timing.motion_preset = MotionPreset::Slam;
+    params.timing.max_frames = 180;
+    params.gaze.view_mix = 0.0;
+    const auto plan = planOf(scene, params);
+    EXPECT_EQ(plan->trajectory_metrics.trackable_rate, 1.0);
+    EXPECT_FALSE(plan->captures.back().captured);  // the cup opposite
+    EXPECT_GE(plan->capture_metrics.captured, 4);
+}
+
 TEST(SlamPreset, BeginsWithAViewOfManyCorners) {
     const Scene scene = hallWithShelves();
     const RayCaster rays(scene);
