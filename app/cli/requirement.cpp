@@ -1,5 +1,6 @@
 #include "app/cli/requirement.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/core/log.h"
 #include "engine/core/name_hint.h"
 
@@ -17,15 +18,10 @@ bool isMeasured(const nlohmann::json& metric) {
     return metric.is_number() || metric.is_null() || metric.is_array();
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Whether a metric lies between 0 and 1.
 bool isShare(std::string_view metric) {
-    return metric.ends_with("_rate") || metric.ends_with("_share");
+    return metric.ends_with("_rate") || metric.ends_with("_share") ||
+           metric.find("area_share_") != std::string_view::npos;
 }
 
 /// Why a metric was not measured: "there is nothing to measure".
@@ -71,11 +67,18 @@ Result<Requirement> parseRequirement(std::string_view text) {
     const char* last = number.data() + number.size();
     const auto [stop, error] = std::from_chars(number.data(), last, requirement.value);
     if (error != std::errc() || stop != last) return broken();
-    if (in_percent) requirement.value /= 100.0;
-    if (isShare(requirement.metric) && requirement.value > 1.0) {
+    const bool share = isShare(requirement.metric);
+    if (in_percent && !share) {
         return fail(ErrorCode::Usage,
-                    fmt::format("{} is at most 1; write {:g}%.", requirement.metric,
-                                in_percent ? 100.0 : std::min(100.0, requirement.value)),
+                    fmt::format("'{}': {} is no share; write a number without %.", text,
+                                requirement.metric),
+                    "--require");
+    }
+    if (in_percent) requirement.value /= 100.0;
+    if (share && (requirement.value < 0.0 || requirement.value > 1.0)) {
+        return fail(ErrorCode::Usage,
+                    fmt::format("'{}': {} lies between 0 and 1; write 0.9, for example, or 90%.",
+                                text, requirement.metric),
                     "--require");
     }
     return requirement;

@@ -12,13 +12,6 @@
 namespace dollytrack::gather {
 namespace {
 
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r";
-    const std::size_t begin = text.find_first_not_of(kBlank);
-    if (begin == std::string_view::npos) return {};
-    return std::string(text.substr(begin, text.find_last_not_of(kBlank) + 1 - begin));
-}
-
 Status addName(ClassMap& map, const std::string& from, const std::string& to,
                const std::string& where) {
     if (from.empty() || to.empty() || cleanText(from) != from || cleanText(to) != to) {
@@ -54,16 +47,15 @@ Result<ClassMap> fromLines(std::string_view text, const std::string& where) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view whole = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string row = trimmed(whole.substr(0, whole.find('#')));
+        const std::string_view row = trimmed(whole.substr(0, whole.find('#')));
         if (row.empty()) continue;
         const std::string place = fmt::format("{}:{}", where, line);
         const std::size_t comma = row.find(',');
         if (comma == std::string::npos || row.find(',', comma + 1) != std::string::npos) {
             return fail(ErrorCode::BadInput, "The line is not 'name,name'.", place);
         }
-        const std::string_view columns = row;
-        Status added = addName(map, trimmed(columns.substr(0, comma)),
-                               trimmed(columns.substr(comma + 1)), place);
+        Status added = addName(map, std::string(trimmed(row.substr(0, comma))),
+                               std::string(trimmed(row.substr(comma + 1))), place);
         if (!added) return tl::unexpected(added.error());
     }
     return map;

@@ -84,7 +84,7 @@ Status moveAll(const GuardedFolder& from, const GuardedFolder& to, const std::st
     const auto names = from.list(within);
     if (!names) return tl::unexpected(names.error());
     for (const std::string& name : *names) {
-        if (within.empty() && (name.starts_with(kGatherCard) || name.starts_with(kReplaced))) {
+        if (within.empty() && (completedName(name) == kGatherCard || name.starts_with(kReplaced))) {
             continue;
         }
         const std::string path = below(within, name);

@@ -240,7 +240,7 @@ Json roomData(const Scene& scene, const ViewMesh& mesh, const std::vector<PageSt
     for (const PageStorey& storey : storeys) {
         views.push_back({{"floor", rounded(storey.heights.floor_z, 1e4)},
                          {"ceiling", rounded(storey.heights.ceiling_z, 1e4)},
-                         {"left_away_from", rounded(storey.heights.left_away_from, 1e4)},
+                         {"hidden_from_z", rounded(storey.heights.hidden_from_z, 1e4)},
                          {"low", vectorJson(storey.box.min())},
                          {"high", vectorJson(storey.box.max())}});
     }

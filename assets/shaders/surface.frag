@@ -32,7 +32,7 @@ layout(binding = 10) uniform sampler2D roughness_map;  // green
 layout(binding = 11) uniform sampler2D metallic_map;   // blue
 layout(binding = 12) uniform sampler2D emission_map;
 
-// Weaker emission is lost in reflected light and has no step of its own in the buffer.
+// Weaker emission is drawn as reflected light only, as kFaintestEmission in surface_kind.h.
 const float kFaintest = 0.0625;
 #endif
 
@@ -44,7 +44,7 @@ layout(location = 2) out float out_surface;  // planar depth of the shaded surfa
 layout(location = 3) out float out_depth;    // planar depth of the labelled surface, m
 layout(location = 4) out uint out_id;
 
-// Weaker emission has no step of its own in the buffer.
+// Weaker emission would be rounded to zero in the 8-bit buffer.
 const float kLeastShine = 0.03;
 
 // Linear value of an sRGB colour: a cubic fit, within 0.7 of 255 steps.

@@ -165,7 +165,7 @@ class Room {
 
 /// Whether an object belongs to a storey or one below it.
 function isBelow(object, storey) {
-  return object.center[2] - 0.5 * object.size[2] < storey.left_away_from;
+  return object.center[2] - 0.5 * object.size[2] < storey.hidden_from_z;
 }
 
 /// How an object has moved since rest, in the chosen frame.

@@ -102,7 +102,7 @@ class View3d {
   }
 
   isFrameShown(frame) {
-    return !this.room || frame.position[2] < this.room.storey.left_away_from;
+    return !this.room || frame.position[2] < this.room.storey.hidden_from_z;
   }
 
   #showBoxes() {

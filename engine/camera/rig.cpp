@@ -18,8 +18,8 @@ constexpr std::size_t kMostCameras = 64;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 40;
 constexpr double kWidestPinhole = 150.0;  // deg, the limit of the planned camera too
-// Largest side of the pinhole images that make up a fisheye's image, and relative to its own size.
-// Usual lenses need 1.2 times their width.
+// A fisheye image is resampled from pinhole images. Their largest side, in pixels and relative to
+// the larger side of the fisheye image; usual lenses need 1.2 times.
 constexpr double kMostSide_px = 6144.0;
 constexpr double kMostSideOfSize = 2.5;
 
@@ -79,10 +79,11 @@ Status validateLens(const RigCamera& camera) {
         const double most_px =
             std::min(kMostSide_px, kMostSideOfSize * std::max(camera.width_px, camera.height_px));
         if (side_px > most_px) {
-            return refuse(camera,
-                          fmt::format("With these k1 .. k4, {:.0f} px per side would have to be "
-                                      "rendered, more than {:g}; lower k1 .. k4 or width_px.",
-                                      side_px, most_px));
+            return refuse(
+                camera,
+                fmt::format("With these k1 .. k4, {:.0f} px per side would have to be "
+                            "rendered, more than {:.0f}; lower k1 .. k4 or {}.",
+                            side_px, most_px, most_px < kMostSide_px ? "fov_deg" : "width_px"));
         }
     }
     return {};

@@ -11,4 +11,7 @@ namespace dollytrack {
 /// they can make one name look like another. Clean text comes back as it is.
 [[nodiscard]] std::string cleanText(std::string_view text);
 
+/// The text without blanks, tabs and line ends at its begin and end; a view of the same text.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 }  // namespace dollytrack

@@ -47,12 +47,6 @@ std::string unescaped(std::string_view value) {
     return cleanText(text);
 }
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 double number(const std::string& text) {
     double value = 0.0;
     std::from_chars(text.data(), text.data() + text.size(), value);

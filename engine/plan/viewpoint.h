@@ -50,7 +50,7 @@ struct PositionPoint {
     double fill = 0.0;
     std::vector<int> well_captured;  // ids of every object this frame captures well
     std::vector<int> captured;       // ids of every object it captures, the above included
-    std::vector<ShownObject> own;    // of well_captured, what its search has looked at closely
+    std::vector<ShownObject> own;    // of well_captured, those estimated densely
     int pin = -1;                    // index in PlanEdits::pinned; -1: found by the search
     /// A key frame at this very pose, whatever it captures: pinned, or asked for.
     bool fixed = false;

@@ -1,5 +1,6 @@
 #include "engine/scene/label_table.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
 #include "engine/scene/labels.h"
 
@@ -45,12 +46,6 @@ std::string singular(std::string word) {
     }
     if (endsWith("s") && !endsWith("ss") && !endsWith("us") && !endsWith("is")) word.pop_back();
     return word;
-}
-
-std::string trim(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
 }
 
 std::string join(const std::vector<std::string>& words, std::size_t first, std::size_t count) {
@@ -142,11 +137,11 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
     std::istringstream lines{std::string(csv)};
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number) {
-        line = trim(line.substr(0, line.find('#')));
+        line = trimmed(std::string_view(line).substr(0, line.find('#')));
         if (line.empty()) continue;
         std::vector<std::string> columns;
         std::istringstream cells(line);
-        for (std::string cell; std::getline(cells, cell, ',');) columns.push_back(trim(cell));
+        for (std::string cell; std::getline(cells, cell, ',');) columns.emplace_back(trimmed(cell));
         const std::string place = where + ":" + std::to_string(number);
         if (columns.size() < 2 || columns.size() > 3) {
             return fail(ErrorCode::BadInput,
@@ -186,7 +181,8 @@ Status LabelTable::add(std::string_view csv, const std::string& where) {
                         place);
         }
         if (whole_name) {
-            const std::string whole = inSmallLetters(trim(columns[0].substr(1)));
+            const std::string whole =
+                inSmallLetters(trimmed(std::string_view(columns[0]).substr(1)));
             whole_names_[whole] = entry;
             whole_by_words.emplace(asWords(whole), whole);
             continue;
@@ -219,7 +215,7 @@ bool LabelTable::mentions(std::string_view name, int nyu40) const {
 }
 
 Label LabelTable::find(std::string_view name) const {
-    const auto whole = whole_names_.find(inSmallLetters(trim(name)));
+    const auto whole = whole_names_.find(inSmallLetters(trimmed(name)));
     if (whole != whole_names_.end()) {
         return {whole->second.kind, whole->second.nyu40, whole->first};
     }

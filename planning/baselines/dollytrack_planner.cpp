@@ -98,7 +98,7 @@ Result<PlannedMotion> planPaperSmoothing(const BaselineScene& scene, const PlanP
     PlanParams as_paper = params;
     as_paper.timing.max_frames = frameBudget(params);
     as_paper.viewpoints.fill = usedFill(params);
-    as_paper.gaze = {0.0, Trackability::Off};  // the same key frames, without context views
+    as_paper.gaze = {0.0, Trackability::Off};  // without context views
     return runPipeline(scene, as_paper, seed, job).and_then([&](const auto& plan) {
         return smoothAsThePaper(scene, *plan, as_paper);
     });

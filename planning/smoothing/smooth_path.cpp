@@ -143,7 +143,7 @@ class Smoother {
                 at(i) + set_back * (at(i + 1) - at(i)).normalized()};
     }
 
-    /// The largest set-back up to `wish` that allows(), to a few per cent.
+    /// The largest set-back, at most `wish`, that allows() accepts; found to a few per cent.
     [[nodiscard]] double furthest(std::size_t i, double wish) const {
         double refused = 0.0;  // the smallest refused one
         while (wish >= kLeastSetBack && !allows(i, wish)) {

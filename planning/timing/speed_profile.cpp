@@ -23,7 +23,7 @@ constexpr double kAcross = 0.8;
 // Directions that differ by less are one line with rounding errors; others are a corner where the
 // camera stops.
 constexpr double kStraightAngle = 0.51 * std::numbers::pi / 180.0;
-// A kink in such a line may change the velocity by what the acceleration allows in this time.
+// The velocity may change at such a kink by what the acceleration limit allows in this time.
 constexpr double kJolt_s = 0.002;
 
 // A curve around a corner sharper than this reverses: the camera stops at its tip.

@@ -73,11 +73,16 @@ RayHit castAround(const View& view, std::size_t pixel, const RayCaster& rays) {
     return hit;
 }
 
+/// Largest error of a depth in single precision, m.
+double roundingError(double depth_m) {
+    return 5e-5 * (1.0 + depth_m);
+}
+
 /// Whether the object also has a surface at the hit point. Of two coincident surfaces the ray hits
 /// either one; the rasteriser has already chosen.
 bool isInSamePlace(const View& view, std::size_t pixel, int object_id, const RayHit& hit,
                    const RayCaster& rays) {
-    const double slack = 5e-5 * (1.0 + hit.distance);  // single precision
+    const double slack = roundingError(hit.distance);
     const ViewRay ray = rayThrough(view, pixel);
     return rays.meetsObject(object_id, ray.origin + (hit.distance - slack) * ray.direction,
                             ray.direction, 2.0 * slack);
@@ -110,12 +115,11 @@ bool isUnreliable(float drawn_depth_m) {
 
 /// Largest error of a drawn depth that is not marked as unreliable, m.
 double drawingError(double depth_m) {
-    constexpr double kSteepest = 0.05;  // m per px: the depth of steeper surfaces is marked
-    constexpr double kRounding = 5e-5;  // of single precision, per metre
-    return kNudge_px * kSteepest + kRounding * (1.0 + depth_m);
+    constexpr double kSteep = 0.05;  // m per px: surface.frag marks the depth of steeper surfaces
+    return kNudge_px * kSteep + roundingError(depth_m);
 }
 
-/// An image of depth and labels as drawn, read along rows and columns.
+/// Finds the pixels of a rasterised image whose depth or label may be wrong.
 class DrawnImage {
   public:
     DrawnImage(int width, std::span<const std::uint16_t> labels,
@@ -126,8 +130,8 @@ class DrawnImage {
     }
 
     /// The pixels whose depth or label is doubtful: those on either side of the outlines of objects
-    /// and of steps in depth on one object, and those that continue the surface of neither side
-    /// along their row or column.
+    /// and of steps in depth on one object, and those that lie on neither of the two planes
+    /// extrapolated from the pixels on either side, along the row or along the column.
     [[nodiscard]] std::vector<bool> doubtfulPixels() const {
         std::vector<bool> found(labels_.size(), false);
         const std::size_t rows = labels_.size() / columns_;

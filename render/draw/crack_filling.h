@@ -31,9 +31,9 @@ struct CrackPixel {
                                                  const RayCaster& rays);
 
 /// Finds gap pixels, the pixels that RenderTarget::readDrawnDepth() marks as unreliable, those
-/// beside outlines (where the label changes, or the depth by more than 2 %), and those whose depth
-/// continues the surface of neither side along their row or column: through a gap, another surface
-/// of the same object may show a few millimetres behind.
+/// beside outlines (where the label changes, or the depth by more than 2 %), and those that lie on
+/// neither of the planes extrapolated from the pixels on either side along the row or the column:
+/// through a gap, another surface of the same object may show a few millimetres behind.
 [[nodiscard]] std::vector<CrackPixel> findCracks(const View& view,
                                                  std::span<const std::uint16_t> labels,
                                                  std::span<const float> drawn_depth_m,

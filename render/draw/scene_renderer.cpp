@@ -247,8 +247,8 @@ void SceneRenderer::setReflections(const TracedReflections* reflections) {
     impl_->reflections = reflections;
 }
 
-void SceneRenderer::setAnisotropy(int places) {
-    render::setAnisotropy(impl_->scene, places);
+void SceneRenderer::setAnisotropy(int samples) {
+    render::setAnisotropy(impl_->scene, samples);
 }
 
 int SceneRenderer::hiddenByOthers() const {

@@ -48,7 +48,7 @@ class SceneRenderer {
     [[nodiscard]] Status draw(const View& view, RenderTarget& target,
                               SurfaceTarget* surfaces = nullptr);
 
-    /// Draws everything but colour; the target's image stays as it was.
+    /// Draws depth and labels; the colour image is unchanged.
     [[nodiscard]] Status drawLabels(const View& view, RenderTarget& target,
                                     SurfaceTarget* surfaces = nullptr);
 
@@ -72,7 +72,7 @@ class SceneRenderer {
     /// `reflections` must outlive its use.
     void setReflections(const TracedReflections* reflections);
     /// See render::setAnisotropy().
-    void setAnisotropy(int places);
+    void setAnisotropy(int samples);
 
     /// Number of objects that the last multisampled draw() skipped because others hide them
     /// completely.

@@ -82,14 +82,14 @@ std::vector<StoreyView> storeysOf(const Scene& scene, std::span<const Eigen::Ali
         storeys.push_back(
             {floors[i].top_m, floors[i + 1].underside_m - kSlabEdge, floors[i + 1].top_m - kRug});
     }
-    storeys.push_back({floors.back().top_m, top.ceiling_z, top.left_away_from});
+    storeys.push_back({floors.back().top_m, top.ceiling_z, top.hidden_from_z});
     return storeys;
 }
 
 std::vector<bool> hiddenFor(const Scene& scene, const StoreyView& storey) {
     std::vector<bool> hidden = hidesRooms(scene);
     for (const Object& object : scene.objects) {
-        if (object.box.center.z() - object.box.half_size.z() < storey.left_away_from) continue;
+        if (object.box.center.z() - object.box.half_size.z() < storey.hidden_from_z) continue;
         hidden[object.id] = true;
     }
     return hidden;

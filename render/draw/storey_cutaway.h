@@ -30,9 +30,9 @@ namespace dollytrack::render {
 
 /// A storey opened from above. Heights in the world frame, m.
 struct StoreyView {
-    double floor_z = 0.0;         // its floor
-    double ceiling_z = 0.0;       // structure above is cut
-    double left_away_from = 0.0;  // objects that begin at this height or above are hidden
+    double floor_z = 0.0;        // its floor
+    double ceiling_z = 0.0;      // structure above is cut
+    double hidden_from_z = 0.0;  // objects that begin at this height or above are hidden
 };
 
 /// The storeys of a building, lowest first; at least one. Without rooms, floors are found by object

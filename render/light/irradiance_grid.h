@@ -23,18 +23,16 @@ class IrradianceGrid {
     [[nodiscard]] std::size_t count() const;
     [[nodiscard]] const Eigen::Vector3d& low() const { return low_; }  // corner, m
     [[nodiscard]] double size_m() const { return size_m_; }
-    [[nodiscard]] const std::array<int, 3>& along() const {
-        return along_;
-    }  // number of cells by
-       // axis
+    /// Number of cells by axis.
+    [[nodiscard]] const std::array<int, 3>& along() const { return along_; }
     [[nodiscard]] Eigen::Vector3d center(std::size_t i) const;
     /// The cell that contains a point, or the nearest one.
     [[nodiscard]] std::size_t cellAt(const Eigen::Vector3d& point) const;
 
-    /// Whether a cell is in free space; true until leaveAir(). Different cells may be changed on
+    /// Whether a cell is in free space; true until exclude(). Different cells may be changed on
     /// different threads.
     [[nodiscard]] bool inAir(std::size_t i) const { return in_air_[i] != 0; }
-    void leaveAir(std::size_t i) { in_air_[i] = 0; }
+    void exclude(std::size_t i) { in_air_[i] = 0; }
 
     /// Finds which neighbouring cells see each other. Call it before the three functions below.
     void link(const RayCaster& rays);

@@ -75,8 +75,8 @@ class Baker {
         });
         if (job.cancelled()) return {};
         cells_.link(rays_);
-        leaveOutdoors();
-        leaveUnconnected();
+        excludeOutdoorCells();
+        excludeUnconnectedCells();
         cells_.blur(volume_.lamps, blurWidth());
         cells_.closeHoles(volume_.lamps);
         balance();
@@ -115,11 +115,10 @@ class Baker {
             escaped += ray.distance_m == 0.0F ? 1 : 0;
             stuck += ray.distance_m > 0.0F && ray.distance_m < volume_.cell_m ? 1 : 0;
         }
-        // Cells inside cushions are dark, which may not bleed onto the surface a few centimetres
-        // away.
         sees_sky_[i] = escaped > 0 ? 1 : 0;
         sees_much_sky_[i] = 4 * escaped > count ? 1 : 0;
-        if (!isLit(i) && 4 * stuck > 3 * count) cells_.leaveAir(i);
+        // Dark cells inside solid objects such as cushions would darken the surfaces nearby.
+        if (!isLit(i) && 4 * stuck > 3 * count) cells_.exclude(i);
     }
 
     [[nodiscard]] bool isLit(std::size_t i) const { return volume_.lamps[i].squaredNorm() > 0.0F; }
@@ -132,21 +131,22 @@ class Baker {
         });
     }
 
-    /// Excludes cells behind a wall, which see the open sky but no lamp. Rooms without a ceiling
-    /// see their lamps and stay, and so does the air above the lamps.
-    void leaveOutdoors() {
+    /// Excludes outdoor cells: those that see much sky and are neither lit by a lamp nor above the
+    /// lamps of a room without a ceiling. A dark cell below a lamp's height is behind a wall.
+    void excludeOutdoorCells() {
         std::vector<char> in_room(cells_.count(), 0);
         for (std::size_t i = 0; i < in_room.size(); ++i) {  // from the lowest layer to the highest
             const auto below = cells_.below(i);
-            in_room[i] = isLit(i) || (below && in_room[*below] != 0 && !hasLampAbove(i)) ? 1 : 0;
-            if (in_room[i] == 0 && sees_much_sky_[i] != 0) cells_.leaveAir(i);
+            const bool above_lamps = below && in_room[*below] != 0 && !hasLampAbove(i);
+            in_room[i] = isLit(i) || above_lamps ? 1 : 0;
+            if (in_room[i] == 0 && sees_much_sky_[i] != 0) cells_.exclude(i);
         }
     }
 
     /// Excludes cells that are not connected to lit ones. Those that see the sky lie behind a wall,
     /// and daylight must not bleed through walls thinner than a cell. Those without any light are
     /// inside columns or cupboards, and their darkness must not bleed out.
-    void leaveUnconnected() {
+    void excludeUnconnectedCells() {
         std::vector<std::size_t> lit;
         std::vector<std::size_t> bright;
         for (std::size_t i = 0; i < cells_.count(); ++i) {
@@ -158,7 +158,7 @@ class Baker {
         const std::vector<char> in_light = cells_.reachedFrom(bright);
         for (std::size_t i = 0; i < in_rooms.size(); ++i) {
             if (in_rooms[i] != 0) continue;
-            if (sees_sky_[i] != 0 || in_light[i] == 0) cells_.leaveAir(i);
+            if (sees_sky_[i] != 0 || in_light[i] == 0) cells_.exclude(i);
         }
     }
 

@@ -32,6 +32,15 @@ constexpr float kHoleBelow = 0.5F;
     return material.emission_map < 0 ? material.emission : Eigen::Vector3f::Zero();
 }
 
+/// Weaker emission is drawn as reflected light only. surface.frag has the same constant.
+constexpr float kFaintestEmission = 0.0625F;
+
+/// A material's emission as drawn, if it has no emission map; zero if it has one or is too weak.
+[[nodiscard]] inline Eigen::Vector3f drawnEmission(const Material& material) {
+    const Eigen::Vector3f emission = plainEmission(material);
+    return emission.maxCoeff() < kFaintestEmission ? Eigen::Vector3f::Zero().eval() : emission;
+}
+
 /// A material's metallic factor; its map, if any, multiplies it. 0 if the map was not loaded.
 [[nodiscard]] inline float plainMetallic(const Scene& scene, const Material& material) {
     return material.metallic_map < 0 || hasMap(scene, material.metallic_map) ? material.metallic

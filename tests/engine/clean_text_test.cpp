@@ -1,5 +1,6 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/clean_lines.h"
+#include "engine/core/text_lists.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,21 @@ TEST(CleanLines, PiecesGiveWhatTheWholeGives) {
             EXPECT_EQ(clean, cleanLines(text)) << cut << ", " << second;
         }
     }
+}
+
+TEST(Trimmed, LeavesBlanksInTheMiddleAlone) {
+    EXPECT_EQ(trimmed(" \ta b\r\n"), "a b");
+    EXPECT_EQ(trimmed("a"), "a");
+    EXPECT_EQ(trimmed(" \t\r\n"), "");
+    EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(FrameRanges, JoinNeighboursAndEndAfterTenRanges) {
+    EXPECT_EQ(frameRanges({4}), "frame 4");
+    EXPECT_EQ(frameRanges({4, 5}), "frames 4-5");
+    EXPECT_EQ(frameRanges({0, 2, 3, 4, 9}), "frames 0, 2-4, 9");
+    EXPECT_EQ(frameRanges({0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20}),
+              "frames 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, ...");
 }
 
 TEST(CleanText, AnyTwoBytesMakeJson) {

@@ -55,7 +55,7 @@ void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
     if (!note.empty()) log::warn("planning", note);
 }
 
-/// Warns about frames that a SLAM program cannot track by their corners.
+/// Warns about frames with too few image corners for SLAM.
 void warnOfFewCorners(const Plan& plan) {
     const std::vector<double>& corners = plan.series.image_corners;
     std::vector<int> few;
@@ -64,7 +64,8 @@ void warnOfFewCorners(const Plan& plan) {
     }
     if (few.empty()) return;
     log::warn("planning",
-              fmt::format("in {} of {} frames too few image corners are visible for SLAM: {}",
+              fmt::format("{} of {} frames show too few image corners for SLAM ({}); add pinned "
+                          "points that face textured surfaces, or leave these frames out",
                           few.size(), corners.size(), frameRanges(few)));
 }
 

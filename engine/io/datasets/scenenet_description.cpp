@@ -1,5 +1,6 @@
 #include "engine/io/datasets/scenenet_description.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/io/datasets/model_library.h"
 #include "engine/io/files/number_lines.h"
 
@@ -12,16 +13,16 @@ namespace {
 
 constexpr std::string_view kLayout = "layout_file:";
 
-std::string_view trimmed(std::string_view line) {
-    const auto first = line.find_first_not_of(" \t\r\xEF\xBB\xBF");
-    if (first == std::string_view::npos) return {};
-    return line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
 /// The non-empty lines of a file, with their numbers.
 class Lines {
   public:
-    Lines(std::string_view text, const std::string& file) : lines_(splitLines(text)), file_(file) {}
+    Lines(std::string_view text, const std::string& file)
+        : lines_(splitLines(withoutByteOrderMark(text))), file_(file) {}
 
     /// Whether there is another line; false at the end and where the poses begin.
     bool more() {

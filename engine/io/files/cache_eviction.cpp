@@ -25,8 +25,10 @@ void evictOldest(const GuardedFolder& folder, std::initializer_list<std::string_
         const auto found = folder.find(name);
         if (!found || !S_ISREG(found->st_mode)) continue;
         const std::string_view completed = completedName(name);
-        const auto ends_so = [&](std::string_view ending) { return completed.ends_with(ending); };
-        if (!std::ranges::any_of(endings, ends_so)) continue;
+        const auto has_ending = [&](std::string_view ending) {
+            return completed.ends_with(ending);
+        };
+        if (!std::ranges::any_of(endings, has_ending)) continue;
         if (completed == name) {
             entries.push_back({found->st_mtim.tv_sec, found->st_mtim.tv_nsec, name,
                                static_cast<std::uint64_t>(found->st_size)});

@@ -26,8 +26,8 @@ class ModelLibrary {
     /// `places` are searched in this order and must outlive this object.
     explicit ModelLibrary(std::vector<const FileSource*> places) : places_(std::move(places)) {}
 
-    /// The model of this name; null if it does not exist or cannot be read, with the reason in
-    /// `why`, and if the job is cancelled.
+    /// The model of this name. Null if it does not exist or cannot be read (`why` then has the
+    /// reason), or if the job is cancelled.
     const FurnitureModel* find(const std::string& name, const JobContext& job, std::string& why);
 
   private:

@@ -71,9 +71,9 @@ std::vector<Triangle> collectTriangles(const SourceMesh& mesh,
 
 /// Gives equal vertices the same number, in order of first appearance. Vertices are compared only
 /// with those at the same position. -0 and 0 are equal.
-class JoinAtPlaces {
+class VertexWelder {
   public:
-    explicit JoinAtPlaces(std::size_t places) : first_(places, kEnd) { vertices_.reserve(places); }
+    explicit VertexWelder(std::size_t places) : first_(places, kEnd) { vertices_.reserve(places); }
 
     std::uint32_t insert(std::uint32_t place, const Eigen::Vector3f& normal,
                          const Eigen::Vector2f& uv) {
@@ -176,7 +176,7 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
     const bool has_uvs = mesh.uvs.size() == placed.size();
 
     VertexJoin<8> join(has_normals ? std::min(placed.size(), 3 * triangles.size()) : 0);
-    JoinAtPlaces join_at_places(place.size());
+    VertexWelder welder(place.size());
     part.triangles.reserve(triangles.size());
     const std::size_t likely = triangles.size();  // a closed smooth mesh has half as many
     part.positions.reserve(likely);
@@ -206,7 +206,7 @@ RepairCounts buildMeshPart(const SourceMesh& mesh, const Eigen::Affine3d& source
             const Eigen::Vector3f& p = placed[v];
             joined[corner] = has_normals ? join.insert({p.x(), p.y(), p.z(), normal.x(), normal.y(),
                                                         normal.z(), uv.x(), uv.y()})
-                                         : join_at_places.insert(place[v], normal, uv);
+                                         : welder.insert(place[v], normal, uv);
             if (joined[corner] == part.positions.size()) {
                 part.positions.push_back(p);
                 part.normals.push_back(normal);

@@ -73,12 +73,10 @@ Vertex makeVertex(const Scene& scene, const Object& object, bool shows_outside,
     setNormal(vertex, scene.normals[index]);
     vertex.uv = index < scene.uvs.size() ? scene.uvs[index] : Eigen::Vector2f::Zero();
     // Emitting surfaces carry the hue of their emission as colour; its strength is a trait.
-    const Eigen::Vector3f shines = plainEmission(material);
-    // Fainter emission is lost in reflected light; see surface.frag.
-    constexpr float kFaintest = 0.0625F;
-    const float emission = shines.maxCoeff() < kFaintest ? 0.0F : shines.maxCoeff();
+    const Eigen::Vector3f emission_rgb = drawnEmission(material);
+    const float emission = emission_rgb.maxCoeff();
     const Eigen::Vector3f color =
-        emission > 0.0F ? Eigen::Vector3f(shines / emission) : material.base_color;
+        emission > 0.0F ? Eigen::Vector3f(emission_rgb / emission) : material.base_color;
     for (int c = 0; c < 3; ++c) vertex.base_color[c] = toByte(std::sqrt(std::max(color[c], 0.0F)));
     vertex.base_color[3] = toByte(material.opacity);
     vertex.traits = {toByte(material.roughness), toByte(plainMetallic(scene, material)),
@@ -293,14 +291,14 @@ void addCoarse(const SceneSorter& sorter, Detail detail, std::vector<std::uint32
 
 }  // namespace
 
-void setAnisotropy(const GpuScene& scene, int places) {
+void setAnisotropy(const GpuScene& scene, int samples) {
     if (!GLEW_EXT_texture_filter_anisotropic) return;
-    if (places == 0) places = gl::drawsByProcessor() ? 1 : kAnisotropy;
+    if (samples == 0) samples = gl::drawsByProcessor() ? 1 : kAnisotropy;
     GLint most = 1;
     glGetIntegerv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
     for (const gl::Texture& texture : scene.textures) {
         glTextureParameterf(texture.get(), GL_TEXTURE_MAX_ANISOTROPY_EXT,
-                            static_cast<float>(std::min(places, most)));
+                            static_cast<float>(std::min(samples, most)));
     }
 }
 

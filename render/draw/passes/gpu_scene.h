@@ -80,9 +80,9 @@ struct RestingObject {
 /// Moves the object: p = motion * p_uploaded, world frame.
 void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d& motion);
 
-/// Sets the textures' anisotropic filtering to `places` samples, 1 to 16, at most the driver's
+/// Sets the textures' anisotropic filtering to `samples`, 1 to 16, at most the driver's
 /// maximum. 0: 8 on a graphics card, 1 on the CPU.
-void setAnisotropy(const GpuScene& scene, int places);
+void setAnisotropy(const GpuScene& scene, int samples);
 
 /// Whether to upload the simplified meshes for View::coarse, too.
 enum class Detail { Full, FullAndCoarse };

@@ -1,5 +1,6 @@
 // Compares base colours with the materials of the surfaces shown.
 #include "render/verify/check/check_list.h"
+#include "render/materials/surface_kind.h"
 
 #include <fmt/format.h>
 
@@ -48,10 +49,10 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
         }
     }
     // A uniformly emitting surface has the hue of its emission, unless that is faint.
-    constexpr float kFaintest = 0.0625F;
-    const float emission = material.emission_map < 0 ? material.emission.maxCoeff() : 0.0F;
+    const Eigen::Vector3f emission_rgb = render::drawnEmission(material);
+    const float emission = emission_rgb.maxCoeff();
     const Eigen::Vector3f color_of_it =
-        emission >= kFaintest ? Eigen::Vector3f(material.emission / emission) : material.base_color;
+        emission > 0.0F ? Eigen::Vector3f(emission_rgb / emission) : material.base_color;
     ColorRange range;
     for (std::size_t c = 0; c < 3; ++c) {
         // The renderer decodes texels by squaring.

@@ -161,7 +161,9 @@ class CommandLine(FolderCase):
         self.assertFails(run("plan", self.room, "--set", "fill=wide"), 2, "not a number")
         self.assertFails(run("plan", self.room, "--set", "path_mode=round"), 2, "longest_branch")
         self.assertFails(run("plan", self.room, "--require", "objects"), 2, "--require")
-        self.assertFails(run("plan", self.room, "--require", "capture_rate>=90"), 2, "write 90%")
+        for never in ("capture_rate>=90", "capture_rate>=-5", "area_share_box>=800%"):
+            self.assertFails(run("plan", self.room, "--require", never), 2, "between 0 and 1")
+        self.assertFails(run("plan", self.room, "--require", "objects>=80%"), 2, "without %")
         self.assertFails(run("plan", self.room, "--require", "objets>=1"), 2, "'objects'")
         self.assertEqual(run("plan").returncode, 2)
         self.assertFails(run("paln", self.room), 2)

@@ -314,7 +314,6 @@ TEST(FreeSpaceRooms, AWindowWithoutGlassIsReportedWhereItIs) {
     EXPECT_LT((hole.center_in_world - Vector3d(2.25, 0, 1.5)).norm(), 0.15);
 }
 
-// A yard between two wings of a house without floor and ceiling, and a low wall in front of a room.
 TEST(FreeSpaceRooms, OpeningsOfOneKindOnOneSideAreDescribedInOneSentence) {
     OpeningReport report;
     for (int i = 0; i < 69; ++i) {
@@ -330,6 +329,7 @@ TEST(FreeSpaceRooms, OpeningsOfOneKindOnOneSideAreDescribedInOneSentence) {
                   describe(report.openings[69]), describe(report.openings[70])}));
 }
 
+// A yard between two wings of a house without floor and ceiling, and a low wall in front of a room.
 TEST(FreeSpaceRooms, AYardWithThreeWallsIsOutsideButTheRoomBehindItsLowWallIsNot) {
     SceneBuilder builder;
     addWall(builder, {0, 10, 0}, {16, 10, 0}, 2.5);

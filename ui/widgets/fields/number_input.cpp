@@ -1,5 +1,6 @@
 #include "ui/widgets/fields/number_input.h"
 
+#include "engine/core/clean_text.h"
 #include "ui/theme.h"
 #include "ui/widgets/item_map.h"
 #include "ui/widgets/keyboard_wait.h"
@@ -191,17 +192,11 @@ FieldEdit moveNumber(double& value, const NumberLimits& limits, const std::strin
     return edit;
 }
 
-std::string trimmed(const std::string& text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 }  // namespace
 
 TypedNumber readNumber(const std::string& text, const NumberLimits& limits) {
-    std::string number = trimmed(text);
-    const std::string unit = trimmed(limits.unit);
+    std::string number(trimmed(text));
+    const std::string_view unit = trimmed(limits.unit);
     if (!unit.empty() && number.ends_with(unit)) {
         number = trimmed(number.substr(0, number.size() - unit.size()));
     }
