@@ -193,7 +193,7 @@ void visitGazeParams(Params& p, Visitor&& visit) {
     visit("trackability", p.trackability,
           ChoiceInfo{{"auto", "off", "on"},
                      "on: between key frames the camera avoids views in which a feature detector "
-                     "would find fewer than about 200 corners (in an image of 320 x 240), and key "
+                     "would find fewer than about 150 corners (in an image of 320 x 240), and key "
                      "frames are taken with fill at most 0.45, so that SLAM does not lose track; "
                      "auto: on with motion_preset=slam"});
 }

@@ -70,8 +70,9 @@ Result<Requirement> parseRequirement(std::string_view text) {
     const bool share = isShare(requirement.metric);
     if (in_percent && !share) {
         return fail(ErrorCode::Usage,
-                    fmt::format("'{}': {} is no share; write a number without %.", text,
-                                requirement.metric),
+                    fmt::format("'{}': only rates and shares are given in percent; write a "
+                                "number without %.",
+                                text),
                     "--require");
     }
     if (in_percent) requirement.value /= 100.0;

@@ -25,7 +25,7 @@ struct FrameSeries {
     std::vector<int> captured_so_far;  // targets captured by this frame or an earlier one
     std::vector<std::vector<int>> newly_captured;  // ids of those captured for the first time
     /// Estimated number of corners that a feature detector finds in the image, scaled to a width
-    /// of 320 pixels; at most 1.5 times those that the image three frames earlier shows too. Empty
+    /// of 320 pixels; at most 1.5 times those that the image five frames earlier shows too. Empty
     /// without trackability.
     std::vector<double> image_corners;
 

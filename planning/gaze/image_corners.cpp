@@ -23,7 +23,7 @@ Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
                                                  const Trajectory& trajectory,
                                                  const JobContext& job) {
     constexpr double kPerKnownCorner = 1.5;
-    constexpr std::size_t kFramesBack = 3;
+    constexpr std::size_t kFramesBack = 5;
     const std::vector<TrajectoryFrame>& frames = trajectory.frames;
     std::vector<double> corners(frames.size());
     parallelFor(corners.size(), [&](std::size_t i) {
@@ -104,6 +104,17 @@ std::vector<int> pointsAmongBareViews(const Trajectory& trajectory,
                         })->point);
     }
     return found;
+}
+
+std::size_t longestTrackableRun(const Trajectory& trajectory, const std::vector<double>& corners) {
+    std::size_t longest = 0;
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const bool same_path = i > 0 && trajectory.frames[i].path == trajectory.frames[i - 1].path;
+        run = corners[i] < kTrackableCorners ? 0 : same_path ? run + 1 : 1;
+        longest = std::max(longest, run);
+    }
+    return longest;
 }
 
 std::optional<double> trackableRate(const std::vector<double>& corners) {

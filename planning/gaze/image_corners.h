@@ -14,7 +14,7 @@ class TextureCorners;
 class ViewEstimator;
 
 /// Estimated number of corners in each frame's image, scaled to a width of 320 pixels; see
-/// CornerPanorama. At most 1.5 times the corners that the image three frames earlier shows too:
+/// CornerPanorama. At most 1.5 times the corners that the image five frames earlier shows too:
 /// SLAM programs track a frame by corners that they know already. Error: Cancelled.
 Result<std::vector<double>> estimateImageCorners(const ViewEstimator& views,
                                                  const TextureCorners& textures,
@@ -33,6 +33,10 @@ void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
 [[nodiscard]] std::vector<int> pointsAmongBareViews(
     const Trajectory& trajectory, const std::vector<double>& corners,
     const std::vector<PositionPoint>& position_points);
+
+/// Largest number of consecutive frames of one path with at least kTrackableCorners.
+[[nodiscard]] std::size_t longestTrackableRun(const Trajectory& trajectory,
+                                              const std::vector<double>& corners);
 
 /// Share of the frames with at least kTrackableCorners, 0..1; empty without frames.
 [[nodiscard]] std::optional<double> trackableRate(const std::vector<double>& corners);

@@ -291,7 +291,7 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
             });
         }};
     std::optional<Paths> best;
-    double best_rate = -1.0;
+    std::size_t longest = 0;
     // With trackability, key frames among bare views are avoided, until there are none.
     for (int round = 0; round < kMostRounds; ++round) {
         auto found = pathsWithinFrames(timed, params_.path.max_length_m,
@@ -304,8 +304,9 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
         const auto corners = estimateImageCorners(*stages_.views, environment_.corners->textures(),
                                                   *trajectory, job);
         if (!corners) return tl::unexpected(corners.error());
-        if (const double rate = trackableRate(*corners).value_or(1.0); rate > best_rate) {
-            best_rate = rate;
+        const std::size_t trackable = longestTrackableRun(*trajectory, *corners);
+        if (!best || trackable > longest) {
+            longest = trackable;
             best = std::move(**found);
         }
         const std::vector<int> bare = pointsAmongBareViews(*trajectory, *corners, positionPoints());

@@ -50,7 +50,16 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
             lines, timing.frame_rate));
 }
 
+/// Warns about a lowered frame rate, about unused frames unless every object is captured, and about
+/// a trajectory of one frame.
 void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
+    const bool all = plan.capture_metrics.captured == plan.capture_metrics.objects;
+    if (planning::keepsFrameRate(timing) && all) {
+        if (plan.trajectory.frames.size() == 1) {
+            log::warn("planning", "one frame captures every object, so the camera does not move");
+        }
+        return;
+    }
     const std::string note = planning::frameRateNote(plan.trajectory, timing);
     if (!note.empty()) log::warn("planning", note);
 }

@@ -66,6 +66,12 @@ class Clip(FolderCase):
         self.assertIn(f"only {frames} of max_frames=8 frames are used",
                       " ".join(done.stderr.split()))
 
+    def test_unused_frames_are_not_said_where_nothing_is_left_to_visit(self):
+        done, trajectory = self.plan("--fps", 30, "--max-frames", 240, "--only", "table")
+        self.assertEqual(len(trajectory["frames"]), 1)
+        self.assertIn("one frame captures every object", " ".join(done.stderr.split()))
+        self.assertNotIn("frames are used", " ".join(done.stderr.split()))
+
     def test_without_a_budget_nothing_is_said(self):
         done, _ = self.plan("--set", "frame_rate=5")
         self.assertNotIn("lowered", done.stderr)

@@ -165,29 +165,42 @@ TEST(ImageCorners, FindPointsWithBareViewsOnBothSides) {
     EXPECT_EQ(among({}), Points{});
 }
 
-TEST(ImageCorners, CountLittleWhereTheImageThreeFramesEarlierShowsNone) {
+TEST(ImageCorners, LongestRunEndsAtBareViewsAndPaths) {
+    Trajectory trajectory;
+    trajectory.frames.resize(9);
+    std::vector<double> corners(9, kTrackableCorners);
+    EXPECT_EQ(longestTrackableRun(trajectory, corners), 9U);
+    corners[3] = kTrackableCorners - 1;
+    EXPECT_EQ(longestTrackableRun(trajectory, corners), 5U);
+    for (std::size_t i = 6; i < 9; ++i) trajectory.frames[i].path = 1;
+    EXPECT_EQ(longestTrackableRun(trajectory, corners), 3U);
+    EXPECT_EQ(longestTrackableRun(trajectory, std::vector<double>(9, 0.0)), 0U);
+    EXPECT_EQ(longestTrackableRun({}, {}), 0U);
+}
+
+TEST(ImageCorners, CountLittleWhereTheImageFiveFramesEarlierShowsNone) {
     const ShelfRoom room;
     Trajectory trajectory;
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 11; ++i) {
         TrajectoryFrame& frame = trajectory.frames.emplace_back();
         const Eigen::Vector3d shelves(-1, 0, 0), wall(0, 1, 0.1);
-        frame.pose = {{2.5, 2.5, 1.3}, lookAlong(i < 3 ? wall : shelves)};
+        frame.pose = {{2.5, 2.5, 1.3}, lookAlong(i < 5 ? wall : shelves)};
     }
     const auto turned = estimateImageCorners(room.views, room.textures, trajectory, {});
     ASSERT_TRUE(turned);
-    EXPECT_LT((*turned)[3], 10.0);
     EXPECT_LT((*turned)[5], 10.0);
-    EXPECT_GT((*turned)[6], 350.0);
-    for (std::size_t i = 3; i < 7; ++i) trajectory.frames[i].path = 1;
+    EXPECT_LT((*turned)[9], 10.0);
+    EXPECT_GT((*turned)[10], 350.0);
+    for (std::size_t i = 5; i < 11; ++i) trajectory.frames[i].path = 1;
     const auto two_paths = estimateImageCorners(room.views, room.textures, trajectory, {});
     ASSERT_TRUE(two_paths);
-    EXPECT_EQ((*two_paths)[3], (*turned)[6]);
+    EXPECT_EQ((*two_paths)[5], (*turned)[10]);
     // A step back: the earlier image shows the middle of the shelves only.
-    trajectory.frames[3].pose.position.x() = 0.9;
+    trajectory.frames[5].pose.position.x() = 0.9;
     const auto moved = estimateImageCorners(room.views, room.textures, trajectory, {});
     ASSERT_TRUE(moved);
-    EXPECT_LT((*moved)[6], 0.9 * (*turned)[6]);
-    EXPECT_GT((*moved)[6], 10.0);
+    EXPECT_LT((*moved)[10], 0.9 * (*turned)[10]);
+    EXPECT_GT((*moved)[10], 10.0);
 }
 
 TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
