@@ -291,7 +291,7 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
             });
         }};
     std::optional<Paths> best;
-    std::size_t longest = 0;
+    double best_worth = 0.0;
     // With trackability, key frames among bare views are avoided, until there are none.
     for (int round = 0; round < kMostRounds; ++round) {
         auto found = pathsWithinFrames(timed, params_.path.max_length_m,
@@ -304,9 +304,12 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
         const auto corners = estimateImageCorners(*stages_.views, environment_.corners->textures(),
                                                   *trajectory, job);
         if (!corners) return tl::unexpected(corners.error());
-        const std::size_t trackable = longestTrackableRun(*trajectory, *corners);
-        if (!best || trackable > longest) {
-            longest = trackable;
+        // Many frames in a row that can be tracked, and few others.
+        const auto run = static_cast<double>(longestTrackableRun(*trajectory, *corners));
+        const double worth =
+            run * run / static_cast<double>(std::max<std::size_t>(1, corners->size()));
+        if (!best || worth > best_worth) {
+            best_worth = worth;
             best = std::move(**found);
         }
         const std::vector<int> bare = pointsAmongBareViews(*trajectory, *corners, positionPoints());
