@@ -44,7 +44,7 @@ layout(location = 2) out float out_surface;  // planar depth of the shaded surfa
 layout(location = 3) out float out_depth;    // planar depth of the labelled surface, m
 layout(location = 4) out uint out_id;
 
-// Weaker emission would be rounded to zero in the 8-bit buffer.
+// Weaker emission is less than one step of the 8-bit buffer.
 const float kLeastShine = 0.03;
 
 // Linear value of an sRGB colour: a cubic fit, within 0.7 of 255 steps.

@@ -28,8 +28,8 @@ void weighByCorners(const ViewEstimator& views, const TextureCorners& textures,
                     const std::vector<PositionPoint>& position_points,
                     std::vector<double>& object_weights, const JobContext& job);
 
-/// Position points whose views to either side along the trajectory have too few corners; if there
-/// is none, the one beside most such frames. Not pinned or fixed ones.
+/// Key frames between frames with too few corners: before and after them. If there are none, the
+/// key frame next to the most such frames. Never pinned or fixed ones. Indices of position points.
 [[nodiscard]] std::vector<int> pointsAmongBareViews(
     const Trajectory& trajectory, const std::vector<double>& corners,
     const std::vector<PositionPoint>& position_points);
