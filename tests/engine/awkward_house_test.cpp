@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::awkward_house_test {
 namespace {
 
 using test::find;
@@ -249,4 +249,4 @@ TEST(AwkwardHouse, WhatLiesOutsideIsATargetWhereAnEditSaysSo) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::awkward_house_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::awkward_scene_test {
 namespace {
 
 using test::countTargets;
@@ -280,4 +280,4 @@ TEST(AwkwardScene, ADomeIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::awkward_scene_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <thread>
 
-namespace dollytrack {
+namespace dollytrack::background_worker_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -174,4 +174,4 @@ TEST(BackgroundWorker, TellsProgressAndWakes) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::background_worker_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace dollytrack {
+namespace dollytrack::bad_input_test {
 namespace {
 
 using test::TempFolder;
@@ -149,4 +149,4 @@ TEST(BadInput, OptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::bad_input_test

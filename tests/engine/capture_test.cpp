@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack {
+namespace dollytrack::capture_test {
 
 TEST(Capture, CountsTargetsOnlyAndSeparatesWellFromBarely) {
     const Scene scene = test::furnishedRoom();  // six structure objects, then five targets
@@ -32,4 +32,4 @@ TEST(Capture, CountsTargetsOnlyAndSeparatesWellFromBarely) {
     EXPECT_DOUBLE_EQ(metrics.area_share_box, (0.30 + 0.002) / 2);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::capture_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dollytrack {
+namespace dollytrack::class_table_test {
 namespace {
 
 using nlohmann::json;
@@ -176,4 +176,4 @@ INSTANTIATE_TEST_SUITE_P(
         BadTable{R"({"words": ["mug,box"], "other": "ignore"})", ": other", "classes"}));
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::class_table_test

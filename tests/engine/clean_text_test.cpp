@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace dollytrack {
+namespace dollytrack::clean_text_test {
 namespace {
 
 TEST(CleanText, KeepsWhatIsValid) {
@@ -78,4 +78,4 @@ TEST(CleanText, AnyTwoBytesMakeJson) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::clean_text_test

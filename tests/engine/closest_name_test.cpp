@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack {
+namespace dollytrack::closest_name_test {
 namespace {
 
 const std::vector<std::string> kNames = {"rgb",   "depth", "loop",    "chair",
@@ -38,4 +38,4 @@ TEST(NameHint, SaysWhatThereIsWhereNothingIsClose) {
     EXPECT_NE(nameHint("zebra", many).find("' and 12 more."), std::string::npos);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::closest_name_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace dollytrack {
+namespace dollytrack::cloud_error_test {
 namespace {
 
 // A diverged reconstruction has such points; cells must have neighbours nevertheless.
@@ -19,4 +19,4 @@ TEST(CloudError, PointsFarBeyondAnyGridCoverNothingButThemselves) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::cloud_error_test

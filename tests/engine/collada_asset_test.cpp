@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::collada_asset_test {
 namespace {
 
 TEST(ColladaAsset, ReadsUnitAndUpAxis) {
@@ -40,4 +40,4 @@ TEST(ColladaAsset, ReadsNothingBeyondACut) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::collada_asset_test

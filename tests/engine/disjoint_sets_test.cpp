@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::disjoint_sets_test {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -70,4 +70,4 @@ TEST(DisjointSets, AnAddedNumberIsASetOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::disjoint_sets_test

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dollytrack {
+namespace dollytrack::durable_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST(Sha256, MatchesThePublishedExamples) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::durable_file_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::frame_guess_test {
 namespace {
 
 using test::find;
@@ -489,4 +489,4 @@ TEST(FrameGuess, BelievesAHighHallWhereAllFurnitureHasItsUsualSize) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::frame_guess_test

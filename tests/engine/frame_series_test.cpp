@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::frame_series_test {
 namespace {
 
 /// Adds a path with these steps along y, the camera looking along x.
@@ -105,4 +105,4 @@ TEST(FrameSeries, NothingIsMeasuredWhereFramesWereLeftOut) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::frame_series_test

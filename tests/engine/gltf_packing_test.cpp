@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace dollytrack::test::gltf {
+namespace dollytrack::test::gltf::gltf_packing_test {
 namespace {
 
 using nlohmann::json;
@@ -221,4 +221,4 @@ TEST(Gltf, DamagedPackings) {
 }
 
 }  // namespace
-}  // namespace dollytrack::test::gltf
+}  // namespace dollytrack::test::gltf::gltf_packing_test

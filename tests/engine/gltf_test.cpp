@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace dollytrack::test::gltf {
+namespace dollytrack::test::gltf::gltf_test {
 namespace {
 
 using nlohmann::json;
@@ -288,4 +288,4 @@ TEST(Gltf, CutOffAnywhere) {
 }
 
 }  // namespace
-}  // namespace dollytrack::test::gltf
+}  // namespace dollytrack::test::gltf::gltf_test

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dollytrack {
+namespace dollytrack::guarded_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST_F(GuardedFolderTest, HoldsAFolderThatIsReplacedByALink) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::guarded_folder_test

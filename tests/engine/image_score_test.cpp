@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace dollytrack {
+namespace dollytrack::image_score_test {
 namespace {
 
 using Boxes = std::vector<Eigen::AlignedBox2d>;
@@ -73,4 +73,4 @@ TEST(ImageScore, IsTheWeightedSumAndZeroWithoutObjects) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::image_score_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::imu_track_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -137,4 +137,4 @@ TEST(ImuTrack, OfFewFramesIsFinite) {
     }
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::imu_track_test

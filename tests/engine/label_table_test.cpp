@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack {
+namespace dollytrack::label_table_test {
 namespace {
 
 struct Case {
@@ -151,4 +151,4 @@ TEST(Names, LoseTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::label_table_test

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::lens_model_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -279,4 +279,4 @@ TEST(RigWords, MakeTheCameraThatAFileMakes) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::lens_model_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace dollytrack {
+namespace dollytrack::light_params_test {
 namespace {
 
 TEST(LightParams, APresetSetsTheLightAndWhatFollowsChangesIt) {
@@ -209,4 +209,4 @@ TEST(LightParams, LampsAreOfAThousandKelvinAtLeastOrNone) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::light_params_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::log_test {
 
 TEST(Log, FoldsRepeatsIntoOneRecordWithACount) {
     std::vector<log::Record> records;
@@ -49,4 +49,4 @@ TEST(FoldRepeats, CountsWhatDiffersInNamesAndNumbersAlone) {
     EXPECT_EQ(foldRepeats(folded, 3), folded);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::log_test

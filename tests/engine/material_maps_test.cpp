@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-namespace dollytrack {
+namespace dollytrack::material_maps_test {
 namespace {
 
 using test::find;
@@ -100,4 +100,4 @@ TEST(MaterialMaps, OfGltf) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::material_maps_test

@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::material_meshes_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -268,4 +268,4 @@ TEST(SizeDoubts, NameWhatItsClassCannotBe) {
                      "0.04 m)"));
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::material_meshes_test

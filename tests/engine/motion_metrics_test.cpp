@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::motion_metrics_test {
 namespace {
 
 Trajectory along(double (*way)(double), int count) {
@@ -58,4 +58,4 @@ TEST(MotionMetrics, SeeNoMotionWhereTheCameraIsCarriedOver) {
     EXPECT_EQ(measureMotion({}).speed_mps.max, 0.0);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::motion_metrics_test

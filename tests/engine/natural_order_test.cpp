@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::natural_order_test {
 
 TEST(NaturalOrder, NumbersCountByTheirValue) {
     std::vector<std::string> names = {"b1",
@@ -52,4 +52,4 @@ TEST(NaturalOrder, IsStrict) {
     }
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::natural_order_test

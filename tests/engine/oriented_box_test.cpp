@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::oriented_box_test {
 namespace {
 
 std::vector<Eigen::Vector3f> cloud(Random& random, std::size_t count, const Eigen::Vector3d& size,
@@ -79,4 +79,4 @@ TEST(OrientedBox, TakesAPlaneSeenFromAbove) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::oriented_box_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::picture_decoder_test {
 namespace {
 
 /// An image with smooth colours in OpenCV's layout (BGR, BGRA or grey).
@@ -122,4 +122,4 @@ TEST(PictureDecoder, OutlivesDamage) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::picture_decoder_test

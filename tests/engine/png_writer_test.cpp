@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace dollytrack {
+namespace dollytrack::png_writer_test {
 namespace {
 
 std::vector<std::uint8_t> randomBytes(std::size_t count) {
@@ -59,4 +59,4 @@ TEST(PngWriter, RefusesABufferOfTheWrongSize) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::png_writer_test

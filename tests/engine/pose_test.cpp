@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::pose_test {
 
 TEST(Pose, LooksAtItsTargetWithTheWorldsUpAtTheTop) {
     const Pose pose = lookAt({1, 2, 3}, {4, 2, 3});
@@ -50,4 +50,4 @@ TEST(Pose, ToCameraUndoesToWorld) {
     }
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::pose_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace dollytrack {
+namespace dollytrack::random_test {
 
 // Reference output of PCG32's demo program: seed 42, stream 54.
 TEST(Random, MatchesThePublishedSequence) {
@@ -36,4 +36,4 @@ TEST(Random, BelowStaysInRangeAndReachesItsEnds) {
     for (const bool one : seen) EXPECT_TRUE(one);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::random_test

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::ray_caster_test {
 
 TEST(RayCaster, HitsTheFirstSurfaceAtItsExactDistance) {
     const Scene scene = test::furnishedRoom();
@@ -166,4 +166,4 @@ TEST(RayCaster, NamesTheLowestOfThingsThatTouch) {
     }
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::ray_caster_test

@@ -14,7 +14,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::scene_import_test {
 namespace {
 
 using test::countTargets;
@@ -470,4 +470,4 @@ TEST(SceneReport, HoldsWhatInfoShows) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::scene_import_test

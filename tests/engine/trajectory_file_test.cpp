@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::trajectory_file_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -299,4 +299,4 @@ TEST(TrajectoryFile, UnknownNamesAreUsageErrors) {
     EXPECT_EQ(loadTrajectory(path, world).error().code, ErrorCode::Usage);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::trajectory_file_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::triangulate_test {
 namespace {
 
 using Corners = std::vector<Eigen::Vector3f>;
@@ -147,4 +147,4 @@ TEST(Triangulate, FillsACrossingOutlineAsAFan) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::triangulate_test

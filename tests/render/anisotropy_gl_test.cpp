@@ -3,7 +3,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace dollytrack::render {
+namespace dollytrack::render::anisotropy_gl_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -29,7 +29,7 @@ Scene stripedFloor() {
     return scene;
 }
 
-class AnisotropyGl : public test::GlTest {};
+class AnisotropyGl : public fixture::GlTest {};
 
 // With anisotropic filtering the stripes stay distinct farther away; without it, the mean over a
 // pixel's whole width and height blurs them. The reference is an image of many more pixels, scaled
@@ -73,4 +73,4 @@ TEST_F(AnisotropyGl, FloorsStaySharpFarther) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::anisotropy_gl_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace dollytrack::render {
+namespace dollytrack::render::camera_json_test {
 namespace {
 
 Eigen::Vector3d vectorOf(const nlohmann::json& value) {
@@ -43,4 +43,4 @@ TEST(CameraJson, AYUpSourceKeepsItsAxesInMetres) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::camera_json_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::coarse_mesh_test {
 namespace {
 
 struct Ball {
@@ -69,4 +69,4 @@ TEST(CoarseMesh, LeavesSmallMeshesAlone) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::coarse_mesh_test

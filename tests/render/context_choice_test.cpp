@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace dollytrack::gl {
+namespace dollytrack::gl::context_choice_test {
 namespace {
 
 class NamedContext final : public Context {
@@ -48,4 +48,4 @@ TEST_F(ContextChoices, TellAllThatWereTriedAndWhy) {
 }
 
 }  // namespace
-}  // namespace dollytrack::gl
+}  // namespace dollytrack::gl::context_choice_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dollytrack::render {
+namespace dollytrack::render::crack_filling_gl_test {
 namespace {
 
 /// A room of thick boxes stacked on each other: their edges lie on one line but share no corner.
@@ -30,7 +30,7 @@ std::ptrdiff_t unlabelled(const FrameRecord& frame) {
     return std::count(frame.instance.begin(), frame.instance.end(), 0);
 }
 
-class CrackFillingGl : public test::GlTest {};
+class CrackFillingGl : public fixture::GlTest {};
 
 // Inside a closed room every pixel shows a surface.
 TEST_F(CrackFillingGl, NoPixelOfAClosedRoomShowsNothing) {
@@ -298,4 +298,4 @@ TEST_F(CrackFillingGl, WhatIsOpenStaysOpen) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::crack_filling_gl_test

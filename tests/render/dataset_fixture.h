@@ -12,7 +12,7 @@
 #include <map>
 #include <string>
 
-namespace dollytrack::render::test {
+namespace dollytrack::render::fixture {
 
 namespace fs = std::filesystem;
 
@@ -91,4 +91,4 @@ class DatasetGlTest : public GlTest {
     fs::path folder_;
 };
 
-}  // namespace dollytrack::render::test
+}  // namespace dollytrack::render::fixture

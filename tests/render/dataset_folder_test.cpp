@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-namespace dollytrack::render {
+namespace dollytrack::render::dataset_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -254,4 +254,4 @@ TEST(DatasetFolder, CountsTheSpaceThatIsGivenBack) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::dataset_folder_test

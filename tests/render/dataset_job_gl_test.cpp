@@ -9,14 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-namespace dollytrack::render {
+namespace dollytrack::render::dataset_job_gl_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::circle;
-using test::smallCamera;
+using fixture::circle;
+using fixture::smallCamera;
 
-class DatasetJobGl : public test::DatasetGlTest {};
+class DatasetJobGl : public fixture::DatasetGlTest {};
 
 TEST_F(DatasetJobGl, WritesADatasetThatAgreesWithItself) {
     const Trajectory trajectory = circle(7);
@@ -218,4 +218,4 @@ TEST_F(DatasetJobGl, CapturesMatchACountByRays) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::dataset_job_gl_test

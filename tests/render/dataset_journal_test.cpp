@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dollytrack::render {
+namespace dollytrack::render::dataset_journal_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ TEST(DatasetIdentity, NamesWhatDiffers) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::dataset_journal_test

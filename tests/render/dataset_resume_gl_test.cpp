@@ -8,16 +8,16 @@
 
 #include <random>
 
-namespace dollytrack::render {
+namespace dollytrack::render::dataset_resume_gl_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::circle;
-using test::smallCamera;
+using fixture::circle;
+using fixture::smallCamera;
 
 constexpr const char* kMark = ".dollytrack-export";
 
-class DatasetResumeGl : public test::DatasetGlTest {
+class DatasetResumeGl : public fixture::DatasetGlTest {
   protected:
     static DatasetSettings settingsFor(const fs::path& folder, bool resume = true) {
         DatasetSettings settings;
@@ -284,4 +284,4 @@ TEST_F(DatasetResumeGl, TheFilesHoldWhatTheSceneRendererDraws) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::dataset_resume_gl_test

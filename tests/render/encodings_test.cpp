@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace dollytrack::render {
+namespace dollytrack::render::encodings_test {
 namespace {
 
 /// Winding number of an outline around a point, by brute force: counts edges that cross the ray to
@@ -104,4 +104,4 @@ TEST(NumpyFile, HasItsHeaderAndAlignsItsValues) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::encodings_test

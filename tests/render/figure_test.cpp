@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace dollytrack::render {
+namespace dollytrack::render::figure_test {
 
 TEST(Figure, TicksAreRoundAndSpanTheRange) {
     EXPECT_EQ(roundTicks(0.0, 10.0, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
@@ -68,4 +68,4 @@ TEST(Figure, OtherFilesAreRefused) {
     EXPECT_EQ(writeFigure({}, "figure.pdf").error().code, ErrorCode::Usage);
 }
 
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::figure_test

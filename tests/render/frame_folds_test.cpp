@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dollytrack::render {
+namespace dollytrack::render::frame_folds_test {
 namespace {
 
 /// A trajectory along a line at 10 frames per second; `rooms` gives the number of frames in each
@@ -125,4 +125,4 @@ TEST(FoldFiles, ListPicturesAndAnnotateThem) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::frame_folds_test

@@ -12,12 +12,12 @@
 #include <sstream>
 #include <utility>
 
-namespace dollytrack::render {
+namespace dollytrack::render::frame_lights_gl_test {
 namespace {
 
 /// A room with sun, sky, lamps and a glossy floor.
 Scene brightRoom() {
-    Scene scene = test::sunnyRoom(test::Hole::Window);
+    Scene scene = fixture::sunnyRoom(fixture::Hole::Window);
     scene.materials[0].emission = {0.1F, 0.06F, 0.03F};
     return scene;
 }
@@ -54,11 +54,11 @@ TEST(FrameLights, AFrameDrawsItsStrengthsAndTheSceneItsSun) {
     EXPECT_EQ(resolvedAt(other, 3).drawn, other);
 }
 
-class FrameLightsGl : public test::DatasetGlTest {
+class FrameLightsGl : public fixture::DatasetGlTest {
   protected:
     /// The image of a view into the room, as bytes.
     static std::vector<std::uint8_t> pictureOf(SceneRenderer& renderer, RenderTarget& target) {
-        const View view = makeView(test::smallCamera(), lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
+        const View view = makeView(fixture::smallCamera(), lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
         std::vector<std::uint8_t> rgb;
         EXPECT_TRUE(renderer.draw(view, target));
         target.readRgb(rgb);
@@ -108,7 +108,7 @@ TEST_F(FrameLightsGl, AFramesLightIsThatOfTheSameValuesSetForTheScene) {
     ASSERT_TRUE(lights.vary());
     auto renderer =
         OffscreenRenderer::create(std::move(context_), scene, lights.volume(),
-                                  test::smallCamera().width_px, test::smallCamera().height_px);
+                                  fixture::smallCamera().width_px, fixture::smallCamera().height_px);
     ASSERT_TRUE(renderer) << describe(renderer.error());
     std::vector<std::uint8_t> last;
     for (const int frame : {0, 5, 17}) {
@@ -138,7 +138,7 @@ TEST_F(FrameLightsGl, AFramesLightIsThatOfTheSameValuesSetForTheScene) {
 }
 
 TEST_F(FrameLightsGl, AStillCameraSeesItChangeWhereItIsAskedTo) {
-    Trajectory still = test::circle(1);
+    Trajectory still = fixture::circle(1);
     while (still.frames.size() < 6) still.frames.push_back(still.frames.front());
     for (std::size_t i = 0; i < still.frames.size(); ++i) still.frames[i].time_s = 0.1 * i;
     LightParams light = byFrame();
@@ -168,7 +168,7 @@ TEST_F(FrameLightsGl, AStillCameraSeesItChangeWhereItIsAskedTo) {
 }
 
 TEST_F(FrameLightsGl, PathTracedFramesHaveTheirLightToo) {
-    Trajectory still = test::circle(1);
+    Trajectory still = fixture::circle(1);
     still.frames.resize(3, still.frames.front());
     for (std::size_t i = 0; i < still.frames.size(); ++i) still.frames[i].time_s = 0.1 * i;
     LightParams light = byFrame();
@@ -183,4 +183,4 @@ TEST_F(FrameLightsGl, PathTracedFramesHaveTheirLightToo) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::frame_lights_gl_test

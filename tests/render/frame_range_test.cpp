@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace dollytrack::render {
+namespace dollytrack::render::frame_range_test {
 namespace {
 
 TEST(FrameRange, ReadsItsThreeParts) {
@@ -51,4 +51,4 @@ TEST(FrameRange, TakesTheLargestStep) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::frame_range_test

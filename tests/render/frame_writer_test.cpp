@@ -11,7 +11,7 @@
 #include <chrono>
 #include <thread>
 
-namespace dollytrack::render {
+namespace dollytrack::render::frame_writer_test {
 namespace {
 
 std::atomic<int> handed_over = 0;
@@ -89,4 +89,4 @@ TEST_F(FrameWriterTest, CountsAllImagesOfAFrame) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::frame_writer_test

@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace dollytrack::render {
+namespace dollytrack::render::frames_csv_test {
 namespace {
 
 std::vector<std::vector<std::string>> rowsOf(const std::string& text) {
@@ -65,4 +65,4 @@ TEST(FramesCsv, SaysWhatEachFrameShowsAndHowTheCameraCameThere) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::frames_csv_test

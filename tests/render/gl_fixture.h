@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-namespace dollytrack::render::test {
+namespace dollytrack::render::fixture {
 
 /// Gives a test its renderer, or skips it visibly where there is no OpenGL. With
 /// DOLLYTRACK_REQUIRE_GL=1 that is a failure.
@@ -48,4 +48,4 @@ class GlTest : public testing::Test {
     std::unique_ptr<gl::Context> context_;
 };
 
-}  // namespace dollytrack::render::test
+}  // namespace dollytrack::render::fixture

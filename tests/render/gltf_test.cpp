@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace dollytrack::render {
+namespace dollytrack::render::gltf_test {
 namespace {
 
 /// A .glb taken apart by hand.
@@ -166,4 +166,4 @@ TEST_F(Gltf, GivesTheSameBytesAgain) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::gltf_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dollytrack::render {
+namespace dollytrack::render::irradiance_grid_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -65,4 +65,4 @@ TEST(IrradianceGrid, ABlurIsAsWideAsItSays) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::irradiance_grid_test

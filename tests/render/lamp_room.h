@@ -2,7 +2,7 @@
 
 #include "tests/support/scene_builder.h"
 
-namespace dollytrack::render::test {
+namespace dollytrack::render::fixture {
 
 /// A room 3 x 3 x 2.6 m without gloss, and a table lamp beside its wall at x = 0: 0.5 m high with a
 /// closed shade 0.2 m wide, its ball at lampBall(). `paint` is the colour of everything except the
@@ -39,4 +39,4 @@ inline Eigen::Vector3d lampBall() {
     return {0.35, 1.5, 1.2 - 0.5 / 6.0};
 }
 
-}  // namespace dollytrack::render::test
+}  // namespace dollytrack::render::fixture

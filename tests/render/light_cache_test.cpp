@@ -10,7 +10,7 @@
 #include <iterator>
 #include <set>
 
-namespace dollytrack::render {
+namespace dollytrack::render::light_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,7 +25,7 @@ LightVolumeParams coarse() {
 
 class LightCacheTest : public testing::Test {
   protected:
-    LightCacheTest() : scene_(test::sunnyRoom(test::Hole::Window)), rays_(scene_) {
+    LightCacheTest() : scene_(fixture::sunnyRoom(fixture::Hole::Window)), rays_(scene_) {
         LightParams light;
         light.sun_strength = 1.0;
         rig_ = makeLightRig(scene_, rays_, {}, resolved(light));
@@ -146,4 +146,4 @@ TEST_F(LightCacheTest, TheOldestMakesRoom) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::light_cache_test

@@ -14,12 +14,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::light_gl_test {
 namespace {
 
-using test::Hole;
-using test::sunAlone;
-using test::sunnyRoom;
+using fixture::Hole;
+using fixture::sunAlone;
+using fixture::sunnyRoom;
 
 CameraParams squareCamera() {
     CameraParams camera;
@@ -47,7 +47,7 @@ View downwards() {
     return view;
 }
 
-class LightGl : public test::GlTest {
+class LightGl : public fixture::GlTest {
   protected:
     /// Light before the tone curve.
     std::vector<float> lightOf(const Scene& scene, const LightVolume& light, const View& view) {
@@ -245,7 +245,7 @@ TEST_F(LightGl, DrawnAndTracedPicturesAgreeInTheSun) {
 // Rasterized and traced images agree for a table lamp and the room's lamp, and leaving out the
 // table lamp would change more than they differ.
 TEST_F(LightGl, DrawnAndTracedPicturesAgreeBesideATableLamp) {
-    const Scene scene = test::lampRoom(0.8F);
+    const Scene scene = fixture::lampRoom(0.8F);
     const RayCaster rays(scene);
     const LightRig rig = makeLightRig(scene, rays);
     ASSERT_EQ(rig.scene_lamps.size(), 1U);
@@ -292,7 +292,7 @@ TEST_F(LightGl, AHighHallIsNotDark) {
 
 // A surface that also emits a little blue light, as some files have it, keeps its own colour.
 TEST_F(LightGl, FaintEmissionLeavesTheColourOfASurface) {
-    Scene scene = test::lampRoom(0.8F);
+    Scene scene = fixture::lampRoom(0.8F);
     const RayCaster rays(scene);
     const LightVolume volume = bakeLightVolume(scene, rays, makeLightRig(scene, rays));
     const View view = smallView({1.6, 2.2, 1.6}, {0.1, 1.5, 1.1});
@@ -336,14 +336,14 @@ TEST_F(LightGl, TheWallsOfAnOpenRoomAreLitEvenlyAboveItsLamps) {
     }
 }
 
-class DatasetLightGl : public test::DatasetGlTest {
+class DatasetLightGl : public fixture::DatasetGlTest {
   protected:
     std::string pictureWith(const LightParams& light, const char* name) {
         DatasetSettings settings;
         settings.folder = folder_ / name;
         settings.light = light;
         settings.modalities = {"rgb", "depth", "instance"};
-        const auto summary = exportWith(settings, test::circle(1));
+        const auto summary = exportWith(settings, fixture::circle(1));
         EXPECT_TRUE(summary) << describe(summary.error());
         return read(settings.folder / "rgb/000000.png");
     }
@@ -434,4 +434,4 @@ TEST_F(LightGl, ANightHasNoDaylight) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::light_gl_test

@@ -9,7 +9,7 @@
 #include <memory>
 #include <numeric>
 
-namespace dollytrack::render {
+namespace dollytrack::render::mask_rle_test {
 namespace {
 
 std::vector<std::uint16_t> randomIds(Random& random, int width, int height, int count) {
@@ -87,4 +87,4 @@ TEST(MaskRle, BrokenTextGivesNothing) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::mask_rle_test

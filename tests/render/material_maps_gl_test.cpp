@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::material_maps_gl_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -38,7 +38,7 @@ Scene wall(int nyu40 = kNyuWall) {
     return scene;
 }
 
-class MaterialMapsGl : public test::GlTest {
+class MaterialMapsGl : public fixture::GlTest {
   protected:
     /// Light at the image centre, in a room that is lit from one direction only.
     Eigen::Vector3f lightOf(const Scene& scene, const LightVolume& light) {
@@ -235,4 +235,4 @@ TEST_F(MaterialMapsGl, GlassIsDrawnFromBackToFront) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::material_maps_gl_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::render {
+namespace dollytrack::render::occlusion_culling_gl_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -46,10 +46,10 @@ Scene thingsBehindThings() {
     return scene;
 }
 
-class OcclusionCullingGl : public test::GlTest {
+class OcclusionCullingGl : public fixture::GlTest {
   protected:
     void SetUp() override {
-        test::GlTest::SetUp();
+        fixture::GlTest::SetUp();
         if (IsSkipped()) return;
         camera_.width_px = 160;
         camera_.height_px = 120;
@@ -109,4 +109,4 @@ TEST_F(OcclusionCullingGl, SeesBehindAWallThatIsLeftAway) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::occlusion_culling_gl_test

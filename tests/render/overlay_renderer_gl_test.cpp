@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace dollytrack::render {
+namespace dollytrack::render::overlay_renderer_gl_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -16,7 +16,7 @@ constexpr int kHeight = 150;
 const Eigen::Vector4f kRed(1, 0, 0, 1);
 
 /// A grey wall at x = 4 with nothing in front of it; the camera at the origin looks along x.
-class OverlayRendererGl : public test::GlTest {
+class OverlayRendererGl : public fixture::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -317,4 +317,4 @@ TEST_F(OverlayRendererGl, TheTargetTellsWhatLiesUnderThePointer) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::overlay_renderer_gl_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::verify {
+namespace dollytrack::verify::picture_edges_test {
 namespace {
 
 constexpr int kWidth = 160;
@@ -146,4 +146,4 @@ TEST(PictureEdges, BordersWithNothingCanBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace dollytrack::verify
+}  // namespace dollytrack::verify::picture_edges_test

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::picture_gl_test {
 namespace {
 
 using dollytrack::test::furnishedRoom;
@@ -25,7 +25,7 @@ CameraParams goldenCamera() {
     return camera;
 }
 
-class PictureGl : public test::GlTest {
+class PictureGl : public fixture::GlTest {
   protected:
     /// Brightness of a black wall behind a clear pane at x = 2 m, turned about z.
     double blackBehindPane(double turn_deg, bool with_pane = true) {
@@ -278,4 +278,4 @@ TEST(OverlayPainter, HiddenLinesAreFaintAndVisibleOnesAreNot) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::picture_gl_test

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace dollytrack::render {
+namespace dollytrack::render::picture_quality_test {
 namespace {
 
 constexpr int kWidth = 60;  // not a multiple of the tile size
@@ -64,4 +64,4 @@ TEST(PictureQuality, TheTallyCountsEachPictureOnce) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::picture_quality_test

@@ -19,7 +19,7 @@
 #include <map>
 #include <sstream>
 
-namespace dollytrack::render {
+namespace dollytrack::render::pose_formats_test {
 namespace {
 
 /// Frames with random positions and orientations, so that no two axes can be confused.
@@ -208,4 +208,4 @@ TEST(SurfaceSample, IsEvenAndHasTheSurfacesColours) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::pose_formats_test

@@ -14,12 +14,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::rig_gl_test {
 namespace {
 
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
-using test::smallCamera;
+using fixture::smallCamera;
 
 constexpr double kPi = std::numbers::pi;
 const Vector3d kLow(0.0, 0.0, 0.0);
@@ -44,7 +44,7 @@ double toWalls(const Vector3d& from, const Vector3d& direction) {
     return nearest;
 }
 
-class RigGl : public test::DatasetGlTest {
+class RigGl : public fixture::DatasetGlTest {
   protected:
     void emptyRoom() {
         scene_ = dollytrack::test::SceneBuilder().room(kLow, kHigh).build();
@@ -192,7 +192,7 @@ int differing(const cv::Mat& a, const cv::Mat& b, double most) {
 TEST_F(RigGl, PinholesAreThePlannedCameraAndTheStereoPairsRightOne) {
     RigCamera same = cameraOf("same", Lens::Pinhole), right = cameraOf("right", Lens::Pinhole);
     right.right_m = 0.1;  // the pair's baseline
-    exportRig({same, right}, test::circle(3),
+    exportRig({same, right}, fixture::circle(3),
               {"rgb", "depth", "instance", "normal_world", "rgb_right", "depth_right"});
     for (int frame = 0; frame < 3; ++frame) {
         EXPECT_EQ(differing(rigImage("same", "rgb", frame), image("rgb", frame), 0), 0);
@@ -215,7 +215,7 @@ TEST_F(RigGl, TheCardSaysLensAndPoses) {
     side.right_m = 0.2;
     side.yaw_deg = 90.0;
     side.k1 = 0.02;
-    const Trajectory trajectory = test::circle(3);
+    const Trajectory trajectory = fixture::circle(3);
     exportRig({side}, trajectory, {"rgb"});
     const nlohmann::json written = card();
     EXPECT_EQ(written["modalities"], nlohmann::json({"rgb", "cameras"}));
@@ -256,18 +256,18 @@ TEST_F(RigGl, AreNamedOnlyWithARig) {
 
 // Files of an earlier rig are removed when another dataset replaces it in the folder.
 TEST_F(RigGl, AnotherRigLeavesNothingOfTheOneBefore) {
-    exportRig({cameraOf("old", Lens::Pinhole)}, test::circle(2), {"rgb"});
+    exportRig({cameraOf("old", Lens::Pinhole)}, fixture::circle(2), {"rgb"});
     ASSERT_TRUE(fs::exists(folder_ / "out/cameras/old/rgb/000001.png"));
     DatasetSettings settings;
     settings.folder = folder_ / "out";
     settings.modalities = {"rgb"};
     settings.overwrite = true;
     settings.rig = {cameraOf("new", Lens::Pinhole)};
-    ASSERT_TRUE(exportWith(settings, test::circle(1)));
+    ASSERT_TRUE(exportWith(settings, fixture::circle(1)));
     EXPECT_FALSE(fs::exists(folder_ / "out/cameras/old"));
     EXPECT_TRUE(fs::exists(folder_ / "out/cameras/new/rgb/000000.png"));
     settings.rig.clear();
-    ASSERT_TRUE(exportWith(settings, test::circle(1)));
+    ASSERT_TRUE(exportWith(settings, fixture::circle(1)));
     EXPECT_FALSE(fs::exists(folder_ / "out/cameras"));
 }
 
@@ -434,4 +434,4 @@ TEST(LensSides, AreThoseThatTheLensSees) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::rig_gl_test

@@ -5,13 +5,13 @@
 
 #include <limits>
 
-namespace dollytrack::render {
+namespace dollytrack::render::scene_renderer_gl_test {
 namespace {
 
 using dollytrack::test::furnishedRoom;
 using dollytrack::test::SceneBuilder;
 
-class SceneRendererGl : public test::GlTest {};
+class SceneRendererGl : public fixture::GlTest {};
 
 CameraParams smallCamera() {
     CameraParams camera;
@@ -320,4 +320,4 @@ TEST_F(SceneRendererGl, SilhouettesCountEachPixelOnce) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::scene_renderer_gl_test

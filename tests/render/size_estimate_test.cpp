@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::render {
+namespace dollytrack::render::size_estimate_test {
 namespace {
 
 // Middlebury's files are not compressed: eight bytes per pixel, for each frame that has flow.
@@ -39,4 +39,4 @@ TEST(SizeEstimate, ExpectsTheFilesOfFormats) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::size_estimate_test

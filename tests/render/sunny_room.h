@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace dollytrack::render::test {
+namespace dollytrack::render::fixture {
 
 /// What fills the hole in the wall.
 enum class Hole { Window, Shutter, Pane };
@@ -49,4 +49,4 @@ inline LightRig sunAlone(const Scene& scene) {
     return rig;
 }
 
-}  // namespace dollytrack::render::test
+}  // namespace dollytrack::render::fixture

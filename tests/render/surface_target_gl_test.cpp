@@ -4,7 +4,7 @@
 #include "tests/render/gl_fixture.h"
 #include "tests/support/scene_builder.h"
 
-namespace dollytrack::render {
+namespace dollytrack::render::surface_target_gl_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -32,7 +32,7 @@ Scene leaves() {
     return scene;
 }
 
-class SurfaceTargetGl : public test::GlTest {
+class SurfaceTargetGl : public fixture::GlTest {
   protected:
     struct Images {
         std::vector<std::uint16_t> ids;
@@ -100,4 +100,4 @@ TEST_F(SurfaceTargetGl, CutOutsAloneWithATextureAreWholeInLabelsAndSurfaces) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::surface_target_gl_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-namespace dollytrack::render {
+namespace dollytrack::render::traced_reflections_gl_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -47,7 +47,7 @@ View mirrorView(Reflections reflections = Reflections::Mirrors) {
     return view;
 }
 
-class TracedReflectionsGl : public test::GlTest {
+class TracedReflectionsGl : public fixture::GlTest {
   protected:
     struct Drawn {
         std::vector<std::uint8_t> rgb;
@@ -186,4 +186,4 @@ TEST_F(TracedReflectionsGl, RowsAreThoseOfTheWholePicture) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::traced_reflections_gl_test

@@ -11,11 +11,11 @@
 #include <cstring>
 #include <sstream>
 
-namespace dollytrack::render {
+namespace dollytrack::render::truth_gl_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::smallCamera;
+using fixture::smallCamera;
 
 /// A camera that passes the objects of the room, none of which is far away.
 Trajectory pass(int frames) {
@@ -35,7 +35,7 @@ struct Flow {
     cv::Mat mask;
 };
 
-class TruthGl : public test::DatasetGlTest {
+class TruthGl : public fixture::DatasetGlTest {
   protected:
     int idOf(const std::string& name) const {
         for (const Object& object : scene_.objects) {
@@ -84,7 +84,7 @@ class TruthGl : public test::DatasetGlTest {
         const std::string bytes = read(folder_ / "out" / pairFile(folder, from, to, ".flo"));
         EXPECT_EQ(bytes.substr(0, 4), "PIEH");
         result.motion.resize((bytes.size() - 12) / 8);
-        std::memcpy(result.motion.data(), bytes.data() + 12, bytes.size() - 12);
+        std::memcpy(static_cast<void*>(result.motion.data()), bytes.data() + 12, bytes.size() - 12);
         result.mask = image(pairFile(folder, from, to, "_mask.png"));
         return result;
     }
@@ -328,4 +328,4 @@ TEST_F(TruthGl, AContinuedExportOfEverythingEndsWithTheBytesOfAnUnbrokenOne) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::truth_gl_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace dollytrack::render {
+namespace dollytrack::render::video_encoder_test {
 namespace {
 
 std::string video(int width, int height, int frames) {
@@ -45,4 +45,4 @@ TEST(VideoEncoder, RefusesAPictureOfAnotherSize) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::video_encoder_test

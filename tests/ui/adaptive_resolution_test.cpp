@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::adaptive_resolution_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -52,4 +52,4 @@ TEST(AdaptiveResolution, LeavesFastScenesWholeAndShrinksSlowOnesMore) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::adaptive_resolution_test

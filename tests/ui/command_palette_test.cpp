@@ -6,7 +6,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::command_palette_test {
 namespace {
 
 /// The palette over a few commands, two parameters and a furnished room.
@@ -91,4 +91,4 @@ TEST_F(CommandPaletteTest, EscapeClosesItAndItOpensAgainEmpty) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::command_palette_test

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::command_table_test {
 namespace {
 
 /// A table whose keys are checked once per frame, as the window does.
@@ -51,4 +51,4 @@ TEST_F(CommandTableTest, FindsPlusAndMinusWhereTheKeyboardHasThem) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::command_table_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::cut_text_test {
 namespace {
 
 float widthOf(const std::string& text) {
@@ -77,4 +77,4 @@ TEST(CutText, NeverCutsALetterApart) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::cut_text_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::edits_panel_test {
 namespace {
 
 using nlohmann::json;
@@ -184,4 +184,4 @@ TEST_F(EditsPanelTest, RegionsAreAddedWeighedAndDeleted) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::edits_panel_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::export_panel_test {
 namespace {
 
 /// Some of a project's parameters, as the panel gets them.
@@ -401,4 +401,4 @@ TEST(ExportPanel, SaysTimesAsPeopleDo) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::export_panel_test

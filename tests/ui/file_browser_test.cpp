@@ -13,7 +13,7 @@
 #include <fstream>
 #include <thread>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::file_browser_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -294,4 +294,4 @@ TEST(FileList, DrawsOnlyWhatIsVisibleOfAHundredThousandFiles) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::file_browser_test

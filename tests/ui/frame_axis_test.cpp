@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::frame_axis_test {
 namespace {
 
 TEST(FrameAxis, FindsEveryFrameAtItsMiddleUnderAnyZoom) {
@@ -100,4 +100,4 @@ TEST(PlotColumns, RepeatAValueOverItsWholeWidth) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::frame_axis_test

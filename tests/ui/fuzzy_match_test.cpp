@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::fuzzy_match_test {
 namespace {
 
 int score(std::string_view pattern, std::string_view text) {
@@ -77,4 +77,4 @@ TEST(FuzzyMatch, AgreesWithPlainSubsequenceSearch) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::fuzzy_match_test

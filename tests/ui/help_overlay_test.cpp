@@ -5,7 +5,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::help_overlay_test {
 namespace {
 
 TEST(HelpOverlay, OpensIsSearchableAndClosesByKeyAndButton) {
@@ -38,4 +38,4 @@ TEST(HelpOverlay, OpensIsSearchableAndClosesByKeyAndButton) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::help_overlay_test

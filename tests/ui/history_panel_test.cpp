@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::history_panel_test {
 namespace {
 
 TEST(HistoryPanel, ClickGoesToAStepBackAndForward) {
@@ -42,4 +42,4 @@ TEST(HistoryPanel, BringsTheCurrentOfManyStepsIntoView) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::history_panel_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::layers_panel_test {
 namespace {
 
 struct Layers {
@@ -107,4 +107,4 @@ TEST(LayersPanel, SaysWhatCannotBeShownYet) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::layers_panel_test

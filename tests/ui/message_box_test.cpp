@@ -5,7 +5,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::message_box_test {
 namespace {
 
 /// Shows a message box until it is answered.
@@ -59,4 +59,4 @@ TEST(MessageBox, UnsavedChangesHaveThreeAnswers) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::message_box_test

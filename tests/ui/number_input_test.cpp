@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::number_input_test {
 namespace {
 
 struct Number {
@@ -135,4 +135,4 @@ TEST(NumberInput, DragsRelativelyWhereTheRangeIsWide) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::number_input_test

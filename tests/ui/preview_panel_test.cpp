@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::preview_panel_test {
 namespace {
 
 struct Preview {
@@ -153,4 +153,4 @@ TEST(ImageViewer, ZoomsToTheMouseAndFitsAgain) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::preview_panel_test

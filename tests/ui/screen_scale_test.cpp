@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::screen_scale_test {
 namespace {
 
 // Scales that desktops choose for these screens, or that people set by hand.
@@ -39,4 +39,4 @@ TEST(ScreenScale, LeavesRoomForTheWindow) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::screen_scale_test

@@ -12,7 +12,7 @@
 
 #include <numbers>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::selection_panel_test {
 namespace {
 
 using Kind = Selection::Kind;
@@ -424,4 +424,4 @@ TEST_F(SelectionPanelTest, WhatIsGoneFromThePlanShowsNothing) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::selection_panel_test

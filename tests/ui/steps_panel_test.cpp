@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::steps_panel_test {
 namespace {
 
 using Kind = AlgorithmStep::Kind;
@@ -114,4 +114,4 @@ TEST(StepsPanel, HasAGroupForEveryKind) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::steps_panel_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::timeline_data_test {
 namespace {
 
 TrajectoryFrame frameOf(int component, int path, int position_point) {
@@ -52,4 +52,4 @@ TEST(TimelineData, CutsTheFramesIntoRoomsAndPaths) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::timeline_data_test

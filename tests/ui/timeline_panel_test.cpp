@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::timeline_panel_test {
 namespace {
 
 /// A timeline as the editor uses it: requests are carried out.
@@ -207,4 +207,4 @@ TEST(TimelinePanel, SaysWhyNothingCanBePlayed) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::timeline_panel_test

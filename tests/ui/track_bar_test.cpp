@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::track_bar_test {
 namespace {
 
 /// A row as the editor uses it: requests are carried out.
@@ -49,4 +49,4 @@ TEST(TrackBar, PlaysWhereThereIsSomethingToPlay) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::track_bar_test

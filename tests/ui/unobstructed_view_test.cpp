@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <span>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::unobstructed_view_test {
 namespace {
 
 using test::SceneBuilder;
@@ -190,4 +190,4 @@ TEST(ClearLook, WhatLiesOverAStoreyIsLeftAwayAndItsFloorIsNot) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::unobstructed_view_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::viewer_camera_test {
 namespace {
 
 constexpr int kWidth = 800;
@@ -112,4 +112,4 @@ TEST(FalseColor, NormalsOfAWallStraightAheadFaceTheCamera) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::viewer_camera_test

@@ -18,7 +18,7 @@
 #include <fstream>
 #include <set>
 
-namespace dollytrack::batch {
+namespace dollytrack::batch::batch_parts_test {
 namespace {
 
 std::vector<std::string> found(const std::string& pattern, const std::filesystem::path& base) {
@@ -299,4 +299,4 @@ TEST(Markup, KeepsNothingThatWouldBeReadAsMarkup) {
 }
 
 }  // namespace
-}  // namespace dollytrack::batch
+}  // namespace dollytrack::batch::batch_parts_test

@@ -21,7 +21,7 @@ extern "C" int execv(const char* path, char* const* arguments) noexcept {
     return execve(path, arguments, environ);
 }
 
-namespace dollytrack {
+namespace dollytrack::child_process_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -67,4 +67,4 @@ TEST(ChildProcess, OneThatIsStoppedBeforeItsProgramBeginsIsNotWaitedFor) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::child_process_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack {
+namespace dollytrack::front3d_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -238,4 +238,4 @@ TEST(BoundedJson, CountsBracketsOutsideOfTextsOnly) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::front3d_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace dollytrack {
+namespace dollytrack::gazebo_faults_test {
 namespace {
 
 using test::expectBox;
@@ -268,4 +268,4 @@ TEST(Gazebo, ModelsOnFuelAreLookedUpAmongDownloadedOnes) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::gazebo_faults_test

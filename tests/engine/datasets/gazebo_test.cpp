@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::gazebo_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -306,4 +306,4 @@ TEST(Gazebo, AnglesTurnAboutFixedAxes) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::gazebo_test

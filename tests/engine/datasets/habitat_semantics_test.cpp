@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::habitat_semantics_test {
 namespace {
 
 using test::find;
@@ -154,4 +154,4 @@ TEST(HabitatSemantics, ArticulatedObjectsHaveDescriptionsBesideTheirUrdf) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::habitat_semantics_test

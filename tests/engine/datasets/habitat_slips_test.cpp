@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::habitat_slips_test {
 namespace {
 
 using test::find;
@@ -128,4 +128,4 @@ TEST(HabitatSlips, PathsOfObjectsMatterWhenOneIsMissing) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::habitat_slips_test

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::habitat_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -300,4 +300,4 @@ TEST(Habitat, DamagedFilesAreRefused) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::habitat_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <array>
 
-namespace dollytrack {
+namespace dollytrack::hypersim_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -168,4 +168,4 @@ TEST(Hypersim, RefusesAnnotationsThatDoNotGoTogether) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::hypersim_test

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::label_hints_test {
 namespace {
 
 using test::asciiPly;
@@ -124,4 +124,4 @@ TEST(LabelHints, FilesOfReplicaAndHm3dThatAreMissingAreNamed) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::label_hints_test

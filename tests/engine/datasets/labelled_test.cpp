@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::labelled_test {
 namespace {
 
 using Eigen::Vector3f;
@@ -343,4 +343,4 @@ TEST(Labelled, MoreThanAHundredThousandObjectsAreRefused) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::labelled_test

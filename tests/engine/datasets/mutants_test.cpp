@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-namespace dollytrack {
+namespace dollytrack::mutants_test {
 namespace {
 
 using test::TempFolder;
@@ -103,4 +103,4 @@ TEST(DatasetMutants, ScenesOfSceneNetNeverCrash) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::mutants_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack {
+namespace dollytrack::ply_mesh_test {
 namespace {
 
 using Eigen::Vector3f;
@@ -200,4 +200,4 @@ TEST(Splats, AreToldFromScans) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::ply_mesh_test

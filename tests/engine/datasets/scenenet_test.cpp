@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace dollytrack {
+namespace dollytrack::scenenet_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -120,4 +120,4 @@ TEST(SceneNet, NamesTheLineThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::scenenet_test

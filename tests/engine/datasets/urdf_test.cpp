@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::urdf_test {
 namespace {
 
 using test::expectBox;
@@ -187,4 +187,4 @@ TEST(Urdf, FaultsAreNamedWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::urdf_test

@@ -8,7 +8,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-namespace dollytrack {
+namespace dollytrack::command_stack_test {
 namespace {
 
 using nlohmann::json;
@@ -154,4 +154,4 @@ RC_GTEST_PROP(CommandStack, UndoesRedoesAndSavesAnyOperations, ()) {
     RC_ASSERT(!stack.canRedo());
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::command_stack_test

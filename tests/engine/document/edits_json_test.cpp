@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace dollytrack {
+namespace dollytrack::edits_json_test {
 namespace {
 
 using nlohmann::json;
@@ -86,4 +86,4 @@ TEST(EditsJson, BadValuesAreNamedWithTheirPlace) {
     EXPECT_EQ(error([](json& s) { s["version"] = 9; }).code, ErrorCode::BadInput);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::edits_json_test

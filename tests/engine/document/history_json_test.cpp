@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace dollytrack {
+namespace dollytrack::history_json_test {
 namespace {
 
 using nlohmann::json;
@@ -125,4 +125,4 @@ TEST(HistoryJson, ARestoredStackGoesOn) {
     EXPECT_EQ(*stack.state(), *work.steps.front().state);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::history_json_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace dollytrack {
+namespace dollytrack::object_operations_test {
 namespace {
 
 using nlohmann::json;
@@ -318,4 +318,4 @@ TEST(Operation, ExcludesAndIncludesSeveralObjectsAtOnce) {
         << "nothing but the building";
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::object_operations_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace dollytrack {
+namespace dollytrack::object_trace_test {
 namespace {
 
 using nlohmann::json;
@@ -96,4 +96,4 @@ TEST(ObjectTrace, AnObjectIsHiddenOnlyWhereAllItsPartsWere) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::object_trace_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack {
+namespace dollytrack::object_track_test {
 namespace {
 
 ObjectChange tracked(int id, std::vector<TrackKey> track) {
@@ -75,4 +75,4 @@ TEST(ObjectTrack, KeysStayInOrderAndReplaceOneAnother) {
     EXPECT_EQ(lastKeyTime(edits), 5.0);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::object_track_test

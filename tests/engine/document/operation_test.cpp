@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::operation_test {
 namespace {
 
 using nlohmann::json;
@@ -282,4 +282,4 @@ TEST(Operation, ATableEntryHasEverything) {
     }
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::operation_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack {
+namespace dollytrack::plan_operations_test {
 namespace {
 
 using nlohmann::json;
@@ -143,4 +143,4 @@ TEST(Operation, NamesEachThingThatIsAnotherInARegion) {
     EXPECT_EQ(nameOf({{"to", "choir"}}), "Rename altar to choir");
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::plan_operations_test

@@ -9,7 +9,7 @@
 
 #include <set>
 
-namespace dollytrack {
+namespace dollytrack::target_filter_test {
 
 TEST(TargetLists, OnlyWhatIsAskedForIsATarget) {
     const Scene scene = test::furnishedRoom();
@@ -89,4 +89,4 @@ TEST(TargetLists, AreKeptInTheProject) {
     EXPECT_FALSE(editsJson({}, editsJson(edits)).contains("start"));
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::target_filter_test

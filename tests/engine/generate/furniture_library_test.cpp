@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::generate {
+namespace dollytrack::generate::furniture_library_test {
 namespace {
 
 constexpr const char* kCatalog =
@@ -169,4 +169,4 @@ TEST(ZipWriter, WritesWhatIsReadBack) {
     EXPECT_EQ((*source)->read("d.png").value(), files[2].bytes);
 }
 
-}  // namespace dollytrack::generate
+}  // namespace dollytrack::generate::furniture_library_test

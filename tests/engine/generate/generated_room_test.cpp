@@ -17,7 +17,7 @@
 #include <numbers>
 #include <set>
 
-namespace dollytrack::generate {
+namespace dollytrack::generate::generated_room_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -406,4 +406,4 @@ TEST_F(GeneratedRooms, EveryRoleHasModels) {
     }
 }
 
-}  // namespace dollytrack::generate
+}  // namespace dollytrack::generate::generated_room_test

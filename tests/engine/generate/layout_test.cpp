@@ -10,7 +10,7 @@
 #include <numbers>
 #include <set>
 
-namespace dollytrack::generate {
+namespace dollytrack::generate::layout_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -199,4 +199,4 @@ TEST(SupportSurface, LetsNothingHangOverAnEdge) {
     EXPECT_FALSE(surface.placementFor(placedAt(tray, {245, 100}), random));
 }
 
-}  // namespace dollytrack::generate
+}  // namespace dollytrack::generate::layout_test

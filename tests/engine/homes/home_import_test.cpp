@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::home_import_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -356,4 +356,4 @@ TEST_F(HomeImport, ReadsItsCamerasAsATrajectory) {
     EXPECT_NE(frames[0].path, frames[1].path);
 }
 
-}  // namespace dollytrack
+}  // namespace dollytrack::home_import_test

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::cloud_files_test {
 namespace {
 
 std::string bytesOf(std::initializer_list<float> values) {
@@ -186,4 +186,4 @@ TEST(CloudFiles, AnswerWhateverIsInThem) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::cloud_files_test

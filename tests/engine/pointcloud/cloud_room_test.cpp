@@ -15,7 +15,7 @@
 #include <memory>
 #include <set>
 
-namespace dollytrack {
+namespace dollytrack::cloud_room_test {
 namespace {
 
 using Color = std::array<int, 3>;
@@ -407,4 +407,4 @@ TEST(HoleFiller, FillsHolesAndLeavesTheOutline) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::cloud_room_test

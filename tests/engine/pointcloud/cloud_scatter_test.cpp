@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack {
+namespace dollytrack::cloud_scatter_test {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -80,4 +80,4 @@ TEST(CloudScatter, PlanesStayWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::cloud_scatter_test

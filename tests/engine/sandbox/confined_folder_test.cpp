@@ -12,7 +12,7 @@
 
 #include <filesystem>
 
-namespace dollytrack {
+namespace dollytrack::confined_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST(ConfinedFolder, ListsFilesButNoLinks) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::confined_folder_test

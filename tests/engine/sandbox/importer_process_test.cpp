@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace dollytrack {
+namespace dollytrack::importer_process_test {
 namespace {
 
 using test::TempFolder;
@@ -89,4 +89,4 @@ TEST(ImporterProcess, ForwardsProgress) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::importer_process_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-namespace dollytrack {
+namespace dollytrack::processor_wait_test {
 namespace {
 
 using Seconds = ProcessorWait::Seconds;
@@ -135,4 +135,4 @@ TEST(ReadingClock, CountsFromTheFirstFile) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::processor_wait_test

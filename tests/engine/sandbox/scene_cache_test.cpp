@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace dollytrack {
+namespace dollytrack::scene_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -250,4 +250,4 @@ TEST_F(SceneCacheTest, KeysTellApartWhatMatters) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::scene_cache_test

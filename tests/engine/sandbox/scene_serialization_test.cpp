@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace dollytrack {
+namespace dollytrack::scene_serialization_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -218,4 +218,4 @@ TEST(SceneSerialization, RefusesScenesThatAreNotSound) {
 }
 
 }  // namespace
-}  // namespace dollytrack
+}  // namespace dollytrack::scene_serialization_test

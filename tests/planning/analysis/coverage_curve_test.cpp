@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::coverage_curve_test {
 
 // Each point of the curve equals the result of a plan made from scratch with that budget.
 TEST(CoverageCurve, EachPointIsThePlanOfItsBudget) {
@@ -44,4 +44,4 @@ TEST(CoverageCurve, EachPointIsThePlanOfItsBudget) {
     EXPECT_EQ(curves->by_length.back().path_length_m, (*plan)->trajectory_metrics.path_length_m);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::coverage_curve_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::baselines_test {
 namespace {
 
 PlanParams smallBudget() {
@@ -166,4 +166,4 @@ TEST(Delaunay, CirclesAreEmptyAndTheHullIsTiled) {
     EXPECT_NEAR(area, 12.0, 1e-6);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::baselines_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::planner_metrics_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -216,4 +216,4 @@ TEST(MetricsRow, MediansAndMeansSkipWhatDoesNotApply) {
     EXPECT_FALSE(meanOf(rows)[2]);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::planner_metrics_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::swept_sphere_test {
 namespace {
 
 struct World {
@@ -94,4 +94,4 @@ TEST(SweptSphere, AgreesWithDenseSamplingOfCurves) {
     EXPECT_GT(blocked, 50);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::swept_sphere_test

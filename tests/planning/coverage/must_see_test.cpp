@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::must_see_test {
 namespace {
 
 using test_support::planOf;
@@ -165,4 +165,4 @@ TEST(RegionWeights, TheLargestRegionCountsAndNothingIsLostWithoutABudget) {
               planOf(scene)->capture_metrics.captured);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::must_see_test

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::surface_views_test {
 namespace {
 
 using test_support::planOf;
@@ -323,4 +323,4 @@ TEST(SurfaceObjective, RefusesAResolutionThatNoPositionCanHave) {
     EXPECT_TRUE(validate(params));
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::surface_views_test

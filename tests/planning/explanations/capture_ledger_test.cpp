@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::capture_ledger_test {
 namespace {
 
 using test_support::planOf;
@@ -190,4 +190,4 @@ TEST(CaptureLedger, ATightBudgetIsToldFromBadPlaces) {
     EXPECT_GE(over, 1);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::capture_ledger_test

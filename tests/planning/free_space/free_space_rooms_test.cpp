@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::free_space_rooms_test {
 
 using Eigen::Vector3d;
 using test::SceneBuilder;
@@ -399,4 +399,4 @@ TEST(FreeSpaceRooms, ARoomThatIsOneTargetObjectIsStillARoom) {
     EXPECT_EQ(space.stateAt({1.5, 1.5, 1.2}), CellState::Free);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::free_space_rooms_test

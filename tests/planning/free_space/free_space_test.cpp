@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::free_space_test {
 
 using Eigen::Vector3d;
 using test_support::map;
@@ -233,4 +233,4 @@ TEST(FreeSpace, CellsToSampleFromAreThinnedEvenly) {
     EXPECT_LT((mean - Vector3d(3, 2.5, 2)).norm(), 0.05);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::free_space_test

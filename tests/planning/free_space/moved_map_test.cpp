@@ -14,7 +14,7 @@
 
 #include <memory>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::moved_map_test {
 namespace {
 
 using namespace test_support;
@@ -203,4 +203,4 @@ TEST(MovedMap, LeavesAreThoseOfTheWholeTree) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::moved_map_test

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::voxel_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -179,4 +179,4 @@ TEST(Components, AgreeWithAFlood) {
     EXPECT_EQ(label, flood) << "numbered by their first cell";
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::voxel_test

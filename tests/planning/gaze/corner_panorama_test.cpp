@@ -10,7 +10,7 @@
 
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::corner_panorama_test {
 namespace {
 
 /// A texture of squares, each `square` texels wide; a grey one for 0.
@@ -228,4 +228,4 @@ TEST(ImageCorners, RateIsTheShareOfFramesThatShowTheShelves) {
     EXPECT_EQ(trackableRate({kTrackableCorners, kTrackableCorners - 1}), 0.5);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::corner_panorama_test

@@ -20,7 +20,7 @@
 #include <numbers>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::gaze_test {
 namespace {
 
 using test_support::planOf;
@@ -466,4 +466,4 @@ TEST(ImageMotion, IsSpreadMoreEvenlyOverABudgetOfFrames) {
     EXPECT_EQ(keyFramePoses(*even), keyFramePoses(*fast));
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::gaze_test

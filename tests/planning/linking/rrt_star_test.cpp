@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::rrt_star_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -166,4 +166,4 @@ TEST(RrtStar, FindsItsWayOutOfANook) {
     EXPECT_GE(found, 18);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::rrt_star_test

@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::length_budget_test {
 namespace {
 
 constexpr int kObjects = 6;
@@ -290,4 +290,4 @@ TEST(LengthBudget, PinnedPointsStayInIt) {
     EXPECT_TRUE(there);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::length_budget_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::time_budget_test {
 namespace {
 
 /// A straight path of at most 10 m, or of `max_length_m`.
@@ -42,4 +42,4 @@ TEST(PathsWithinFrames, MayBeLongerThanOneWithMoreFrames) {
     EXPECT_LE(found_m, 4.0);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::time_budget_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::tour_test {
 namespace {
 
 /// Distances between positions in a square of 10 x 10 m.
@@ -102,4 +102,4 @@ TEST(ShortTour, NoOneAndTwoStops) {
     EXPECT_EQ(tourCost({}, {}), 0.0);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::tour_test

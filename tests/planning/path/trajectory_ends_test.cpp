@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::trajectory_ends_test {
 namespace {
 
 using test_support::planOf;
@@ -156,4 +156,4 @@ TEST(Ends, AStartInAnotherRoomComesFirst) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::trajectory_ends_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::algorithm_steps_test {
 namespace {
 
 using Kind = AlgorithmStep::Kind;
@@ -152,4 +152,4 @@ TEST(Pipeline, FrameViewsAndSeriesAgreeWithTheCaptures) {
 }
 
 }  // namespace
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::algorithm_steps_test

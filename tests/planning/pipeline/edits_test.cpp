@@ -20,7 +20,7 @@
 #include <limits>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::edits_test {
 namespace {
 
 using test_support::planOf;
@@ -481,4 +481,4 @@ TEST(Edits, SamePlanWhateverTheThreads) {
     EXPECT_EQ(text(1), text(3));
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::edits_test

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::every_trajectory_test {
 namespace {
 
 using test_support::SlowChecker;
@@ -129,4 +129,4 @@ TEST(EveryTrajectory, TheCheckerFindsCornersCutBlindly) {
     EXPECT_GT(unproven, 0);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::every_trajectory_test

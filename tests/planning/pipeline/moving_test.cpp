@@ -19,7 +19,7 @@
 #include <atomic>
 #include <functional>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::moving_test {
 namespace {
 
 using namespace test_support;
@@ -206,4 +206,4 @@ TEST(Moving, WhatStandsFarAwayIsNotSearchedAgain) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::moving_test

@@ -15,7 +15,7 @@
 #include <numbers>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::pipeline_test {
 namespace {
 
 using test_support::planOf;
@@ -288,4 +288,4 @@ TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::pipeline_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::plan_params_test {
 namespace {
 
 /// Sets the field to a different value.
@@ -74,4 +74,4 @@ TEST(PlanParams, APresetSetsOthersAndWhatIsNamedBesideItChangesSingleOnes) {
 }
 
 }  // namespace
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::plan_params_test

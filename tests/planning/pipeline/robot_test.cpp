@@ -15,7 +15,7 @@
 #include <numbers>
 #include <vector>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::robot_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -266,4 +266,4 @@ TEST(Robot, APresetSetsHeightBodyPitchAndHeading) {
 }
 
 }  // namespace
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::robot_test

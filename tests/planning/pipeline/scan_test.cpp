@@ -10,7 +10,7 @@
 #include <cmath>
 #include <memory>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::scan_test {
 namespace {
 
 using test_support::kFloorLook;
@@ -161,4 +161,4 @@ TEST(Scans, AGapBehindACupboardHoldsNoViewpoint) {
 }
 
 }  // namespace
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::scan_test

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::remedies_test {
 namespace {
 
 const test::SceneBuilder::Look kWallLook = {kNyuWall, Role::Structure, {0.8F, 0.8F, 0.8F}};
@@ -268,4 +268,4 @@ TEST(Remedies, ARemovedPointIsToBeRestored) {
     EXPECT_TRUE(room.cured(crate).captured);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::remedies_test

@@ -14,7 +14,7 @@
 #include <map>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::repair_test {
 namespace {
 
 using test_support::planOf;
@@ -201,4 +201,4 @@ TEST(Repair, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::repair_test

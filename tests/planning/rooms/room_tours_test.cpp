@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::room_tours_test {
 namespace {
 
 using test_support::planOf;
@@ -254,4 +254,4 @@ TEST(Anchors, OpeningsAreLookedOutOfAndCorridorsAlong) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::room_tours_test

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::smooth_path_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -143,4 +143,4 @@ TEST(SmoothPath, KeepsAPathWithoutCorners) {
     EXPECT_NEAR(world.smooth({{1, 1, 1.2}}).length_m, 0.0, 1e-12);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::smooth_path_test

@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::targets_test {
 namespace {
 
 SupportRelation supportOf(const Scene& scene, const std::string& name) {
@@ -114,4 +114,4 @@ TEST(ObservationPoints, EveryTargetOfACrowdedTableIsInExactlyOne) {
     EXPECT_GT(points.size(), 5U);  // one view cannot hold them all at a useful size
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::targets_test

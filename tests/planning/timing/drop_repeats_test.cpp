@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::drop_repeats_test {
 namespace {
 
 std::shared_ptr<const Plan> planned(PlanParams params, double max_repeat_rate) {
@@ -86,4 +86,4 @@ TEST(DropRepeats, WithoutABudgetNothingIsDropped) {
     EXPECT_DOUBLE_EQ(plan->trajectory.frame_interval_s, 1.0 / params.timing.frame_rate);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::drop_repeats_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::motion_limits_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -238,4 +238,4 @@ TEST(MotionLimits, TurnSteadilyToAViewStraightDown) {
     expectKept(*trajectory, motionLimits(params), "down");
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::motion_limits_test

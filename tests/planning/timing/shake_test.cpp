@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::shake_test {
 namespace {
 
 using test_support::planOf;
@@ -156,4 +156,4 @@ TEST(Shake, BeginsAndEndsAtRestOnThePath) {
     EXPECT_EQ(plan->trajectory.frames.back().pose, steady->trajectory.frames.back().pose);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::shake_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::time_trajectory_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -199,4 +199,4 @@ TEST(TimeTrajectory, TurnsOnTheSpotAtTheEndsAndInTheMiddleOfAPath) {
     expectLimitsKept(*trajectory, {});
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::time_trajectory_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::key_frames_test {
 namespace {
 
 PositionPoint seeing(const std::vector<int>& well, const std::vector<int>& captured) {
@@ -80,4 +80,4 @@ TEST(ChooseKeyFrames, NothingFromNothing) {
     EXPECT_TRUE(chooseKeyFrames({seeing({}, {})}).empty());
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::key_frames_test

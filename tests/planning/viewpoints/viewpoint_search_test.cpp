@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::viewpoint_search_test {
 namespace {
 
 /// A small object at the end of a niche in a free-standing block; the niche opens towards
@@ -210,4 +210,4 @@ TEST(ViewEstimator, LooksCloserWhereTheSilhouetteIsASmallPartOfItsExtent) {
     EXPECT_NEAR(closely.visible_fraction, exact.visible_fraction, 0.02);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::viewpoint_search_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::bounding_dop_test {
 namespace {
 
 /// A ball of thin splinters, no two of them parallel.
@@ -76,4 +76,4 @@ TEST(BoundingDop, IsExactForABoxInItsOwnAxes) {
     EXPECT_GT(exitOf(origin, {1.5, 0.48, 0}), 0.0F);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::bounding_dop_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::pitch_band_test {
 namespace {
 
 using test_support::planOf;
@@ -133,4 +133,4 @@ TEST(PitchBand, APinnedPointOutsideItIsRefusedAndAnEmptyOneIsAnError) {
     EXPECT_EQ(none.error().where, "max_pitch_deg");
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::pitch_band_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::shown_surface_test {
 namespace {
 
 /// Two full turns in the middle of the room: the second one shows nothing new.
@@ -55,4 +55,4 @@ TEST(SurfaceSampler, WhatIsRememberedChangesNoAnswer) {
     EXPECT_DOUBLE_EQ(later->objectPixels(), fresh->object_pixels);
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::shown_surface_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::planning {
+namespace dollytrack::planning::view_estimator_test {
 namespace {
 
 // A 1 x 1 m board seen squarely from 2 m, its right half behind a nearer board.
@@ -102,4 +102,4 @@ TEST(Framing, DistanceForFillFillsTheImageAsAsked) {
     }
 }
 
-}  // namespace dollytrack::planning
+}  // namespace dollytrack::planning::view_estimator_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::light_volume_test {
 namespace {
 
 using dollytrack::test::furnishedRoom;
@@ -313,4 +313,4 @@ TEST(LightRig, APlaceInALampsBallIsLitByASmallerBall) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::light_volume_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::path_tracer_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
@@ -475,4 +475,4 @@ TEST(PathTracer, BackdropsKeepTheirColour) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::path_tracer_test

@@ -9,12 +9,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::scene_lamps_test {
 namespace {
 
 using dollytrack::test::SceneBuilder;
-using test::lampBall;
-using test::lampRoom;
+using fixture::lampBall;
+using fixture::lampRoom;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -184,4 +184,4 @@ TEST(SceneLamps, DoNotLightTheNextRoom) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::scene_lamps_test

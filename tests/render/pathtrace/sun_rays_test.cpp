@@ -10,12 +10,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::sun_rays_test {
 namespace {
 
-using test::Hole;
-using test::sunAlone;
-using test::sunnyRoom;
+using fixture::Hole;
+using fixture::sunAlone;
+using fixture::sunnyRoom;
 
 double shareAt(const Scene& scene, const Eigen::Vector3d& at) {
     const RayCaster rays(scene);
@@ -159,4 +159,4 @@ TEST(SunRays, AClosedRoomStaysDark) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::sun_rays_test

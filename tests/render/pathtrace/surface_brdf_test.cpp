@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace dollytrack::render {
+namespace dollytrack::render::surface_brdf_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -128,4 +128,4 @@ TEST(SampleSequence, DimensionsPixelsAndSeedsAreNotAlike) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::surface_brdf_test

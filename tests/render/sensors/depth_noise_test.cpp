@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace dollytrack::render {
+namespace dollytrack::render::depth_noise_test {
 namespace {
 
 /// A wall of one colour across the view; tests change single pixels.
@@ -195,4 +195,4 @@ TEST(DepthNoise, DependsOnSeedAndFrame) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::depth_noise_test

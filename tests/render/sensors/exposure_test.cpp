@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dollytrack::render {
+namespace dollytrack::render::exposure_test {
 namespace {
 
 constexpr int kHeight = 480;
@@ -188,4 +188,4 @@ TEST(SensorParams, APresetSetsTheCameraAndWhatFollowsChangesIt) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::exposure_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace dollytrack::render {
+namespace dollytrack::render::picture_noise_test {
 namespace {
 
 constexpr std::size_t kValues = 200'000;
@@ -99,4 +99,4 @@ TEST(PictureNoise, DependsOnSeedFrameAndPixelAlone) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::picture_noise_test

@@ -6,7 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace dollytrack::render {
+namespace dollytrack::render::sensor_lens_test {
 namespace {
 
 CameraParams wideCamera() {
@@ -314,4 +314,4 @@ TEST(SensorLens, RowsFarOutsideAreNone) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::sensor_lens_test

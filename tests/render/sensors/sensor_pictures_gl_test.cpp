@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dollytrack::render {
+namespace dollytrack::render::sensor_pictures_gl_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ Scene boardAndWall() {
     return builder.build();
 }
 
-class SensorPicturesGl : public test::DatasetGlTest {
+class SensorPicturesGl : public fixture::DatasetGlTest {
   protected:
     SensorPicturesGl() {
         scene_ = boardAndWall();
@@ -108,7 +108,7 @@ class SensorPicturesGl : public test::DatasetGlTest {
         return {mean, std::sqrt(12.0 * std::max(0.0, second / sum - mean * mean))};
     }
 
-    double fx_ = makeIntrinsics(test::smallCamera()).fx;
+    double fx_ = makeIntrinsics(fixture::smallCamera()).fx;
 };
 
 TEST_F(SensorPicturesGl, AnIdealCameraTakesTheCleanPicture) {
@@ -227,4 +227,4 @@ TEST_F(SensorPicturesGl, JpegOfLessQualityIsSmaller) {
 }
 
 }  // namespace
-}  // namespace dollytrack::render
+}  // namespace dollytrack::render::sensor_pictures_gl_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <set>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::free_space_overlay_test {
 namespace {
 
 using planning::CellState;
@@ -220,4 +220,4 @@ TEST(VoxelAt, PassesThroughWhatIsNotShown) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::free_space_overlay_test

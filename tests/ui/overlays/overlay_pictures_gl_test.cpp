@@ -22,23 +22,23 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::overlay_pictures_gl_test {
 namespace {
 
 constexpr int kWidth = 900;
 constexpr int kHeight = 560;
 
 /// Planned once for all tests.
-Result<test::PlannedRoom> plannedScene() {
-    static const Result<test::PlannedRoom> planned = [] {
+Result<fixture::PlannedRoom> plannedScene() {
+    static const Result<fixture::PlannedRoom> planned = [] {
         const char* other = std::getenv("DOLLYTRACK_PICTURE_SCENE");
         return importScene(other != nullptr ? other : DOLLYTRACK_APARTMENT)
-            .map([](const Scene& scene) { return test::planRoom(scene); });
+            .map([](const Scene& scene) { return fixture::planRoom(scene); });
     }();
     return planned;
 }
 
-class OverlayPicturesGl : public render::test::GlTest {
+class OverlayPicturesGl : public render::fixture::GlTest {
   protected:
     void SetUp() override {
         GlTest::SetUp();
@@ -113,7 +113,7 @@ class OverlayPicturesGl : public render::test::GlTest {
         ASSERT_TRUE(writeWhole(std::filesystem::path(folder()) / (name + ".png"), *png));
     }
 
-    test::PlannedRoom room_;
+    fixture::PlannedRoom room_;
     render::View view_;
     std::optional<render::OffscreenRenderer> renderer_;
     std::optional<render::OverlayRenderer> overlays_;
@@ -207,4 +207,4 @@ TEST_F(OverlayPicturesGl, AnAxisViewShowsTheSameInPlan) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::overlay_pictures_gl_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::picking_test {
 namespace {
 
 using render::OverlayMark;
@@ -87,4 +87,4 @@ TEST(PickElement, FollowsALineThatEndsBehindTheCamera) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::picking_test

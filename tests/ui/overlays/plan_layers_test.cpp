@@ -15,11 +15,11 @@
 #include <map>
 #include <set>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::plan_layers_test {
 namespace {
 
-const test::PlannedRoom& furnished() {
-    static const test::PlannedRoom room = test::planRoom(dollytrack::test::furnishedRoom());
+const fixture::PlannedRoom& furnished() {
+    static const fixture::PlannedRoom room = fixture::planRoom(dollytrack::test::furnishedRoom());
     return room;
 }
 
@@ -314,7 +314,7 @@ TEST(TrajectoryLayer, DotsAreWhereSomethingNewIsCaptured) {
 
 // The legend also counts the candidates that are not drawn, so that users know about them.
 TEST(CandidatesLayer, LeavesOutWhatIsNotToBeShown) {
-    const test::PlannedRoom& room = furnished();
+    const fixture::PlannedRoom& room = furnished();
     CandidatesOverlayOptions options;
     options.observation_point = 0;
     const PlanLayer all = candidatesLayer(*room.plan, options);
@@ -369,4 +369,4 @@ TEST(CandidatesLayer, ColoursEveryCandidateByItsVerdict) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::plan_layers_test

@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace dollytrack::ui::test {
+namespace dollytrack::ui::fixture {
 
 /// A scene with its plan and map.
 struct PlannedRoom {
@@ -31,4 +31,4 @@ inline PlannedRoom planRoom(const Scene& scene, const planning::PlanParams& para
     return room;
 }
 
-}  // namespace dollytrack::ui::test
+}  // namespace dollytrack::ui::fixture

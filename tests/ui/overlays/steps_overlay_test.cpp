@@ -8,18 +8,18 @@
 
 #include <set>
 
-namespace dollytrack::ui {
+namespace dollytrack::ui::steps_overlay_test {
 namespace {
 
 using Kind = AlgorithmStep::Kind;
 
-const test::PlannedRoom& rooms() {
-    static const test::PlannedRoom room = test::planRoom(dollytrack::test::twoRoomsWithDoor(0.7));
+const fixture::PlannedRoom& rooms() {
+    static const fixture::PlannedRoom room = fixture::planRoom(dollytrack::test::twoRoomsWithDoor(0.7));
     return room;
 }
 
-const test::PlannedRoom& furnished() {
-    static const test::PlannedRoom room = test::planRoom(dollytrack::test::furnishedRoom());
+const fixture::PlannedRoom& furnished() {
+    static const fixture::PlannedRoom room = fixture::planRoom(dollytrack::test::furnishedRoom());
     return room;
 }
 
@@ -110,4 +110,4 @@ TEST(Describe, NamesTheTermsOfNear) {
 }
 
 }  // namespace
-}  // namespace dollytrack::ui
+}  // namespace dollytrack::ui::steps_overlay_test

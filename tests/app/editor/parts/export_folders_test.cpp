@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::export_folders_test {
 
 TEST(ExportPlaces, GivesEveryProjectAFolderOfItsOwn) {
     ui::ExportJob job;
@@ -45,4 +45,4 @@ TEST(ExportProgram, IsAskedForWhatWasChosen) {
     EXPECT_EQ(exportCommand("dollytrack", "/a b/flat.dolly", job), more);
 }
 
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::export_folders_test

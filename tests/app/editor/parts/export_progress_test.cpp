@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::export_progress_test {
 
 TEST(LineSplitter, CutsHoweverTheTextArrives) {
     LineSplitter splitter;
@@ -19,4 +19,4 @@ TEST(LineSplitter, CutsHoweverTheTextArrives) {
     EXPECT_EQ(splitter.rest(), "rest");
 }
 
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::export_progress_test

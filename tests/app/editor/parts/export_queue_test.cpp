@@ -19,16 +19,16 @@
 #include <map>
 #include <thread>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::export_queue_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::contentOf;
-using test::endOf;
-using test::eventually;
-using test::FakeProgram;
-using test::jobOf;
-using test::kFinish;
+using fixture::contentOf;
+using fixture::endOf;
+using fixture::eventually;
+using fixture::FakeProgram;
+using fixture::jobOf;
+using fixture::kFinish;
 using ui::ExportState;
 
 TEST(ExportQueue, RunsTheProgramAndReadsItsProgress) {
@@ -321,4 +321,4 @@ TEST(ExportQueueGl, ContinuesToTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::export_queue_test

@@ -14,15 +14,15 @@
 #include <map>
 
 // Exports that a killed editor leaves to the next one.
-namespace dollytrack::editor {
+namespace dollytrack::editor::export_recovery_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::contentOf;
-using test::endOf;
-using test::eventually;
-using test::FakeProgram;
-using test::kFinish;
+using fixture::contentOf;
+using fixture::endOf;
+using fixture::eventually;
+using fixture::FakeProgram;
+using fixture::kFinish;
 using ui::ExportState;
 
 // Snapshots of a killed editor would otherwise stay forever; those of a running one are in use.
@@ -215,4 +215,4 @@ TEST(ExportRecovery, LeavesAJobToOneOfTwoEditors) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::export_recovery_test

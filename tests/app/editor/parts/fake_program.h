@@ -12,7 +12,7 @@
 #include <thread>
 
 // A stand-in for the export program, and functions that wait for its results.
-namespace dollytrack::editor::test {
+namespace dollytrack::editor::fixture {
 
 inline std::string contentOf(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -78,4 +78,4 @@ inline ui::ExportState endOf(const ExportQueue& queue, int id) {
     return jobOf(queue, id).state;
 }
 
-}  // namespace dollytrack::editor::test
+}  // namespace dollytrack::editor::fixture

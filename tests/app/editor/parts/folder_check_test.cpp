@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::folder_check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,4 +36,4 @@ TEST(FolderCheck, KnowsWhatADatasetWouldFind) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::folder_check_test

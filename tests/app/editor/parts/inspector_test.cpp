@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::inspector_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ TEST(Inspector, EndsThoughNobodyReadsItsAnswer) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::inspector_test

@@ -10,7 +10,7 @@
 
 #include <fstream>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::owner_mark_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,4 +97,4 @@ TEST(OwnerMark, OfAProcessOfThisComputerIsLookedUpWhereThereIsNoLock) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::owner_mark_test

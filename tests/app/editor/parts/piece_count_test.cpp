@@ -7,7 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::piece_count_test {
 namespace {
 
 /// Lets a test wait for the background thread.
@@ -56,4 +56,4 @@ TEST(PieceCount, MeasuresTheConnectedPiecesOfTheObjectThatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::piece_count_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::playback_test {
 namespace {
 
 TEST(Playback, LosesNoTimeBetweenFramesAndStopsAtTheEnd) {
@@ -42,4 +42,4 @@ TEST(StepPlayback, GoesFromStopToStop) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::playback_test

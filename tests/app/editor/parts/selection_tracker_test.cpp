@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::selection_tracker_test {
 namespace {
 
 using ui::Selection;
@@ -171,4 +171,4 @@ TEST(SelectionTracker, ForgetsEdgesAndKeepsObjectsInANewPlan) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::selection_tracker_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dollytrack::editor {
+namespace dollytrack::editor::track_time_test {
 namespace {
 
 SceneEdits driving() {
@@ -46,4 +46,4 @@ TEST(TrackTime, PlaysNoFasterThanPlansCome) {
 }
 
 }  // namespace
-}  // namespace dollytrack::editor
+}  // namespace dollytrack::editor::track_time_test
