@@ -58,7 +58,8 @@ class FrameLightsGl : public fixture::DatasetGlTest {
   protected:
     /// The image of a view into the room, as bytes.
     static std::vector<std::uint8_t> pictureOf(SceneRenderer& renderer, RenderTarget& target) {
-        const View view = makeView(fixture::smallCamera(), lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
+        const View view =
+            makeView(fixture::smallCamera(), lookAt({3.7, 2.7, 1.8}, {1.0, 1.3, 0.8}));
         std::vector<std::uint8_t> rgb;
         EXPECT_TRUE(renderer.draw(view, target));
         target.readRgb(rgb);
@@ -106,9 +107,9 @@ TEST_F(FrameLightsGl, AFramesLightIsThatOfTheSameValuesSetForTheScene) {
     grid.max_cells = 6000;
     const FrameLights lights(scene, rays, {}, params, grid);
     ASSERT_TRUE(lights.vary());
-    auto renderer =
-        OffscreenRenderer::create(std::move(context_), scene, lights.volume(),
-                                  fixture::smallCamera().width_px, fixture::smallCamera().height_px);
+    auto renderer = OffscreenRenderer::create(std::move(context_), scene, lights.volume(),
+                                              fixture::smallCamera().width_px,
+                                              fixture::smallCamera().height_px);
     ASSERT_TRUE(renderer) << describe(renderer.error());
     std::vector<std::uint8_t> last;
     for (const int frame : {0, 5, 17}) {

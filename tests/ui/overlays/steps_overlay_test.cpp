@@ -14,7 +14,8 @@ namespace {
 using Kind = AlgorithmStep::Kind;
 
 const fixture::PlannedRoom& rooms() {
-    static const fixture::PlannedRoom room = fixture::planRoom(dollytrack::test::twoRoomsWithDoor(0.7));
+    static const fixture::PlannedRoom room =
+        fixture::planRoom(dollytrack::test::twoRoomsWithDoor(0.7));
     return room;
 }
 
