@@ -192,10 +192,10 @@ void visitGazeParams(Params& p, Visitor&& visit) {
                     "close views cheaper in turning time; 0: close views only"});
     visit("trackability", p.trackability,
           ChoiceInfo{{"auto", "off", "on"},
-                     "on: between key frames the camera avoids views in which a feature detector "
-                     "would find fewer than about 150 corners (in an image of 320 x 240), and key "
-                     "frames are taken with fill at most 0.45, so that SLAM does not lose track; "
-                     "auto: on with motion_preset=slam"});
+                     "on: between key frames the camera prefers views with at least about 350 "
+                     "estimated corners (in an image of 320 x 240), and key frames are taken with "
+                     "fill at most 0.45, so that SLAM does not lose track; auto: on with "
+                     "motion_preset=slam"});
 }
 
 /// Named sets of motion limits; see motionLimits().

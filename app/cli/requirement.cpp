@@ -18,16 +18,20 @@ bool isMeasured(const nlohmann::json& metric) {
     return metric.is_number() || metric.is_null() || metric.is_array();
 }
 
+/// The name without the prefix of an export's metrics: "planned.trackable_rate".
+std::string_view withoutPrefix(std::string_view metric) {
+    return metric.substr(metric.rfind('.') + 1);
+}
+
 /// Whether a metric lies between 0 and 1.
 bool isShare(std::string_view metric) {
     return metric.ends_with("_rate") || metric.ends_with("_share") ||
-           metric.find("area_share_") != std::string_view::npos;
+           withoutPrefix(metric).starts_with("area_share_");
 }
 
 /// Why a metric was not measured: "there is nothing to measure".
 std::string_view reasonOfNoValue(std::string_view metric) {
-    // Metrics of an export have a prefix: "planned.trackable_rate".
-    const std::string_view name = metric.substr(metric.rfind('.') + 1);
+    const std::string_view name = withoutPrefix(metric);
     if (name == "trackable_rate") {
         return "only trackability=on and motion_preset=slam measure it";
     }

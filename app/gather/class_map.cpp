@@ -51,7 +51,7 @@ Result<ClassMap> fromLines(std::string_view text, const std::string& where) {
         if (row.empty()) continue;
         const std::string place = fmt::format("{}:{}", where, line);
         const std::size_t comma = row.find(',');
-        if (comma == std::string::npos || row.find(',', comma + 1) != std::string::npos) {
+        if (comma == std::string_view::npos || row.find(',', comma + 1) != std::string_view::npos) {
             return fail(ErrorCode::BadInput, "The line is not 'name,name'.", place);
         }
         Status added = addName(map, std::string(trimmed(row.substr(0, comma))),
@@ -66,8 +66,7 @@ Result<ClassMap> fromLines(std::string_view text, const std::string& where) {
 Result<ClassMap> readClassMap(const std::filesystem::path& path) {
     const Result<std::string> text = readText(path, 16);
     if (!text) return tl::unexpected(text.error());
-    const std::size_t first = text->find_first_not_of(" \t\r\n");
-    const bool is_json = first != std::string::npos && (*text)[first] == '{';
+    const bool is_json = trimmed(*text).starts_with('{');
     Result<ClassMap> map =
         is_json ? fromJson(*text, path.string()) : fromLines(*text, path.string());
     if (map && map->empty()) {

@@ -78,15 +78,15 @@ Status removeAll(const GuardedFolder& folder, const std::string& within) {
     return {};
 }
 
-/// Moves all files except gather.json and its temporary files (gather.json.tmp.123). Folders are
-/// moved as a whole if the destination has none of the same name.
+/// Moves all files except gather.json, replaced.json and their temporary files
+/// (gather.json.tmp.123). Folders are moved as a whole if the destination has none of the same
+/// name.
 Status moveAll(const GuardedFolder& from, const GuardedFolder& to, const std::string& within) {
     const auto names = from.list(within);
     if (!names) return tl::unexpected(names.error());
     for (const std::string& name : *names) {
-        if (within.empty() && (completedName(name) == kGatherCard || name.starts_with(kReplaced))) {
-            continue;
-        }
+        const auto completed = completedName(name);
+        if (within.empty() && (completed == kGatherCard || completed == kReplaced)) continue;
         const std::string path = below(within, name);
         const auto found = from.find(path);
         if (found && S_ISDIR(found->st_mode) && to.has(path)) {

@@ -32,7 +32,7 @@ layout(binding = 10) uniform sampler2D roughness_map;  // green
 layout(binding = 11) uniform sampler2D metallic_map;   // blue
 layout(binding = 12) uniform sampler2D emission_map;
 
-// Weaker emission is drawn as reflected light only, as kFaintestEmission in surface_kind.h.
+// Emission below this is not drawn. Equal to kFaintestEmission in surface_kind.h.
 const float kFaintest = 0.0625;
 #endif
 

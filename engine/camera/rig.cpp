@@ -1,6 +1,7 @@
 #include "engine/camera/rig.h"
 
 #include "engine/camera/lens_model.h"
+#include "engine/math/angle.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,14 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 namespace dollytrack {
 namespace {
 
 constexpr std::size_t kMostCameras = 64;
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kLongestName = 40;
 constexpr double kWidestPinhole = 150.0;  // deg, the limit of the planned camera too
 // A fisheye image is resampled from pinhole images. Their largest side, in pixels and relative to

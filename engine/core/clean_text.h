@@ -11,7 +11,7 @@ namespace dollytrack {
 /// they can make one name look like another. Clean text comes back as it is.
 [[nodiscard]] std::string cleanText(std::string_view text);
 
-/// The text without blanks, tabs and line ends at its begin and end; a view of the same text.
+/// `text` without spaces, tabs and line breaks at both ends; a view into `text`.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 }  // namespace dollytrack

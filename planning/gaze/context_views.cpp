@@ -1,6 +1,7 @@
 #include "planning/gaze/context_views.h"
 
 #include "engine/jobs/parallel.h"
+#include "engine/math/angle.h"
 #include "engine/plan/frame_series.h"
 #include "planning/gaze/corner_panorama.h"
 #include "planning/gaze/panorama.h"
@@ -24,7 +25,6 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kSpacing_m = 0.6;   // distance between two context views
 constexpr double kShortest_m = 0.1;  // between closer key frames the camera only turns
 constexpr int kMostBetweenKeys = 6;
@@ -41,8 +41,8 @@ constexpr double kEnoughCorners = 350.0;  // as estimated; ORB finds about 400
 constexpr double kLinearCost = 10.0;
 constexpr double kQuarticCost = 30.0;
 constexpr double kLeastViewMix = 0.1;  // used if view_mix is smaller
-constexpr double kTurnBetweenViews = 40.0 * kRadian;
-constexpr double kCheckedTurn = 10.0 * kRadian;
+constexpr double kTurnBetweenViews = 40.0 * kDegree;
+constexpr double kCheckedTurn = 10.0 * kDegree;
 constexpr int kMostInTurn = 4;
 constexpr double kManyCorners = 900.0;  // the first view should have so many: SLAM programs start
                                         // with 500
@@ -50,16 +50,16 @@ constexpr double kManyCorners = 900.0;  // the first view should have so many: S
 // Directions tried at each position.
 constexpr int kHeadings = 36;
 constexpr int kElevations = 5;
-constexpr double kLowest = -40.0 * kRadian;
-constexpr double kElevationStep = 12.5 * kRadian;
+constexpr double kLowest = -40.0 * kDegree;
+constexpr double kElevationStep = 12.5 * kDegree;
 constexpr std::size_t kMostCandidates = 14;
-constexpr double kApart = 20.0 * kRadian;
+constexpr double kApart = 20.0 * kDegree;
 using Grid = std::array<double, std::size_t{kHeadings} * kElevations>;
 
 // Upper bounds of the speeds that the cost of a turn assumes.
 constexpr double kFastest_mps = 1.5;
-constexpr double kFastest_rps = 120.0 * kRadian;
-constexpr double kFastest_rps2 = 720.0 * kRadian;
+constexpr double kFastest_rps = 120.0 * kDegree;
+constexpr double kFastest_rps2 = 720.0 * kDegree;
 
 /// A position on the path with the candidate directions of the camera.
 struct Place {

@@ -24,8 +24,9 @@ constexpr double kPerTextureCorner = 0.42;
 // Differences of brightness (0 to 1) between neighbouring cells.
 constexpr double kLeastContrast = 0.03;  // less is the shading of a curved surface
 constexpr double kFullContrast = 0.08;   // more does not count for more
-constexpr double kBorder_px = 16.0;      // where detectors find no corners
-constexpr double kLeastInCell = 0.01;    // fewer corners are left out
+
+constexpr double kBorder_px = 16.0;    // of an image 320 px wide; detectors find no corners in it
+constexpr double kLeastInCell = 0.01;  // cells with fewer corners are left out
 
 /// The surface that a ray of the grid hits.
 struct Surface {
@@ -264,7 +265,7 @@ CornerPanoramas::CornerPanoramas(const ViewEstimator& views)
     : views_(views), textures_(views.scene()) {}
 
 std::shared_ptr<const CornerPanorama> CornerPanoramas::at(const Eigen::Vector3d& position) {
-    constexpr std::size_t kMostKept = 500;  // up to 230 KB each
+    constexpr std::size_t kMostKept = 500;  // up to 290 KB each
     const std::array<double, 3> key{position.x(), position.y(), position.z()};
     {
         const std::scoped_lock lock(mutex_);

@@ -27,18 +27,18 @@ class CornerPanorama {
     CornerPanorama(const ViewEstimator& views, const TextureCorners& textures,
                    const Eigen::Vector3d& position, const Eigen::Vector3d& direction);
 
-    /// Number of corners in the image of a view, scaled to a width of 320 pixels; with a direction,
-    /// of the view without roll.
+    /// Number of corners in the image of a view, scaled to a width of 320 pixels, without those
+    /// within 16 pixels of its edge; with a direction, of the view without roll.
     [[nodiscard]] double corners(const Eigen::Quaterniond& world_from_camera) const;
     [[nodiscard]] double corners(const Eigen::Vector3d& direction) const;
-    /// Number of these corners that lie in the image of another view too, whether or not something
-    /// hides them there.
+    /// Number of the corners in the image of the view `world_from_camera` from this position that
+    /// also lie in the image of `other`. Occlusion in `other` is ignored.
     [[nodiscard]] double cornersAlsoIn(const Pose& other,
                                        const Eigen::Quaterniond& world_from_camera) const;
 
   private:
     struct Cell {
-        Eigen::Vector3f direction;
+        Eigen::Vector3f direction;  // unit, world frame
         float distance_m = 0.0F;
         float corners = 0.0F;
     };
@@ -51,7 +51,7 @@ class CornerPanorama {
               const Eigen::Vector3d& position, const Eigen::Vector3d& direction,
               double least_cosine);
 
-    Eigen::Vector3d position_;
+    Eigen::Vector3d position_;   // of the rays, world frame, m
     Eigen::Vector2f half_size_;  // of the image without its border, at depth 1
     std::vector<Cell> cells_;    // those with corners, by rising elevation
 };

@@ -3,6 +3,7 @@
 #include "engine/core/random.h"
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
+#include "engine/math/angle.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/gaze/panorama.h"
@@ -24,7 +25,6 @@
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr std::size_t kPlaces = 100;
 constexpr std::size_t kDraws = 4 * kPlaces;
 constexpr double kLeastClearance_m = 0.25;  // in addition to the camera radius
@@ -33,9 +33,9 @@ constexpr double kLowest = 0.35, kHighest = 0.75;
 constexpr double kTallest_m = 2.0;
 
 constexpr int kHeadings = 24;
-constexpr std::array kElevations{-30.0 * kRadian, -17.5 * kRadian, -5.0 * kRadian};
+constexpr std::array kElevations{-30.0 * kDegree, -17.5 * kDegree, -5.0 * kDegree};
 constexpr std::size_t kAims = 5;  // directions kept per position
-constexpr double kApart = 30.0 * kRadian;
+constexpr double kApart = 30.0 * kDegree;
 
 constexpr std::size_t kSides = 6;       // of an object, around the vertical
 constexpr double kOtherSides = 0.25;    // weight of views from other sides

@@ -23,7 +23,8 @@ struct PathEnds {
     std::vector<double> object_weights = {};  // by object, at index id - 1; empty: all 1
     int visits = 0;  // most key frames that all paths together may visit, returns included; 0: no
                      // limit
-    /// Position points that a tour with a limited length drops first, as if they showed nothing.
+    /// Position points that count as showing nothing, so that a tour that must be shortened drops
+    /// them first. They stay if the whole tour fits.
     std::set<int> avoided = {};
     /// Whether the tour chooses among the key frames, by length and number; see isChosenByTour().
     bool chosen_by_tour = false;

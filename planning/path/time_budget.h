@@ -24,8 +24,9 @@ struct TimedPaths {
 };
 
 /// The longest paths with at most `most_frames` frames, found by bisection over the length, up to
-/// `max_length_m` (0: any), and then among longer ones, which may need fewer frames. Empty if even
-/// the shortest possible paths have more frames. Errors: those of `take` and `frames`.
+/// `max_length_m` (0: any), and then among lengths up to twice the result, because longer paths may
+/// need fewer frames. Empty if even the shortest possible paths have more frames. Errors: those of
+/// `take` and `frames`.
 Result<std::optional<Paths>> pathsWithinFrames(const TimedPaths& timed, double max_length_m,
                                                std::size_t most_frames);
 

@@ -191,7 +191,8 @@ Status Pipeline::Stages::PlanRun::addConstraints() {
 
 PathEnds Pipeline::Stages::PlanRun::pathEnds() const {
     std::vector<double> weights = objectWeights(*stages_.scene, edits_.regions);
-    const bool limited = params_.timing.max_frames > 0 || params_.path.max_length_m > 0.0;
+    const bool limited = clipFrames(params_.timing) > 0 || params_.timing.max_frames > 0 ||
+                         params_.path.max_length_m > 0.0;
     if (environment_.corners && limited) {
         weighByCorners(*stages_.views, environment_.corners->textures(), positionPoints(), weights,
                        job_);
@@ -292,7 +293,8 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
         }};
     std::optional<Paths> best;
     double best_worth = 0.0;
-    // With trackability, key frames among bare views are avoided, until there are none.
+    // With trackability, searches again without the key frames among views of few corners, and
+    // keeps the paths with the best trackable run.
     for (int round = 0; round < kMostRounds; ++round) {
         auto found = pathsWithinFrames(timed, params_.path.max_length_m,
                                        static_cast<std::size_t>(clipFrames(params_.timing)));
@@ -304,7 +306,7 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
         const auto corners = estimateImageCorners(*stages_.views, environment_.corners->textures(),
                                                   *trajectory, job);
         if (!corners) return tl::unexpected(corners.error());
-        // Many frames in a row that can be tracked, and few others.
+        // Length of the longest trackable run, times its share of all frames.
         const auto run = static_cast<double>(longestTrackableRun(*trajectory, *corners));
         const double worth =
             run * run / static_cast<double>(std::max<std::size_t>(1, corners->size()));
@@ -313,8 +315,10 @@ Result<Paths> Pipeline::Stages::PlanRun::pathsOfClip(const JobContext& job) {
             best = std::move(**found);
         }
         const std::vector<int> bare = pointsAmongBareViews(*trajectory, *corners, positionPoints());
-        if (bare.empty()) break;
+        const std::size_t known = ends.avoided.size();
         ends.avoided.insert(bare.begin(), bare.end());
+        // The same search again: none are left, or the tour keeps them, because all of it fits.
+        if (ends.avoided.size() == known) break;
     }
     if (!best) return tooShortClip(params_.timing);
     return std::move(*best);

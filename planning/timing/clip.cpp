@@ -76,6 +76,11 @@ tl::unexpected<Error> tooShortClip(const TimingParams& params) {
 std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params) {
     constexpr double kSame = 1e-6;  // relative to the interval
     const auto frames = static_cast<int>(trajectory.frames.size());
+    if (!keepsFrameRate(params) && frames == 1 && params.max_frames > 1) {
+        return fmt::format(
+            "only 1 of max_frames={} frames is used: no second view fits; raise max_frames",
+            params.max_frames);
+    }
     if (keepsFrameRate(params) && params.duration_s <= 0.0 && 2 * frames < params.max_frames) {
         return fmt::format(
             "only {} of max_frames={} frames are used: at frame_rate={:g} no further view fits "

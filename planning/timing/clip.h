@@ -28,7 +28,7 @@ struct TimingParams;
 [[nodiscard]] tl::unexpected<Error> tooShortClip(const TimingParams& params);
 
 /// A phrase saying that a budget lowered the frame rate and which option keeps it, or that a fixed
-/// frame rate left more than half of the frames unused; empty if neither happened.
+/// frame rate or a trajectory of one frame left more than half of the frames unused; else empty.
 [[nodiscard]] std::string frameRateNote(const Trajectory& trajectory, const TimingParams& params);
 
 }  // namespace dollytrack::planning

@@ -1,16 +1,16 @@
 #include "planning/timing/heading_keys.h"
 
+#include "engine/math/angle.h"
+
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
-constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr double kSameView = 0.05 * kRadian;  // a smaller turn is not worth a frame
-constexpr double kSameLine = 0.5 * kRadian;   // smoothing does not round corners below this angle
+constexpr double kSameView = 0.05 * kDegree;  // a smaller turn is not worth a frame
+constexpr double kSameLine = 0.5 * kDegree;   // smoothing does not round corners below this angle
                                               // alone
 constexpr double kSamePlace_m = 1e-9;
 constexpr double kLooksAhead_m = 2.0;

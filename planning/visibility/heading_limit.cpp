@@ -1,5 +1,6 @@
 #include "planning/visibility/heading_limit.h"
 
+#include "engine/math/angle.h"
 #include "planning/plan_params.h"
 
 #include <cmath>
@@ -21,9 +22,8 @@ bool HeadingLimit::allows(const Eigen::Vector3d& view, const Eigen::Vector3d& mo
 }
 
 HeadingLimit headingLimit(const BodyParams& params) {
-    constexpr double kRadian = std::numbers::pi / 180.0;
     HeadingLimit limit;
-    if (params.heading == Heading::Along) limit.angle = params.max_heading_deg * kRadian;
+    if (params.heading == Heading::Along) limit.angle = params.max_heading_deg * kDegree;
     return limit;
 }
 

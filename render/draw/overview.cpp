@@ -1,5 +1,6 @@
 #include "render/draw/overview.h"
 
+#include "engine/math/angle.h"
 #include "render/draw/offscreen_renderer.h"
 #include "render/draw/storey_cutaway.h"
 #include "render/light/light_cache.h"
@@ -7,12 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dollytrack::render {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Picture shrink(const std::vector<std::uint8_t>& rgb, int width, int height, int factor) {
     Picture small{width / factor, height / factor, {}};

@@ -64,7 +64,11 @@ Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
     GLsizei size = 0;
     glGetProgramInfoLog(program.get(), 4096, &size, words.data());
     words.resize(size);
-    return fail(ErrorCode::Failed, "the shaders do not link: " + words, std::string(vertex));
+    // Mesa reads its cache of compiled shaders without a checksum.
+    return fail(ErrorCode::Failed,
+                "the shaders do not link: " + words +
+                    "; if Mesa's shader cache is damaged, remove ~/.cache/mesa_shader_cache",
+                std::string(vertex));
 }
 
 }  // namespace dollytrack::gl

@@ -10,8 +10,8 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kStep = 0.3;  // m; grid step of positions, so a room 0.9 m wide has one; larger in
-                               // large scenes
+constexpr double kGridStep_m = 0.3;  // m; grid step of positions, so a room 0.9 m wide has one;
+                                     // larger in large scenes
 constexpr double kMostColumns = 3e4;
 constexpr double kStandingRoom = 1.6;   // m; a lower gap is a shelf, not a storey
 constexpr double kUnderCeiling = 0.25;  // m; below door lintels, so that doors separate rooms
@@ -49,7 +49,7 @@ class Places {
         all = all.intersection(scene.room_bounds);
         if (all.isEmpty()) return;
         const Eigen::Vector3d size = all.sizes();
-        step_m_ = std::max(kStep, std::sqrt(size.x() * size.y() / kMostColumns));
+        step_m_ = std::max(kGridStep_m, std::sqrt(size.x() * size.y() / kMostColumns));
         for (int row = 0; (row + 0.5) * step_m_ < size.y(); ++row) {
             for (int column = 0; (column + 0.5) * step_m_ < size.x(); ++column) {
                 addColumn(column, row, all, rooms);
@@ -107,7 +107,7 @@ class Places {
     }
 
     const RayCaster& rays_;
-    double step_m_ = kStep;
+    double step_m_ = kGridStep_m;
     std::vector<Place> places_;
     std::map<std::pair<int, int>, PlaceSet> of_column_;
 };

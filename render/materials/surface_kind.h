@@ -32,10 +32,12 @@ constexpr float kHoleBelow = 0.5F;
     return material.emission_map < 0 ? material.emission : Eigen::Vector3f::Zero();
 }
 
-/// Weaker emission is drawn as reflected light only. surface.frag has the same constant.
+/// Emission below this is not drawn: the surface shows reflected light only. Equal to kFaintest in
+/// surface.frag.
 constexpr float kFaintestEmission = 0.0625F;
 
-/// A material's emission as drawn, if it has no emission map; zero if it has one or is too weak.
+/// A material's uniform emission as drawn; zero if it is below kFaintestEmission or if the material
+/// has an emission map.
 [[nodiscard]] inline Eigen::Vector3f drawnEmission(const Material& material) {
     const Eigen::Vector3f emission = plainEmission(material);
     return emission.maxCoeff() < kFaintestEmission ? Eigen::Vector3f::Zero().eval() : emission;

@@ -50,16 +50,17 @@ void warnOfFewFrames(const Plan& plan, const planning::TimingParams& timing) {
             lines, timing.frame_rate));
 }
 
-/// Warns about a lowered frame rate, about unused frames unless every object is captured, and about
-/// a trajectory of one frame.
+/// Warns about a lowered frame rate, about a trajectory of a single frame and, at a kept frame
+/// rate, about unused frames if something is left to capture.
 void warnOfFrameRate(const Plan& plan, const planning::TimingParams& timing) {
-    const bool all = plan.capture_metrics.captured == plan.capture_metrics.objects;
-    if (planning::keepsFrameRate(timing) && all) {
-        if (plan.trajectory.frames.size() == 1) {
-            log::warn("planning", "one frame captures every object, so the camera does not move");
-        }
-        return;
+    const CaptureMetrics& captures = plan.capture_metrics;
+    const bool all_captured = captures.objects > 0 && captures.captured == captures.objects &&
+                              (!plan.surface || plan.surface->covered >= plan.surface->coverable);
+    const bool one_frame = plan.trajectory.frames.size() == 1;
+    if (all_captured && one_frame) {
+        log::warn("planning", "one frame captures every object, so the camera does not move");
     }
+    if (all_captured && (one_frame || planning::keepsFrameRate(timing))) return;
     const std::string note = planning::frameRateNote(plan.trajectory, timing);
     if (!note.empty()) log::warn("planning", note);
 }
@@ -74,7 +75,7 @@ void warnOfFewCorners(const Plan& plan) {
     if (few.empty()) return;
     log::warn("planning",
               fmt::format("{} of {} frames show too few image corners for SLAM ({}); add pinned "
-                          "points that face textured surfaces, or leave these frames out",
+                          "points that face textured surfaces, or exclude these frames from SLAM",
                           few.size(), corners.size(), frameRanges(few)));
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 3> kFiles = {"scene_camera.json", "scene_gt.json",
-                                               "scene_gt_info.json"};
-constexpr std::array<const char*, 2> kFolders = {"mask", "mask_visib"};
+constexpr std::array<const char*, 3> kBopFiles = {"scene_camera.json", "scene_gt.json",
+                                                  "scene_gt_info.json"};
+constexpr std::array<const char*, 2> kBopFolders = {"mask", "mask_visib"};
 
 template <class Matrix>
 Json rows(const Matrix& matrix) {
@@ -44,7 +44,7 @@ Json camera(const DatasetContents& contents, const Pose& pose) {
              rows(Eigen::Vector3d(kMillimetres * pose.toCamera(Eigen::Vector3d::Zero())))}};
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeBop(const DatasetContents& contents) {
     Json cameras = Json::object(), truths = Json::object(), infos = Json::object();
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const DatasetFrame& frame = contents.frames[i];
@@ -68,13 +68,14 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         truths[key] = std::move(truth);
         infos[key] = std::move(info);
     }
-    return std::vector<DatasetFile>{{kFiles[0], cameras.dump(1) + "\n"},
-                                    {kFiles[1], truths.dump(1) + "\n"},
-                                    {kFiles[2], infos.dump(1) + "\n"}};
+    return std::vector<DatasetFile>{{kBopFiles[0], cameras.dump(1) + "\n"},
+                                    {kBopFiles[1], truths.dump(1) + "\n"},
+                                    {kBopFiles[2], infos.dump(1) + "\n"}};
 }
 
 /// Masks of each object, numbered as in scene_gt.json.
-Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeBop(const FrameContext& /*context*/,
+                                         const FrameRecord& frame) {
     std::vector<FrameFile> files;
     int number = 0;
     for (const InstanceInFrame& seen : measureInstances(frame)) {
@@ -89,7 +90,7 @@ Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const Fra
             if (whole != frame.whole.end() && whole->covers(x, y)) all[i] = 255;
         }
         for (const auto& [folder, pixels] :
-             {std::pair{kFolders[0], &all}, std::pair{kFolders[1], &visible}}) {
+             {std::pair{kBopFolders[0], &all}, std::pair{kBopFolders[1], &visible}}) {
             auto png = encodePng(frame.width, frame.height, PngFormat::Gray8, *pixels);
             if (!png) return tl::unexpected(std::move(png.error()));
             files.push_back({pairFile(folder, frame.index, number, ".png"), std::move(*png)});
@@ -99,9 +100,9 @@ Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const Fra
     return files;
 }
 
-Json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
-            {"folders", kFolders},
+Json bopConvention(const DatasetContents& /*contents*/) {
+    return {{"files", kBopFiles},
+            {"folders", kBopFolders},
             {"format",
              "BOP: this folder is one scene (rgb, depth, mask, mask_visib); millimetres; row-major "
              "camera_from_world and camera_from_model; a model's origin and axes are the centre "
@@ -115,11 +116,11 @@ const Format kBopFormat = {
     .name = "bop",
     .text = "poses, visibility and masks of objects in BOP's format, in scene_gt.json, mask ...",
     .needs = kNeedsWhole,
-    .files = kFiles,
-    .folders = kFolders,
-    .write = write,
-    .encode = encode,
-    .convention = convention,
+    .files = kBopFiles,
+    .folders = kBopFolders,
+    .write = writeBop,
+    .encode = encodeBop,
+    .convention = bopConvention,
     .bytes_per_pixel = 0.3,
     .outlines_things = true,
 };

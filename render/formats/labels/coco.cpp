@@ -114,18 +114,18 @@ std::string cocoPolygonsText(const DatasetContents& contents) {
 
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"annotations.json"};
+constexpr std::array<const char*, 1> kCocoFiles = {"annotations.json"};
 constexpr std::array<const char*, 1> kPolygonFiles = {"annotations_polygons.json"};
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    return std::vector<DatasetFile>{{kFiles[0], cocoText(contents)}};
+Result<std::vector<DatasetFile>> writeCoco(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kCocoFiles[0], cocoText(contents)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& contents) {
+nlohmann::ordered_json cocoConvention(const DatasetContents& contents) {
     const std::string category = contents.scene.classes().isNyu40()
                                      ? "the NYU40 class (40 for targets of unknown class)"
                                      : "the id in classes (targets of class void have none)";
-    return {{"file", kFiles[0]},
+    return {{"file", kCocoFiles[0]},
             {"format", "COCO instances, compressed run lengths; targets only; category_id is " +
                            category + "; image_id is the frame + 1"}};
 }
@@ -148,9 +148,9 @@ const Format kCocoFormat = {
     .text = "COCO instances: boxes and masks of the targets, in annotations.json",
     .standard = true,
     .needs = kNeedsMasks,
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kCocoFiles,
+    .write = writeCoco,
+    .convention = cocoConvention,
     .outlines_things = true,
 };
 

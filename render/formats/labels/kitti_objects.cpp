@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 1> kFolders = {"label_2"};
+constexpr std::array<const char*, 1> kKittiObjectsFolders = {"label_2"};
 
 /// 0: fully visible, 1: partly occluded, 2: largely occluded.
 int occlusionOf(const InstanceInFrame& seen) {
@@ -43,7 +43,8 @@ std::string lineOf(const DatasetClass& of, const InstanceInFrame& seen, const Bo
         box.size.z(), box.size.y(), box.size.x(), bottom.x(), bottom.y(), bottom.z(), turned);
 }
 
-Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeKittiObjects(const FrameContext& context,
+                                                  const FrameRecord& frame) {
     const auto motions = context.moving.toRest(frame.index);
     std::string text;
     for (const InstanceInFrame& seen : measureInstances(frame)) {
@@ -56,12 +57,12 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
         text += lineOf(*of, seen, boxInCamera(object, motion, frame.pose));
     }
     return std::vector<FrameFile>{
-        {frameFile(kFolders[0], frame.index, ".txt"), {text.begin(), text.end()}}};
+        {frameFile(kKittiObjectsFolders[0], frame.index, ".txt"), {text.begin(), text.end()}}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& contents) {
+nlohmann::ordered_json kittiObjectsConvention(const DatasetContents& contents) {
     const std::string type = contents.scene.classes().isNyu40() ? "NYU40" : "classes";
-    return {{"folder", kFolders[0]},
+    return {{"folder", kKittiObjectsFolders[0]},
             {"format",
              "KITTI object detection: type (" + type +
                  "), truncated, occluded (0 less than 10 % hidden, 1 less than half, 2 more), "
@@ -76,9 +77,9 @@ const Format kKittiObjectsFormat = {
     .name = "kitti_objects",
     .text = "2D and 3D boxes of objects in KITTI's format, in label_2",
     .needs = kNeedsWhole,
-    .folders = kFolders,
-    .encode = encode,
-    .convention = convention,
+    .folders = kKittiObjectsFolders,
+    .encode = encodeKittiObjects,
+    .convention = kittiObjectsConvention,
     .outlines_things = true,
 };
 

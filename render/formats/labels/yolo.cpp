@@ -16,12 +16,13 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 4> kFiles = {"data.yaml", "classes.txt", "train.txt", "val.txt"};
+constexpr std::array<const char*, 4> kYoloFiles = {"data.yaml", "classes.txt", "train.txt",
+                                                   "val.txt"};
 /// Readers replace `images` by `labels` in an image's path.
-constexpr std::array<const char*, 3> kFolders = {"labels", "labels_seg", "images"};
+constexpr std::array<const char*, 3> kYoloFolders = {"labels", "labels_seg", "images"};
 
 std::string pictureName(int frame) {
-    return frameFile(kFolders[2], frame);
+    return frameFile(kYoloFolders[2], frame);
 }
 
 /// Training and validation frames: the first fold, or the first of five if none are configured.
@@ -90,7 +91,7 @@ const Outline* largest(const std::vector<Outline>& outlines) {
     return best;
 }
 
-Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeYolo(const FrameContext& context, const FrameRecord& frame) {
     std::string boxes, outlines;
     const ClassTable& classes = context.contents.scene.classes();
     const double width = frame.width;
@@ -113,14 +114,14 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
         outlines += '\n';
     }
     std::vector<FrameFile> files;
-    files.push_back({frameFile(kFolders[0], frame.index, ".txt"), asBytes(boxes)});
-    files.push_back({frameFile(kFolders[1], frame.index, ".txt"), asBytes(outlines)});
+    files.push_back({frameFile(kYoloFolders[0], frame.index, ".txt"), asBytes(boxes)});
+    files.push_back({frameFile(kYoloFolders[1], frame.index, ".txt"), asBytes(outlines)});
     return files;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeYolo(const DatasetContents& contents) {
     // Without a `path` line, readers look beside this file wherever the dataset is.
-    std::string yaml = fmt::format("train: {}\nval: {}\nnames:\n", kFiles[2], kFiles[3]);
+    std::string yaml = fmt::format("train: {}\nval: {}\nnames:\n", kYoloFiles[2], kYoloFiles[3]);
     std::string classes;
     const ClassTable& table = contents.scene.classes();
     for (const DatasetClass& one : table.classes()) {
@@ -128,16 +129,16 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         classes += one.name + "\n";
     }
     const Fold split = splitOf(contents);
-    return std::vector<DatasetFile>{{kFiles[0], std::move(yaml)},
-                                    {kFiles[1], std::move(classes)},
-                                    {kFiles[2], listOf(split.train)},
-                                    {kFiles[3], listOf(split.val)}};
+    return std::vector<DatasetFile>{{kYoloFiles[0], std::move(yaml)},
+                                    {kYoloFiles[1], std::move(classes)},
+                                    {kYoloFiles[2], listOf(split.train)},
+                                    {kYoloFiles[3], listOf(split.val)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& contents) {
+nlohmann::ordered_json yoloConvention(const DatasetContents& contents) {
     const bool nyu40 = contents.scene.classes().isNyu40();
-    return {{"files", kFiles},
-            {"folders", kFolders},
+    return {{"files", kYoloFiles},
+            {"folders", kYoloFolders},
             {"format",
              fmt::format("YOLO: class ({}) and, as fractions of the image size, the box's centre "
                          "and size (labels) or the outline of the object's largest visible part "
@@ -159,11 +160,11 @@ PictureLinks yoloPictures(const DatasetContents& contents) {
 const Format kYoloFormat = {
     .name = "yolo",
     .text = "boxes and outlines of the targets in YOLO's format, in labels and labels_seg",
-    .files = kFiles,
-    .folders = kFolders,
-    .write = write,
-    .encode = encode,
-    .convention = convention,
+    .files = kYoloFiles,
+    .folders = kYoloFolders,
+    .write = writeYolo,
+    .encode = encodeYolo,
+    .convention = yoloConvention,
     .modality = "rgb",
     .bytes_per_pixel = 0.25,
     .outlines_things = true,

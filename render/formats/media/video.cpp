@@ -14,7 +14,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"preview.mp4"};
+constexpr std::array<const char*, 1> kVideoFiles = {"preview.mp4"};
 
 constexpr double kSlowest = 0.01;  // images per second
 constexpr double kFastest = 1000.0;
@@ -47,7 +47,7 @@ Result<cv::Mat> readPicture(const GuardedFolder& folder, const std::string& file
     return picture;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeVideo(const DatasetContents& contents) {
     Result<VideoEncoder> video =
         VideoEncoder::begin(contents.camera.width_px, contents.camera.height_px, rateOf(contents));
     if (!video) return tl::unexpected(video.error());
@@ -61,11 +61,11 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     }
     Result<std::string> file = video->finish();
     if (!file) return tl::unexpected(file.error());
-    return std::vector<DatasetFile>{{kFiles[0], std::move(*file)}};
+    return std::vector<DatasetFile>{{kVideoFiles[0], std::move(*file)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"file", kFiles[0]},
+nlohmann::ordered_json videoConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kVideoFiles[0]},
             {"format",
              "MP4, H.264: preview of the trajectory with every frame of rgb once, each for the "
              "same duration, at the trajectory's frame rate; lossy, not meant as data"}};
@@ -76,9 +76,9 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
 const Format kVideoFormat = {
     .name = "video",
     .text = "the images as a video, in preview.mp4",
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kVideoFiles,
+    .write = writeVideo,
+    .convention = videoConvention,
     .modality = "rgb",
     .bytes_per_pixel = 0.15,
 };

@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"calibration.yaml"};
+constexpr std::array<const char*, 1> kCalibrationFiles = {"calibration.yaml"};
 
 /// A mapping that OpenCV recognises as a matrix by its dt. OpenCV's tag is left out, because other
 /// YAML readers refuse it.
@@ -28,7 +28,7 @@ std::string matrix(const char* name, int rows, int columns, std::initializer_lis
     return text + " ]\n";
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeCalibration(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
     const bool of_sensor = contains(contents.modalities, kRgbSensor);
     const LensDistortion bent = of_sensor ? distortionOf(contents.sensor) : LensDistortion{};
@@ -42,11 +42,11 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     text += matrix("distortion_coefficients", 1, 5, {bent.k1, bent.k2, bent.p1, bent.p2, bent.k3});
     text += matrix("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1});
     text += matrix("projection_matrix", 3, 4, {lens.fx, 0, cx, 0, 0, lens.fy, cy, 0, 0, 0, 1, 0});
-    return std::vector<DatasetFile>{{kFiles[0], text}};
+    return std::vector<DatasetFile>{{kCalibrationFiles[0], text}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
+nlohmann::ordered_json calibrationConvention(const DatasetContents& /*contents*/) {
+    return {{"files", kCalibrationFiles},
             {"format",
              "OpenCV FileStorage and ROS camera_info: the camera of rgb_sensor if exported, "
              "otherwise that of rgb, without distortion; pixel centres have integer coordinates; "
@@ -63,9 +63,9 @@ LensDistortion pictureDistortion(const DatasetContents& contents) {
 const Format kCalibrationFormat = {
     .name = "calibration",
     .text = "the camera for OpenCV and ROS, with rgb_sensor's distortion, in calibration.yaml",
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kCalibrationFiles,
+    .write = writeCalibration,
+    .convention = calibrationConvention,
 };
 
 }  // namespace dollytrack::render

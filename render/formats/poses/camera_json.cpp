@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const Eigen::Vector3d& v) {
+Json vectorJson(const Eigen::Vector3d& v) {
     // Adding 0.0 turns -0 into 0, because some readers compare texts.
     return Json::array({v.x() + 0.0, v.y() + 0.0, v.z() + 0.0});
 }
@@ -43,26 +43,26 @@ std::string cameraJsonText(const Scene& scene, const CameraParams& camera, doubl
         const Eigen::Vector3d offset = entry.frame.target_in_world - pose.position;
         const double along = std::max(offset.dot(pose.forward()), 0.1);
         const Eigen::Vector3d target = pose.position + along * pose.forward();
-        root.push_back(
-            {{"pos", toJson(out_from_world * pose.position)},
-             {"target", toJson(out_from_world * target)},
-             {"fov", camera.hfov_deg},
-             {"fov_axis", "h"},
-             {"near", camera.near_m},
-             {"far", far_m},
-             {"up", toJson(out_from_world.linear() * (pose.rotation * -Eigen::Vector3d::UnitY()))},
-             {"width", camera.width_px},
-             {"height", camera.height_px},
-             {"time", entry.frame.time_s},
-             {"room", entry.room},
-             {"targets", entry.targets}});
+        root.push_back({{"pos", vectorJson(out_from_world * pose.position)},
+                        {"target", vectorJson(out_from_world * target)},
+                        {"fov", camera.hfov_deg},
+                        {"fov_axis", "h"},
+                        {"near", camera.near_m},
+                        {"far", far_m},
+                        {"up", vectorJson(out_from_world.linear() *
+                                          (pose.rotation * -Eigen::Vector3d::UnitY()))},
+                        {"width", camera.width_px},
+                        {"height", camera.height_px},
+                        {"time", entry.frame.time_s},
+                        {"room", entry.room},
+                        {"targets", entry.targets}});
     }
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"camera.json"};
+constexpr std::array<const char*, 1> kCameraJsonFiles = {"camera.json"};
 
 /// Largest distance from a camera to a corner of the building; rendering has no far plane.
 double farthestSight(const DatasetContents& contents) {
@@ -77,7 +77,7 @@ double farthestSight(const DatasetContents& contents) {
     return far_m;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeCameraJson(const DatasetContents& contents) {
     std::vector<CameraEntry> entries;
     for (const DatasetFrame& frame : contents.frames) {
         CameraEntry entry{frame.camera, frame.room, {}};
@@ -87,12 +87,13 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         entries.push_back(std::move(entry));
     }
     return std::vector<DatasetFile>{
-        {kFiles[0], cameraJsonText(contents.scene, contents.camera,
-                                   std::ceil(farthestSight(contents) + 1.0), entries)}};
+        {kCameraJsonFiles[0], cameraJsonText(contents.scene, contents.camera,
+                                             std::ceil(farthestSight(contents) + 1.0), entries)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"file", kFiles[0]}, {"format", "3D-FRONT: y up, metres, horizontal fov in degrees"}};
+nlohmann::ordered_json cameraJsonConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kCameraJsonFiles[0]},
+            {"format", "3D-FRONT: y up, metres, horizontal fov in degrees"}};
 }
 
 }  // namespace
@@ -102,9 +103,9 @@ const Format kCameraJsonFormat = {
     .text =
         "camera poses and the targets that each shows well, in 3D-FRONT's format, in camera.json",
     .standard = true,
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kCameraJsonFiles,
+    .write = writeCameraJson,
+    .convention = cameraJsonConvention,
 };
 
 }  // namespace dollytrack::render

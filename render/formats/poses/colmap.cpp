@@ -14,8 +14,8 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 3> kFiles = {"sparse/0/cameras.txt", "sparse/0/images.txt",
-                                               "sparse/0/points3D.txt"};
+constexpr std::array<const char*, 3> kColmapFiles = {"sparse/0/cameras.txt", "sparse/0/images.txt",
+                                                     "sparse/0/points3D.txt"};
 constexpr int kPoints = 50'000;  // about what structure from motion finds in a few hundred images
 
 std::string cameras(const Intrinsics& lens, const LensDistortion& bent) {
@@ -99,15 +99,15 @@ std::string points(const DatasetContents& contents, const Intrinsics& lens) {
     return text;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeColmap(const DatasetContents& contents) {
     const Intrinsics lens = makeIntrinsics(contents.camera);
-    return std::vector<DatasetFile>{{kFiles[0], cameras(lens, pictureDistortion(contents))},
-                                    {kFiles[1], images(contents)},
-                                    {kFiles[2], points(contents, lens)}};
+    return std::vector<DatasetFile>{{kColmapFiles[0], cameras(lens, pictureDistortion(contents))},
+                                    {kColmapFiles[1], images(contents)},
+                                    {kColmapFiles[2], points(contents, lens)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
+nlohmann::ordered_json colmapConvention(const DatasetContents& /*contents*/) {
+    return {{"files", kColmapFiles},
             {"format",
              "COLMAP text model: camera_from_world, quaternion w x y z, pixel centres at "
              "half-integer coordinates; names are relative to the image folder (--image_path "
@@ -120,9 +120,9 @@ nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
 const Format kColmapFormat = {
     .name = "colmap",
     .text = "a COLMAP text model, in sparse/0",
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kColmapFiles,
+    .write = writeColmap,
+    .convention = colmapConvention,
 };
 
 }  // namespace dollytrack::render

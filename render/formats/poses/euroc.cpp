@@ -15,16 +15,16 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 8> kFiles = {"mav0/cam0/data.csv",
-                                               "mav0/cam0/sensor.yaml",
-                                               "mav0/imu0/data.csv",
-                                               "mav0/imu0/sensor.yaml",
-                                               "mav0/state_groundtruth_estimate0/data.csv",
-                                               "mav0/state_groundtruth_estimate0/sensor.yaml",
-                                               "mav0/cam1/data.csv",
-                                               "mav0/cam1/sensor.yaml"};
+constexpr std::array<const char*, 8> kEurocFiles = {"mav0/cam0/data.csv",
+                                                    "mav0/cam0/sensor.yaml",
+                                                    "mav0/imu0/data.csv",
+                                                    "mav0/imu0/sensor.yaml",
+                                                    "mav0/state_groundtruth_estimate0/data.csv",
+                                                    "mav0/state_groundtruth_estimate0/sensor.yaml",
+                                                    "mav0/cam1/data.csv",
+                                                    "mav0/cam1/sensor.yaml"};
 constexpr std::size_t kOneCamera = 6;  // number of files with one camera
-constexpr std::array<const char*, 2> kFolders = {"mav0/cam0/data", "mav0/cam1/data"};
+constexpr std::array<const char*, 2> kEurocFolders = {"mav0/cam0/data", "mav0/cam1/data"};
 
 bool isStereo(const DatasetContents& contents) {
     return contains(contents.modalities, "rgb_right");
@@ -39,7 +39,7 @@ std::string pictureStamp(const DatasetContents& contents, std::size_t frame) {
     return fmt::format("{:019}", nanoseconds(contents.frames[frame].camera.time_s));
 }
 
-std::string pictureList(const DatasetContents& contents) {
+std::string eurocImageList(const DatasetContents& contents) {
     std::string text = "#timestamp [ns],filename\n";
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const std::string stamp = pictureStamp(contents, i);
@@ -110,32 +110,32 @@ std::string groundTruth(const DatasetContents& contents) {
 /// Removes the right camera's folders, which were created before it was known whether it exists.
 void removeEmptyFolders(const DatasetContents& contents) {
     const Result<GuardedFolder> folder = GuardedFolder::open(contents.folder);
-    if (folder) folder->removeEmpty(kFolders[1]);
+    if (folder) folder->removeEmpty(kEurocFolders[1]);
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeEuroc(const DatasetContents& contents) {
     std::vector<DatasetFile> files = {
-        {kFiles[0], pictureList(contents)},
-        {kFiles[1], cameraText(contents, "the camera of rgb", 0.0)},
-        {kFiles[2], imuCsvText(contents)},
-        {kFiles[3], imuText(contents)},
-        {kFiles[4], groundTruth(contents)},
-        {kFiles[5], "sensor_type: visual-inertial\ncomment: exact\n" + placeOnBody(0.0)}};
+        {kEurocFiles[0], eurocImageList(contents)},
+        {kEurocFiles[1], cameraText(contents, "the camera of rgb", 0.0)},
+        {kEurocFiles[2], imuCsvText(contents)},
+        {kEurocFiles[3], imuText(contents)},
+        {kEurocFiles[4], groundTruth(contents)},
+        {kEurocFiles[5], "sensor_type: visual-inertial\ncomment: exact\n" + placeOnBody(0.0)}};
     if (!isStereo(contents)) {
         removeEmptyFolders(contents);
         return files;
     }
-    files.push_back({kFiles[6], pictureList(contents)});
-    files.push_back(
-        {kFiles[7], cameraText(contents, "the camera of rgb_right", contents.stereo_baseline_m)});
+    files.push_back({kEurocFiles[6], eurocImageList(contents)});
+    files.push_back({kEurocFiles[7],
+                     cameraText(contents, "the camera of rgb_right", contents.stereo_baseline_m)});
     return files;
 }
 
-nlohmann::ordered_json convention(const DatasetContents& contents) {
-    const std::size_t count = isStereo(contents) ? kFiles.size() : kOneCamera;
+nlohmann::ordered_json eurocConvention(const DatasetContents& contents) {
+    const std::size_t count = isStereo(contents) ? kEurocFiles.size() : kOneCamera;
     return {
-        {"files", std::vector<std::string>(kFiles.begin(), kFiles.begin() + count)},
-        {"folder", kFolders[0]},
+        {"files", std::vector<std::string>(kEurocFiles.begin(), kEurocFiles.begin() + count)},
+        {"folder", kEurocFolders[0]},
         {"format",
          "EuRoC (ASL): times in ns, starting with the first frame's time_s; the body frame is the "
          "camera of rgb (x right, y down, z forward), also for the inertial sensor; positions (m), "
@@ -150,8 +150,8 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const auto index = static_cast<int>(i);
         const std::string name = fmt::format("/{}.png", pictureStamp(contents, i));
-        links[kFolders[0] + name] = frameFile("rgb", index);
-        if (isStereo(contents)) links[kFolders[1] + name] = frameFile("rgb_right", index);
+        links[kEurocFolders[0] + name] = frameFile("rgb", index);
+        if (isStereo(contents)) links[kEurocFolders[1] + name] = frameFile("rgb_right", index);
     }
     return links;
 }
@@ -159,10 +159,10 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
 const Format kEurocFormat = {
     .name = "euroc",
     .text = "images, inertial measurements and poses in the layout of EuRoC, in mav0",
-    .files = kFiles,
-    .folders = kFolders,
-    .write = write,
-    .convention = convention,
+    .files = kEurocFiles,
+    .folders = kEurocFolders,
+    .write = writeEuroc,
+    .convention = eurocConvention,
     .modality = "rgb",
 };
 

@@ -40,15 +40,15 @@ std::string imuCsvText(const DatasetContents& contents) {
 
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"imu.csv"};
+constexpr std::array<const char*, 1> kImuCsvFiles = {"imu.csv"};
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    return std::vector<DatasetFile>{{kFiles[0], imuCsvText(contents)}};
+Result<std::vector<DatasetFile>> writeImuCsv(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kImuCsvFiles[0], imuCsvText(contents)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
+nlohmann::ordered_json imuCsvConvention(const DatasetContents& /*contents*/) {
     return {
-        {"file", kFiles[0]},
+        {"file", kImuCsvFiles[0]},
         {"format",
          "EuRoC's columns: time (ns), angular rate (rad/s) and specific force (m/s2; at rest "
          "9.80665 upwards) in the camera's axes, without noise and bias, along a C2 spline "
@@ -61,9 +61,9 @@ const Format kImuFormat = {
     .name = "imu",
     .text = "inertial measurements along the motion, in imu.csv",
     .standard = true,
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kImuCsvFiles,
+    .write = writeImuCsv,
+    .convention = imuCsvConvention,
 };
 
 }  // namespace dollytrack::render

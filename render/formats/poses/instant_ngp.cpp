@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 1> kFiles = {"transforms_ngp.json"};
+constexpr std::array<const char*, 1> kInstantNgpFiles = {"transforms_ngp.json"};
 constexpr double kFilled = 0.95;  // share of the unit cube's edge, because surfaces on its faces
                                   // flicker
 
@@ -25,7 +25,7 @@ Eigen::AlignedBox3d spanOf(const DatasetContents& contents) {
     return span;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeInstantNgp(const DatasetContents& contents) {
     const Eigen::AlignedBox3d span = spanOf(contents);
     const double scale = kFilled / std::max(span.sizes().maxCoeff(), 1e-3);
     // Applied after scaling, before instant-ngp permutes axes: the centre becomes (0.5, 0.5, 0.5).
@@ -43,11 +43,11 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         root["integer_depth_scale"] = 0.001;  // metres per step; `scale` is applied in addition
     }
     root["frames"] = transformFrames(contents, "depth_path");
-    return std::vector<DatasetFile>{{kFiles[0], root.dump(1) + "\n"}};
+    return std::vector<DatasetFile>{{kInstantNgpFiles[0], root.dump(1) + "\n"}};
 }
 
-Json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
+Json instantNgpConvention(const DatasetContents& /*contents*/) {
+    return {{"files", kInstantNgpFiles},
             {"format",
              "instant-ngp: world_from_camera, camera axes x right, y up, z back, world z up, "
              "metres; `scale` and `offset` map the whole room into the unit cube"}};
@@ -58,9 +58,9 @@ Json convention(const DatasetContents& /*contents*/) {
 const Format kInstantNgpFormat = {
     .name = "instant_ngp",
     .text = "poses for instant-ngp, in transforms_ngp.json",
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kInstantNgpFiles,
+    .write = writeInstantNgp,
+    .convention = instantNgpConvention,
 };
 
 }  // namespace dollytrack::render

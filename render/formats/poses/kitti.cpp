@@ -14,9 +14,9 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 3> kFiles = {"poses.txt", "times.txt", "calib.txt"};
+constexpr std::array<const char*, 3> kKittiFiles = {"poses.txt", "times.txt", "calib.txt"};
 
-constexpr std::array<const char*, 1> kFolders = {"kitti_flow"};
+constexpr std::array<const char*, 1> kKittiFolders = {"kitti_flow"};
 
 /// KITTI puts the first pixel's centre at (0, 0), so the principal point is half a pixel less.
 std::string projection(const Intrinsics& lens, double right_m) {
@@ -26,7 +26,7 @@ std::string projection(const Intrinsics& lens, double right_m) {
     return rowsText(matrix);
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeKitti(const DatasetContents& contents) {
     std::string poses, times;
     const Eigen::Isometry3d first_from_world =
         contents.frames.front().camera.pose.worldFromCamera().inverse();
@@ -43,24 +43,24 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
         const double right_m = camera % 2 == 1 ? contents.stereo_baseline_m : 0.0;
         calibration += fmt::format("P{}: {}\n", camera, projection(lens, right_m));
     }
-    return std::vector<DatasetFile>{{kFiles[0], std::move(poses)},
-                                    {kFiles[1], std::move(times)},
-                                    {kFiles[2], std::move(calibration)}};
+    return std::vector<DatasetFile>{{kKittiFiles[0], std::move(poses)},
+                                    {kKittiFiles[1], std::move(times)},
+                                    {kKittiFiles[2], std::move(calibration)}};
 }
 
 /// Flow to the next frame, if there is one.
-Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeKitti(const FrameContext& context, const FrameRecord& frame) {
     const int next = frame.index + 1;
     if (next >= static_cast<int>(context.contents.frames.size())) return std::vector<FrameFile>{};
     const MotionField field = motionField(context, frame, next);
     return oneFile(
-        frameFile(kFolders[0], frame.index),
+        frameFile(kKittiFolders[0], frame.index),
         encodePng(frame.width, frame.height, PngFormat::Rgb16, bytesOf(kittiFlow(field.motion))));
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
-            {"folder", kFolders[0]},
+nlohmann::ordered_json kittiConvention(const DatasetContents& /*contents*/) {
+    return {{"files", kKittiFiles},
+            {"folder", kKittiFolders[0]},
             {"format",
              "KITTI odometry: one row-major 3 x 4 matrix per line, from camera i to the first "
              "camera (its pose in the world: frames[0]); times in seconds; projections P0 to P3 "
@@ -89,11 +89,11 @@ const Format kKittiFormat = {
     .name = "kitti",
     .text = "poses, times and projections in KITTI odometry's format, in poses.txt ...",
     .needs = kNeedsDepth,
-    .files = kFiles,
-    .folders = kFolders,
-    .write = write,
-    .encode = encode,
-    .convention = convention,
+    .files = kKittiFiles,
+    .folders = kKittiFolders,
+    .write = writeKitti,
+    .encode = encodeKitti,
+    .convention = kittiConvention,
     .bytes_per_pixel = 3.0,
 };
 

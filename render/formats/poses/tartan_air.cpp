@@ -15,9 +15,10 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 2> kFiles = {"pose_left.txt", "pose_right.txt"};
+constexpr std::array<const char*, 2> kTartanAirFiles = {"pose_left.txt", "pose_right.txt"};
 
-constexpr std::array<const char*, 4> kFolders = {"image_left", "depth_left", "seg_left", "flow"};
+constexpr std::array<const char*, 4> kTartanAirFolders = {"image_left", "depth_left", "seg_left",
+                                                          "flow"};
 constexpr float kSkyDepth = 10'000.0F;  // where nothing is hit
 
 /// One pose per line, for a camera shifted to the right.
@@ -40,9 +41,10 @@ std::string poseLines(const DatasetContents& contents, double right_m) {
     return poses;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    return std::vector<DatasetFile>{{kFiles[0], poseLines(contents, 0.0)},
-                                    {kFiles[1], poseLines(contents, contents.stereo_baseline_m)}};
+Result<std::vector<DatasetFile>> writeTartanAir(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{
+        {kTartanAirFiles[0], poseLines(contents, 0.0)},
+        {kTartanAirFiles[1], poseLines(contents, contents.stereo_baseline_m)}};
 }
 
 /// TartanAir's mask values, 10: occluded, 100: outside the image.
@@ -57,7 +59,8 @@ std::uint8_t maskOf(PixelVisibility sight) {
     }
 }
 
-Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeTartanAir(const FrameContext& context,
+                                               const FrameRecord& frame) {
     const int width = frame.width;
     const int height = frame.height;
     auto image = encodePng(width, height, PngFormat::Rgb8, frame.rgb);
@@ -67,11 +70,11 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     const Scene& scene = context.contents.scene;
     const auto classes = classBytes(scene.classes(), classesOf(scene, frame.instance));
     std::vector<FrameFile> files;
-    files.push_back({frameFile(kFolders[0], frame.index, "_left.png"), std::move(*image)});
-    files.push_back({frameFile(kFolders[1], frame.index, "_left_depth.npy"),
+    files.push_back({frameFile(kTartanAirFolders[0], frame.index, "_left.png"), std::move(*image)});
+    files.push_back({frameFile(kTartanAirFolders[1], frame.index, "_left_depth.npy"),
                      numpyBytes("<f4", {height, width}, bytesOf(depth))});
     files.push_back(
-        {frameFile(kFolders[2], frame.index, "_left_seg.npy"),
+        {frameFile(kTartanAirFolders[2], frame.index, "_left_seg.npy"),
          numpyBytes(scene.classes().isWide() ? "<u2" : "|u1", {height, width}, classes)});
     const int next = frame.index + 1;
     if (next < static_cast<int>(context.contents.frames.size())) {
@@ -82,19 +85,19 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
         }
         std::vector<std::uint8_t> mask;
         for (const PixelVisibility sight : field.sight) mask.push_back(maskOf(sight));
-        files.push_back({pairFile(kFolders[3], frame.index, next, "_flow.npy"),
+        files.push_back({pairFile(kTartanAirFolders[3], frame.index, next, "_flow.npy"),
                          numpyBytes("<f4", {height, width, 2}, bytesOf(flow))});
-        files.push_back({pairFile(kFolders[3], frame.index, next, "_mask.npy"),
+        files.push_back({pairFile(kTartanAirFolders[3], frame.index, next, "_mask.npy"),
                          numpyBytes("|u1", {height, width}, bytesOf(mask))});
     }
     return files;
 }
 
-nlohmann::ordered_json convention(const DatasetContents& contents) {
+nlohmann::ordered_json tartanAirConvention(const DatasetContents& contents) {
     const std::string classes = contents.scene.classes().isNyu40() ? "NYU40" : "id in classes";
     return {
-        {"files", kFiles},
-        {"folders", kFolders},
+        {"files", kTartanAirFiles},
+        {"folders", kTartanAirFolders},
         {"format",
          "TartanAir: one line per frame with position and quaternion (x y z w) of the camera in "
          "the world, axes x north (the world's x), y east, z down; the camera's x is forward; "
@@ -110,11 +113,11 @@ const Format kTartanAirFormat = {
     .name = "tartanair",
     .text = "poses, images, depth and flow in TartanAir's format, in pose_left.txt, image_left ...",
     .needs = kNeedsRgb | kNeedsDepth,
-    .files = kFiles,
-    .folders = kFolders,
-    .write = write,
-    .encode = encode,
-    .convention = convention,
+    .files = kTartanAirFiles,
+    .folders = kTartanAirFolders,
+    .write = writeTartanAir,
+    .encode = encodeTartanAir,
+    .convention = tartanAirConvention,
     .bytes_per_pixel = 17.0,
 };
 

@@ -12,14 +12,14 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 4> kFiles = {"groundtruth.txt", "rgb.txt", "depth.txt",
-                                               "associations.txt"};
+constexpr std::array<const char*, 4> kTumFiles = {"groundtruth.txt", "rgb.txt", "depth.txt",
+                                                  "associations.txt"};
 
-constexpr std::array<const char*, 1> kFolders = {"depth_tum"};
+constexpr std::array<const char*, 1> kTumFolders = {"depth_tum"};
 constexpr float kDepthPerMetre = 5000.0F;
 
 /// List of one folder's images.
-std::string pictureList(const DatasetContents& contents, const char* folder) {
+std::string tumImageList(const DatasetContents& contents, const char* folder) {
     std::string text = "# timestamp filename\n";
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         text += stampText(contents.frames[i].camera.time_s) + " " +
@@ -34,41 +34,42 @@ std::string associations(const DatasetContents& contents) {
     for (std::size_t i = 0; i < contents.frames.size(); ++i) {
         const std::string stamp = stampText(contents.frames[i].camera.time_s);
         text += stamp + " " + frameFile("rgb", static_cast<int>(i)) + " " + stamp + " " +
-                frameFile(kFolders[0], static_cast<int>(i)) + "\n";
+                frameFile(kTumFolders[0], static_cast<int>(i)) + "\n";
     }
     return text;
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeTum(const DatasetContents& contents) {
     std::string poses = "# timestamp tx ty tz qx qy qz qw\n";
     for (const DatasetFrame& frame : contents.frames) {
         const Pose& pose = frame.camera.pose;
         poses += stampText(frame.camera.time_s) + " " +
                  positionQuaternionText(pose.position, pose.rotation) + "\n";
     }
-    std::vector<DatasetFile> files = {{kFiles[0], std::move(poses)}};
+    std::vector<DatasetFile> files = {{kTumFiles[0], std::move(poses)}};
     // Lists only images that exist.
     const bool rgb = contains(contents.modalities, "rgb");
-    if (rgb) files.push_back({kFiles[1], pictureList(contents, "rgb")});
-    files.push_back({kFiles[2], pictureList(contents, kFolders[0])});
-    if (rgb) files.push_back({kFiles[3], associations(contents)});
+    if (rgb) files.push_back({kTumFiles[1], tumImageList(contents, "rgb")});
+    files.push_back({kTumFiles[2], tumImageList(contents, kTumFolders[0])});
+    if (rgb) files.push_back({kTumFiles[3], associations(contents)});
     return files;
 }
 
 /// Depth beyond 13.1 m does not fit into 16 bits and becomes 0, unmeasured.
-Result<std::vector<FrameFile>> encode(const FrameContext& /*context*/, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeTum(const FrameContext& /*context*/,
+                                         const FrameRecord& frame) {
     std::vector<std::uint16_t> depth(frame.depth_m.size());
     for (std::size_t i = 0; i < depth.size(); ++i) {
         const float value = frame.depth_m[i] * kDepthPerMetre + 0.5F;
         depth[i] = value < 65536.0F ? static_cast<std::uint16_t>(value) : std::uint16_t{0};
     }
-    return oneFile(frameFile(kFolders[0], frame.index),
+    return oneFile(frameFile(kTumFolders[0], frame.index),
                    encodePng(frame.width, frame.height, PngFormat::Gray16, bytesOf(depth)));
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"files", kFiles},
-            {"folder", kFolders[0]},
+nlohmann::ordered_json tumConvention(const DatasetContents& /*contents*/) {
+    return {{"files", kTumFiles},
+            {"folder", kTumFolders[0]},
             {"format",
              "TUM RGB-D: seconds, position and quaternion (x y z w) of the camera's centre in the "
              "world, camera axes x right, y down, z forward; depth_tum: planar, 5000 units per "
@@ -82,11 +83,11 @@ const Format kTumFormat = {
     .name = "tum",
     .text = "poses and lists of images in TUM RGB-D's format, in groundtruth.txt, rgb.txt ...",
     .needs = kNeedsDepth,
-    .files = kFiles,
-    .folders = kFolders,
-    .write = write,
-    .encode = encode,
-    .convention = convention,
+    .files = kTumFiles,
+    .folders = kTumFolders,
+    .write = writeTum,
+    .encode = encodeTum,
+    .convention = tumConvention,
     .bytes_per_pixel = 0.4,
 };
 

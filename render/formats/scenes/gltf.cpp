@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 1> kFiles = {"trajectory.glb"};
+constexpr std::array<const char*, 1> kGltfFiles = {"trajectory.glb"};
 
 /// Animation keys of one node.
 struct Keys {
@@ -88,7 +88,7 @@ void animate(GlbBuilder& builder, Json& animation, int node, const Keys& keys) {
     }
 }
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
+Result<std::vector<DatasetFile>> writeGltf(const DatasetContents& contents) {
     GlbBuilder builder;
     Json root = {{"asset", {{"version", "2.0"}, {"generator", "Dollytrack"}}}};
     root["nodes"] = Json::array();
@@ -118,11 +118,11 @@ Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
     root["scene"] = 0;
     Result<std::string> file = builder.pack(std::move(root));
     if (!file) return tl::unexpected(file.error());
-    return std::vector<DatasetFile>{{kFiles[0], std::move(*file)}};
+    return std::vector<DatasetFile>{{kGltfFiles[0], std::move(*file)}};
 }
 
-Json convention(const DatasetContents& /*contents*/) {
-    return {{"file", kFiles[0]},
+Json gltfConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kGltfFiles[0]},
             {"format",
              "glTF 2.0: the scene with one node per object; the camera and moving objects are "
              "animated with a key at each frame's time; metres, y up (x, z, -y of the world)"}};
@@ -133,9 +133,9 @@ Json convention(const DatasetContents& /*contents*/) {
 const Format kGltfFormat = {
     .name = "gltf",
     .text = "the scene with the moving camera, for Blender, Unity ..., in trajectory.glb",
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kGltfFiles,
+    .write = writeGltf,
+    .convention = gltfConvention,
 };
 
 }  // namespace dollytrack::render

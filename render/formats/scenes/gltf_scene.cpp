@@ -38,7 +38,7 @@ std::vector<int> picturesOf(const Scene& scene, const Material& material) {
 }
 
 /// JPEG, as most textures originally were; PNG for textures with holes or numeric data.
-Result<Bytes> encode(const Texture& texture, bool exact) {
+Result<Bytes> encodeGltfScene(const Texture& texture, bool exact) {
     if (exact) {
         return encodePng(texture.width, texture.height, PngFormat::Rgba8, texture.rgba);
     }
@@ -75,7 +75,7 @@ Result<std::map<int, int>> addTextures(const Scene& scene, GlbBuilder& builder, 
     parallelFor(used.size(), [&](std::size_t i) {
         const Texture& texture = scene.textures[used[i]];
         exact[i] = numeric.contains(used[i]) || hasHoles(texture) ? 1 : 0;
-        pictures[i] = encode(texture, exact[i] != 0);
+        pictures[i] = encodeGltfScene(texture, exact[i] != 0);
     });
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!pictures[i]) return tl::unexpected(pictures[i].error());

@@ -85,14 +85,14 @@ std::string framesCsvText(const DatasetContents& contents) {
 
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"frames.csv"};
+constexpr std::array<const char*, 1> kFramesCsvFiles = {"frames.csv"};
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    return std::vector<DatasetFile>{{kFiles[0], framesCsvText(contents)}};
+Result<std::vector<DatasetFile>> writeFramesCsv(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kFramesCsvFiles[0], framesCsvText(contents)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"file", kFiles[0]},
+nlohmann::ordered_json framesCsvConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kFramesCsvFiles[0]},
             {"format",
              "one row per frame: clearance (m), mean speed (m/s) and turning rate (deg/s) since "
              "the previous frame, number of targets of 120 px or more (at 640 x 480) and of well "
@@ -106,9 +106,9 @@ const Format kFramesFormat = {
     .text = "measurements of each frame, such as speed, clearance and image score, in frames.csv",
     .standard = true,
     .needs = kNeedsMasks,
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kFramesCsvFiles,
+    .write = writeFramesCsv,
+    .convention = framesCsvConvention,
 };
 
 }  // namespace dollytrack::render

@@ -12,7 +12,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr std::array<const char*, 1> kFolders = {"hdf5"};
+constexpr std::array<const char*, 1> kHdf5FramesFolders = {"hdf5"};
 
 /// Classes and names of the visible objects, as JSON text.
 std::string attributes(const Scene& scene, const FrameRecord& frame) {
@@ -26,7 +26,8 @@ std::string attributes(const Scene& scene, const FrameRecord& frame) {
     return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRecord& frame) {
+Result<std::vector<FrameFile>> encodeHdf5Frames(const FrameContext& context,
+                                                const FrameRecord& frame) {
     const Scene& scene = context.contents.scene;
     const std::vector<std::uint8_t> classes =
         classBytes(scene.classes(), classesOf(scene, frame.instance));
@@ -34,7 +35,7 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
     const auto width = static_cast<std::uint64_t>(frame.width);
     const Hdf5Type class_type = scene.classes().isWide() ? Hdf5Type::Uint16 : Hdf5Type::Uint8;
     return oneFile(
-        frameFile(kFolders[0], frame.index, ".hdf5"),
+        frameFile(kHdf5FramesFolders[0], frame.index, ".hdf5"),
         packHdf5({{"colors", Hdf5Type::Uint8, {height, width, 3}, frame.rgb.data()},
                   {"depth", Hdf5Type::Float32, {height, width}, frame.depth_m.data()},
                   {"instance_segmaps", Hdf5Type::Uint16, {height, width}, frame.instance.data()},
@@ -43,11 +44,11 @@ Result<std::vector<FrameFile>> encode(const FrameContext& context, const FrameRe
                   {"campose", transformRows(frame.pose).dump()}}));
 }
 
-nlohmann::ordered_json convention(const DatasetContents& contents) {
+nlohmann::ordered_json hdf5FramesConvention(const DatasetContents& contents) {
     const ClassTable& table = contents.scene.classes();
     const std::string type = std::string(table.isWide() ? "uint16" : "uint8") +
                              (table.isNyu40() ? ", NYU40" : ", id in classes");
-    return {{"folder", kFolders[0]},
+    return {{"folder", kHdf5FramesFolders[0]},
             {"format",
              "HDF5 in BlenderProc's format: colors (uint8), depth (float32, planar metres, 0 where "
              "no surface is visible), instance_segmaps (uint16), category_id_segmaps (" +
@@ -62,9 +63,9 @@ const Format kHdf5FramesFormat = {
     .name = "hdf5",
     .text = "one file per frame with its images and pose in BlenderProc's format, in hdf5",
     .needs = kNeedsRgb | kNeedsDepth,
-    .folders = kFolders,
-    .encode = encode,
-    .convention = convention,
+    .folders = kHdf5FramesFolders,
+    .encode = encodeHdf5Frames,
+    .convention = hdf5FramesConvention,
     .bytes_per_pixel = 4.0,
 };
 

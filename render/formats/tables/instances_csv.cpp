@@ -43,14 +43,14 @@ std::string instancesCsvText(const DatasetContents& contents) {
 
 namespace {
 
-constexpr std::array<const char*, 1> kFiles = {"instances.csv"};
+constexpr std::array<const char*, 1> kInstancesCsvFiles = {"instances.csv"};
 
-Result<std::vector<DatasetFile>> write(const DatasetContents& contents) {
-    return std::vector<DatasetFile>{{kFiles[0], instancesCsvText(contents)}};
+Result<std::vector<DatasetFile>> writeInstancesCsv(const DatasetContents& contents) {
+    return std::vector<DatasetFile>{{kInstancesCsvFiles[0], instancesCsvText(contents)}};
 }
 
-nlohmann::ordered_json convention(const DatasetContents& /*contents*/) {
-    return {{"file", kFiles[0]},
+nlohmann::ordered_json instancesCsvConvention(const DatasetContents& /*contents*/) {
+    return {{"file", kInstancesCsvFiles[0]},
             {"format",
              "one row per frame and visible object (none for structure): visible_px; "
              "silhouette_px, unoccluded, inside the image; whole_px, also outside the image; "
@@ -68,9 +68,9 @@ const Format kInstancesFormat = {
         "visibility of each object in each frame: visible part, truncation, occluder, 2D and 3D "
         "boxes, in instances.csv",
     .needs = kNeedsWhole,
-    .files = kFiles,
-    .write = write,
-    .convention = convention,
+    .files = kInstancesCsvFiles,
+    .write = writeInstancesCsv,
+    .convention = instancesCsvConvention,
     .outlines_things = true,
 };
 

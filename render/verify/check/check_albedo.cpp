@@ -1,6 +1,6 @@
 // Compares base colours with the materials of the surfaces shown.
-#include "render/verify/check/check_list.h"
 #include "render/materials/surface_kind.h"
+#include "render/verify/check/check_list.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr int kTolerance = 3;  // of 255; rendering also stores colours in 8 bits
+constexpr int kAlbedoTolerance = 3;  // of 255; rendering also stores colours in 8 bits
 
 /// 8-bit sRGB value of a linear colour.
 int encoded(double linear) {
@@ -29,7 +29,8 @@ struct ColorRange {
 
     [[nodiscard]] bool holds(const std::uint8_t* color) const {
         for (std::size_t c = 0; c < 3; ++c) {
-            if (color[c] < least[c] - kTolerance || color[c] > most[c] + kTolerance) return false;
+            if (color[c] < least[c] - kAlbedoTolerance || color[c] > most[c] + kAlbedoTolerance)
+                return false;
         }
         return true;
     }
@@ -49,16 +50,16 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
         }
     }
     // A uniformly emitting surface has the hue of its emission, unless that is faint.
-    const Eigen::Vector3f emission_rgb = render::drawnEmission(material);
-    const float emission = emission_rgb.maxCoeff();
-    const Eigen::Vector3f color_of_it =
-        emission > 0.0F ? Eigen::Vector3f(emission_rgb / emission) : material.base_color;
+    const float emission = material.emission_map < 0 ? material.emission.maxCoeff() : 0.0F;
+    const Eigen::Vector3f surface_color = emission >= render::kFaintestEmission
+                                              ? Eigen::Vector3f(material.emission / emission)
+                                              : material.base_color;
     ColorRange range;
     for (std::size_t c = 0; c < 3; ++c) {
         // The renderer decodes texels by squaring.
         const auto color = [&](int texel) {
             const double share = texel / 255.0;
-            return encoded(color_of_it[static_cast<Eigen::Index>(c)] * share * share);
+            return encoded(surface_color[static_cast<Eigen::Index>(c)] * share * share);
         };
         range.least[c] = color(darkest[c]);
         range.most[c] = color(brightest[c]);

@@ -19,7 +19,7 @@ constexpr const char* kCamera = "scene_camera.json";
 constexpr const char* kTruth = "scene_gt.json";
 constexpr const char* kInfo = "scene_gt_info.json";
 
-constexpr double kTolerance = 1e-6;  // m and radians
+constexpr double kBopTolerance = 1e-6;  // m and radians
 constexpr double kMillimetres = 1000.0;
 
 /// The three JSON files, parsed.
@@ -42,9 +42,9 @@ Eigen::Isometry3d poseFrom(const Json& rotation, const Json& translation_mm) {
 }
 
 /// Compares one frame of the three files with dataset.json and the instance image.
-class FrameCheck {
+class BopFrameCheck {
   public:
-    FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
+    BopFrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
         : dataset_(dataset), images_(images), findings_(findings), frame_(images.frame()) {}
 
     void run(const BopFiles& files) {
@@ -89,7 +89,7 @@ class FrameCheck {
                           const Eigen::Isometry3d& expected) {
         const double away = (found.translation() - expected.translation()).norm();
         const double turned = (found.linear() - expected.linear()).norm() / std::sqrt(2.0);
-        if (away <= kTolerance && turned <= kTolerance) return;
+        if (away <= kBopTolerance && turned <= kBopTolerance) return;
         add(file, fmt::format("{} {:.3g} m and {:.3g} rad off", what, away, turned),
             "that of dataset.json");
     }
@@ -99,7 +99,7 @@ class FrameCheck {
         Eigen::Matrix3d k;
         // BOP puts pixel centres at integer coordinates.
         k << lens.fx, 0, lens.cx - 0.5, 0, lens.fy, lens.cy - 0.5, 0, 0, 1;
-        if (!((matrixFrom(camera.at("cam_K")) - k).cwiseAbs().maxCoeff() <= kTolerance)) {
+        if (!((matrixFrom(camera.at("cam_K")) - k).cwiseAbs().maxCoeff() <= kBopTolerance)) {
             add(kCamera, "cam_K " + camera.at("cam_K").dump(), "that of dataset.json");
         }
         compareTransform(kCamera, "camera",
@@ -132,7 +132,7 @@ class FrameCheck {
                             all),
                 "rising numbers");
         }
-        if (!(std::abs(fraction * all - visible) <= kTolerance * all)) {
+        if (!(std::abs(fraction * all - visible) <= kBopTolerance * all)) {
             add(kInfo, fmt::format("object {}: visib_fract {:.9g}", id, fraction),
                 fmt::format("{:.9g}", visible / all));
         }
@@ -224,7 +224,7 @@ CheckWork beginBop(const Subject& subject, Findings& findings) {
     work.frame = [&dataset, files = std::shared_ptr<const BopFiles>(files)](FrameImages& images,
                                                                             Findings& found) {
         try {
-            FrameCheck(dataset, images, found).run(*files);
+            BopFrameCheck(dataset, images, found).run(*files);
         } catch (const Json::exception& error) {
             found.add({kTruth, images.frame(), {}, plainReason(error), "BOP's numbers"});
         }

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kFile = "camera.json";
-constexpr double kTolerance = 1e-6;
+constexpr const char* kCameraJsonFile = "camera.json";
+constexpr double kCameraJsonTolerance = 1e-6;
 
 using Names = std::vector<std::string>;
 
@@ -58,12 +58,12 @@ class EntryCheck {
 
   private:
     void add(int frame, std::string found, std::string expected) {
-        findings_.add({kFile, frame, {}, std::move(found), std::move(expected)});
+        findings_.add({kCameraJsonFile, frame, {}, std::move(found), std::move(expected)});
     }
 
     void compare(int frame, const Json& entry, const char* key, double expected) {
         const double found = entry.at(key).get<double>();
-        if (std::abs(found - expected) <= kTolerance) return;
+        if (std::abs(found - expected) <= kCameraJsonTolerance) return;
         add(frame, fmt::format("{} {:.9g}", key, found), fmt::format("{:.9g}", expected));
     }
 
@@ -76,7 +76,9 @@ class EntryCheck {
         }
         if (!subject_.scene || frame > 0) return;
         const double corner = farthestCorner(dataset_, subject_.scene->room_bounds);
-        if (far_m >= corner + 1.0 - kTolerance && far_m <= corner + 2.0 + kTolerance) return;
+        if (far_m >= corner + 1.0 - kCameraJsonTolerance &&
+            far_m <= corner + 2.0 + kCameraJsonTolerance)
+            return;
         add(frame, fmt::format("far {:.6g} m", far_m),
             fmt::format("1 to 2 m behind the room's farthest corner, which is {:.6g} m away",
                         corner));
@@ -134,8 +136,10 @@ void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameI
             if (const auto at = known.find(id); at != known.end()) fraction = at->second;
         }
         // The file has six digits.
-        if (!(fraction < rules.min_visible_fraction - kTolerance)) may.push_back(object->name);
-        if (fraction > rules.min_visible_fraction + kTolerance) must.push_back(object->name);
+        if (!(fraction < rules.min_visible_fraction - kCameraJsonTolerance))
+            may.push_back(object->name);
+        if (fraction > rules.min_visible_fraction + kCameraJsonTolerance)
+            must.push_back(object->name);
     }
     std::sort(may.begin(), may.end());
     std::sort(must.begin(), must.end());
@@ -144,7 +148,7 @@ void compareTargets(const StoredDataset& dataset, const Targets& targets, FrameI
         std::includes(found.begin(), found.end(), must.begin(), must.end())) {
         return;
     }
-    findings.add({kFile,
+    findings.add({kCameraJsonFile,
                   images.frame(),
                   {},
                   "targets " + listed(found),
@@ -157,14 +161,14 @@ CheckWork beginCameraJson(const Subject& subject, Findings& findings) {
     const StoredDataset& dataset = subject.dataset;
     auto targets = std::make_shared<Targets>();
     try {
-        const Result<Json> read = readJson(dataset.folder / kFile);
+        const Result<Json> read = readJson(dataset.folder / kCameraJsonFile);
         if (!read) {
-            findings.add({kFile, {}, {}, read.error().message, "an array of cameras"});
+            findings.add({kCameraJsonFile, {}, {}, read.error().message, "an array of cameras"});
             return {};
         }
         const Json& root = *read;
         if (root.size() != dataset.frames.size()) {
-            findings.add({kFile,
+            findings.add({kCameraJsonFile,
                           {},
                           {},
                           fmt::format("{} frames", root.size()),
@@ -179,7 +183,7 @@ CheckWork beginCameraJson(const Subject& subject, Findings& findings) {
             targets->of_frame.push_back(std::move(names));
         }
     } catch (const Json::exception& error) {
-        findings.add({kFile, {}, {}, plainReason(error), "an array of cameras"});
+        findings.add({kCameraJsonFile, {}, {}, plainReason(error), "an array of cameras"});
         return {};
     }
     readVisibleFractions(dataset, *targets);

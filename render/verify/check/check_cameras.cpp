@@ -16,8 +16,8 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kRounding = 0.0005 + 1e-6;  // of depth in millimetres, m
-constexpr double kFarthest = 65.5355;        // m, limit of a depth image
+constexpr double kCamerasRounding = 0.0005 + 1e-6;  // of depth in millimetres, m
+constexpr double kCamerasFarthest = 65.5355;        // m, limit of a depth image
 // In smaller or wide-angle images objects are a few pixels wide; there only blank images are
 // reported.
 constexpr int kLeastPixelsToCompare = 160 * 120;
@@ -248,7 +248,7 @@ class CameraFrame {
         if (const Eigen::Isometry3d* moved = frame_.movement(object->id)) {
             point = moved->inverse() * point;
         }
-        const double margin = kRounding * ray.direction.norm() + 0.001 + 1e-5 * metres;
+        const double margin = kCamerasRounding * ray.direction.norm() + 0.001 + 1e-5 * metres;
         if (object->box.contains(point, margin)) return;
         wrong.add(x, y, [&] {
             return WrongPixels::Text{
@@ -261,9 +261,9 @@ class CameraFrame {
     [[nodiscard]] bool mayBeFar(const StoredObject& object) const {
         const double reach = object.box.half_size.norm();
         if (const Eigen::Isometry3d* moved = frame_.movement(object.id)) {
-            return (*moved * object.box.center - pose_.position).norm() + reach > kFarthest;
+            return (*moved * object.box.center - pose_.position).norm() + reach > kCamerasFarthest;
         }
-        return (object.box.center - pose_.position).norm() + reach > kFarthest;
+        return (object.box.center - pose_.position).norm() + reach > kCamerasFarthest;
     }
 
     [[nodiscard]] RayHit cast(const RayCaster& caster, const StoredRay& ray) const {
@@ -275,8 +275,8 @@ class CameraFrame {
         if (hit.object_id != ids_.at(x, y)) return false;
         const double metres = 0.001 * depth_.at(x, y);
         if (hit.object_id == 0) return metres == 0.0;
-        if (hit.distance > kFarthest - kRounding && metres == 0.0) return true;
-        return std::abs(hit.distance - metres) <= kRounding + 1e-5 * metres;
+        if (hit.distance > kCamerasFarthest - kCamerasRounding && metres == 0.0) return true;
+        return std::abs(hit.distance - metres) <= kCamerasRounding + 1e-5 * metres;
     }
 
     /// Whether a ray close to the pixel's centre agrees. At object edges rounding decides, and of
@@ -293,12 +293,14 @@ class CameraFrame {
         const StoredRay& ray = *rays_[static_cast<std::size_t>(y) * camera_.width + x];
         const double metres = 0.001 * depth_.at(x, y);
         const RayHit hit = cast(caster, ray);
-        if (id == 0 || !dataset_.object(id) || std::abs(hit.distance - metres) > 2.0 * kRounding) {
+        if (id == 0 || !dataset_.object(id) ||
+            std::abs(hit.distance - metres) > 2.0 * kCamerasRounding) {
             return false;
         }
-        const Eigen::Vector3d start = ray.origin + (metres - 2.0 * kRounding) * ray.direction;
+        const Eigen::Vector3d start =
+            ray.origin + (metres - 2.0 * kCamerasRounding) * ray.direction;
         return caster.meetsObject(id, pose_.toWorld(start), pose_.rotation * ray.direction,
-                                  4.0 * kRounding);
+                                  4.0 * kCamerasRounding);
     }
 
     const StoredDataset& dataset_;

@@ -11,7 +11,7 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 class CardReport {
   public:
@@ -25,7 +25,7 @@ class CardReport {
         if (std::abs(found - expected) <= 1e-9 * std::max(1.0, std::abs(expected))) return;
         add(place, fmt::format("{:.12g}", found), fmt::format("{:.12g}", expected));
     }
-    void same(const std::string& place, const Json& found, const Json& expected) {
+    void same(const std::string& place, const OrderedJson& found, const OrderedJson& expected) {
         if (found != expected) add(place, found.dump(), expected.dump());
     }
 
@@ -43,9 +43,9 @@ void checkLens(const StoredDataset& dataset, CardReport& report) {
     report.near(at + "fy", lens.fy, lens.fx);
     report.near(at + "cx", lens.cx, 0.5 * lens.width);
     report.near(at + "cy", lens.cy, 0.5 * lens.height);
-    const Json& parameters = dataset.card.at("parameters");
+    const OrderedJson& parameters = dataset.card.at("parameters");
     if (!parameters.contains("camera")) return;
-    const Json& camera = parameters["camera"];
+    const OrderedJson& camera = parameters["camera"];
     report.near(at + "width", lens.width, camera.value("width_px", 0.0));
     report.near(at + "height", lens.height, camera.value("height_px", 0.0));
     report.near(at + "hfov_deg", dataset.hfov_deg, camera.value("hfov_deg", 0.0));
@@ -54,11 +54,11 @@ void checkLens(const StoredDataset& dataset, CardReport& report) {
 
 /// Checks conventions that readers take for granted.
 void checkConventions(const StoredDataset& dataset, CardReport& report) {
-    const Json& all = dataset.card.at("conventions");
-    const auto same = [&](const std::string& group, const char* key, const Json& expected) {
-        const Json& of = group.empty() ? all : all.at(group);
+    const OrderedJson& all = dataset.card.at("conventions");
+    const auto same = [&](const std::string& group, const char* key, const OrderedJson& expected) {
+        const OrderedJson& of = group.empty() ? all : all.at(group);
         const std::string place = "conventions." + (group.empty() ? "" : group + ".") + key;
-        report.same(place, of.contains(key) ? of[key] : Json(), expected);
+        report.same(place, of.contains(key) ? of[key] : OrderedJson(), expected);
     };
     same("", "length_unit", "m");
     same("", "quaternion_order", "x y z w");
@@ -72,7 +72,7 @@ void checkConventions(const StoredDataset& dataset, CardReport& report) {
 }
 
 void checkTables(const StoredDataset& dataset, CardReport& report) {
-    const Json& classes = dataset.card.at("classes");
+    const OrderedJson& classes = dataset.card.at("classes");
     const ClassTable& table = dataset.classes();
     report.same("the number of classes", classes.size(), table.classes().size() + 1);
     for (std::size_t i = 0; i < classes.size() && i <= table.classes().size(); ++i) {
@@ -99,9 +99,9 @@ void checkTables(const StoredDataset& dataset, CardReport& report) {
 
 /// Checks that objects stand or hang on existing objects.
 void checkRelations(const StoredDataset& dataset, CardReport& report) {
-    const Json& objects = dataset.card.at("objects");
+    const OrderedJson& objects = dataset.card.at("objects");
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        for (const Json& relation : objects[i].at("relations")) {
+        for (const OrderedJson& relation : objects[i].at("relations")) {
             const std::string place = fmt::format("a relation of objects[{}]", i);
             const auto kind = relation.at("kind").get<std::string>();
             if (kind != "on" && kind != "in" && kind != "hangs_on") {
@@ -116,7 +116,7 @@ void checkRelations(const StoredDataset& dataset, CardReport& report) {
 }
 
 void checkFrames(const StoredDataset& dataset, CardReport& report) {
-    const Json& frames = dataset.card.at("frames");
+    const OrderedJson& frames = dataset.card.at("frames");
     report.same("trajectory_sha256", dataset.card.at("trajectory_sha256"),
                 sha256Of(std::string_view(frames.dump())));
     for (std::size_t i = 0; i < frames.size(); ++i) {

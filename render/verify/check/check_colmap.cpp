@@ -16,8 +16,8 @@ constexpr const char* kCameras = "sparse/0/cameras.txt";
 constexpr const char* kImages = "sparse/0/images.txt";
 constexpr const char* kPoints = "sparse/0/points3D.txt";
 
-constexpr double kLens_px = 1e-6;      // the file has nine digits
-constexpr double kOnSurface_m = 1e-4;  // error of single precision in the largest rooms
+constexpr double kColmapLens_px = 1e-6;  // the file has nine digits
+constexpr double kOnSurface_m = 1e-4;    // error of single precision in the largest rooms
 
 /// m, and share of depth: a point may lie this far in front of the surrounding pixels' surface.
 constexpr double kBefore_m = 0.01;
@@ -78,7 +78,7 @@ void checkCameras(const StoredDataset& dataset, Findings& findings) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const auto found = parseNumber(words[i + 2], kCameras, lines.front().first);
         if (!found) return wrong(found.error().message, "a number");
-        if (std::abs(*found - expected[i]) <= kLens_px) continue;
+        if (std::abs(*found - expected[i]) <= kColmapLens_px) continue;
         wrong(fmt::format("{:.9g}", *found), fmt::format("{:.9g}", expected[i]));
     }
 }

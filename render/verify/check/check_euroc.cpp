@@ -18,8 +18,8 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kPose = 1e-6;     // m, and quaternion components
-constexpr double kLens_px = 1e-6;  // numbers have nine digits
+constexpr double kPose = 1e-6;          // m, and quaternion components
+constexpr double kEurocLens_px = 1e-6;  // numbers have nine digits
 
 std::vector<std::string_view> splitAt(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -120,7 +120,7 @@ class EurocCheck {
             const auto words =
                 i < fields.size() ? splitWords(fields[i]) : std::vector<std::string_view>{};
             const auto number = parseNumber(words.size() == 1 ? words[0] : "none", file, 1);
-            if (number && std::abs(*number - expected[i]) <= kLens_px) continue;
+            if (number && std::abs(*number - expected[i]) <= kEurocLens_px) continue;
             return add(file, {}, fmt::format("{}, number {}", key, i + 1),
                        fmt::format("{:.9g}", expected[i]));
         }

@@ -15,7 +15,7 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Limits within which frames beside a held-back frame are left out.
 struct Guard {
@@ -27,12 +27,12 @@ class FoldCheck {
     FoldCheck(const StoredDataset& dataset, Findings& findings)
         : dataset_(dataset), findings_(findings) {}
 
-    void run(const Json& convention) {
+    void run(const OrderedJson& convention) {
         const int count = convention.at("count").get<int>();
         const bool by_room = convention.at("split_by").get<std::string>() == "room";
         Guard guard;
         if (!by_room) {
-            const Json& left_out = convention.at("left_out");
+            const OrderedJson& left_out = convention.at("left_out");
             guard = {left_out.at("closer_s").get<double>(), left_out.at("closer_m").get<double>(),
                      left_out.at("turned_less_deg").get<double>() * std::numbers::pi / 180.0};
         }
@@ -190,7 +190,7 @@ class FoldCheck {
 CheckWork beginFolds(const Subject& subject, Findings& findings) {
     try {
         FoldCheck(subject.dataset, findings).run(subject.dataset.card.at("folds"));
-    } catch (const Json::exception& error) {
+    } catch (const OrderedJson::exception& error) {
         findings.add({"dataset.json", {}, {}, plainReason(error), "folds"});
     }
     return {};

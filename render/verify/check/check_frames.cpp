@@ -14,10 +14,10 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr const char* kFile = "frames.csv";
+constexpr const char* kFramesFile = "frames.csv";
 
 /// The file has six digits per number.
-constexpr double kRounding = 1e-5;
+constexpr double kFramesRounding = 1e-5;
 
 struct FramesTable {
     NumberTable rows;
@@ -40,9 +40,9 @@ class FramesReport {
             // Near an expected 0, differences below the file's six digits are accepted.
             if (!found) return;
             const double off = std::abs(*found - *expected);
-            if (off <= kRounding * std::max(std::abs(*expected), 0.01)) return;
+            if (off <= kFramesRounding * std::max(std::abs(*expected), 0.01)) return;
         }
-        findings_.add({fmt::format("{}:{}", kFile, frame + 2),
+        findings_.add({fmt::format("{}:{}", kFramesFile, frame + 2),
                        static_cast<int>(frame),
                        {},
                        column + " " + text(found),
@@ -52,9 +52,9 @@ class FramesReport {
     /// Requires a number between `low` and `high`.
     void within(std::size_t frame, const std::string& column, double low, double high) {
         const std::optional<double> found = table_.rows.number(frame, column);
-        const double rounding = kRounding * std::max(std::abs(low), std::abs(high));
+        const double rounding = kFramesRounding * std::max(std::abs(low), std::abs(high));
         if (found && *found >= low - rounding && *found <= high + rounding) return;
-        findings_.add({fmt::format("{}:{}", kFile, frame + 2),
+        findings_.add({fmt::format("{}:{}", kFramesFile, frame + 2),
                        static_cast<int>(frame),
                        {},
                        column + (found ? fmt::format(" {:.6g}", *found) : std::string(" nothing")),
@@ -179,13 +179,13 @@ void takeBoxes(const StoredDataset& dataset, FrameImages& images, FramesTable& t
 
 CheckWork beginFrames(const Subject& subject, Findings& findings) {
     const StoredDataset& dataset = subject.dataset;
-    Result<NumberTable> rows = NumberTable::read(dataset.folder / kFile);
+    Result<NumberTable> rows = NumberTable::read(dataset.folder / kFramesFile);
     if (!rows) {
-        findings.add({kFile, {}, {}, describe(rows.error()), "a table"});
+        findings.add({kFramesFile, {}, {}, describe(rows.error()), "a table"});
         return {};
     }
     if (rows->rows() != dataset.frames.size()) {
-        findings.add({kFile,
+        findings.add({kFramesFile,
                       {},
                       {},
                       fmt::format("{} rows", rows->rows()),

@@ -11,10 +11,10 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr const char* kFile = "trajectory.glb";
+constexpr const char* kGltfFile = "trajectory.glb";
 
 /// m and radians near the origin; the file has 32-bit floats with 24 bits of precision.
-constexpr double kTolerance = 1e-6;
+constexpr double kGltfTolerance = 1e-6;
 constexpr double kFloatStep = 1.2e-7;
 
 /// y up: (x, z, -y) of the world.
@@ -55,22 +55,22 @@ class NodeCheck {
 
     void compare(std::size_t key, int frame, const ExpectedKey& expected) {
         const auto wrong = [&](std::string found, std::string right) {
-            findings_.add({kFile, frame, {}, name_ + ": " + found, std::move(right)});
+            findings_.add({kGltfFile, frame, {}, name_ + ": " + found, std::move(right)});
         };
         const StoredFrame& stored = dataset_.frames[frame];
-        if (!(awayAt(key, stored) <= kTolerance + kFloatStep * std::abs(stored.time_s))) {
+        if (!(awayAt(key, stored) <= kGltfTolerance + kFloatStep * std::abs(stored.time_s))) {
             return wrong(fmt::format("its nearest key is at {:.7g} s", keys_.times_s[key]),
                          fmt::format("{:.7f} s", stored.time_s));
         }
         const double away = (keys_.translations[key].cast<double>() - expected.position).norm();
-        if (!(away <= kTolerance + kFloatStep * expected.position.norm())) {
+        if (!(away <= kGltfTolerance + kFloatStep * expected.position.norm())) {
             wrong(fmt::format("{:.3g} m off", away), "the position in dataset.json");
         }
         const Eigen::Vector4d q = keys_.rotations[key].cast<double>();
         const Eigen::Matrix3d rotation =
             Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized().toRotationMatrix();
         const double turned = (rotation - expected.rotation).norm() / std::sqrt(2.0);
-        if (!(turned <= kTolerance && std::abs(q.norm() - 1.0) <= kTolerance)) {
+        if (!(turned <= kGltfTolerance && std::abs(q.norm() - 1.0) <= kGltfTolerance)) {
             wrong(fmt::format("turned by {:.3g} rad", turned), "the rotation in dataset.json");
         }
     }
@@ -83,17 +83,17 @@ class NodeCheck {
 
 void checkNode(const StoredDataset& dataset, const GlbFile& file, int node, const std::string& name,
                Findings& findings, const std::function<ExpectedKey(const StoredFrame&)>& expected) {
-    if (node < 0) return findings.add({kFile, {}, {}, "no node " + name, "one"});
+    if (node < 0) return findings.add({kGltfFile, {}, {}, "no node " + name, "one"});
     const Result<NodeKeys> keys = file.keys(node);
-    if (!keys) return findings.add({kFile, {}, {}, name + ": " + keys.error().message, "keys"});
+    if (!keys) return findings.add({kGltfFile, {}, {}, name + ": " + keys.error().message, "keys"});
     NodeCheck(dataset, *keys, name, findings).run(expected);
 }
 
 void checkLens(const StoredDataset& dataset, const nlohmann::json& root, Findings& findings) {
     const auto& lens = root.at("cameras").at(0).at("perspective");
     const double yfov = 2.0 * std::atan(0.5 * dataset.lens.height / dataset.lens.fy);
-    if (std::abs(lens.at("yfov").get<double>() - yfov) <= kTolerance) return;
-    findings.add({kFile,
+    if (std::abs(lens.at("yfov").get<double>() - yfov) <= kGltfTolerance) return;
+    findings.add({kGltfFile,
                   {},
                   {},
                   fmt::format("yfov {:.7g}", lens.at("yfov").get<double>()),
@@ -104,9 +104,9 @@ void checkLens(const StoredDataset& dataset, const nlohmann::json& root, Finding
 
 CheckWork beginGltf(const Subject& subject, Findings& findings) {
     const StoredDataset& dataset = subject.dataset;
-    const Result<GlbFile> file = GlbFile::read(dataset.folder / kFile);
+    const Result<GlbFile> file = GlbFile::read(dataset.folder / kGltfFile);
     if (!file) {
-        findings.add({kFile, {}, {}, file.error().message, "glTF 2.0"});
+        findings.add({kGltfFile, {}, {}, file.error().message, "glTF 2.0"});
         return {};
     }
     const Eigen::Matrix3d turn = gltfFromWorld();
@@ -142,7 +142,7 @@ CheckWork beginGltf(const Subject& subject, Findings& findings) {
                       });
         }
     } catch (const nlohmann::json::exception& error) {
-        findings.add({kFile, {}, {}, plainReason(error), "a scene with an animated camera"});
+        findings.add({kGltfFile, {}, {}, plainReason(error), "a scene with an animated camera"});
     }
     return {};
 }

@@ -14,11 +14,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kTolerance = 1e-6;
+constexpr double kHdf5Tolerance = 1e-6;
 
-class FrameCheck {
+class Hdf5FrameCheck {
   public:
-    FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
+    Hdf5FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
         : dataset_(dataset),
           images_(images),
           findings_(findings),
@@ -85,7 +85,7 @@ class FrameCheck {
         if (!metres || !depth) return;
         // A depth image in millimetres does not cover depth beyond its range.
         const bool exact = std::string_view(depth->modality) == "depth_exr";
-        compare("depth", *metres, 1, depth->rounding_m + kTolerance, [&](std::size_t i) {
+        compare("depth", *metres, 1, depth->rounding_m + kHdf5Tolerance, [&](std::size_t i) {
             const double known = depth->metres.values[i];
             return known > 0.0 || exact ? known : std::nan("");
         });
@@ -143,7 +143,7 @@ class FrameCheck {
             const auto at = static_cast<Eigen::Index>(i);
             off = std::max(off, std::abs(rows[i / 4][i % 4] - expected(at / 4, at % 4)));
         }
-        if (!(off <= kTolerance)) add(fmt::format("campose {:.3g} off", off), "dataset.json's");
+        if (!(off <= kHdf5Tolerance)) add(fmt::format("campose {:.3g} off", off), "dataset.json's");
     }
 
     const StoredDataset& dataset_;
@@ -158,7 +158,7 @@ CheckWork beginHdf5(const Subject& subject, Findings& /*findings*/) {
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
         try {
-            FrameCheck(dataset, images, findings).run();
+            Hdf5FrameCheck(dataset, images, findings).run();
         } catch (const Json::exception& error) {
             findings.add({fmt::format("hdf5/{:06}.hdf5", images.frame()),
                           images.frame(),

@@ -14,7 +14,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr const char* kFile = "imu.csv";
+constexpr const char* kImuFile = "imu.csv";
 using Samples = std::vector<ImuSample>;
 
 /// Tolerance of a span's integral: a fixed part for the file's digits, and a part for the unknown
@@ -174,7 +174,8 @@ class ImuCheck {
 
   private:
     void add(std::size_t frame, std::string found, std::string expected) {
-        findings_.add({kFile, static_cast<int>(frame), {}, std::move(found), std::move(expected)});
+        findings_.add(
+            {kImuFile, static_cast<int>(frame), {}, std::move(found), std::move(expected)});
     }
 
     [[nodiscard]] bool measuredBetween(double begin, double end) const {
@@ -228,9 +229,9 @@ CheckWork beginImu(const Subject& subject, Findings& findings) {
         return {};
     }
     if (dataset.frames.size() < 2 || !(rate_hz > 0.0)) return {};
-    Result<Samples> samples = readSamples(dataset.folder / kFile);
+    Result<Samples> samples = readSamples(dataset.folder / kImuFile);
     if (!samples) {
-        findings.add({kFile, {}, {}, describe(samples.error()), "EuRoC's columns"});
+        findings.add({kImuFile, {}, {}, describe(samples.error()), "EuRoC's columns"});
         return {};
     }
     ImuCheck(dataset, std::move(*samples), 1.0 / rate_hz, findings).run();

@@ -13,7 +13,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr const char* kFile = "instances.csv";
+constexpr const char* kInstancesFile = "instances.csv";
 
 struct InstancesTable {
     NumberTable rows;
@@ -29,7 +29,7 @@ class RowReport {
     void compare(const std::string& column, double expected, double tolerance = 0.0) {
         const std::optional<double> found = table_.rows.number(row_, column);
         if (found && std::abs(*found - expected) <= tolerance) return;
-        findings_.add({fmt::format("{}:{}", kFile, row_ + 2),
+        findings_.add({fmt::format("{}:{}", kInstancesFile, row_ + 2),
                        frame_,
                        {},
                        fmt::format("{} {}", column,
@@ -124,9 +124,9 @@ void compareBox(RowReport& row, const StoredObject& object, const StoredFrame& f
 }
 
 std::shared_ptr<InstancesTable> readTable(const StoredDataset& dataset, Findings& findings) {
-    Result<NumberTable> rows = NumberTable::read(dataset.folder / kFile);
+    Result<NumberTable> rows = NumberTable::read(dataset.folder / kInstancesFile);
     if (!rows) {
-        findings.add({kFile, {}, {}, describe(rows.error()), "a table"});
+        findings.add({kInstancesFile, {}, {}, describe(rows.error()), "a table"});
         return nullptr;
     }
     auto table = std::make_shared<InstancesTable>(InstancesTable{std::move(*rows), {}});
@@ -136,7 +136,7 @@ std::shared_ptr<InstancesTable> readTable(const StoredDataset& dataset, Findings
         const auto id = static_cast<int>(table->rows.number(row, "object_id").value_or(0.0));
         const bool fits = frame >= 0.0 && frame < static_cast<double>(dataset.frames.size());
         if (!fits || !dataset.object(id) || !table->of_frame[frame].emplace(id, row).second) {
-            findings.add({fmt::format("{}:{}", kFile, row + 2),
+            findings.add({fmt::format("{}:{}", kInstancesFile, row + 2),
                           {},
                           {},
                           fmt::format("frame {}, object {}", frame, id),
@@ -156,7 +156,7 @@ void compareFrame(const StoredDataset& dataset, const InstancesTable& table, Fra
     for (const auto& [id, shown] : seen) {
         const StoredObject* object = dataset.object(id);
         if (!object || object->role != "target" || rows.contains(id)) continue;
-        findings.add({kFile, frame, std::array{shown.x0, shown.y0},
+        findings.add({kInstancesFile, frame, std::array{shown.x0, shown.y0},
                       fmt::format("no row of object {}", id), "one, because it is visible"});
     }
     std::vector<AmodalMask> masks;

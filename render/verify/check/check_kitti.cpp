@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kCalibration = "calib.txt";
 constexpr const char* kTimes = "times.txt";
-constexpr double kTolerance = 1e-6;  // the file has nine digits
+constexpr double kKittiTolerance = 1e-6;  // the file has nine digits
 constexpr double kStepsPerPixel = 64.0;
 constexpr double kMiddle = 32768.0;
 
@@ -46,7 +46,7 @@ void compareProjection(const StoredDataset& dataset, int camera, int line,
         if (!found) return wrong(found.error().message, "a number");
         // Without a baseline elsewhere in the dataset, only the sign can be checked.
         if (i == 3 && right && !baseline && *found < 0.0) continue;
-        if (std::abs(*found - expected[i]) <= kTolerance) continue;
+        if (std::abs(*found - expected[i]) <= kKittiTolerance) continue;
         return wrong(
             fmt::format("{} has {:.9g} in row {}, column {}", name, *found, i / 4 + 1, i % 4 + 1),
             fmt::format("{:.9g}", expected[i]));
@@ -86,7 +86,7 @@ void checkTimes(const StoredDataset& dataset, Findings& findings) {
     for (std::size_t i = 0; i < lines->size(); ++i) {
         const double found = (*lines)[i].values.front();
         const double expected = dataset.frames[i].time_s;
-        if (std::abs(found - expected) <= kTolerance) continue;
+        if (std::abs(found - expected) <= kKittiTolerance) continue;
         findings.add({fmt::format("{}:{}", kTimes, (*lines)[i].line),
                       static_cast<int>(i),
                       {},

@@ -14,7 +14,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kTolerance = 2e-6;  // the file has six digits
+constexpr double kKittiObjectsTolerance = 2e-6;  // the file has six digits
 constexpr std::size_t kNumbers = 14;
 
 /// A row without its type.
@@ -35,9 +35,9 @@ double angleBetween(double a, double b) {
     return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
 }
 
-class FrameCheck {
+class KittiObjectsFrameCheck {
   public:
-    FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
+    KittiObjectsFrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
         : dataset_(dataset),
           images_(images),
           findings_(findings),
@@ -100,7 +100,7 @@ class FrameCheck {
             const bool angle = i == Alpha || i == Turned;
             const double off =
                 angle ? angleBetween(found[i], expected[i]) : std::abs(found[i] - expected[i]);
-            if (off <= kTolerance) continue;
+            if (off <= kKittiObjectsTolerance) continue;
             return add(line, fmt::format("{} {:.6f}", kNames[i], found[i]),
                        fmt::format("{:.6f}, as object {} is", expected[i], object.id));
         }
@@ -139,7 +139,7 @@ class FrameCheck {
 CheckWork beginKittiObjects(const Subject& subject, Findings& /*findings*/) {
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& findings) {
-        FrameCheck(dataset, images, findings).run();
+        KittiObjectsFrameCheck(dataset, images, findings).run();
     };
     return work;
 }

@@ -1,4 +1,6 @@
 #include "render/verify/check/check_list.h"
+
+#include "engine/math/angle.h"
 #include "render/verify/compare/frame_rays.h"
 #include "render/verify/compare/interpolated_normal.h"
 
@@ -6,24 +8,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSteps = 65535.0;
+constexpr double kNormalsSteps = 65535.0;
 
 Eigen::Vector3d normalFrom(const std::uint16_t* pixel) {
-    return Eigen::Vector3d(pixel[0], pixel[1], pixel[2]) * (2.0 / kSteps) - Eigen::Vector3d::Ones();
+    return Eigen::Vector3d(pixel[0], pixel[1], pixel[2]) * (2.0 / kNormalsSteps) -
+           Eigen::Vector3d::Ones();
 }
 
 bool isNone(const std::uint16_t* pixel) {
     return pixel[0] == 0 && pixel[1] == 0 && pixel[2] == 0;
 }
 
-std::string text(const Eigen::Vector3d& n) {
+std::string normalText(const Eigen::Vector3d& n) {
     return fmt::format("({:.4f}, {:.4f}, {:.4f})", n.x(), n.y(), n.z());
 }
 
@@ -98,7 +99,7 @@ class NormalImages {
                         return nothing
                                    ? WrongPixels::Text{"no normal", fmt::format("that of object {}",
                                                                                 ids_->at(x, y))}
-                                   : WrongPixels::Text{text(normalFrom(pixel)),
+                                   : WrongPixels::Text{normalText(normalFrom(pixel)),
                                                        "none, because the pixel shows no object"};
                     });
                 }
@@ -108,7 +109,7 @@ class NormalImages {
                 if (world) along = rotation * along;
                 if (normal.dot(along) > 0.01) {
                     away.add(x, y, [&] {
-                        return WrongPixels::Text{text(normal) + ", away from the camera",
+                        return WrongPixels::Text{normalText(normal) + ", away from the camera",
                                                  "the visible side"};
                     });
                 }
@@ -135,8 +136,9 @@ class NormalImages {
                 const Eigen::Vector3d expected = rotation * normalFrom(camera);
                 if ((expected - normalFrom(world)).norm() <= 1e-4) continue;
                 pixels.add(x, y, [&] {
-                    return WrongPixels::Text{text(normalFrom(world)),
-                                             text(expected) + ", by normal_camera and the pose"};
+                    return WrongPixels::Text{
+                        normalText(normalFrom(world)),
+                        normalText(expected) + ", by normal_camera and the pose"};
                 });
             }
         }
@@ -161,8 +163,8 @@ class NormalImages {
             const Eigen::Vector3d found = worldNormal(x, y);
             if (found.dot(expected) >= std::cos(degrees * kDegree)) return;
             pixels.add(x, y, [&] {
-                return WrongPixels::Text{fmt::format("{} in the world", text(found)),
-                                         fmt::format("{}, by {}", text(expected), by)};
+                return WrongPixels::Text{fmt::format("{} in the world", normalText(found)),
+                                         fmt::format("{}, by {}", normalText(expected), by)};
             });
         };
         if (subject_.rays && images_.stored().moving.empty()) {

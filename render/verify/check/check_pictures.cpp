@@ -9,7 +9,9 @@ CheckWork beginPictures(const Subject& subject, Findings& /*findings*/) {
     const StoredDataset& dataset = subject.dataset;
     const auto alignment = std::make_shared<LabelAlignmentCheck>(dataset.frames.size(), false);
     CheckWork work;
-    work.frame = [alignment](FrameImages& images, Findings&) {
+    work.frame = [alignment, &dataset](FrameImages& images, Findings&) {
+        // Dark, white or flat images show no edges; the check of usable images reads their pixels.
+        if (dataset.unusable_frames.contains(images.frame())) return;
         const Image8* picture = images.image8("rgb");
         const Image16* ids = images.image16("instance");
         if (!picture || !ids) return;

@@ -14,7 +14,7 @@ namespace dollytrack::verify {
 namespace {
 
 /// Metres and radians; files have nine decimals.
-constexpr double kTolerance = 1e-6;
+constexpr double kPosesTolerance = 1e-6;
 constexpr double kTimeTolerance_s = 1e-6;
 
 /// World frame of a file, for a dataset with at least one frame.
@@ -73,7 +73,7 @@ void comparePose(const PoseFormat& format, const FilePose& read, const StoredFra
     const std::string file =
         read.line > 0 ? fmt::format("{}:{}", format.file, read.line) : std::string(format.file);
     const Eigen::Isometry3d expected = file_from_world * frame.pose.worldFromCamera();
-    if (!((read.position - expected.translation()).norm() <= kTolerance)) {
+    if (!((read.position - expected.translation()).norm() <= kPosesTolerance)) {
         findings.add({file,
                       index,
                       {},
@@ -84,7 +84,7 @@ void comparePose(const PoseFormat& format, const FilePose& read, const StoredFra
     // differs from a rotation counts, too.
     const double turned =
         ((read.rotation - expected.linear()).norm() + read.rotation_error) / std::sqrt(2.0);
-    if (!(turned <= kTolerance)) {
+    if (!(turned <= kPosesTolerance)) {
         findings.add({file,
                       index,
                       {},
@@ -157,7 +157,7 @@ CheckWork beginMotion(const Subject& subject, Findings& findings) {
             wrong(fmt::format("trajectory_frame {}", frame.source_frame),
                   fmt::format("after {}", frames[i - 1].source_frame));
         }
-        if (!(std::abs(frame.quaternion_length - 1.0) <= kTolerance)) {
+        if (!(std::abs(frame.quaternion_length - 1.0) <= kPosesTolerance)) {
             wrong(fmt::format("a quaternion of length {:.9g}", frame.quaternion_length), "1");
         }
     }

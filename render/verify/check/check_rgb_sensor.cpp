@@ -13,7 +13,7 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kCells = 24;           // of the reduced image, across and down
 constexpr double kFlat = 4.0;        // of 255: an image with less deviation has nothing to compare
@@ -82,7 +82,7 @@ Small straightened(const Image8& picture, const Intrinsics& lens, const StoredDi
 }
 
 /// The row exposure is the shutter time, but with a rolling shutter at least readout / looks.
-void checkRowExposure(const Json& exposure, int height, Findings& findings) {
+void checkRowExposure(const OrderedJson& exposure, int height, Findings& findings) {
     const auto number = [&](const char* key) {
         return exposure.is_object() && exposure.contains(key) && exposure[key].is_number()
                    ? exposure[key].get<double>()
@@ -102,7 +102,7 @@ void checkRowExposure(const Json& exposure, int height, Findings& findings) {
 
 /// Each parameter is stored twice, as requested and in the description of the files.
 void checkParameters(const StoredDataset& dataset, Findings& findings) {
-    const Json convention = dataset.convention("rgb_sensor");
+    const OrderedJson convention = dataset.convention("rgb_sensor");
     const auto add = [&](const std::string& what, const std::string& found, std::string expected) {
         findings.add({"dataset.json", {}, {}, what + " is " + found, std::move(expected)});
     };
@@ -110,10 +110,11 @@ void checkParameters(const StoredDataset& dataset, Findings& findings) {
         add("conventions.rgb_sensor.distortion", "missing", "k1 k2 p1 p2 k3");
         return;
     }
-    checkRowExposure(convention.value("exposure", Json::object()), dataset.lens.height, findings);
-    const Json& parameters = dataset.card.at("parameters");
+    checkRowExposure(convention.value("exposure", OrderedJson::object()), dataset.lens.height,
+                     findings);
+    const OrderedJson& parameters = dataset.card.at("parameters");
     if (!parameters.contains("sensor")) return;  // exports without a command line
-    const Json& asked = parameters["sensor"];
+    const OrderedJson& asked = parameters["sensor"];
     const std::array<std::pair<const char*, std::vector<const char*>>, 5> groups = {{
         {"distortion", {"k1", "k2", "p1", "p2", "k3"}},
         {"exposure", {"shutter_s", "readout_s", "looks"}},
@@ -122,10 +123,11 @@ void checkParameters(const StoredDataset& dataset, Findings& findings) {
         {"", {"jpeg_quality"}},
     }};
     for (const auto& [group, keys] : groups) {
-        const Json said = *group == '\0' ? convention : convention.value(group, Json::object());
+        const OrderedJson said =
+            *group == '\0' ? convention : convention.value(group, OrderedJson::object());
         for (const char* const key : keys) {
-            const Json found = said.value(key, Json());
-            const Json expected = asked.value(key, Json());
+            const OrderedJson found = said.value(key, OrderedJson());
+            const OrderedJson expected = asked.value(key, OrderedJson());
             if (found == expected) continue;
             add(fmt::format("conventions.rgb_sensor {} {}", group, key), found.dump(),
                 expected.dump() + ", as in parameters.sensor");

@@ -10,7 +10,7 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr double kSteps = 65535.0;
+constexpr double kSurfacesSteps = 65535.0;
 
 using Share = std::array<double, 3>;
 
@@ -38,7 +38,7 @@ InBox inBox(const StoredObject& object, const StoredFrame& frame, const Eigen::V
         const double size = std::max(2.0 * object.box.half_size[axis], 1e-6);
         const std::size_t i = axis;
         result.share[i] = std::clamp(here[axis] / size + 0.5, 0.0, 1.0);
-        result.off[i] = (std::abs(beside[axis] - here[axis]) + 1e-5) / size + 1.0 / kSteps;
+        result.off[i] = (std::abs(beside[axis] - here[axis]) + 1e-5) / size + 1.0 / kSurfacesSteps;
     }
     return result;
 }
@@ -66,7 +66,8 @@ CheckWork beginObjectCoordinates(const Subject& subject, Findings& /*findings*/)
                 }
                 const double metres = depth->metres.at(x, y);
                 if (metres <= 0.0) continue;
-                const Share found = {pixel[0] / kSteps, pixel[1] / kSteps, pixel[2] / kSteps};
+                const Share found = {pixel[0] / kSurfacesSteps, pixel[1] / kSurfacesSteps,
+                                     pixel[2] / kSurfacesSteps};
                 const InBox expected =
                     inBox(*object, images.stored(), dataset.lens.unproject(x + 0.5, y + 0.5),
                           metres, depth->rounding_m);

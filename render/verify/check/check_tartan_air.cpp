@@ -16,7 +16,7 @@ namespace dollytrack::verify {
 namespace {
 
 constexpr const char* kRightPoses = "pose_right.txt";
-constexpr double kTolerance = 1e-6;  // m and radians
+constexpr double kTartanAirTolerance = 1e-6;  // m and radians
 constexpr double kNothing_m = 10'000.0;
 
 /// The right camera of each frame is the left one moved along its x axis by one baseline.
@@ -44,7 +44,7 @@ void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
         const Eigen::Matrix3d rotation = world_from_ned.asDiagonal() * read.rotation;
         const double turned = (rotation - left.rotation.toRotationMatrix()).norm() / std::sqrt(2.0);
         const double away = (offset - Eigen::Vector3d(*baseline, 0.0, 0.0)).norm();
-        if (away <= kTolerance && turned <= kTolerance) continue;
+        if (away <= kTartanAirTolerance && turned <= kTartanAirTolerance) continue;
         findings.add({fmt::format("{}:{}", kRightPoses, read.line),
                       static_cast<int>(i),
                       {},
@@ -55,9 +55,9 @@ void checkRightPoses(const StoredDataset& dataset, Findings& findings) {
     }
 }
 
-class FrameCheck {
+class TartanAirFrameCheck {
   public:
-    FrameCheck(const Subject& subject, FrameImages& images, Findings& findings)
+    TartanAirFrameCheck(const Subject& subject, FrameImages& images, Findings& findings)
         : subject_(subject),
           dataset_(subject.dataset),
           images_(images),
@@ -204,7 +204,7 @@ CheckWork beginTartanAir(const Subject& subject, Findings& findings) {
     checkRightPoses(subject.dataset, findings);
     CheckWork work;
     work.frame = [&subject](FrameImages& images, Findings& found) {
-        FrameCheck(subject, images, found).run();
+        TartanAirFrameCheck(subject, images, found).run();
     };
     return work;
 }

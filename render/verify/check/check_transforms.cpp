@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kTolerance = 1e-9;
+constexpr double kTransformsTolerance = 1e-9;
 
 /// Differences between the two formats.
 struct TransformsFile {
@@ -64,7 +64,8 @@ class FileCheck {
 
     void compare(const Json& root, const char* key, double expected) {
         const double found = root.at(key).get<double>();
-        if (std::abs(found - expected) <= kTolerance * std::max(1.0, std::abs(expected))) return;
+        if (std::abs(found - expected) <= kTransformsTolerance * std::max(1.0, std::abs(expected)))
+            return;
         add({}, fmt::format("{} {:.9g}", key, found), fmt::format("{:.9g}", expected));
     }
 

@@ -11,9 +11,9 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::array kKinds = {"dark", "white", "flat"};
+constexpr std::array kUnusableKinds = {"dark", "white", "flat"};
 
 /// Luma of the pixels, row 0 at the top.
 std::vector<int> lumasOf(const Image8& picture) {
@@ -75,8 +75,9 @@ std::string qualityOf(const Image8& picture) {
 /// By frame: its quality in dataset.json. A frame in two lists gets an invalid name.
 std::vector<std::string> readLists(const StoredDataset& dataset, Findings& findings) {
     std::vector<std::string> listed(dataset.frames.size());
-    const Json& pictures = dataset.card.at("metrics").at("pictures");
-    const auto differs = [&](const std::string& what, const Json& found, const Json& expected) {
+    const OrderedJson& pictures = dataset.card.at("metrics").at("pictures");
+    const auto differs = [&](const std::string& what, const OrderedJson& found,
+                             const OrderedJson& expected) {
         findings.add({"dataset.json",
                       {},
                       {},
@@ -85,7 +86,7 @@ std::vector<std::string> readLists(const StoredDataset& dataset, Findings& findi
     };
     const auto frames = static_cast<int>(dataset.frames.size());
     if (pictures.at("measured") != frames) differs("measured", pictures["measured"], frames);
-    for (const char* kind : kKinds) {
+    for (const char* kind : kUnusableKinds) {
         const auto list = pictures.at(kind).get<std::vector<int>>();
         for (const int frame : list) {
             if (frame < 0 || frame >= frames) {
@@ -96,7 +97,7 @@ std::vector<std::string> readLists(const StoredDataset& dataset, Findings& findi
         }
         const std::string name = std::string(kind) + "_rate";
         const double rate = static_cast<double>(list.size()) / std::max(frames, 1);
-        const Json& given = pictures.at(name);
+        const OrderedJson& given = pictures.at(name);
         if (!given.is_number() || std::abs(given.get<double>() - rate) > 1e-9) {
             differs(name, given, rate);
         }

@@ -14,9 +14,9 @@
 namespace dollytrack::verify {
 namespace {
 
-constexpr const char* kFile = "preview.mp4";
-constexpr double kRate = 0.002;     // relative; the rate is stored as a fraction
-constexpr double kFarthest = 12.0;  // mean difference of 255 that compression may cause
+constexpr const char* kVideoFile = "preview.mp4";
+constexpr double kRate = 0.002;          // relative; the rate is stored as a fraction
+constexpr double kVideoFarthest = 12.0;  // mean difference of 255 that compression may cause
 
 class VideoCheck {
   public:
@@ -25,9 +25,9 @@ class VideoCheck {
 
     void run() {
         // FFmpeg opens by name and would block on a pipe.
-        const Result<InputFile> file = openNamedFile(dataset_.folder / kFile);
+        const Result<InputFile> file = openNamedFile(dataset_.folder / kVideoFile);
         if (!file) return add({}, file.error().message, "an MP4");
-        cv::VideoCapture video((dataset_.folder / kFile).string(), cv::CAP_FFMPEG);
+        cv::VideoCapture video((dataset_.folder / kVideoFile).string(), cv::CAP_FFMPEG);
         if (!video.isOpened()) return add({}, "it cannot be opened", "an MP4");
         checkRate(video.get(cv::CAP_PROP_FPS));
         const int frames = static_cast<int>(dataset_.frames.size());
@@ -44,7 +44,7 @@ class VideoCheck {
 
   private:
     void add(std::optional<int> frame, std::string found, std::string expected) {
-        findings_.add({kFile, frame, {}, std::move(found), std::move(expected)});
+        findings_.add({kVideoFile, frame, {}, std::move(found), std::move(expected)});
     }
 
     /// A second of the video must be a second of the trajectory.
@@ -76,9 +76,9 @@ class VideoCheck {
         cv::absdiff(picture, rgb(cv::Rect({0, 0}, size)), difference);
         const cv::Scalar mean = cv::mean(difference);
         const double off = (mean[0] + mean[1] + mean[2]) / 3.0;
-        if (off <= kFarthest) return;
+        if (off <= kVideoFarthest) return;
         add(frame, fmt::format("an image that differs by {:.0f} of 255 from rgb", off),
-            fmt::format("at most {:g}", kFarthest));
+            fmt::format("at most {:g}", kVideoFarthest));
     }
 
     const StoredDataset& dataset_;
@@ -91,7 +91,7 @@ CheckWork beginVideo(const Subject& subject, Findings& findings) {
     try {
         VideoCheck(subject.dataset, findings).run();
     } catch (const cv::Exception& error) {
-        findings.add({kFile, {}, {}, error.what(), "an MP4"});
+        findings.add({kVideoFile, {}, {}, error.what(), "an MP4"});
     }
     return {};
 }

@@ -151,9 +151,9 @@ void checkSplit(const StoredDataset& dataset, Findings& findings) {
     }
 }
 
-class FrameCheck {
+class YoloFrameCheck {
   public:
-    FrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
+    YoloFrameCheck(const StoredDataset& dataset, FrameImages& images, Findings& findings)
         : dataset_(dataset),
           images_(images),
           frame_(images.frame()),
@@ -259,7 +259,7 @@ CheckWork beginYolo(const Subject& subject, Findings& findings) {
     checkSplit(subject.dataset, findings);
     CheckWork work;
     work.frame = [&dataset = subject.dataset](FrameImages& images, Findings& found) {
-        FrameCheck(dataset, images, found).run();
+        YoloFrameCheck(dataset, images, found).run();
     };
     return work;
 }

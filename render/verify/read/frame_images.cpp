@@ -13,7 +13,7 @@ namespace {
 
 using Type = ImageKind::Type;
 
-constexpr std::array kKinds = {
+constexpr std::array kImageKinds = {
     ImageKind{"rgb", ".png", Type::Bits8, 3, nullptr},
     ImageKind{"depth", ".png", Type::Bits16, 1, nullptr},
     ImageKind{"instance", ".png", Type::Bits16, 1, nullptr},
@@ -64,11 +64,11 @@ bool isRounded(double metres, std::uint16_t millimetres) {
 }
 
 std::span<const ImageKind> imageKinds() {
-    return kKinds;
+    return kImageKinds;
 }
 
 const ImageKind* imageKind(std::string_view modality) {
-    for (const ImageKind& kind : kKinds) {
+    for (const ImageKind& kind : kImageKinds) {
         if (modality == kind.modality) return &kind;
     }
     return nullptr;

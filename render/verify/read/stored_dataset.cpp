@@ -14,24 +14,24 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // px. Exports have at most 8192; a damaged dataset.json with larger sizes must not exhaust memory.
 constexpr int kLargestSide = 1 << 14;
 constexpr double kFarthest_m = 1e6;  // as in trajectory files
 constexpr double kLargestNumber = 1e6;
 
-Eigen::Vector3d vectorFrom(const Json& value) {
+Eigen::Vector3d vectorFrom(const OrderedJson& value) {
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }
 
-Eigen::Quaterniond quaternionFrom(const Json& value) {
+Eigen::Quaterniond quaternionFrom(const OrderedJson& value) {
     return {value.at(3).get<double>(), value.at(0).get<double>(), value.at(1).get<double>(),
             value.at(2).get<double>()};
 }
 
-void readLens(const Json& card, StoredDataset& dataset) {
-    const Json& lens = card.at("conventions").at("intrinsics");
+void readLens(const OrderedJson& card, StoredDataset& dataset) {
+    const OrderedJson& lens = card.at("conventions").at("intrinsics");
     dataset.lens = {lens.at("width").get<int>(), lens.at("height").get<int>(),
                     lens.at("fx").get<double>(), lens.at("fy").get<double>(),
                     lens.at("cx").get<double>(), lens.at("cy").get<double>()};
@@ -39,8 +39,8 @@ void readLens(const Json& card, StoredDataset& dataset) {
     dataset.near_m = lens.at("near_m").get<double>();
 }
 
-StoredObject objectFrom(const Json& one) {
-    const Json& box = one.at("box");
+StoredObject objectFrom(const OrderedJson& one) {
+    const OrderedJson& box = one.at("box");
     return {one.at("id").get<int>(),
             one.at("name").get<std::string>(),
             one.at("nyu40").get<int>(),
@@ -50,7 +50,7 @@ StoredObject objectFrom(const Json& one) {
             one.contains("class_id") ? one["class_id"].get<int>() : one.at("nyu40").get<int>()};
 }
 
-StoredFrame frameFrom(const Json& one) {
+StoredFrame frameFrom(const OrderedJson& one) {
     StoredFrame frame;
     frame.source_frame = one.at("trajectory_frame").get<int>();
     frame.time_s = one.at("time_s").get<double>();
@@ -59,7 +59,7 @@ StoredFrame frameFrom(const Json& one) {
     frame.quaternion_length = rotation.norm();
     frame.pose.rotation = rotation.normalized();
     if (!one.contains("moving")) return frame;
-    for (const Json& moved : one["moving"]) {
+    for (const OrderedJson& moved : one["moving"]) {
         MovedObject object{moved.at("object_id").get<int>()};
         object.now_from_rest.linear() =
             quaternionFrom(moved.at("quaternion_xyzw")).normalized().toRotationMatrix();
@@ -70,12 +70,12 @@ StoredFrame frameFrom(const Json& one) {
 }
 
 /// Frames that dataset.json lists as unusable; the check `usable` verifies the lists.
-std::set<int> readUnusableFrames(const Json& card) {
+std::set<int> readUnusableFrames(const OrderedJson& card) {
     std::set<int> frames;
     for (const char* kind : {"dark", "white", "flat"}) {
-        const Json::json_pointer list(std::string("/metrics/pictures/") + kind);
+        const OrderedJson::json_pointer list(std::string("/metrics/pictures/") + kind);
         if (!card.contains(list)) continue;
-        for (const Json& frame : card.at(list)) {
+        for (const OrderedJson& frame : card.at(list)) {
             if (frame.is_number_integer()) frames.insert(frame.get<int>());
         }
     }
@@ -84,11 +84,11 @@ std::set<int> readUnusableFrames(const Json& card) {
 
 /// @param field  set to the field being read, for the message if reading throws
 Status readCard(StoredDataset& dataset, std::string& field) {
-    const Json& card = dataset.card;
-    const auto list = [&](const char* name) -> const Json& {
+    const OrderedJson& card = dataset.card;
+    const auto list = [&](const char* name) -> const OrderedJson& {
         field = name;
-        const Json& all = card.at(name);
-        if (!all.is_array()) (void)all.get<Json::array_t>();  // throws
+        const OrderedJson& all = card.at(name);
+        if (!all.is_array()) (void)all.get<OrderedJson::array_t>();  // throws
         return all;
     };
     field = "labels";
@@ -103,11 +103,11 @@ Status readCard(StoredDataset& dataset, std::string& field) {
     readLens(card, dataset);
     dataset.modalities = list("modalities").get<std::vector<std::string>>();
     dataset.formats = list("formats").get<std::vector<std::string>>();
-    for (const Json& one : list("objects")) {
+    for (const OrderedJson& one : list("objects")) {
         field = fmt::format("objects[{}]", dataset.objects.size());
         dataset.objects.push_back(objectFrom(one));
     }
-    for (const Json& one : list("frames")) {
+    for (const OrderedJson& one : list("frames")) {
         field = fmt::format("frames[{}]", dataset.frames.size());
         dataset.frames.push_back(frameFrom(one));
     }
@@ -195,9 +195,9 @@ int StoredDataset::pixelClass(int object_id) const {
     return found ? found->class_id : classes().voidClass().id;
 }
 
-Json StoredDataset::convention(const std::string& name) const {
-    const Json& all = card.at("conventions");
-    return all.contains(name) ? all[name] : Json();
+OrderedJson StoredDataset::convention(const std::string& name) const {
+    const OrderedJson& all = card.at("conventions");
+    return all.contains(name) ? all[name] : OrderedJson();
 }
 
 Eigen::Isometry3d cameraFromBox(const StoredObject& object, const StoredFrame& frame) {

@@ -13,12 +13,12 @@
 namespace dollytrack::verify {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kLargestSide = 1 << 14;
 
-Pose poseFrom(const Json& value, double* length = nullptr) {
+Pose poseFrom(const OrderedJson& value, double* length = nullptr) {
     const auto p = value.at("position").get<std::array<double, 3>>();
     const auto q = value.at("quaternion_xyzw").get<std::array<double, 4>>();
     const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
@@ -31,11 +31,11 @@ bool isPlainName(const std::string& name) {
            name != "..";
 }
 
-StoredCamera cameraFrom(const Json& one) {
+StoredCamera cameraFrom(const OrderedJson& one) {
     StoredCamera camera;
     camera.name = one.at("name").get<std::string>();
     camera.lens = one.at("lens").get<std::string>();
-    const Json& lens = one.at("intrinsics");
+    const OrderedJson& lens = one.at("intrinsics");
     camera.width = lens.at("width").get<int>();
     camera.height = lens.at("height").get<int>();
     const auto number = [&](const char* key) { return lens.at(key).get<double>(); };
@@ -55,7 +55,7 @@ StoredCamera cameraFrom(const Json& one) {
     camera.range = one.at("depth").at("kind") == "range";
     camera.level = one.at("level").get<bool>();
     camera.carrier_from_camera = poseFrom(one.at("carrier_from_camera"), &camera.mount_length);
-    for (const Json& pose : one.at("poses")) {
+    for (const OrderedJson& pose : one.at("poses")) {
         camera.poses.push_back(poseFrom(pose, &camera.quaternion_lengths.emplace_back()));
     }
     return camera;
@@ -125,7 +125,7 @@ Pose StoredCamera::expectedPose(const Pose& planned) const {
 Result<std::vector<StoredCamera>> readStoredRig(const StoredDataset& dataset) {
     std::vector<StoredCamera> cameras;
     try {
-        for (const Json& one : dataset.card.at("cameras")) {
+        for (const OrderedJson& one : dataset.card.at("cameras")) {
             cameras.push_back(cameraFrom(one));
             const std::string problem = problemOf(cameras.back(), dataset.frames.size());
             if (problem.empty()) continue;

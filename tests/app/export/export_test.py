@@ -16,6 +16,8 @@ import tempfile
 import time
 import unittest
 
+import cv2
+
 from support import tiny_room
 from support.program import FolderCase, hashes, hold, lines_in, run, start, wait_for
 
@@ -400,6 +402,15 @@ class Export(FolderCase):
                       verified.stdout)
         self.assertNotIn("DAMAGED", verified.stdout)
         self.assertFails(run(*arguments, "--require", "darkrate<=1"), 2, "'dark_rate'")
+
+    def test_images_of_one_colour_are_not_damage(self):
+        out = self.new_folder()
+        result = run("export", self.project, "--out", out, "--range", "::32",
+                     "--set", "lamp_strength=0", "--set", "sky_strength=0", "--set", "sun_strength=0")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertFalse(cv2.imread(str(out / "rgb" / "000000.png")).any())
+        verified = run("verify", out)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
 
     def test_unknown_choices_are_usage_errors(self):
         out = self.new_folder()

@@ -66,7 +66,7 @@ class Clip(FolderCase):
         self.assertIn(f"only {frames} of max_frames=8 frames are used",
                       " ".join(done.stderr.split()))
 
-    def test_unused_frames_are_not_said_where_nothing_is_left_to_visit(self):
+    def test_unused_frames_are_not_reported_if_every_object_is_captured(self):
         done, trajectory = self.plan("--fps", 30, "--max-frames", 240, "--only", "table")
         self.assertEqual(len(trajectory["frames"]), 1)
         self.assertIn("one frame captures every object", " ".join(done.stderr.split()))

@@ -140,7 +140,8 @@ TEST(ImageCorners, WeighObjectsByTheBestOfTheirViews) {
 TEST(ImageCorners, FindPointsWithBareViewsOnBothSides) {
     std::vector<PositionPoint> points(5);
     points[3].pin = 0;
-    /// Frames of one path: -1 for few corners, -2 for many, a position point for its key frame.
+    // The points found for these paths. Each number is a frame: -1 with few corners, -2 with many,
+    // from 0 a key frame (with many) at that position point.
     const auto among = [&](const std::vector<std::vector<int>>& paths) {
         Trajectory trajectory;
         std::vector<double> corners;

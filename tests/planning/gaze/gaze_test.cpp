@@ -264,6 +264,9 @@ TEST(SlamPreset, LeavesOutObjectsAmongBareViews) {
     EXPECT_EQ(plan->trajectory_metrics.trackable_rate, 1.0);
     EXPECT_FALSE(plan->captures.back().captured);  // the cup opposite
     EXPECT_GE(plan->capture_metrics.captured, 4);
+    params.gaze.trackability = Trackability::Off;
+    params.viewpoints.fill = kFillForTrackability;
+    EXPECT_TRUE(planOf(scene, params)->captures.back().captured);
 }
 
 TEST(SlamPreset, BeginsWithAViewOfManyCorners) {

@@ -1,6 +1,7 @@
 #include "planning/timing/motion_limits.h"
 #include "engine/core/random.h"
 #include "planning/plan_params.h"
+#include "planning/timing/clip.h"
 #include "planning/timing/time_trajectory.h"
 #include "tests/planning/timing/tour_support.h"
 
@@ -236,6 +237,17 @@ TEST(MotionLimits, TurnSteadilyToAViewStraightDown) {
     const auto trajectory = tour.timed(params);
     ASSERT_TRUE(trajectory.has_value());
     expectKept(*trajectory, motionLimits(params), "down");
+}
+
+TEST(FrameRateNote, TellsOfTheSingleFrameOfABudget) {
+    Trajectory trajectory;
+    trajectory.frames.resize(1);
+    TimingParams params;
+    params.max_frames = 12;
+    EXPECT_EQ(frameRateNote(trajectory, params),
+              "only 1 of max_frames=12 frames is used: no second view fits; raise max_frames");
+    params.max_frames = 1;
+    EXPECT_EQ(frameRateNote(trajectory, params), "");
 }
 
 }  // namespace dollytrack::planning::motion_limits_test
