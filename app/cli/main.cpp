@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sys/resource.h>
 #include <unistd.h>
 #include <csignal>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <exception>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -37,6 +39,22 @@ void onSignal(int signal) {
 
 void onOverdueEnd(int) {
     _exit(128 + caught_signal);
+}
+
+void onCrash(int) {
+    constexpr std::string_view kWords =
+        "dollytrack: the program crashed, probably because its address space is limited; raise the "
+        "limit (ulimit -v)\n";
+    static_cast<void>(!write(STDERR_FILENO, kWords.data(), kWords.size()));
+    _exit(dollytrack::cli::kFailed);
+}
+
+/// Where the address space is limited, LLVM and OpenGL drivers crash if an allocation fails.
+void explainCrashesOfLimitedMemory() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+    std::signal(SIGSEGV, onCrash);
+    std::signal(SIGABRT, onCrash);
 }
 
 /// Reports the final error as text, or as JSON line for --progress json.
@@ -176,6 +194,7 @@ int main(int argc, char** argv) {
     std::signal(SIGALRM, onOverdueEnd);
     // Exceeding the file size limit then is a write error, which is reported.
     std::signal(SIGXFSZ, SIG_IGN);
+    explainCrashesOfLimitedMemory();
     cli::cleanStandardOutput();
     try {
         return runProgram(session, argc, argv);

@@ -52,8 +52,11 @@ Result<std::vector<std::uint8_t>> encodeContactSheet(const GuardedFolder& folder
     int thumb_height = 1;
     for (std::size_t i = 0; i < thumbs.size(); ++i) {
         if (thumbs[i].empty()) {
-            return fail(ErrorCode::BadInput, "the image was damaged or removed during the export",
-                        (folder.path() / pictures[i].file).string());
+            return fail(
+                ErrorCode::BadInput,
+                "the image cannot be read back: it was damaged or removed during the export, "
+                "or too few files may be open at once (ulimit -n)",
+                (folder.path() / pictures[i].file).string());
         }
         thumb_height = std::max(thumb_height, thumbs[i].rows);
     }

@@ -10,7 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The schema of a stored plan. A text is the type of a value; "?" permits null. All entries of a
+/// The schema of a stored plan. A text is the type of a value, a rate being a number from 0 to 1;
+/// "?" permits null. All entries of a
 /// list have the same schema. Members of an object are optional unless their name ends in "!".
 json planForm() {
     const json tally = {{"frames!", "count"}, {"low!", "count"}, {"mean_score!", "number"}};
@@ -60,12 +61,13 @@ json planForm() {
     }
     for (const char* name :
          {"capture_rate", "well_captured_rate", "small_capture_rate", "area_share_box",
-          "area_share_mask", "repeat_rate", "object_pixels", "corner_collision_rate",
-          "frame_collision_rate", "min_clearance_m", "must_see_rate", "capturable_rate",
-          "well_capturable_rate", "scanned_share", "surface_seen_rate", "surface_covered_rate",
-          "surface_coverable_rate", "trackable_rate"}) {
-        metrics[name] = "number?";
+          "area_share_mask", "repeat_rate", "corner_collision_rate", "frame_collision_rate",
+          "must_see_rate", "capturable_rate", "well_capturable_rate", "scanned_share",
+          "surface_seen_rate", "surface_covered_rate", "surface_coverable_rate",
+          "trackable_rate"}) {
+        metrics[name] = "rate?";
     }
+    for (const char* name : {"object_pixels", "min_clearance_m"}) metrics[name] = "number?";
     for (const char* name : {"path_length_m", "frame_interval_s", "surface_patch_m"}) {
         metrics[name] = "number";
     }
@@ -107,11 +109,13 @@ json planForm() {
 void checkValue(const JsonReader& from, std::string_view type) {
     constexpr int kMost = std::numeric_limits<int>::max();
     constexpr double kLargest = std::numeric_limits<double>::max();
-    if (type == "number?" && from.absent()) return;
+    if (type.ends_with('?') && from.absent()) return;
     if (type == "count") {
         static_cast<void>(from.integer(0, kMost));
     } else if (type == "integer") {
         static_cast<void>(from.integer(-kMost, kMost));
+    } else if (type == "rate?") {
+        static_cast<void>(from.number(0.0, 1.0));
     } else if (type.starts_with("number")) {
         static_cast<void>(from.number(-kLargest, kLargest));
     } else if (type == "text") {

@@ -7,11 +7,12 @@ import pathlib
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import unittest
 
 from support import tiny_room
-from support.program import PROGRAM, FolderCase, run
+from support.program import PROGRAM, FolderCase, run, wait_for
 
 MB = 1_000_000
 CONTROL = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80\xae")
@@ -44,6 +45,20 @@ class Limits(FolderCase):
         assert planned.returncode == 0, planned.stderr
 
     # --- memory
+
+    def test_a_crash_is_explained_if_the_address_space_is_limited(self):
+        for limit, code in ((64_000 * MB, 1), (resource.RLIM_INFINITY, -signal.SIGSEGV)):
+            with self.subTest(limit=limit):
+                out = self.folder / f"crash_{code}"
+                process = subprocess.Popen(
+                    [PROGRAM, "-q", "export", self.room, "--out", out, "--max-frames", "100"],
+                    stderr=subprocess.PIPE, text=True,
+                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+                self.assertTrue(wait_for(lambda: (out / ".dollytrack-export").exists()))
+                process.send_signal(signal.SIGSEGV)
+                _, words = process.communicate()
+                self.assertEqual(process.returncode, code)
+                self.assertEqual("ulimit -v" in words, code == 1)
 
     def test_too_little_memory_is_said_and_no_signal(self):
         ended = {}

@@ -30,6 +30,17 @@ def class_table_shifted(copy):
 
 
 @found_by("card")
+def colour_of_a_class(copy):
+    copy.card["classes"][5]["color"][0] ^= 1
+
+
+@found_by("card")
+def misspelt_key_of_a_class(copy):
+    row = copy.card["classes"][5]
+    row["colour"] = row.pop("color")
+
+
+@found_by("card")
 def relation_to_nothing(copy):
     related = next(one for one in copy.card["objects"] if one["relations"])
     related["relations"][0]["id"] = len(copy.card["objects"]) + 1

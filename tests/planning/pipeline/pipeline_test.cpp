@@ -288,4 +288,17 @@ TEST(StoredPlan, ListsAndObjectsCannotStandForEachOther) {
     }
 }
 
+TEST(StoredPlan, RatesLieBetweenZeroAndOne) {
+    nlohmann::json result = resultWithEveryField();
+    for (const char* name : {"capture_rate", "repeat_rate", "trackable_rate"}) {
+        for (const double wrong : {-5.0, 1.01, 1e308}) {
+            nlohmann::json damaged = result;
+            damaged["metrics"][name] = wrong;
+            const Status status = checkStoredPlan(damaged, "result");
+            ASSERT_FALSE(status) << name << " = " << wrong;
+            EXPECT_EQ(status.error().where, std::string("result.metrics.") + name);
+        }
+    }
+}
+
 }  // namespace dollytrack::planning::pipeline_test
