@@ -64,7 +64,7 @@ Result<Program> linkProgram(std::string_view vertex, std::string_view fragment,
     GLsizei size = 0;
     glGetProgramInfoLog(program.get(), 4096, &size, words.data());
     words.resize(size);
-    // Mesa reads its cache of compiled shaders without a checksum.
+    // A damaged entry in Mesa's cache of compiled shaders shows as a failure to link.
     return fail(ErrorCode::Failed,
                 "the shaders do not link: " + words +
                     "; if Mesa's shader cache is damaged, remove ~/.cache/mesa_shader_cache",

@@ -10,7 +10,7 @@
 namespace dollytrack::render {
 namespace {
 
-constexpr double kGridStep_m = 0.3;  // m; grid step of positions, so a room 0.9 m wide has one;
+constexpr double kGridStep_m = 0.3;  // between positions, so a room 0.9 m wide has one;
                                      // larger in large scenes
 constexpr double kMostColumns = 3e4;
 constexpr double kStandingRoom = 1.6;   // m; a lower gap is a shelf, not a storey

@@ -11,8 +11,8 @@ namespace {
 using nlohmann::json;
 
 /// The schema of a stored plan. A text is the type of a value, a rate being a number from 0 to 1;
-/// "?" permits null. All entries of a
-/// list have the same schema. Members of an object are optional unless their name ends in "!".
+/// "?" permits null. All entries of a list have the same schema. Members of an object are optional
+/// unless their name ends in "!".
 json planForm() {
     const json tally = {{"frames!", "count"}, {"low!", "count"}, {"mean_score!", "number"}};
     const json remedy = {{"text", "text"},
