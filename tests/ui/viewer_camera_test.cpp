@@ -2,6 +2,7 @@
 
 #include "ui/viewport/false_color.h"
 #include "ui/viewport/gizmo.h"
+#include "ui/viewport/viewport_pane.h"
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,37 @@ TEST(ViewerCamera, ZoomKeepsThePointUnderTheCursor) {
         EXPECT_NEAR(camera.distance, 4.0, 1e-9);
         EXPECT_NEAR((pixelOf(camera, at) - before).norm(), 0.0, 1e-6) << orthographic;
     }
+}
+
+/// A uniform image of a surface 5 m in front of the camera.
+ViewImage imageOf(const ViewerCamera& camera) {
+    ViewImage image;
+    image.view = camera.view(kWidth, kHeight);
+    image.width = 1;
+    image.height = 1;
+    image.depth_m = {5.0F};
+    image.ids = {1};
+    image.serial = 1;
+    return image;
+}
+
+TEST(ViewerCamera, ZoomsTowardsTheSurfaceOnlyWhileTheImageShowsTheCurrentView) {
+    ViewerCamera camera;  // 8 m from its pivot
+    const ViewImage image = imageOf(camera);
+    const Eigen::Vector2d cursor(500, 200);
+    const auto depthOfCentre = [&](const ViewImage* shown) {
+        const render::View now = camera.view(kWidth, kHeight);
+        const Eigen::Vector3d at = zoomCentre(shown, now, camera.pivot, cursor);
+        EXPECT_NEAR((now.project(now.pose.toCamera(at)) - cursor).norm(), 0.0, 1e-6);
+        return now.pose.toCamera(at).z();
+    };
+    EXPECT_NEAR(depthOfCentre(&image), 5.0, 1e-6);
+    EXPECT_NEAR(depthOfCentre(nullptr), 8.0, 1e-6);
+    camera.zoom(0.5, zoomCentre(&image, image.view, camera.pivot, cursor));
+    // A step of the wheel later the image lags behind, but its surface is still under the cursor.
+    EXPECT_NEAR(depthOfCentre(&image), 2.5, 1e-6);
+    camera.pivot += Eigen::Vector3d(3, 1, 0);  // as framing another object does
+    EXPECT_NEAR(depthOfCentre(&image), 4.0, 1e-6);
 }
 
 TEST(ViewerCamera, FramesABoxWithAllItsCornersInThePicture) {

@@ -43,15 +43,9 @@ void drawPlate(const std::string& text, ImVec2 top, const ImVec4& color) {
 void zoomWithWheel(const ViewportView& view, ViewportState& state, ViewportActions& actions) {
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel == 0.0F) return;
-    std::optional<Eigen::Vector3d> at;
-    if (view.image != nullptr) at = surfaceAt(*view.image, actions.cursor);
-    if (!at) {
-        const render::View now = state.camera.view(actions.width, actions.height);
-        const render::ViewRay ray = now.rayThrough(actions.cursor.x(), actions.cursor.y());
-        const double depth = (state.camera.pivot - ray.origin).dot(now.pose.forward());
-        at = ray.origin + depth * ray.direction;
-    }
-    state.camera.zoom(std::pow(0.88, wheel), *at);
+    const render::View now = state.camera.view(actions.width, actions.height);
+    const Eigen::Vector3d at = zoomCentre(view.image, now, state.camera.pivot, actions.cursor);
+    state.camera.zoom(std::pow(0.88, wheel), at);
     actions.camera_moved = true;
 }
 
@@ -140,6 +134,22 @@ std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image, const Eigen::Ve
     const double depth = place ? image.depth_m[*place] : 0.0;
     if (depth <= 0.0) return {};
     const render::ViewRay ray = image.view.rayThrough(pixel.x(), pixel.y());
+    return ray.origin + depth * ray.direction;
+}
+
+Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& now,
+                           const Eigen::Vector3d& pivot, const Eigen::Vector2d& cursor) {
+    constexpr double kStill_px = 3.0;
+    if (image != nullptr) {
+        const auto surface = surfaceAt(*image, cursor);
+        const Eigen::Vector3d in_camera =
+            surface ? now.pose.toCamera(*surface) : Eigen::Vector3d::Zero().eval();
+        if (in_camera.z() > 0.0 && (now.project(in_camera) - cursor).norm() < kStill_px) {
+            return *surface;
+        }
+    }
+    const render::ViewRay ray = now.rayThrough(cursor.x(), cursor.y());
+    const double depth = (pivot - ray.origin).dot(now.pose.forward());
     return ray.origin + depth * ray.direction;
 }
 

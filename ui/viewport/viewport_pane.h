@@ -51,6 +51,12 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 /// World position (m) of the surface under an image pixel; nullopt if there is no surface.
 [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image,
                                                        const Eigen::Vector2d& pixel);
+/// The world point (m) that zooming keeps under the cursor: the surface in the image, or the point
+/// at the pivot's depth where there is none, or where the image still shows the view before a jump
+/// of the camera. `now`: the current view; `image` may be null.
+[[nodiscard]] Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& now,
+                                         const Eigen::Vector3d& pivot,
+                                         const Eigen::Vector2d& cursor);
 /// Id of the object under an image pixel; 0 for none.
 [[nodiscard]] int objectAt(const ViewImage& image, const Eigen::Vector2d& pixel);
 
