@@ -3,7 +3,6 @@
 #include "engine/jobs/parallel.h"
 #include "planning/collision/flat_obstacles.h"
 #include "planning/collision/swept_sphere.h"
-#include "planning/free_space/floor_heights.h"
 #include "planning/free_space/free_space.h"
 
 #include <algorithm>
@@ -76,10 +75,7 @@ FloorLevels::FloorLevels(const Scene& scene, const RayCaster& rays, const FreeSp
                          const BodyParams& body, double camera_radius_m)
     : body_(body),
       radius_m_(body.body == BodyShape::Cylinder ? body.body_radius_m : 0.0),
-      origin_(floors.origin()),
-      cell_m_(floors.cellSize()),
-      columns_x_(floors.columnsX()),
-      columns_y_(floors.columnsY()) {
+      grid_(floors.grid()) {
     cells_.resize(free_space.rooms().size());
     for (const double height : findHeights(free_space, floors)) {
         levels_.push_back(makeLevel(scene, floors, no_go, height));
@@ -88,16 +84,8 @@ FloorLevels::FloorLevels(const Scene& scene, const RayCaster& rays, const FreeSp
 }
 
 Eigen::Vector3d FloorLevels::placeOver(std::size_t column, double height) const {
-    const auto x = static_cast<double>(column % static_cast<std::size_t>(columns_x_));
-    const auto y = static_cast<double>(column / static_cast<std::size_t>(columns_x_));
-    return {origin_.x() + (x + 0.5) * cell_m_, origin_.y() + (y + 0.5) * cell_m_,
-            height + body_.camera_height_m};
-}
-
-int FloorLevels::columnOf(const Eigen::Vector3d& place) const {
-    const int x = static_cast<int>(std::floor((place.x() - origin_.x()) / cell_m_));
-    const int y = static_cast<int>(std::floor((place.y() - origin_.y()) / cell_m_));
-    return x < 0 || y < 0 || x >= columns_x_ || y >= columns_y_ ? -1 : y * columns_x_ + x;
+    const Eigen::Vector2d at = grid_.centreOf(column);
+    return {at.x(), at.y(), height + body_.camera_height_m};
 }
 
 /// Collects the floor heights under all cells where the camera fits, takes the most common one with
@@ -105,7 +93,7 @@ int FloorLevels::columnOf(const Eigen::Vector3d& place) const {
 std::vector<double> FloorLevels::findHeights(const FreeSpace& free_space,
                                              const FloorHeights& floors) const {
     std::vector<double> found;
-    const std::size_t columns = floors.columnCount();
+    const std::size_t columns = grid_.size();
     for (std::size_t c = 0; c < columns; ++c) {
         const std::vector<float>& of_column = floors.at(c);
         for (std::size_t i = 0; i < of_column.size(); ++i) {
@@ -115,21 +103,10 @@ std::vector<double> FloorLevels::findHeights(const FreeSpace& free_space,
             if (free_space.componentAt(place) >= 0) found.push_back(of_column[i]);
         }
     }
-    if (found.empty()) {
-        // No object is a floor: use the height at which each room's air ends.
-        for (const Room& room : free_space.rooms()) {
-            const double floor = floors.roomFloor(static_cast<std::size_t>(room.component));
-            for (std::size_t c = 0; c < columns; ++c) {
-                if (free_space.componentAt(placeOver(c, floor)) == room.component) {
-                    found.push_back(floor);
-                }
-            }
-        }
-    }
     std::ranges::sort(found);
     std::vector<double> heights;
-    const double least =
-        std::min(kLeastLevel_m2 / (cell_m_ * cell_m_), 0.5 * static_cast<double>(found.size()));
+    const double least = std::min(kLeastLevel_m2 / (grid_.cell_m * grid_.cell_m),
+                                  0.5 * static_cast<double>(found.size()));
     while (!found.empty()) {
         const double height = mostCommon(found);
         const std::size_t all = found.size();
@@ -141,22 +118,21 @@ std::vector<double> FloorLevels::findHeights(const FreeSpace& free_space,
 }
 
 std::vector<char> FloorLevels::floorOf(double height, const FloorHeights& floors) const {
-    std::vector<char> own(floors.columnCount(), 0);
+    std::vector<char> own(grid_.size(), 0);
     std::vector<char> open(own.size(), 0);  // no floor of any level to bridge to
-    const bool any = floors.hasAny();
     for (std::size_t c = 0; c < own.size(); ++c) {
         const std::vector<float>& of_column = floors.at(c);
         const auto within = [&](double low, double high) {
             return std::ranges::any_of(of_column,
                                        [&](float floor) { return floor >= low && floor <= high; });
         };
-        own[c] = !any || within(height - body_.max_step_m, height + body_.max_step_m) ? 1 : 0;
+        own[c] = within(height - body_.max_step_m, height + body_.max_step_m) ? 1 : 0;
         open[c] = within(height - kDeepestGap_m, height + body_.max_step_m) ? 0 : 1;
     }
-    const int by = static_cast<int>(std::ceil(0.5 * kWidestGap_m / cell_m_));
-    const std::vector<char> closed =
-        invertedColumns(grownColumns(invertedColumns(grownColumns(own, columns_x_, columns_y_, by)),
-                                     columns_x_, columns_y_, by));
+    const int by = static_cast<int>(std::ceil(0.5 * kWidestGap_m / grid_.cell_m));
+    const std::vector<char> closed = invertedColumns(
+        grownColumns(invertedColumns(grownColumns(own, grid_.columns_x, grid_.columns_y, by)),
+                     grid_.columns_x, grid_.columns_y, by));
     for (std::size_t c = 0; c < own.size(); ++c) {
         if (closed[c] != 0 && open[c] != 0) own[c] = 1;
     }
@@ -180,23 +156,23 @@ FloorLevels::Level FloorLevels::makeLevel(const Scene& scene, const FloorHeights
     std::vector<char> floor = floorOf(height, floors);
     // Floor edges: columns without floor next to a column with floor.
     flat.beginObject();
-    for (int y = 0; y < columns_y_; ++y) {
-        for (int x = 0; x < columns_x_; ++x) {
+    for (int y = 0; y < grid_.columns_y; ++y) {
+        for (int x = 0; x < grid_.columns_x; ++x) {
             const auto is = [&](int cx, int cy) {
-                return cx >= 0 && cy >= 0 && cx < columns_x_ && cy < columns_y_ &&
-                       floor[cy * columns_x_ + cx] != 0;
+                return cx >= 0 && cy >= 0 && cx < grid_.columns_x && cy < grid_.columns_y &&
+                       floor[cy * grid_.columns_x + cx] != 0;
             };
             if (is(x, y) || std::ranges::none_of(kAround, [&](const std::array<int, 2>& step) {
                     return is(x + step[0], y + step[1]);
                 })) {
                 continue;
             }
-            const Eigen::Vector2d corner = origin_ + cell_m_ * Eigen::Vector2d(x, y);
-            flat.addSquare(corner, corner + Eigen::Vector2d::Constant(cell_m_));
+            const Eigen::Vector2d corner = grid_.origin + grid_.cell_m * Eigen::Vector2d(x, y);
+            flat.addSquare(corner, corner + Eigen::Vector2d::Constant(grid_.cell_m));
         }
     }
     if (flat.endObject()) ids.push_back(0);
-    return {height, std::move(floor), std::vector<char>(floors.columnCount(), 0), std::move(ids),
+    return {height, std::move(floor), std::vector<char>(grid_.size(), 0), std::move(ids),
             RayCaster(flat.scene())};
 }
 
@@ -224,14 +200,15 @@ void FloorLevels::reach(Level& level, const RayCaster& rays, const FreeSpace& fr
         std::vector<std::size_t> part = {first};
         seen[first] = 1;
         for (std::size_t i = 0; i < part.size(); ++i) {
-            const int x = static_cast<int>(part[i]) % columns_x_;
-            const int y = static_cast<int>(part[i]) / columns_x_;
+            const int x = static_cast<int>(part[i]) % grid_.columns_x;
+            const int y = static_cast<int>(part[i]) / grid_.columns_x;
             for (const auto& [dx, dy] : kAround) {
                 if (dx != 0 && dy != 0) continue;
-                if (x + dx < 0 || y + dy < 0 || x + dx >= columns_x_ || y + dy >= columns_y_) {
+                if (x + dx < 0 || y + dy < 0 || x + dx >= grid_.columns_x ||
+                    y + dy >= grid_.columns_y) {
                     continue;
                 }
-                const std::size_t next = (y + dy) * columns_x_ + x + dx;
+                const std::size_t next = (y + dy) * grid_.columns_x + x + dx;
                 if (component[next] != component[first] || seen[next] != 0) continue;
                 seen[next] = 1;
                 part.push_back(next);
@@ -241,7 +218,8 @@ void FloorLevels::reach(Level& level, const RayCaster& rays, const FreeSpace& fr
         if (part.size() > best.size()) best = std::move(part);
     }
     for (auto& [room, part] : largest) {
-        if (static_cast<double>(part.size()) * cell_m_ * cell_m_ < kLeastReached_m2) continue;
+        if (static_cast<double>(part.size()) * grid_.cell_m * grid_.cell_m < kLeastReached_m2)
+            continue;
         std::ranges::sort(part);
         for (const std::size_t c : part) {
             level.reached[c] = 1;
@@ -258,7 +236,7 @@ int FloorLevels::levelAt(const Eigen::Vector3d& place) const {
 }
 
 Eigen::Vector3d FloorLevels::onLevel(const Eigen::Vector3d& place) const {
-    const int column = columnOf(place);
+    const int column = grid_.columnOf(place);
     const Level* best = nullptr;
     // Prefer a level with floor at this column, then a level below the position.
     const auto rank = [&](const Level& level) {
@@ -275,16 +253,16 @@ Eigen::Vector3d FloorLevels::onLevel(const Eigen::Vector3d& place) const {
 
 bool FloorLevels::isReached(const Eigen::Vector3d& place) const {
     const int index = levelAt(place);
-    const int column = columnOf(place);
+    const int column = grid_.columnOf(place);
     if (index < 0 || column < 0) return false;
     const std::vector<char>& reached = levels_[index].reached;
     if (reached[column] != 0) return true;
     // A position may be free although the centre of its own column is not.
     return std::ranges::any_of(kAround, [&](const std::array<int, 2>& step) {
-        const int x = column % columns_x_ + step[0];
-        const int y = column / columns_x_ + step[1];
-        return x >= 0 && y >= 0 && x < columns_x_ && y < columns_y_ &&
-               reached[y * columns_x_ + x] != 0;
+        const int x = column % grid_.columns_x + step[0];
+        const int y = column / grid_.columns_x + step[1];
+        return x >= 0 && y >= 0 && x < grid_.columns_x && y < grid_.columns_y &&
+               reached[y * grid_.columns_x + x] != 0;
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/document/edits.h"
 #include "engine/geometry/ray_caster.h"
+#include "planning/free_space/floor_heights.h"
 #include "planning/plan_params.h"
 
 #include <Eigen/Core>
@@ -11,7 +12,6 @@
 
 namespace dollytrack::planning {
 
-class FloorHeights;
 class FreeSpace;
 
 /// Free distance around the camera's body.
@@ -66,7 +66,6 @@ class FloorLevels {
 
     [[nodiscard]] int levelAt(const Eigen::Vector3d& place) const;
     [[nodiscard]] Eigen::Vector3d placeOver(std::size_t column, double height) const;
-    [[nodiscard]] int columnOf(const Eigen::Vector3d& place) const;  // -1: outside the map
     [[nodiscard]] std::vector<double> findHeights(const FreeSpace& free_space,
                                                   const FloorHeights& floors) const;
     [[nodiscard]] std::vector<char> floorOf(double height, const FloorHeights& floors) const;
@@ -77,10 +76,7 @@ class FloorLevels {
 
     BodyParams body_;
     double radius_m_;  // of the cylinder; 0 without one
-    Eigen::Vector2d origin_;
-    double cell_m_;
-    int columns_x_;
-    int columns_y_;
+    ColumnGrid grid_;
     std::vector<Level> levels_;
     std::vector<std::vector<Eigen::Vector3f>> cells_;
 };

@@ -34,30 +34,41 @@ Ground groundAt(const Scene& scene, const RayHit& hit) {
 
 }  // namespace
 
+int ColumnGrid::columnOf(const Eigen::Vector3d& place) const {
+    const int x = static_cast<int>(std::floor((place.x() - origin.x()) / cell_m));
+    const int y = static_cast<int>(std::floor((place.y() - origin.y()) / cell_m));
+    return x < 0 || y < 0 || x >= columns_x || y >= columns_y ? -1 : y * columns_x + x;
+}
+
+Eigen::Vector2d ColumnGrid::centreOf(std::size_t column) const {
+    const auto width = static_cast<std::size_t>(columns_x);
+    return origin + cell_m * Eigen::Vector2d(static_cast<double>(column % width) + 0.5,
+                                             static_cast<double>(column / width) + 0.5);
+}
+
 FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
                            double camera_radius_m)
-    : origin_(free_space.bounds().min().head<2>()), cell_m_(free_space.resolution_m()) {
+    : grid_{free_space.bounds().min().head<2>(), free_space.resolution_m()} {
     const Eigen::Vector3d size = free_space.bounds().sizes();
-    columns_x_ = static_cast<int>(std::lround(size.x() / cell_m_));
-    columns_y_ = static_cast<int>(std::lround(size.y() / cell_m_));
+    grid_.columns_x = static_cast<int>(std::lround(size.x() / grid_.cell_m));
+    grid_.columns_y = static_cast<int>(std::lround(size.y() / grid_.cell_m));
     for (const Room& room : free_space.rooms()) {
-        // Centre of the lowest cell where the sphere fits, minus the sphere's radius.
-        rooms_.push_back({room.box, room.box.min().z() + 0.5 * cell_m_ - camera_radius_m});
+        // Centre of the lowest cell where the sphere fits, minus the sphere's radius. The map's
+        // lowest cells may lie below the building.
+        const double height = room.box.min().z() + 0.5 * grid_.cell_m - camera_radius_m;
+        rooms_.push_back({room.box, std::max(height, scene.room_bounds.min().z())});
     }
-    floors_.resize(static_cast<std::size_t>(columns_x_) * static_cast<std::size_t>(columns_y_));
+    floors_.resize(grid_.size());
     const double top = free_space.bounds().max().z();
     const double depth = size.z() + 1.0;
     parallelRanges(floors_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const auto x = static_cast<double>(i % static_cast<std::size_t>(columns_x_));
-            const auto y = static_cast<double>(i / static_cast<std::size_t>(columns_x_));
-            const Eigen::Vector3d from(origin_.x() + (x + 0.5) * cell_m_,
-                                       origin_.y() + (y + 0.5) * cell_m_, top);
+            const Eigen::Vector2d at = grid_.centreOf(i);
+            const Eigen::Vector3d from(at.x(), at.y(), top);
             const bool in_a_room =
                 std::any_of(rooms_.begin(), rooms_.end(), [&](const RoomFloor& room) {
-                    const Eigen::Vector2d at = from.head<2>();
-                    return (at.array() >= room.box.min().head<2>().array() - cell_m_).all() &&
-                           (at.array() <= room.box.max().head<2>().array() + cell_m_).all();
+                    return (at.array() >= room.box.min().head<2>().array() - grid_.cell_m).all() &&
+                           (at.array() <= room.box.max().head<2>().array() + grid_.cell_m).all();
                 });
             if (!in_a_room) continue;
             double reached = 0.0;
@@ -75,10 +86,36 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
             std::reverse(floors_[i].begin(), floors_[i].end());
         }
     });
+    for (std::size_t room = 0; room < rooms_.size(); ++room) addMissingFloor(free_space, room);
 }
 
-bool FloorHeights::hasAny() const {
-    return std::ranges::any_of(floors_, [](const auto& column) { return !column.empty(); });
+void FloorHeights::addMissingFloor(const FreeSpace& free_space, std::size_t room) {
+    const RoomFloor& own = rooms_[room];
+    const double highest = own.box.max().z();
+    std::size_t all = 0;
+    std::size_t bare = 0;
+    std::vector<std::size_t> below;  // columns without a surface below the room
+    for (std::size_t i = 0; i < floors_.size(); ++i) {
+        const Eigen::Vector2d at = grid_.centreOf(i);
+        if ((at.array() < own.box.min().head<2>().array() - grid_.cell_m).any() ||
+            (at.array() > own.box.max().head<2>().array() + grid_.cell_m).any()) {
+            continue;
+        }
+        const double floor = floors_[i].empty() ? highest : floors_[i].front();
+        if (floor > own.height) below.push_back(i);
+        Eigen::Vector3d cell(at.x(), at.y(), own.box.min().z() + 0.5 * grid_.cell_m);
+        while (cell.z() < highest && free_space.componentAt(cell) != static_cast<int>(room)) {
+            cell.z() += grid_.cell_m;
+        }
+        if (cell.z() >= highest) continue;
+        ++all;
+        if (floor > cell.z()) ++bare;
+    }
+    if (2 * bare <= all) return;
+    // Below walls and furniture, too: an edge of the floor would be an obstacle.
+    for (const std::size_t i : below) {
+        floors_[i].insert(floors_[i].begin(), static_cast<float>(own.height));
+    }
 }
 
 double FloorHeights::roomFloor(const Eigen::Vector3d& place) const {
@@ -94,19 +131,19 @@ double FloorHeights::roomFloor(const Eigen::Vector3d& place) const {
 
 FloorHeights::Span FloorHeights::below(const Eigen::AlignedBox3d& places) const {
     const auto column = [&](double at, double origin, int count) {
-        return std::clamp(static_cast<int>(std::floor((at - origin) / cell_m_)), 0, count - 1);
+        return std::clamp(static_cast<int>(std::floor((at - origin) / grid_.cell_m)), 0, count - 1);
     };
-    const int x0 = column(places.min().x(), origin_.x(), columns_x_);
-    const int x1 = column(places.max().x(), origin_.x(), columns_x_);
-    const int y0 = column(places.min().y(), origin_.y(), columns_y_);
-    const int y1 = column(places.max().y(), origin_.y(), columns_y_);
+    const int x0 = column(places.min().x(), grid_.origin.x(), grid_.columns_x);
+    const int x1 = column(places.max().x(), grid_.origin.x(), grid_.columns_x);
+    const int y0 = column(places.min().y(), grid_.origin.y(), grid_.columns_y);
+    const int y1 = column(places.max().y(), grid_.origin.y(), grid_.columns_y);
     const auto low = static_cast<float>(places.min().z());
     const auto high = static_cast<float>(places.max().z());
     Span span{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             const std::vector<float>& floors =
-                floors_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_x_) +
+                floors_[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_.columns_x) +
                         static_cast<std::size_t>(x)];
             const auto above_low = std::upper_bound(floors.begin(), floors.end(), low);
             const auto above_high = std::upper_bound(above_low, floors.end(), high);

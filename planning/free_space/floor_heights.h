@@ -14,12 +14,28 @@ namespace dollytrack::planning {
 
 class FreeSpace;
 
+/// Grid of columns of map cells, row by row from the lowest x and y; world frame, m.
+struct ColumnGrid {
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+    double cell_m = 0.1;
+    int columns_x = 0;
+    int columns_y = 0;
+
+    [[nodiscard]] std::size_t size() const {
+        return static_cast<std::size_t>(columns_x) * static_cast<std::size_t>(columns_y);
+    }
+    /// Index of the column at a position; -1 outside the grid.
+    [[nodiscard]] int columnOf(const Eigen::Vector3d& place) const;
+    [[nodiscard]] Eigen::Vector2d centreOf(std::size_t column) const;
+};
+
 /// Height of the floor below a position: the highest roughly horizontal surface of structure (not
 /// furniture or rugs) below it, sampled at the centre of each column of map cells. Floors of
 /// several storeys, stairs and steps are told apart. In columns without a floor, horizontal
 /// surfaces of walls and ceilings count (for a shell modelled as one wall); doors and windows never
-/// count. Where there is no surface, the result is the height at which the room's free space
-/// begins. Immutable.
+/// count. A room most of whose columns have no such surface below the free space, for example
+/// a house that stands on the ground of a world in another file, gets a level floor where its free
+/// space begins. In other columns without a surface, too, the result is that height. Immutable.
 class FloorHeights {
   public:
     FloorHeights(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
@@ -36,26 +52,15 @@ class FloorHeights {
         return below(Eigen::AlignedBox3d(place)).highest;
     }
 
-    // The grid of columns, row by row from the lowest x and y.
-    [[nodiscard]] const Eigen::Vector2d& origin() const { return origin_; }
-    [[nodiscard]] double cellSize() const { return cell_m_; }
-    [[nodiscard]] int columnsX() const { return columns_x_; }
-    [[nodiscard]] int columnsY() const { return columns_y_; }
-    [[nodiscard]] std::size_t columnCount() const { return floors_.size(); }
+    [[nodiscard]] const ColumnGrid& grid() const { return grid_; }
     /// Floor heights in a column, z in the world, m, ascending.
     [[nodiscard]] const std::vector<float>& at(std::size_t column) const { return floors_[column]; }
-    /// Whether any column has a floor.
-    [[nodiscard]] bool hasAny() const;
-    /// Height at which the free space of a room begins, z in the world, m.
-    [[nodiscard]] double roomFloor(std::size_t room) const { return rooms_[room].height; }
 
   private:
     [[nodiscard]] double roomFloor(const Eigen::Vector3d& place) const;
+    void addMissingFloor(const FreeSpace& free_space, std::size_t room);
 
-    Eigen::Vector2d origin_;
-    double cell_m_;
-    int columns_x_ = 0;
-    int columns_y_ = 0;
+    ColumnGrid grid_;
     std::vector<std::vector<float>> floors_;  // by column, ascending
     struct RoomFloor {
         Eigen::AlignedBox3d box;

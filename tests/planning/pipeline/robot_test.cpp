@@ -232,6 +232,28 @@ TEST(Robot, DrivesOnEachStoreyByItself) {
     }
 }
 
+/// A house whose floor is missing, as in robot simulators, where it stands on the world's ground.
+TEST(Robot, DrivesAtTheLowerEndOfTheWallsWhereThereIsNoFloor) {
+    test::SceneBuilder builder;
+    const test::SceneBuilder::Look wall{kNyuWall, Role::Structure, {0.7F, 0.7F, 0.7F}};
+    const test::SceneBuilder::Look sill{kNyuOtherStructure, Role::Structure, {0.7F, 0.7F, 0.7F}};
+    builder.object("north", wall).box({3, 4.05, 1.25}, {6, 0.1, 2.5});
+    builder.object("south", wall).box({3, -0.05, 1.25}, {6, 0.1, 2.5});
+    builder.object("west", wall).box({-0.05, 2, 1.25}, {0.1, 4, 2.5});
+    // A wall with a window: its sill is the only level surface below the free space.
+    builder.object("east_0", wall).box({6.05, 0.75, 1.25}, {0.1, 1.5, 2.5});
+    builder.object("east_1", wall).box({6.05, 3.25, 1.25}, {0.1, 1.5, 2.5});
+    builder.object("sill", sill).box({6.1, 2, 0.25}, {0.2, 1.0, 0.5});
+    builder.object("chest").box({1.0, 3.6, 0.3}, {0.8, 0.5, 0.6});
+    builder.object("plant").box({5.0, 0.5, 0.4}, {0.4, 0.4, 0.8});
+    const auto plan = robotPlan(builder.build(), robot());
+    ASSERT_GT(plan->trajectory.frames.size(), 10U);
+    EXPECT_EQ(plan->capture_metrics.captured, 2);
+    for (const TrajectoryFrame& frame : plan->trajectory.frames) {
+        ASSERT_NEAR(frame.pose.position.z(), robot().body.camera_height_m, 1e-6);
+    }
+}
+
 TEST(Robot, ParametersThatDoNotGoTogetherAreRefused) {
     PlanParams params = robot();
     EXPECT_TRUE(validate(params));
