@@ -1,9 +1,9 @@
 #include "render/dataset/contact_sheet.h"
 
+#include "engine/io/files/jpeg_writer.h"
 #include "engine/jobs/parallel.h"
 #include "render/pictures/shown_picture.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ Result<std::vector<std::uint8_t>> encodeContactSheet(const GuardedFolder& folder
     const int step_x = kThumbWidth + kGap;
     const int step_y = thumb_height + kCaption + kGap;
     cv::Mat page(kTitle + rows * step_y + kGap, columns * step_x + kGap, CV_8UC3,
-                 cv::Scalar(32, 30, 28));
+                 cv::Scalar(28, 30, 32));
     writeText(page, title, kGap, 29, 0.65, 235);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const int place = static_cast<int>(i);
@@ -75,13 +75,7 @@ Result<std::vector<std::uint8_t>> encodeContactSheet(const GuardedFolder& folder
         thumbs[i].copyTo(page(cv::Rect(x, y, thumbs[i].cols, thumbs[i].rows)));
         writeText(page, pictures[i].caption, x + 2, y + thumb_height + 16, 0.45, 200);
     }
-    std::vector<std::uint8_t> bytes;
-    try {
-        cv::imencode(".jpg", page, bytes, {cv::IMWRITE_JPEG_QUALITY, 90});
-    } catch (const cv::Exception& problem) {
-        return fail(ErrorCode::Failed, std::string("the contact sheet: ") + problem.what());
-    }
-    return bytes;
+    return encodeJpeg(page.cols, page.rows, 3, 90, {page.data, page.total() * page.elemSize()});
 }
 
 }  // namespace dollytrack::render

@@ -1,3 +1,4 @@
+#include "engine/io/files/jpeg_writer.h"
 #include "engine/io/files/png_writer.h"
 #include "render/dataset/contents/modality.h"
 #include "render/encoders/encoders.h"
@@ -8,30 +9,11 @@
 #include "render/sensors/sensor_lens.h"
 
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 namespace dollytrack::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int quality,
-                                             const std::vector<std::uint8_t>& rgb) {
-    std::vector<std::uint8_t> bytes;
-    try {
-        const cv::Mat given(height, width, CV_8UC3, const_cast<std::uint8_t*>(rgb.data()));
-        cv::Mat bgr;
-        cv::cvtColor(given, bgr, cv::COLOR_RGB2BGR);
-        if (!cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, quality})) {
-            return fail(ErrorCode::Failed, "a JPEG image could not be encoded");
-        }
-    } catch (const cv::Exception& problem) {
-        return fail(ErrorCode::Failed,
-                    std::string("a JPEG image could not be encoded: ") + problem.what());
-    }
-    return bytes;
-}
 
 }  // namespace
 
@@ -42,7 +24,7 @@ FrameFiles encodeRgbSensor(const FrameContext& context, const FrameRecord& frame
     const std::vector<std::uint8_t> rgb = developedBytes(light);
     return oneFile(frameFile("rgb_sensor", frame.index, pictureEnding(params)),
                    params.jpeg_quality < 100
-                       ? encodeJpeg(frame.width, frame.height, params.jpeg_quality, rgb)
+                       ? encodeJpeg(frame.width, frame.height, 3, params.jpeg_quality, rgb)
                        : encodePng(frame.width, frame.height, PngFormat::Rgb8, rgb));
 }
 

@@ -11,25 +11,58 @@
 #endif
 #include <GL/osmesa.h>
 
+#include <dlfcn.h>
+
 #include <array>
+#include <optional>
 
 namespace dollytrack::gl {
 namespace {
 
+struct OsMesaFunctions {
+    decltype(&::OSMesaCreateContextAttribs) create = nullptr;
+    decltype(&::OSMesaDestroyContext) destroy = nullptr;
+    decltype(&::OSMesaMakeCurrent) makeCurrent = nullptr;
+    decltype(&::OSMesaGetProcAddress) find = nullptr;
+};
+
+template <class Symbol>
+bool findSymbol(void* library, const char* name, Symbol*& symbol) {
+    symbol = reinterpret_cast<Symbol*>(::dlsym(library, name));
+    return symbol != nullptr;
+}
+
+/// Loads the library once; empty if it is missing.
+const std::optional<OsMesaFunctions>& osMesa() {
+    static const std::optional<OsMesaFunctions> functions = [] {
+        std::optional<OsMesaFunctions> loaded(std::in_place);
+        void* library = ::dlopen(DOLLYTRACK_OSMESA, RTLD_LAZY | RTLD_LOCAL);
+        if (library == nullptr ||
+            !findSymbol(library, "OSMesaCreateContextAttribs", loaded->create) ||
+            !findSymbol(library, "OSMesaDestroyContext", loaded->destroy) ||
+            !findSymbol(library, "OSMesaMakeCurrent", loaded->makeCurrent) ||
+            !findSymbol(library, "OSMesaGetProcAddress", loaded->find)) {
+            loaded.reset();
+        }
+        return loaded;
+    }();
+    return functions;
+}
+
 class OsMesaContext final : public Context {
   public:
     explicit OsMesaContext(OSMesaContext context) : context_(context) {}
-    ~OsMesaContext() override { OSMesaDestroyContext(context_); }
+    ~OsMesaContext() override { osMesa()->destroy(context_); }
     OsMesaContext(const OsMesaContext&) = delete;
     OsMesaContext& operator=(const OsMesaContext&) = delete;
 
     Status makeCurrent() override {
         // The default framebuffer is never drawn to; its size does not matter.
-        if (OSMesaMakeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, 4, 4) == GL_FALSE) {
+        if (osMesa()->makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, 4, 4) == GL_FALSE) {
             return fail(ErrorCode::NoOpenGl,
                         "the windowless OpenGL context (OSMesa) cannot be made current");
         }
-        return useFunctionsOf(&OSMesaGetProcAddress);
+        return useFunctionsOf(osMesa()->find);
     }
 
   private:
@@ -53,7 +86,7 @@ Result<std::unique_ptr<Context>> createOsMesaContext() {
                                             0,
                                             0,
                                             0};
-    OSMesaContext raw = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+    OSMesaContext raw = osMesa() ? osMesa()->create(attributes.data(), nullptr) : nullptr;
     if (raw == nullptr) {
         return fail(ErrorCode::NoOpenGl,
                     "OpenGL 4.5 without a display is not available; install Mesa's libosmesa6, or "

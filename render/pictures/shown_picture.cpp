@@ -3,7 +3,6 @@
 #include "render/pictures/picture_file.h"
 #include "render/pictures/small_picture.h"
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -22,9 +21,9 @@ cv::Mat disparityPicture(const cv::Mat& disparity) {
     cv::Mat grey;
     disparity.convertTo(grey, CV_8U, 215.0 / std::max(largest, 1.0), 40.0);
     grey.setTo(0, disparity == 0);
-    cv::Mat bgr;
-    cv::cvtColor(grey, bgr, cv::COLOR_GRAY2BGR);
-    return bgr;
+    cv::Mat rgb;
+    cv::cvtColor(grey, rgb, cv::COLOR_GRAY2RGB);
+    return rgb;
 }
 
 /// Bright is near; black is nothing.
@@ -34,9 +33,9 @@ cv::Mat depthPicture(const cv::Mat& millimetres) {
     cv::Mat grey;
     millimetres.convertTo(grey, CV_8U, -215.0 / std::max(farthest, 1.0), 255.0);
     grey.setTo(0, millimetres == 0);
-    cv::Mat bgr;
-    cv::cvtColor(grey, bgr, cv::COLOR_GRAY2BGR);
-    return bgr;
+    cv::Mat rgb;
+    cv::cvtColor(grey, rgb, cv::COLOR_GRAY2RGB);
+    return rgb;
 }
 
 /// Neighbouring ids get colours far apart: hues a golden angle from each other.
@@ -44,31 +43,31 @@ cv::Vec3b idColor(int id) {
     if (id == 0) return {0, 0, 0};
     const int hue = static_cast<int>(static_cast<unsigned>(id) * 137U % 360U);
     const cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(hue / 2, 150, 170 + id * 29 % 80));
-    cv::Mat bgr;
-    cv::cvtColor(hsv, bgr, cv::COLOR_HSV2BGR);
-    return bgr.at<cv::Vec3b>(0, 0);
+    cv::Mat rgb;
+    cv::cvtColor(hsv, rgb, cv::COLOR_HSV2RGB);
+    return rgb.at<cv::Vec3b>(0, 0);
 }
 
 cv::Vec3b classColor(const ClassTable& classes, int id) {
     const DatasetClass* found = classes.find(id);
     if (found == nullptr) return {0, 0, 0};
-    return {found->color[2], found->color[1], found->color[0]};
+    return {found->color[0], found->color[1], found->color[2]};
 }
 
 template <class Value, class Color>
 cv::Mat labelPicture(const cv::Mat& labels, const Color& color) {
     std::vector<std::pair<bool, cv::Vec3b>> known(1UL << (8 * sizeof(Value)));
-    cv::Mat bgr(labels.size(), CV_8UC3);
+    cv::Mat rgb(labels.size(), CV_8UC3);
     for (int y = 0; y < labels.rows; ++y) {
         for (int x = 0; x < labels.cols; ++x) {
             const Value label = labels.at<Value>(y, x);
             auto& [done, value] = known[label];
             if (!done) value = color(label);
             done = true;
-            bgr.at<cv::Vec3b>(y, x) = value;
+            rgb.at<cv::Vec3b>(y, x) = value;
         }
     }
-    return bgr;
+    return rgb;
 }
 
 bool showsLabels(std::string_view modality) {
@@ -78,17 +77,17 @@ bool showsLabels(std::string_view modality) {
 }  // namespace
 
 std::array<std::uint8_t, 3> shownIdColor(int id) {
-    const cv::Vec3b bgr = idColor(id);
-    return {bgr[2], bgr[1], bgr[0]};
+    const cv::Vec3b rgb = idColor(id);
+    return {rgb[0], rgb[1], rgb[2]};
 }
 
 cv::Mat shownPicture(const cv::Mat& image, std::string_view modality, const ClassTable& classes) {
     const auto of_class = [&](int id) { return classColor(classes, id); };
     if (image.type() == CV_8UC3) return image;
     if (image.type() == CV_16UC3) {  // normals, places in an object
-        cv::Mat bgr;
-        image.convertTo(bgr, CV_8U, 1.0 / 257.0);
-        return bgr;
+        cv::Mat rgb;
+        image.convertTo(rgb, CV_8U, 1.0 / 257.0);
+        return rgb;
     }
     if (image.type() == CV_16UC1) {
         if (modality.starts_with("depth")) return depthPicture(image);
@@ -102,7 +101,7 @@ cv::Mat shownPicture(const cv::Mat& image, std::string_view modality, const Clas
 cv::Mat readShownPicture(const GuardedFolder& folder, const std::string& file,
                          std::string_view modality, const ClassTable& classes, int width_px) {
     try {
-        const cv::Mat image = readPictureFile(folder, file, cv::IMREAD_UNCHANGED);
+        const cv::Mat image = readPictureFile(folder, file);
         if (image.empty()) return {};
         const int height = std::max(1, width_px * image.rows / image.cols);
         if (height > kTallest) return {};

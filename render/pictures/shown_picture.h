@@ -10,7 +10,7 @@
 
 namespace dollytrack::render {
 
-/// An image of a dataset, read unchanged, as people look at it: 8-bit BGR. Depth becomes grey (near
+/// An image of a dataset, read unchanged, as people look at it: 8-bit RGB. Depth becomes grey (near
 /// is bright, nothing is black), ids and classes become colours.
 [[nodiscard]] cv::Mat shownPicture(const cv::Mat& image, std::string_view modality,
                                    const ClassTable& classes);

@@ -1,11 +1,9 @@
 #include "app/editor/viewport/picture_file.h"
 
-#include "render/pictures/picture_file.h"
+#include "engine/io/files/text_file.h"
+#include "engine/io/pictures/picture_decoder.h"
 
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
-
-#include <algorithm>
+#include <utility>
 
 namespace dollytrack::editor {
 
@@ -17,22 +15,14 @@ void PictureFile::show(const std::filesystem::path& file) {
     texture_.reset();
     message_ = "reading …";
     reader_.start([file, latest = read_](const JobContext&) {
+        constexpr int kLargest = 8192;
         Pixels pixels;
-        try {
-            cv::Mat picture = render::readPictureFile(file, cv::IMREAD_COLOR);
-            constexpr int kLargest = 8192;
-            if (const int longer = std::max(picture.cols, picture.rows); longer > kLargest) {
-                cv::resize(picture, picture, {}, static_cast<double>(kLargest) / longer,
-                           static_cast<double>(kLargest) / longer, cv::INTER_AREA);
-            }
-            if (!picture.empty()) {
-                cv::cvtColor(picture, picture, cv::COLOR_BGR2RGBA);
-                pixels.width = picture.cols;
-                pixels.height = picture.rows;
-                pixels.rgba.assign(picture.datastart, picture.dataend);
-            }
-        } catch (const cv::Exception&) {
-            pixels = {};
+        Texture picture;
+        const Result<std::string> bytes = readText(file);
+        if (bytes && decodePicture(std::span(reinterpret_cast<const std::uint8_t*>(bytes->data()),
+                                             bytes->size()),
+                                   kLargest, true, picture)) {
+            pixels = {picture.width, picture.height, std::move(picture.rgba)};
         }
         latest->put(std::move(pixels));
     });

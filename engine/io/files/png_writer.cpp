@@ -55,14 +55,18 @@ void ignoreWriterWarning(png_structp, png_const_charp) {}
 
 /// Contains all calls that libpng may leave by longjmp(), and no objects with destructors.
 bool write(png_structp png, png_infop info, PngWrite& target, int width, int height,
-           const PngSettings& settings, const std::uint8_t* pixels) {
+           const PngSettings& settings, PngEffort effort, const std::uint8_t* pixels) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_set_write_fn(png, &target, appendBytes, nullptr);
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
-    png_set_compression_level(png, 1);
-    png_set_compression_strategy(png, settings.strategy);
     png_set_compression_buffer_size(png, 1U << 16U);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, settings.filter);
+    if (effort == PngEffort::Smallest) {
+        png_set_compression_level(png, 9);
+    } else {
+        png_set_compression_level(png, 1);
+        png_set_compression_strategy(png, settings.strategy);
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, settings.filter);
+    }
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
                  settings.bit_depth, settings.color_type, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -79,7 +83,8 @@ bool write(png_structp png, png_infop info, PngWrite& target, int width, int hei
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat format,
-                                            std::span<const std::uint8_t> pixels) {
+                                            std::span<const std::uint8_t> pixels,
+                                            PngEffort effort) {
     const PngSettings settings = settingsOf(format);
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (pixels.size() != count * settings.bytes_per_pixel) {
@@ -93,7 +98,7 @@ Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat for
         png_create_write_struct(PNG_LIBPNG_VER_STRING, &target, keepPngError, ignoreWriterWarning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     const bool done =
-        info != nullptr && write(png, info, target, width, height, settings, pixels.data());
+        info != nullptr && write(png, info, target, width, height, settings, effort, pixels.data());
     png_destroy_write_struct(&png, &info);
     if (!done) return fail(ErrorCode::Failed, "libpng: " + target.problem);
     return std::move(target.bytes);

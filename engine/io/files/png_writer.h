@@ -16,9 +16,15 @@ enum class PngFormat {
     Gray16,  // 2 bytes a pixel, in the machine's byte order
 };
 
+enum class PngEffort {
+    Fast,      // for datasets: strategies measured on rendered rooms
+    Smallest,  // for web pages
+};
+
 /// Compresses an image, rows from the top, to a PNG. The same pixels give the same bytes.
 /// `pixels` holds width * height * bytes-per-pixel bytes. Fails only when memory runs out.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodePng(int width, int height, PngFormat format,
-                                                          std::span<const std::uint8_t> pixels);
+                                                          std::span<const std::uint8_t> pixels,
+                                                          PngEffort effort = PngEffort::Fast);
 
 }  // namespace dollytrack

@@ -9,9 +9,8 @@
 #include <string_view>
 
 namespace dollytrack {
-namespace {
 
-std::optional<DecodedPicture> unpack(PictureBytes bytes) {
+std::optional<DecodedPicture> unpackPicture(PictureBytes bytes) {
     const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
                                 std::min<std::size_t>(bytes.size(), 16));
     if (head.starts_with("\x89PNG")) return unpackPng(bytes);
@@ -20,8 +19,6 @@ std::optional<DecodedPicture> unpack(PictureBytes bytes) {
     if (head.starts_with("II") || head.starts_with("MM")) return unpackTiff(bytes);
     return unpackOther(bytes);
 }
-
-}  // namespace
 
 bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
               DecodedPicture& picture) {
@@ -42,7 +39,7 @@ bool decodePicture(std::span<const std::uint8_t> bytes, int longest_side, bool o
                    Texture& texture) {
     if (bytes.empty()) return false;
     try {
-        std::optional<DecodedPicture> picture = unpack(bytes);
+        std::optional<DecodedPicture> picture = unpackPicture(bytes);
         if (!picture) return false;
         cv::Mat image(picture->height, picture->width,
                       CV_MAKETYPE(picture->bits == 16 ? CV_16U : CV_8U, picture->channels),

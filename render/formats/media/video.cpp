@@ -5,8 +5,6 @@
 #include "render/pictures/picture_file.h"
 
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <array>
@@ -35,15 +33,14 @@ double rateOf(const DatasetContents& contents) {
 }
 
 Result<cv::Mat> readPicture(const GuardedFolder& folder, const std::string& file) {
-    cv::Mat picture = readPictureFile(folder, file, cv::IMREAD_COLOR);
-    if (picture.empty()) {
+    cv::Mat picture = readPictureFile(folder, file);
+    if (picture.type() != CV_8UC3) {
         return fail(
             ErrorCode::CannotWrite,
             "this image, written before, cannot be read again for the video; check the disk and "
             "export again",
             (folder.path() / file).string());
     }
-    cv::cvtColor(picture, picture, cv::COLOR_BGR2RGB);
     return picture;
 }
 

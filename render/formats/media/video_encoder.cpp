@@ -1,10 +1,6 @@
 #include "render/formats/media/video_encoder.h"
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libavutil/opt.h>
-}
+#include "render/formats/media/libav_functions.h"
 
 #include <locale.h>
 
@@ -18,7 +14,8 @@ namespace {
 
 tl::unexpected<Error> problem(const char* doing, int error) {
     std::array<char, 128> text{};
-    ::av_strerror(error, text.data(), text.size());
+    const LibavFunctions* av = libavFunctions();
+    av->av_strerror(error, text.data(), text.size());
     return fail(ErrorCode::Failed,
                 std::string("libav could not ") + doing + " (" + text.data() + ")", "preview.mp4");
 }
@@ -42,44 +39,8 @@ class PlainNumbers {
     locale_t before_ = nullptr;
 };
 
-struct Freed {
-    void operator()(AVCodecContext* p) const { ::avcodec_free_context(&p); }
-    void operator()(AVFrame* p) const { ::av_frame_free(&p); }
-    void operator()(AVPacket* p) const { ::av_packet_free(&p); }
-    void operator()(AVFormatContext* p) const { ::avformat_free_context(p); }
-    void operator()(AVIOContext* p) const {
-        ::av_freep(&p->buffer);
-        ::avio_context_free(&p);
-    }
-};
 template <class T>
-using Owned = std::unique_ptr<T, Freed>;
-
-/// An in-memory file in which the muxer may seek.
-struct MemoryFile {
-    std::string bytes;
-    std::size_t at = 0;
-
-    static int write(void* self, std::uint8_t* data, int size) {
-        auto& file = *static_cast<MemoryFile*>(self);
-        const std::size_t count = size;
-        if (file.bytes.size() < file.at + count) file.bytes.resize(file.at + count);
-        std::memcpy(file.bytes.data() + file.at, data, count);
-        file.at += count;
-        return size;
-    }
-    static std::int64_t seek(void* self, std::int64_t offset, int whence) {
-        auto& file = *static_cast<MemoryFile*>(self);
-        const auto size = static_cast<std::int64_t>(file.bytes.size());
-        if ((whence & AVSEEK_SIZE) != 0) return size;
-        const std::int64_t from = whence == SEEK_CUR   ? static_cast<std::int64_t>(file.at)
-                                  : whence == SEEK_END ? size
-                                                       : 0;
-        if (from + offset < 0) return AVERROR(EINVAL);
-        file.at = static_cast<std::size_t>(from + offset);
-        return from + offset;
-    }
-};
+using Owned = std::unique_ptr<T, FreedByLibav>;
 
 /// RGB to BT.709 video range in integers, for identical results on every processor.
 void toYuv(std::span<const std::uint8_t> rgb, int stride_px, AVFrame& out) {
@@ -122,6 +83,7 @@ struct VideoEncoder::Impl {
     Owned<AVCodecContext> codec;
     Owned<AVFrame> frame;
     Owned<AVPacket> packet;
+    const LibavFunctions* av = nullptr;
     AVStream* stream = nullptr;  // owned by the muxer
     int width = 0;               // of the input images
     int height = 0;
@@ -133,18 +95,18 @@ struct VideoEncoder::Impl {
 
 Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     const PlainNumbers plain;
-    const AVCodec* encoder = ::avcodec_find_encoder(AV_CODEC_ID_H264);
+    const AVCodec* encoder = av->avcodec_find_encoder(AV_CODEC_ID_H264);
     if (!encoder) {
         return fail(ErrorCode::Failed,
                     "libavcodec lacks an H.264 encoder; leave out the format 'video'", "--formats");
     }
-    codec.reset(::avcodec_alloc_context3(encoder));
+    codec.reset(av->avcodec_alloc_context3(encoder));
     if (!codec) return problem("create an encoder", AVERROR(ENOMEM));
     codec->width = width / 2 * 2;
     codec->height = height / 2 * 2;
     codec->pix_fmt = AV_PIX_FMT_YUV420P;
-    codec->framerate = ::av_d2q(frames_per_s, 100'000);
-    codec->time_base = ::av_inv_q(codec->framerate);
+    codec->framerate = av->av_d2q(frames_per_s, 100'000);
+    codec->time_base = av_inv_q(codec->framerate);
     codec->gop_size = 24;  // frequent key frames, for fast seeking
     codec->color_primaries = AVCOL_PRI_BT709;
     codec->color_trc = AVCOL_TRC_BT709;
@@ -153,11 +115,11 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
     codec->thread_count = 1;
     codec->flags |= AV_CODEC_FLAG_BITEXACT | AV_CODEC_FLAG_GLOBAL_HEADER;
     // Options of x264; other encoders ignore them and use their defaults.
-    ::av_opt_set(codec->priv_data, "preset", "veryfast", 0);
-    ::av_opt_set(codec->priv_data, "crf", "24", 0);
+    av->av_opt_set(codec->priv_data, "preset", "veryfast", 0);
+    av->av_opt_set(codec->priv_data, "crf", "24", 0);
     // With mbtree, x264 164 encodes small images differently from run to run.
-    ::av_opt_set(codec->priv_data, "mbtree", "0", 0);
-    if (const int error = ::avcodec_open2(codec.get(), encoder, nullptr); error < 0) {
+    av->av_opt_set(codec->priv_data, "mbtree", "0", 0);
+    if (const int error = av->avcodec_open2(codec.get(), encoder, nullptr); error < 0) {
         return problem("start the encoder", error);
     }
     return {};
@@ -166,24 +128,24 @@ Status VideoEncoder::Impl::openCodec(double frames_per_s) {
 Status VideoEncoder::Impl::open(double frames_per_s) {
     if (Status status = openCodec(frames_per_s); !status) return status;
     AVFormatContext* made = nullptr;
-    if (const int error = ::avformat_alloc_output_context2(&made, nullptr, "mp4", nullptr);
+    if (const int error = av->avformat_alloc_output_context2(&made, nullptr, "mp4", nullptr);
         error < 0) {
         return problem("create a file", error);
     }
     muxer.reset(made);
     constexpr int kBuffer = 1 << 16;
-    io.reset(::avio_alloc_context(static_cast<unsigned char*>(::av_malloc(kBuffer)), kBuffer, 1,
-                                  &file, nullptr, MemoryFile::write, MemoryFile::seek));
-    stream = ::avformat_new_stream(muxer.get(), nullptr);
-    frame.reset(::av_frame_alloc());
-    packet.reset(::av_packet_alloc());
+    io.reset(av->avio_alloc_context(static_cast<unsigned char*>(av->av_malloc(kBuffer)), kBuffer, 1,
+                                    &file, nullptr, MemoryFile::write, MemoryFile::seek));
+    stream = av->avformat_new_stream(muxer.get(), nullptr);
+    frame.reset(av->av_frame_alloc());
+    packet.reset(av->av_packet_alloc());
     if (!io || !stream || !frame || !packet) return problem("start a file", AVERROR(ENOMEM));
     muxer->pb = io.get();
     muxer->flags |= AVFMT_FLAG_BITEXACT;  // no version and no date
     stream->time_base = codec->time_base;
     stream->avg_frame_rate = codec->framerate;
-    int error = ::avcodec_parameters_from_context(stream->codecpar, codec.get());
-    if (error >= 0) error = ::avformat_write_header(muxer.get(), nullptr);
+    int error = av->avcodec_parameters_from_context(stream->codecpar, codec.get());
+    if (error >= 0) error = av->avformat_write_header(muxer.get(), nullptr);
     if (error < 0) return problem("start a file", error);
     frame->format = codec->pix_fmt;
     frame->width = codec->width;
@@ -195,15 +157,15 @@ Status VideoEncoder::Impl::open(double frames_per_s) {
 /// Sends an image to the encoder (null: end of stream) and writes the packets it returns.
 Status VideoEncoder::Impl::send(const AVFrame* picture) {
     const PlainNumbers plain;
-    int error = ::avcodec_send_frame(codec.get(), picture);
+    int error = av->avcodec_send_frame(codec.get(), picture);
     while (error >= 0) {
-        error = ::avcodec_receive_packet(codec.get(), packet.get());
+        error = av->avcodec_receive_packet(codec.get(), packet.get());
         if (error == AVERROR(EAGAIN) || error == AVERROR_EOF) return {};
         if (error < 0) break;
         packet->duration = 1;
-        ::av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
+        av->av_packet_rescale_ts(packet.get(), codec->time_base, stream->time_base);
         packet->stream_index = stream->index;
-        error = ::av_interleaved_write_frame(muxer.get(), packet.get());
+        error = av->av_interleaved_write_frame(muxer.get(), packet.get());
     }
     return problem("encode an image", error);
 }
@@ -214,8 +176,10 @@ VideoEncoder::VideoEncoder(VideoEncoder&&) noexcept = default;
 VideoEncoder& VideoEncoder::operator=(VideoEncoder&&) noexcept = default;
 
 Result<VideoEncoder> VideoEncoder::begin(int width, int height, double frames_per_s) {
-    ::av_log_set_level(AV_LOG_ERROR);
+    const LibavFunctions* av = libavFunctions();
+    if (av == nullptr) return fail(ErrorCode::Failed, kNoLibav, "--formats");
     auto impl = std::make_unique<Impl>();
+    impl->av = av;
     impl->width = width;
     impl->height = height;
     if (Status status = impl->open(frames_per_s); !status) return tl::unexpected(status.error());
@@ -230,11 +194,11 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
     }
     // The encoder may still hold the previous image, so each gets its own buffer.
     const std::int64_t pts = impl.frame->pts;
-    ::av_frame_unref(impl.frame.get());
+    impl.av->av_frame_unref(impl.frame.get());
     impl.frame->format = impl.codec->pix_fmt;
     impl.frame->width = impl.codec->width;
     impl.frame->height = impl.codec->height;
-    if (const int error = ::av_frame_get_buffer(impl.frame.get(), 0); error < 0) {
+    if (const int error = impl.av->av_frame_get_buffer(impl.frame.get(), 0); error < 0) {
         return problem("create an image", error);
     }
     toYuv(rgb, impl.width, *impl.frame);
@@ -246,10 +210,10 @@ Status VideoEncoder::add(std::span<const std::uint8_t> rgb) {
 
 Result<std::string> VideoEncoder::finish() {
     if (Status status = impl_->send(nullptr); !status) return tl::unexpected(status.error());
-    if (const int error = ::av_write_trailer(impl_->muxer.get()); error < 0) {
+    if (const int error = impl_->av->av_write_trailer(impl_->muxer.get()); error < 0) {
         return problem("finish the file", error);
     }
-    ::avio_flush(impl_->io.get());
+    impl_->av->avio_flush(impl_->io.get());
     return std::move(impl_->file.bytes);
 }
 

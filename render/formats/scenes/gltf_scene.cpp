@@ -1,12 +1,10 @@
 #include "render/formats/scenes/gltf_scene.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/io/files/jpeg_writer.h"
 #include "engine/io/files/png_writer.h"
 #include "engine/jobs/parallel.h"
 #include "render/materials/surface_kind.h"
-
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <map>
@@ -42,19 +40,12 @@ Result<Bytes> encodeGltfScene(const Texture& texture, bool exact) {
     if (exact) {
         return encodePng(texture.width, texture.height, PngFormat::Rgba8, texture.rgba);
     }
-    try {
-        const cv::Mat rgba(texture.height, texture.width, CV_8UC4,
-                           const_cast<std::uint8_t*>(texture.rgba.data()));
-        cv::Mat bgr;
-        cv::cvtColor(rgba, bgr, cv::COLOR_RGBA2BGR);
-        Bytes bytes;
-        if (cv::imencode(".jpg", bgr, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})) {
-            return bytes;
-        }
-    } catch (const cv::Exception&) {
-        // Reported below.
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(texture.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
+        rgb.insert(rgb.end(), &texture.rgba[i], &texture.rgba[i] + 3);
     }
-    return fail(ErrorCode::Failed, "the texture could not be written as JPEG", texture.name);
+    return encodeJpeg(texture.width, texture.height, 3, kJpegQuality, rgb);
 }
 
 /// Adds the textures in use. Returns their numbers in the file by index in the scene.

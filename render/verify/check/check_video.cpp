@@ -1,14 +1,13 @@
 // Checks the preview video: one image per frame, in order.
-#include "engine/io/files/input_file.h"
-#include "render/pictures/picture_file.h"
+#include "engine/io/files/text_file.h"
+#include "render/formats/media/video_decoder.h"
 #include "render/verify/check/check_list.h"
+#include "render/verify/read/image_files.h"
 
 #include <fmt/format.h>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/videoio.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 namespace dollytrack::verify {
@@ -24,19 +23,19 @@ class VideoCheck {
         : dataset_(dataset), findings_(findings) {}
 
     void run() {
-        // FFmpeg opens by name and would block on a pipe.
-        const Result<InputFile> file = openNamedFile(dataset_.folder / kVideoFile);
-        if (!file) return add({}, file.error().message, "an MP4");
-        cv::VideoCapture video((dataset_.folder / kVideoFile).string(), cv::CAP_FFMPEG);
-        if (!video.isOpened()) return add({}, "it cannot be opened", "an MP4");
-        checkRate(video.get(cv::CAP_PROP_FPS));
+        Result<std::string> bytes = readText(dataset_.folder / kVideoFile);
+        if (!bytes) return add({}, bytes.error().message, "an MP4");
+        Result<render::VideoDecoder> video = render::VideoDecoder::open(std::move(*bytes));
+        if (!video) return add({}, video.error().message, "an MP4");
+        checkRate(video->framesPerSecond());
         const int frames = static_cast<int>(dataset_.frames.size());
         int shown = 0;
-        for (cv::Mat picture; shown <= frames && video.read(picture); ++shown) {
-            if (shown == frames) break;
-            compare(shown, picture);
+        for (; shown <= frames; ++shown) {
+            const std::optional<DecodedPicture> picture = video->next();
+            if (!picture) break;
+            if (shown < frames) compare(shown, *picture);
         }
-        if (shown != frames || video.grab()) {
+        if (shown != frames) {
             add({}, shown < frames ? fmt::format("{} images", shown) : "more images",
                 fmt::format("{}", frames));
         }
@@ -62,20 +61,26 @@ class VideoCheck {
             fmt::format("{:.4g}, by the frames' times", 1.0 / steps[steps.size() / 2]));
     }
 
-    void compare(int frame, const cv::Mat& picture) {
-        const cv::Size size(dataset_.lens.width & ~1, dataset_.lens.height & ~1);
-        if (picture.size() != size) {
-            return add(frame, fmt::format("{} x {} px", picture.cols, picture.rows),
-                       fmt::format("{} x {}", size.width, size.height));
+    void compare(int frame, const DecodedPicture& picture) {
+        const int width = dataset_.lens.width & ~1;
+        const int height = dataset_.lens.height & ~1;
+        if (picture.width != width || picture.height != height) {
+            return add(frame, fmt::format("{} x {} px", picture.width, picture.height),
+                       fmt::format("{} x {}", width, height));
         }
-        const cv::Mat rgb =
-            render::readPictureFile(dataset_.folder / imageFile("rgb", frame), cv::IMREAD_COLOR);
+        const Result<Image8> rgb = readImage8(dataset_.folder / imageFile("rgb", frame), 3);
         // Unreadable images are reported by another check.
-        if (rgb.cols < size.width || rgb.rows < size.height) return;
-        cv::Mat difference;
-        cv::absdiff(picture, rgb(cv::Rect({0, 0}, size)), difference);
-        const cv::Scalar mean = cv::mean(difference);
-        const double off = (mean[0] + mean[1] + mean[2]) / 3.0;
+        if (!rgb || rgb->width < width || rgb->height < height) return;
+        std::int64_t sum = 0;
+        const auto row = static_cast<std::size_t>(3 * width);
+        for (int y = 0; y < height; ++y) {
+            const std::uint8_t* a = picture.data.data() + static_cast<std::size_t>(y) * row;
+            const std::uint8_t* b = rgb->values.data() + static_cast<std::size_t>(y) *
+                                                             static_cast<std::size_t>(rgb->width) *
+                                                             3;
+            for (std::size_t i = 0; i < row; ++i) sum += std::abs(a[i] - b[i]);
+        }
+        const double off = static_cast<double>(sum) / static_cast<double>(picture.data.size());
         if (off <= kVideoFarthest) return;
         add(frame, fmt::format("an image that differs by {:.0f} of 255 from rgb", off),
             fmt::format("at most {:g}", kVideoFarthest));
@@ -88,11 +93,7 @@ class VideoCheck {
 }  // namespace
 
 CheckWork beginVideo(const Subject& subject, Findings& findings) {
-    try {
-        VideoCheck(subject.dataset, findings).run();
-    } catch (const cv::Exception& error) {
-        findings.add({kVideoFile, {}, {}, error.what(), "an MP4"});
-    }
+    VideoCheck(subject.dataset, findings).run();
     return {};
 }
 

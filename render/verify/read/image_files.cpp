@@ -1,15 +1,14 @@
 #include "render/verify/read/image_files.h"
 
 #include "engine/io/files/text_file.h"
-#include "render/pictures/picture_file.h"
+#include "engine/io/pictures/codecs.h"
+#include "render/encoders/exr.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
-#include <cstdlib>
 #include <cstring>
-#include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 
 namespace dollytrack::verify {
@@ -32,14 +31,24 @@ Result<std::string> bytesOf(const fs::path& path) {
     return bytes;
 }
 
-/// OpenCV decodes truncated PNG files without error, so the end marker and the size are checked
-/// here.
+/// Width and height that the header of a PNG file declares, px; small numbers where it is cut off.
+std::array<std::uint64_t, 2> pngSides(std::string_view png) {
+    constexpr std::size_t kWidth = 16;  // where it begins, the highest byte first; then the height
+    std::array<std::uint64_t, 2> sides = {};
+    for (std::size_t i = 0; i < 8 && kWidth + i < png.size(); ++i) {
+        std::uint64_t& side = sides[i / 4];
+        side = 256 * side + static_cast<std::uint8_t>(png[kWidth + i]);
+    }
+    return sides;
+}
+
+/// The decoder stops after the last row, so the end marker is checked here, and the declared size.
 Status endsAsPng(const std::string& bytes) {
     constexpr std::string_view kBegin = "\x89PNG\r\n\x1a\n";
     constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
     if (!bytes.starts_with(kBegin)) return unreadableImage("it is not a PNG file");
     std::uint64_t pixels = 1;
-    for (const std::uint64_t side : render::pngSides(bytes)) {
+    for (const std::uint64_t side : pngSides(bytes)) {
         if (side > kLargestImageSide)
             return unreadableImage(fmt::format("its header declares {} px", side));
         pixels *= side;
@@ -51,44 +60,19 @@ Status endsAsPng(const std::string& bytes) {
     return {};
 }
 
-Result<cv::Mat> decode(const std::string& bytes, int depth, int channels) {
-    cv::Mat picture;
+Result<DecodedPicture> decode(const std::string& bytes, int bits, int channels) {
     if (bytes.empty()) return unreadableImage("it is empty");
-    try {
-        const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1,
-                          const_cast<char*>(bytes.data()));
-        picture = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-    } catch (const cv::Exception& error) {
-        return unreadableImage(fmt::format("it cannot be decoded ({})", error.err));
+    std::optional<DecodedPicture> picture =
+        unpackPicture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    if (!picture) return unreadableImage("it cannot be decoded");
+    if (picture->bits != bits || picture->channels != channels) {
+        return unreadableImage(fmt::format("it is {} bit x {}, expected {} bit x {}", picture->bits,
+                                           picture->channels, bits, channels));
     }
-    if (picture.empty()) return unreadableImage("it cannot be decoded");
-    if (picture.depth() != depth || picture.channels() != channels) {
-        const auto kind = [](int one, int count) {
-            return fmt::format("{} bit x {}", 8 * CV_ELEM_SIZE1(one), count);
-        };
-        return unreadableImage(fmt::format("it is {}, expected {}",
-                                           kind(picture.depth(), picture.channels()),
-                                           kind(depth, channels)));
-    }
-    return picture;
+    return std::move(*picture);
 }
 
-template <class T>
-Image<T> imageFrom(const cv::Mat& picture) {
-    const int channels = picture.channels();
-    Image<T> image{picture.cols, picture.rows, channels, {}};
-    image.values.resize(picture.total() * static_cast<std::size_t>(channels));
-    auto to = image.values.begin();
-    for (int y = 0; y < picture.rows; ++y) {
-        const T* from = picture.ptr<T>(y);
-        for (int x = 0; x < picture.cols; ++x, from += channels, to += channels) {
-            std::reverse_copy(from, from + channels, to);  // OpenCV stores blue first
-        }
-    }
-    return image;
-}
-
-/// OpenCV decodes truncated JPEG files too, filling with grey.
+/// The decoder fills truncated JPEG files with grey.
 Status endsAsJpeg(const std::string& bytes) {
     if (!bytes.starts_with("\xff\xd8")) return unreadableImage("it is not a JPEG file");
     if (!bytes.ends_with("\xff\xd9")) {
@@ -98,14 +82,17 @@ Status endsAsJpeg(const std::string& bytes) {
 }
 
 template <class T>
-Result<Image<T>> readPicture(const fs::path& path, int depth, int channels) {
+Result<Image<T>> readPicture(const fs::path& path, int channels) {
     const Result<std::string> bytes = bytesOf(path);
     if (!bytes) return tl::unexpected(bytes.error());
     const Status whole = path.extension() == ".jpg" ? endsAsJpeg(*bytes) : endsAsPng(*bytes);
     if (!whole) return tl::unexpected(whole.error());
-    const Result<cv::Mat> picture = decode(*bytes, depth, channels);
+    const Result<DecodedPicture> picture = decode(*bytes, 8 * sizeof(T), channels);
     if (!picture) return tl::unexpected(picture.error());
-    return imageFrom<T>(*picture);
+    Image<T> image{picture->width, picture->height, channels, {}};
+    image.values.resize(picture->data.size() / sizeof(T));
+    std::memcpy(image.values.data(), picture->data.data(), picture->data.size());
+    return image;
 }
 
 template <class T>
@@ -119,11 +106,11 @@ T numberAt(const std::string& bytes, std::size_t place) {
 }  // namespace
 
 Result<Image8> readImage8(const fs::path& path, int channels) {
-    return readPicture<std::uint8_t>(path, CV_8U, channels);
+    return readPicture<std::uint8_t>(path, channels);
 }
 
 Result<Image16> readImage16(const fs::path& path, int channels) {
-    return readPicture<std::uint16_t>(path, CV_16U, channels);
+    return readPicture<std::uint16_t>(path, channels);
 }
 
 Result<Image16> widened(const Result<Image8>& image) {
@@ -137,14 +124,15 @@ Result<Image16> readClasses(const fs::path& path, bool wide) {
 }
 
 Result<ImageF> readImageF(const fs::path& path, int channels) {
-    // Debian's OpenCV reads OpenEXR only if this variable is set before the first use.
-    static const int told = ::setenv("OPENCV_IO_ENABLE_OPENEXR", "1", 0);
-    (void)told;
     const Result<std::string> bytes = bytesOf(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    const Result<cv::Mat> picture = decode(*bytes, CV_32F, channels);
+    Result<render::DecodedExr> picture = render::decodeExr(*bytes);
     if (!picture) return tl::unexpected(picture.error());
-    return imageFrom<float>(*picture);
+    if (picture->channels != channels) {
+        return unreadableImage(
+            fmt::format("it has {} channels, expected {}", picture->channels, channels));
+    }
+    return ImageF{picture->width, picture->height, channels, std::move(picture->values)};
 }
 
 Result<ImageF> readFlow(const fs::path& path) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/io/pictures/codecs.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace dollytrack::render {
+
+/// Decodes the first H.264 stream of an MP4 file in memory. Opens no other file and no network
+/// address that the file may name.
+class VideoDecoder {
+  public:
+    /// Returns BadInput if the bytes are no such video, Failed if the libraries are missing.
+    [[nodiscard]] static Result<VideoDecoder> open(std::string bytes);
+    ~VideoDecoder();
+    VideoDecoder(VideoDecoder&&) noexcept;
+    VideoDecoder& operator=(VideoDecoder&&) noexcept;
+
+    /// Mean number of images per second; 0 if the file does not say.
+    [[nodiscard]] double framesPerSecond() const;
+
+    /// The next image as 8-bit RGB, decoded as BT.709 video range; nothing after the last one, or
+    /// where the stream is damaged.
+    [[nodiscard]] std::optional<DecodedPicture> next();
+
+  private:
+    struct Impl;
+    explicit VideoDecoder(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dollytrack::render
