@@ -21,14 +21,17 @@ std::optional<Hdf5Functions> load() {
 #define DOLLYTRACK_FIND(name) found = found && find(library, #name, functions.name);
     DOLLYTRACK_HDF5_FUNCTIONS(DOLLYTRACK_FIND)
 #undef DOLLYTRACK_FIND
-    const hid_t* native_double = nullptr;
-    const hid_t* file_access = nullptr;
-    found = found && find(library, "H5T_NATIVE_DOUBLE_g", native_double) &&
-            find(library, "H5P_CLS_FILE_ACCESS_ID_g", file_access);
-    // H5open() initializes the library's global ids.
+    // It initializes the library's ids.
     if (!found || functions.H5open() < 0) return std::nullopt;
-    functions.native_double = *native_double;
-    functions.file_access = *file_access;
+#define DOLLYTRACK_FIND(name, symbol)                \
+    {                                                \
+        const hid_t* id = nullptr;                   \
+        found = found && find(library, #symbol, id); \
+        if (found) functions.name = *id;             \
+    }
+    DOLLYTRACK_HDF5_IDS(DOLLYTRACK_FIND)
+#undef DOLLYTRACK_FIND
+    if (!found) return std::nullopt;
     return functions;
 }
 

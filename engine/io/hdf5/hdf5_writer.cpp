@@ -1,5 +1,6 @@
 #include "engine/io/hdf5/hdf5_writer.h"
 
+#include "engine/io/hdf5/hdf5_functions.h"
 #include "engine/io/hdf5/hdf5_library.h"
 
 #include <algorithm>
@@ -9,68 +10,77 @@ namespace {
 
 using Handle = Hdf5Handle;
 
-hid_t nativeType(Hdf5Type type) {
+constexpr unsigned kTruncate = 2;  // H5F_ACC_TRUNC; the macro itself calls the library
+
+hid_t nativeType(const Hdf5Functions& h5, Hdf5Type type) {
     switch (type) {
         case Hdf5Type::Uint8:
-            return H5T_NATIVE_UINT8;
+            return h5.native_uint8;
         case Hdf5Type::Uint16:
-            return H5T_NATIVE_UINT16;
+            return h5.native_uint16;
         case Hdf5Type::Float32:
             break;
     }
-    return H5T_NATIVE_FLOAT;
+    return h5.native_float;
 }
 
-bool add(hid_t file, const Hdf5Array& array) {
+bool add(const Hdf5Functions& h5, hid_t file, const Hdf5Array& array) {
     const std::vector<hsize_t> shape(array.shape.begin(), array.shape.end());
     const int rank = static_cast<int>(shape.size());
     std::vector<hsize_t> chunk = shape;
     chunk.front() = std::min<hsize_t>(chunk.front(), 64);
-    const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose);
-    const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    bool good = H5Pset_chunk(how, rank, chunk.data()) >= 0 && H5Pset_shuffle(how) >= 0 &&
-                H5Pset_deflate(how, 1) >= 0;
+    const Handle space(h5.H5Screate_simple(rank, shape.data(), nullptr), h5.H5Sclose);
+    const Handle how(h5.H5Pcreate(h5.dataset_create), h5.H5Pclose);
+    bool good = h5.H5Pset_chunk(how, rank, chunk.data()) >= 0 && h5.H5Pset_shuffle(how) >= 0 &&
+                h5.H5Pset_deflate(how, 1) >= 0;
     // Without this, the file contains its creation time and differs between runs.
-    good = good && H5Pset_obj_track_times(how, 0) >= 0;
-    const hid_t type = nativeType(array.type);
+    good = good && h5.H5Pset_obj_track_times(how, 0) >= 0;
+    const hid_t type = nativeType(h5, array.type);
     const Handle data(
-        H5Dcreate2(file, array.name.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT), H5Dclose);
+        h5.H5Dcreate2(file, array.name.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT),
+        h5.H5Dclose);
     return good && data >= 0 &&
-           H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values) >= 0;
+           h5.H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values) >= 0;
 }
 
-bool add(hid_t file, const Hdf5Text& text) {
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    const bool good = H5Tset_size(type, text.text.size()) >= 0 &&
-                      H5Tset_strpad(type, H5T_STR_NULLPAD) >= 0 &&
-                      H5Pset_obj_track_times(how, 0) >= 0;
+bool add(const Hdf5Functions& h5, hid_t file, const Hdf5Text& text) {
+    const Handle type(h5.H5Tcopy(h5.c_string), h5.H5Tclose);
+    const Handle space(h5.H5Screate(H5S_SCALAR), h5.H5Sclose);
+    const Handle how(h5.H5Pcreate(h5.dataset_create), h5.H5Pclose);
+    const bool good = h5.H5Tset_size(type, text.text.size()) >= 0 &&
+                      h5.H5Tset_strpad(type, H5T_STR_NULLPAD) >= 0 &&
+                      h5.H5Pset_obj_track_times(how, 0) >= 0;
     const Handle data(
-        H5Dcreate2(file, text.name.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT), H5Dclose);
+        h5.H5Dcreate2(file, text.name.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT),
+        h5.H5Dclose);
     return good && data >= 0 &&
-           H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.text.data()) >= 0;
+           h5.H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.text.data()) >= 0;
 }
 
 }  // namespace
 
 Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
                                            const std::vector<Hdf5Text>& texts) {
+    const Hdf5Functions* library = hdf5Functions();
+    if (library == nullptr) {
+        return fail(ErrorCode::Failed, "the HDF5 library is missing; install libhdf5");
+    }
+    const Hdf5Functions& h5 = *library;
     const Hdf5Lock lock;
     constexpr std::size_t kGrowth = 1U << 20U;
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    const Handle access(h5.H5Pcreate(h5.file_access), h5.H5Pclose);
     std::vector<std::uint8_t> bytes;
-    bool good = H5Pset_fapl_core(access, kGrowth, 0) >= 0;  // in memory only
-    const Handle file(good ? H5Fcreate("memory.hdf5", H5F_ACC_TRUNC, H5P_DEFAULT, access) : -1,
-                      H5Fclose);
+    bool good = h5.H5Pset_fapl_core(access, kGrowth, 0) >= 0;  // in memory only
+    const Handle file(good ? h5.H5Fcreate("memory.hdf5", kTruncate, H5P_DEFAULT, access) : -1,
+                      h5.H5Fclose);
     good = file >= 0;
-    for (const Hdf5Array& array : arrays) good = good && add(file, array);
-    for (const Hdf5Text& text : texts) good = good && add(file, text);
-    good = good && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
-    const ssize_t size = good ? H5Fget_file_image(file, nullptr, 0) : -1;
+    for (const Hdf5Array& array : arrays) good = good && add(h5, file, array);
+    for (const Hdf5Text& text : texts) good = good && add(h5, file, text);
+    good = good && h5.H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+    const ssize_t size = good ? h5.H5Fget_file_image(file, nullptr, 0) : -1;
     if (size > 0) {
         bytes.resize(size);
-        good = H5Fget_file_image(file, bytes.data(), bytes.size()) == size;
+        good = h5.H5Fget_file_image(file, bytes.data(), bytes.size()) == size;
     }
     if (!good || size <= 0) {
         return fail(ErrorCode::Failed, "HDF5 could not create the file; check the free memory.");
