@@ -65,11 +65,10 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
         for (std::size_t i = begin; i < end; ++i) {
             const Eigen::Vector2d at = grid_.centreOf(i);
             const Eigen::Vector3d from(at.x(), at.y(), top);
-            const bool in_a_room =
-                std::any_of(rooms_.begin(), rooms_.end(), [&](const RoomFloor& room) {
-                    return (at.array() >= room.box.min().head<2>().array() - grid_.cell_m).all() &&
-                           (at.array() <= room.box.max().head<2>().array() + grid_.cell_m).all();
-                });
+            bool in_a_room = false;
+            for (std::size_t room = 0; room < rooms_.size(); ++room) {
+                in_a_room = in_a_room || isOver(at, room);
+            }
             if (!in_a_room) continue;
             double reached = 0.0;
             std::vector<float> of_walls;
@@ -86,35 +85,49 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
             std::reverse(floors_[i].begin(), floors_[i].end());
         }
     });
-    for (std::size_t room = 0; room < rooms_.size(); ++room) addMissingFloor(free_space, room);
+    // All rooms are judged by what is modelled, before floors are added.
+    std::vector<std::size_t> without_floor;
+    for (std::size_t room = 0; room < rooms_.size(); ++room) {
+        if (!hasFloor(free_space, room)) without_floor.push_back(room);
+    }
+    for (const std::size_t room : without_floor) addLevelFloor(room);
 }
 
-void FloorHeights::addMissingFloor(const FreeSpace& free_space, std::size_t room) {
-    const RoomFloor& own = rooms_[room];
-    const double highest = own.box.max().z();
-    std::size_t all = 0;
-    std::size_t bare = 0;
-    std::vector<std::size_t> below;  // columns without a surface below the room
+/// Whether a column lies over the room's box or within a cell of it.
+bool FloorHeights::isOver(const Eigen::Vector2d& at, std::size_t room) const {
+    const Eigen::AlignedBox3d& box = rooms_[room].box;
+    return (at.array() >= box.min().head<2>().array() - grid_.cell_m).all() &&
+           (at.array() <= box.max().head<2>().array() + grid_.cell_m).all();
+}
+
+/// Whether half of the room's columns or more have a surface below the free space.
+bool FloorHeights::hasFloor(const FreeSpace& free_space, std::size_t room) const {
+    const Eigen::AlignedBox3d& box = rooms_[room].box;
+    std::size_t columns = 0;
+    std::size_t columns_with_floor = 0;
     for (std::size_t i = 0; i < floors_.size(); ++i) {
         const Eigen::Vector2d at = grid_.centreOf(i);
-        if ((at.array() < own.box.min().head<2>().array() - grid_.cell_m).any() ||
-            (at.array() > own.box.max().head<2>().array() + grid_.cell_m).any()) {
-            continue;
+        if (!isOver(at, room)) continue;
+        Eigen::Vector3d lowest(at.x(), at.y(), box.min().z() + 0.5 * grid_.cell_m);
+        while (lowest.z() < box.max().z() &&
+               free_space.componentAt(lowest) != static_cast<int>(room)) {
+            lowest.z() += grid_.cell_m;
         }
-        const double floor = floors_[i].empty() ? highest : floors_[i].front();
-        if (floor > own.height) below.push_back(i);
-        Eigen::Vector3d cell(at.x(), at.y(), own.box.min().z() + 0.5 * grid_.cell_m);
-        while (cell.z() < highest && free_space.componentAt(cell) != static_cast<int>(room)) {
-            cell.z() += grid_.cell_m;
-        }
-        if (cell.z() >= highest) continue;
-        ++all;
-        if (floor > cell.z()) ++bare;
+        if (lowest.z() >= box.max().z()) continue;
+        ++columns;
+        if (!floors_[i].empty() && floors_[i].front() <= lowest.z()) ++columns_with_floor;
     }
-    if (2 * bare <= all) return;
-    // Below walls and furniture, too: an edge of the floor would be an obstacle.
-    for (const std::size_t i : below) {
-        floors_[i].insert(floors_[i].begin(), static_cast<float>(own.height));
+    return 2 * columns_with_floor >= columns;
+}
+
+/// Adds a floor in all columns over the room without a lower surface, also under walls and
+/// furniture, because FloorLevels treats the edge of a floor as an obstacle.
+void FloorHeights::addLevelFloor(std::size_t room) {
+    const auto height = static_cast<float>(rooms_[room].height);
+    for (std::size_t i = 0; i < floors_.size(); ++i) {
+        if (!isOver(grid_.centreOf(i), room)) continue;
+        if (!floors_[i].empty() && floors_[i].front() <= height) continue;
+        floors_[i].insert(floors_[i].begin(), height);
     }
 }
 

@@ -33,9 +33,9 @@ struct ColumnGrid {
 /// furniture or rugs) below it, sampled at the centre of each column of map cells. Floors of
 /// several storeys, stairs and steps are told apart. In columns without a floor, horizontal
 /// surfaces of walls and ceilings count (for a shell modelled as one wall); doors and windows never
-/// count. A room most of whose columns have no such surface below the free space, for example
-/// a house that stands on the ground of a world in another file, gets a level floor where its free
-/// space begins. In other columns without a surface, too, the result is that height. Immutable.
+/// count. A room gets a level floor where its free space begins, but not below the building, if
+/// most of its columns have no such surface (a house whose ground is in another file). In any other
+/// column without a surface, the floor's height is that of the room. Immutable.
 class FloorHeights {
   public:
     FloorHeights(const Scene& scene, const RayCaster& rays, const FreeSpace& free_space,
@@ -58,7 +58,9 @@ class FloorHeights {
 
   private:
     [[nodiscard]] double roomFloor(const Eigen::Vector3d& place) const;
-    void addMissingFloor(const FreeSpace& free_space, std::size_t room);
+    [[nodiscard]] bool isOver(const Eigen::Vector2d& at, std::size_t room) const;
+    [[nodiscard]] bool hasFloor(const FreeSpace& free_space, std::size_t room) const;
+    void addLevelFloor(std::size_t room);
 
     ColumnGrid grid_;
     std::vector<std::vector<float>> floors_;  // by column, ascending

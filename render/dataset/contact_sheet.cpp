@@ -75,7 +75,10 @@ Result<std::vector<std::uint8_t>> encodeContactSheet(const GuardedFolder& folder
         thumbs[i].copyTo(page(cv::Rect(x, y, thumbs[i].cols, thumbs[i].rows)));
         writeText(page, pictures[i].caption, x + 2, y + thumb_height + 16, 0.45, 200);
     }
-    return encodeJpeg(page.cols, page.rows, 3, 90, {page.data, page.total() * page.elemSize()});
+    auto bytes =
+        encodeJpeg(page.cols, page.rows, 3, 90, {page.data, page.total() * page.elemSize()});
+    if (!bytes) return fail(ErrorCode::Failed, bytes.error().message, "contact_sheet.jpg");
+    return bytes;
 }
 
 }  // namespace dollytrack::render

@@ -48,6 +48,12 @@ Result<FormatSet> chooseFormats(const std::vector<std::string>& names) {
 
 Status checkNeeds(const FormatSet& formats, const ModalitySet& modalities) {
     for (const Format* format : formats) {
+        if (const char* missing = format->missing ? format->missing() : nullptr) {
+            return fail(
+                ErrorCode::Failed,
+                std::string("The format '") + format->name + "' cannot be written: " + missing,
+                "--formats");
+        }
         if (!format->modality || contains(modalities, format->modality)) continue;
         return fail(ErrorCode::Usage,
                     std::string("The format '") + format->name + "' needs the modality '" +

@@ -1,5 +1,6 @@
 #include "render/gl/osmesa_context.h"
 
+#include "engine/core/shared_library.h"
 #include "render/gl/function_source.h"
 
 #include <GL/glew.h>
@@ -11,8 +12,6 @@
 #endif
 #include <GL/osmesa.h>
 
-#include <dlfcn.h>
-
 #include <array>
 #include <optional>
 
@@ -22,26 +21,20 @@ namespace {
 struct OsMesaFunctions {
     decltype(&::OSMesaCreateContextAttribs) create = nullptr;
     decltype(&::OSMesaDestroyContext) destroy = nullptr;
-    decltype(&::OSMesaMakeCurrent) makeCurrent = nullptr;
-    decltype(&::OSMesaGetProcAddress) find = nullptr;
+    decltype(&::OSMesaMakeCurrent) make_current = nullptr;
+    decltype(&::OSMesaGetProcAddress) proc_address = nullptr;
 };
-
-template <class Symbol>
-bool findSymbol(void* library, const char* name, Symbol*& symbol) {
-    symbol = reinterpret_cast<Symbol*>(::dlsym(library, name));
-    return symbol != nullptr;
-}
 
 /// Loads the library once; empty if it is missing.
 const std::optional<OsMesaFunctions>& osMesa() {
     static const std::optional<OsMesaFunctions> functions = [] {
         std::optional<OsMesaFunctions> loaded(std::in_place);
-        void* library = ::dlopen(DOLLYTRACK_OSMESA, RTLD_LAZY | RTLD_LOCAL);
+        void* library = openSharedLibrary(DOLLYTRACK_OSMESA);
         if (library == nullptr ||
             !findSymbol(library, "OSMesaCreateContextAttribs", loaded->create) ||
             !findSymbol(library, "OSMesaDestroyContext", loaded->destroy) ||
-            !findSymbol(library, "OSMesaMakeCurrent", loaded->makeCurrent) ||
-            !findSymbol(library, "OSMesaGetProcAddress", loaded->find)) {
+            !findSymbol(library, "OSMesaMakeCurrent", loaded->make_current) ||
+            !findSymbol(library, "OSMesaGetProcAddress", loaded->proc_address)) {
             loaded.reset();
         }
         return loaded;
@@ -58,11 +51,11 @@ class OsMesaContext final : public Context {
 
     Status makeCurrent() override {
         // The default framebuffer is never drawn to; its size does not matter.
-        if (osMesa()->makeCurrent(context_, pixels_.data(), GL_UNSIGNED_BYTE, 4, 4) == GL_FALSE) {
+        if (osMesa()->make_current(context_, pixels_.data(), GL_UNSIGNED_BYTE, 4, 4) == GL_FALSE) {
             return fail(ErrorCode::NoOpenGl,
                         "the windowless OpenGL context (OSMesa) cannot be made current");
         }
-        return useFunctionsOf(osMesa()->find);
+        return useFunctionsOf(osMesa()->proc_address);
     }
 
   private:

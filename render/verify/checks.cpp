@@ -1,5 +1,7 @@
 #include "render/verify/checks.h"
 
+#include "engine/io/hdf5/hdf5_reader.h"
+#include "render/formats/media/video_encoder.h"
 #include "render/verify/check/check_list.h"
 
 #include <array>
@@ -112,15 +114,16 @@ constexpr std::array kChecks = {
           kTartanAir, Names{}, false, beginTartanAir},
     Check{"kitti_objects", "KITTI's labels agree with the instance images and the boxes",
           kKittiObjects, Names{}, false, beginKittiObjects},
-    Check{"hdf5", "HDF5's images and poses agree with the frames", kHdf5, Names{}, false,
-          beginHdf5},
+    Check{"hdf5", "HDF5's images and poses agree with the frames", kHdf5, Names{}, false, beginHdf5,
+          missingHdf5},
     Check{"coco_polygons", "outlines contain the instance images' pixels and the holes in them",
           kPolygons, Names{}, false, beginCocoPolygons},
     Check{"folds",
           "each frame is validated once, and no training frame is closer to these than "
           "dataset.json allows",
           kFolds, Names{}, false, beginFolds},
-    Check{"video", "the preview shows every image, in order", kVideo, Names{}, false, beginVideo},
+    Check{"video", "the preview shows every image, in order", kVideo, Names{}, false, beginVideo,
+          render::missingVideoLibrary},
     Check{"albedo", "base colours agree with the visible materials", kAlbedo, Names{}, true,
           beginAlbedo},
     Check{"rgb_sensor", "sensor images agree with their frames, by the stated lens and times",

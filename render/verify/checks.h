@@ -16,6 +16,8 @@ struct Check {
     /// Reads the required files that are not images and returns the check's functions. `subject`
     /// outlives them.
     CheckWork (*begin)(const Subject& subject, Findings& findings);
+    /// Says that a library is missing that the check needs; null if none is. Null: it needs none.
+    const char* (*missing)() = nullptr;
 };
 
 std::span<const Check> checks();

@@ -27,6 +27,7 @@ std::string whySkipped(const Check& check, const Subject& subject, const std::st
             names += (names.empty() ? "" : ", ") + std::string(name);
         return "the dataset has none of " + names;
     }
+    if (const char* missing = check.missing ? check.missing() : nullptr) return missing;
     if (check.needs_scene && !subject.rays) return no_scene;
     return {};
 }

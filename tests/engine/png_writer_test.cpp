@@ -54,6 +54,18 @@ TEST(PngWriter, Rgb8KeepsItsChannelOrder) {
     }
 }
 
+TEST(PngWriter, TheSmallestFileHasTheSamePixels) {
+    std::vector<std::uint8_t> labels(3UL * 96 * 64);  // areas of few colours, as in label images
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        labels[i] = static_cast<std::uint8_t>(60 * (i / 3 % 96 / 20) + 10 * (i / 3 / 96 / 9));
+    }
+    const auto fast = encodePng(96, 64, PngFormat::Rgb8, labels);
+    const auto smallest = encodePng(96, 64, PngFormat::Rgb8, labels, PngEffort::Smallest);
+    ASSERT_TRUE(fast && smallest);
+    EXPECT_LT(smallest->size(), fast->size());
+    EXPECT_EQ(cv::norm(decode(*smallest), decode(*fast), cv::NORM_INF), 0.0);
+}
+
 TEST(PngWriter, RefusesABufferOfTheWrongSize) {
     EXPECT_FALSE(encodePng(4, 4, PngFormat::Rgb8, randomBytes(47)));
 }

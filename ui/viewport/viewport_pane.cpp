@@ -137,19 +137,17 @@ std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image, const Eigen::Ve
     return ray.origin + depth * ray.direction;
 }
 
-Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& now,
+Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& current,
                            const Eigen::Vector3d& pivot, const Eigen::Vector2d& cursor) {
-    constexpr double kStill_px = 3.0;
-    if (image != nullptr) {
-        const auto surface = surfaceAt(*image, cursor);
-        const Eigen::Vector3d in_camera =
-            surface ? now.pose.toCamera(*surface) : Eigen::Vector3d::Zero().eval();
-        if (in_camera.z() > 0.0 && (now.project(in_camera) - cursor).norm() < kStill_px) {
+    constexpr double kStill_px = 3.0;  // more than rounding, less than any jump of the camera
+    if (const auto surface = image != nullptr ? surfaceAt(*image, cursor) : std::nullopt) {
+        const Eigen::Vector3d in_camera = current.pose.toCamera(*surface);
+        if (in_camera.z() > 0.0 && (current.project(in_camera) - cursor).norm() < kStill_px) {
             return *surface;
         }
     }
-    const render::ViewRay ray = now.rayThrough(cursor.x(), cursor.y());
-    const double depth = (pivot - ray.origin).dot(now.pose.forward());
+    const render::ViewRay ray = current.rayThrough(cursor.x(), cursor.y());
+    const double depth = (pivot - ray.origin).dot(current.pose.forward());
     return ray.origin + depth * ray.direction;
 }
 

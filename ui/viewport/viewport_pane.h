@@ -51,10 +51,10 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 /// World position (m) of the surface under an image pixel; nullopt if there is no surface.
 [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image,
                                                        const Eigen::Vector2d& pixel);
-/// The world point (m) that zooming keeps under the cursor: the surface in the image, or the point
-/// at the pivot's depth where there is none, or where the image still shows the view before a jump
-/// of the camera. `now`: the current view; `image` may be null.
-[[nodiscard]] Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& now,
+/// World point (m) that stays under the cursor while zooming: the surface in the image if `current`
+/// still shows it there (the image may be older than the view), otherwise the point under the
+/// cursor at the pivot's depth. `image` may be null.
+[[nodiscard]] Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& current,
                                          const Eigen::Vector3d& pivot,
                                          const Eigen::Vector2d& cursor);
 /// Id of the object under an image pixel; 0 for none.

@@ -40,6 +40,13 @@ struct Verified {
         return std::count_if(results.begin(), results.end(),
                              [&](const CheckResult& result) { return result.skipped == no_scene; });
     }
+    /// Number of checks skipped because a library is not installed.
+    [[nodiscard]] std::ptrdiff_t withoutLibrary() const {
+        return std::count_if(results.begin(), results.end(), [](const CheckResult& result) {
+            const char* missing = result.check->missing ? result.check->missing() : nullptr;
+            return missing != nullptr && result.skipped == missing;
+        });
+    }
 };
 
 /// The unusable images that dataset.json lists, which the check "usable" verifies. They do not
@@ -52,17 +59,20 @@ render::PictureTally picturesOf(const verify::StoredDataset& dataset) {
     }
 }
 
-/// The verdict; "sound as far as checked" if checks were skipped for lack of the scene.
+/// The verdict; "sound as far as checked" if checks were skipped for lack of the scene or a
+/// library.
 std::string verdictOf(const Verified& verified) {
     if (!verify::isSound(verified.results)) return "DAMAGED";
-    return verified.unproven() == 0 ? "sound" : "sound as far as checked";
+    const bool is_whole = verified.unproven() == 0 && verified.withoutLibrary() == 0;
+    return is_whole ? "sound" : "sound as far as checked";
 }
 
 /// The reasons for skipped checks: " (3 concern files that were not exported; 2 need the scene:
 /// name it with --scene)".
 std::string whySkipped(const Verified& verified, std::ptrdiff_t skipped) {
     const std::ptrdiff_t unproven = verified.unproven();
-    const std::ptrdiff_t absent = skipped - unproven;
+    const std::ptrdiff_t libraries = verified.withoutLibrary();
+    const std::ptrdiff_t absent = skipped - unproven - libraries;
     std::vector<std::string> reasons;
     if (absent > 0) {
         reasons.push_back(fmt::format("{} concern{} files that were not exported", absent,
@@ -71,6 +81,10 @@ std::string whySkipped(const Verified& verified, std::ptrdiff_t skipped) {
     if (unproven > 0) {
         reasons.push_back(fmt::format("{} need{} the scene: pass it with --scene", unproven,
                                       unproven == 1 ? "s" : ""));
+    }
+    if (libraries > 0) {
+        reasons.push_back(fmt::format("{} need{} a library that is missing", libraries,
+                                      libraries == 1 ? "s" : ""));
     }
     return reasons.empty() ? "" : fmt::format(" ({})", fmt::join(reasons, "; "));
 }

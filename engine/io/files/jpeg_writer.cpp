@@ -3,36 +3,74 @@
 #include <array>
 #include <csetjmp>
 #include <cstdio>
-#include <cstdlib>
+#include <new>
 #include <string>
 // Needs size_t and FILE to be declared.
 #include <jpeglib.h>
+// Needs jpeglib.h.
+#include <jerror.h>
 
 namespace dollytrack {
 namespace {
 
-struct JpegWrite {
+struct JpegErrors {
     jpeg_error_mgr manager;  // first, so that a pointer to it is also one to this struct
     std::jmp_buf leave;
     std::array<char, JMSG_LENGTH_MAX> problem{};
-    unsigned char* bytes = nullptr;  // allocated by the library
-    unsigned long size = 0;
 };
 
+/// Collects the compressed bytes. The library's own destination frees its buffer twice after an
+/// error.
+struct JpegBytes {
+    jpeg_destination_mgr manager;  // first, so that a pointer to it is also one to this struct
+    std::vector<std::uint8_t> bytes;
+
+    static JpegBytes& of(j_compress_ptr info) { return *reinterpret_cast<JpegBytes*>(info->dest); }
+
+    /// Makes room for more bytes; exceptions must not pass through the library.
+    bool grow(std::size_t size) noexcept {
+        try {
+            const std::size_t used = bytes.size();
+            bytes.resize(size);
+            manager.next_output_byte = bytes.data() + used;
+            manager.free_in_buffer = size - used;
+        } catch (const std::bad_alloc&) {
+            return false;
+        }
+        return true;
+    }
+};
+
+void beginBytes(j_compress_ptr info) {
+    if (!JpegBytes::of(info).grow(1U << 16U)) ERREXIT1(info, JERR_OUT_OF_MEMORY, 0);
+}
+
+boolean growBytes(j_compress_ptr info) {
+    JpegBytes& target = JpegBytes::of(info);
+    if (!target.grow(2 * target.bytes.size())) ERREXIT1(info, JERR_OUT_OF_MEMORY, 0);
+    return TRUE;
+}
+
+void endBytes(j_compress_ptr info) {
+    JpegBytes& target = JpegBytes::of(info);
+    target.bytes.resize(target.bytes.size() - target.manager.free_in_buffer);
+}
+
 [[noreturn]] void leaveOnJpegError(j_common_ptr info) {
-    auto* write = reinterpret_cast<JpegWrite*>(info->err);
-    info->err->format_message(info, write->problem.data());
-    std::longjmp(write->leave, 1);
+    auto* errors = reinterpret_cast<JpegErrors*>(info->err);
+    info->err->format_message(info, errors->problem.data());
+    std::longjmp(errors->leave, 1);
 }
 
 void ignoreJpegMessage(j_common_ptr /*info*/) {}
 
 /// Contains all calls that libjpeg may leave by longjmp(), and no objects with destructors.
-bool compress(jpeg_compress_struct& info, JpegWrite& target, int width, int height, int channels,
-              int quality, const std::uint8_t* pixels, JpegTables tables) {
-    if (setjmp(target.leave) != 0) return false;
+bool compress(jpeg_compress_struct& info, JpegErrors& errors, JpegBytes& target, int width,
+              int height, int channels, int quality, const std::uint8_t* pixels,
+              JpegTables tables) {
+    if (setjmp(errors.leave) != 0) return false;
     jpeg_create_compress(&info);
-    jpeg_mem_dest(&info, &target.bytes, &target.size);
+    info.dest = &target.manager;
     info.image_width = static_cast<JDIMENSION>(width);
     info.image_height = static_cast<JDIMENSION>(height);
     info.input_components = channels;
@@ -65,18 +103,19 @@ Result<std::vector<std::uint8_t>> encodeJpeg(int width, int height, int channels
                                            std::to_string(pixels.size()) + " bytes");
     }
     jpeg_compress_struct info{};
-    JpegWrite target{};
-    info.err = jpeg_std_error(&target.manager);
-    target.manager.error_exit = leaveOnJpegError;
-    target.manager.output_message = ignoreJpegMessage;
+    JpegErrors errors{};
+    info.err = jpeg_std_error(&errors.manager);
+    errors.manager.error_exit = leaveOnJpegError;
+    errors.manager.output_message = ignoreJpegMessage;
+    JpegBytes target{};
+    target.manager.init_destination = beginBytes;
+    target.manager.empty_output_buffer = growBytes;
+    target.manager.term_destination = endBytes;
     const bool done =
-        compress(info, target, width, height, channels, quality, pixels.data(), tables);
+        compress(info, errors, target, width, height, channels, quality, pixels.data(), tables);
     jpeg_destroy_compress(&info);
-    std::vector<std::uint8_t> bytes;
-    if (done) bytes.assign(target.bytes, target.bytes + target.size);
-    std::free(target.bytes);
-    if (!done) return fail(ErrorCode::Failed, std::string("libjpeg: ") + target.problem.data());
-    return bytes;
+    if (!done) return fail(ErrorCode::Failed, std::string("libjpeg: ") + errors.problem.data());
+    return std::move(target.bytes);
 }
 
 }  // namespace dollytrack

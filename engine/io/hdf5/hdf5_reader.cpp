@@ -57,10 +57,7 @@ Result<std::unique_ptr<const OpenDataset>> openDataset(const std::filesystem::pa
                                                        const std::string& name) {
     const Hdf5Functions* library = hdf5Functions();
     if (library == nullptr) {
-        return fail(ErrorCode::Failed,
-                    std::string("The library that reads HDF5 is not installed (") +
-                        DOLLYTRACK_HDF5_LIBRARY + ").",
-                    path.string());
+        return fail(ErrorCode::Failed, missingHdf5(), path.string());
     }
     auto dataset = std::make_unique<const OpenDataset>(*library, path, name);
     const auto refused = [&](const std::string& why) {
@@ -75,6 +72,12 @@ Result<std::unique_ptr<const OpenDataset>> openDataset(const std::filesystem::pa
 }
 
 }  // namespace
+
+const char* missingHdf5() {
+    return hdf5Functions() != nullptr ? nullptr
+                                      : "the HDF5 library is missing (" DOLLYTRACK_HDF5_LIBRARY
+                                        "); on Debian, install libhdf5-103-1";
+}
 
 Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path, const std::string& name,
                                     std::uint64_t most) {

@@ -15,6 +15,10 @@ struct Hdf5Numbers {
     std::vector<double> values;       // as many as they multiply to
 };
 
+/// Says that the HDF5 library, which is loaded at its first use, is not installed; null if it is.
+/// For reading and writing. Safe to call from many threads.
+[[nodiscard]] const char* missingHdf5();
+
 /// A dataset of an HDF5 file, of whatever type of number; Hypersim's files hold one, named
 /// "dataset". From any thread. Errors: BadInput, also beyond `most` numbers.
 Result<Hdf5Numbers> readHdf5Numbers(const std::filesystem::path& path,

@@ -2,6 +2,7 @@
 
 #include "engine/io/hdf5/hdf5_functions.h"
 #include "engine/io/hdf5/hdf5_library.h"
+#include "engine/io/hdf5/hdf5_reader.h"
 
 #include <algorithm>
 
@@ -63,7 +64,7 @@ Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
                                            const std::vector<Hdf5Text>& texts) {
     const Hdf5Functions* library = hdf5Functions();
     if (library == nullptr) {
-        return fail(ErrorCode::Failed, "the HDF5 library is missing; install libhdf5");
+        return fail(ErrorCode::Failed, missingHdf5());
     }
     const Hdf5Functions& h5 = *library;
     const Hdf5Lock lock;

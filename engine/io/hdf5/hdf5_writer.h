@@ -25,7 +25,8 @@ struct Hdf5Text {
 };
 
 /// The bytes of an HDF5 file with these datasets, arrays compressed. They contain no time stamp, so
-/// equal input gives equal bytes. May be called from any thread. Error: Failed if memory runs out.
+/// equal input gives equal bytes. May be called from any thread. Failed if memory
+/// runs out or the library is missing (see missingHdf5()).
 [[nodiscard]] Result<std::vector<std::uint8_t>> packHdf5(const std::vector<Hdf5Array>& arrays,
                                                          const std::vector<Hdf5Text>& texts);
 

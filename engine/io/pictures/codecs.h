@@ -25,7 +25,8 @@ bool makeRoom(std::int64_t width, std::int64_t height, int channels, int bits,
 using PictureBytes = std::span<const std::uint8_t>;
 
 /// Unpacks PNG, JPEG, WebP, TIFF, TGA, BMP, PSD, GIF, PNM or HDR bytes, recognized by the first of
-/// them. Empty if they are not a complete image, or it has more than kMostPicturePixels.
+/// them. Empty if they cannot be decoded, or the image has more than kMostPicturePixels. A
+/// truncated JPEG is filled with grey.
 std::optional<DecodedPicture> unpackPicture(PictureBytes bytes);
 
 /// One function per library. Call it only for bytes that begin like its format. Empty if the bytes

@@ -6,9 +6,7 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
-#include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace dollytrack::render {
 
@@ -39,11 +37,12 @@ struct LibavFunctions {
 #undef DOLLYTRACK_DECLARE
 };
 
-inline constexpr const char* kNoLibav =
-    "the libraries for videos are missing; install libavformat, or leave out the format 'video'";
-
 /// Loads the libraries once; null if one is missing. Safe to call from many threads.
 [[nodiscard]] const LibavFunctions* libavFunctions();
+
+/// A seek in a file of `size` bytes as libav's callback has to do it: sets `at` and returns it, or
+/// returns the size if asked for, or an error.
+std::int64_t seekInFile(std::uint64_t& at, std::uint64_t size, std::int64_t offset, int whence);
 
 /// Frees libav's objects. They exist only after libavFunctions() has succeeded.
 struct FreedByLibav {
@@ -55,16 +54,6 @@ struct FreedByLibav {
         libavFunctions()->av_freep(&p->buffer);
         libavFunctions()->avio_context_free(&p);
     }
-};
-
-/// A file in memory, for libav's callbacks.
-struct MemoryFile {
-    std::string bytes;
-    std::size_t at = 0;
-
-    static int read(void* self, std::uint8_t* into, int size);
-    static int write(void* self, std::uint8_t* data, int size);
-    static std::int64_t seek(void* self, std::int64_t offset, int whence);
 };
 
 }  // namespace dollytrack::render

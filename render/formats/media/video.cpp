@@ -78,6 +78,7 @@ const Format kVideoFormat = {
     .convention = videoConvention,
     .modality = "rgb",
     .bytes_per_pixel = 0.15,
+    .missing = missingVideoLibrary,
 };
 
 }  // namespace dollytrack::render

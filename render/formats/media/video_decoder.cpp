@@ -1,14 +1,30 @@
 #include "render/formats/media/video_decoder.h"
 
 #include "render/formats/media/libav_functions.h"
+#include "render/formats/media/video_encoder.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstring>
 
 namespace dollytrack::render {
 namespace {
+
+/// A file, for libav's callbacks.
+struct FileReader {
+    InputFile file;
+    std::uint64_t at = 0;
+
+    static int read(void* self, std::uint8_t* into, int size) {
+        auto& reader = *static_cast<FileReader*>(self);
+        const std::size_t count =
+            reader.file.read(reader.at, into, static_cast<std::size_t>(std::max(size, 0)));
+        reader.at += count;
+        return count > 0 ? static_cast<int>(count) : AVERROR_EOF;
+    }
+    static std::int64_t seek(void* self, std::int64_t offset, int whence) {
+        auto& reader = *static_cast<FileReader*>(self);
+        return seekInFile(reader.at, reader.file.size(), offset, whence);
+    }
+};
 
 struct ClosedByLibav {
     void operator()(AVFormatContext* p) const { libavFunctions()->avformat_close_input(&p); }
@@ -39,7 +55,9 @@ DecodedPicture toRgb(const AVFrame& frame) {
 }  // namespace
 
 struct VideoDecoder::Impl {
-    MemoryFile file;
+    explicit Impl(InputFile input) : reader{std::move(input)} {}
+
+    FileReader reader;
     std::unique_ptr<AVIOContext, FreedByLibav> io;
     std::unique_ptr<AVFormatContext, ClosedByLibav> demuxer;
     std::unique_ptr<AVCodecContext, FreedByLibav> codec;
@@ -54,11 +72,17 @@ struct VideoDecoder::Impl {
 
 bool VideoDecoder::Impl::open(const LibavFunctions& av) {
     constexpr int kBuffer = 1 << 16;
-    io.reset(av.avio_alloc_context(static_cast<unsigned char*>(av.av_malloc(kBuffer)), kBuffer, 0,
-                                   &file, MemoryFile::read, nullptr, MemoryFile::seek));
+    auto* buffer = static_cast<unsigned char*>(av.av_malloc(kBuffer));
+    io.reset(av.avio_alloc_context(buffer, kBuffer, 0, &reader, FileReader::read, nullptr,
+                                   FileReader::seek));
+    if (!io) {
+        av.av_freep(&buffer);
+        return false;
+    }
     AVFormatContext* made = av.avformat_alloc_context();
-    if (!io || made == nullptr) return false;
+    if (made == nullptr) return false;
     made->pb = io.get();
+    av.av_opt_set(made, "codec_whitelist", "h264", 0);
     // On failure, the function frees the context.
     if (av.avformat_open_input(&made, nullptr, av.av_find_input_format("mov"), nullptr) < 0) {
         return false;
@@ -100,11 +124,10 @@ VideoDecoder::~VideoDecoder() = default;
 VideoDecoder::VideoDecoder(VideoDecoder&&) noexcept = default;
 VideoDecoder& VideoDecoder::operator=(VideoDecoder&&) noexcept = default;
 
-Result<VideoDecoder> VideoDecoder::open(std::string bytes) {
+Result<VideoDecoder> VideoDecoder::open(InputFile file) {
     const LibavFunctions* av = libavFunctions();
-    if (av == nullptr) return fail(ErrorCode::Failed, kNoLibav);
-    auto impl = std::make_unique<Impl>();
-    impl->file.bytes = std::move(bytes);
+    if (av == nullptr) return fail(ErrorCode::Failed, missingVideoLibrary());
+    auto impl = std::make_unique<Impl>(std::move(file));
     if (!impl->open(*av)) return fail(ErrorCode::BadInput, "it cannot be opened as a video");
     return VideoDecoder(std::move(impl));
 }

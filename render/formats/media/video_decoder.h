@@ -1,20 +1,20 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/io/files/input_file.h"
 #include "engine/io/pictures/codecs.h"
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace dollytrack::render {
 
-/// Decodes the first H.264 stream of an MP4 file in memory. Opens no other file and no network
-/// address that the file may name.
+/// Decodes the first H.264 stream of an MP4 file. Opens no other file and no network address that
+/// the file may name, and starts no decoder but that of H.264.
 class VideoDecoder {
   public:
-    /// Returns BadInput if the bytes are no such video, Failed if the libraries are missing.
-    [[nodiscard]] static Result<VideoDecoder> open(std::string bytes);
+    /// Returns BadInput if it is no such video, Failed without libavformat.
+    [[nodiscard]] static Result<VideoDecoder> open(InputFile file);
     ~VideoDecoder();
     VideoDecoder(VideoDecoder&&) noexcept;
     VideoDecoder& operator=(VideoDecoder&&) noexcept;

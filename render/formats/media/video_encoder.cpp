@@ -42,6 +42,25 @@ class PlainNumbers {
 template <class T>
 using Owned = std::unique_ptr<T, FreedByLibav>;
 
+/// An in-memory file in which the muxer may seek.
+struct MemoryFile {
+    std::string bytes;
+    std::size_t at = 0;
+
+    static int write(void* self, std::uint8_t* data, int size) {
+        auto& file = *static_cast<MemoryFile*>(self);
+        const auto count = static_cast<std::size_t>(size);
+        if (file.bytes.size() < file.at + count) file.bytes.resize(file.at + count);
+        std::memcpy(file.bytes.data() + file.at, data, count);
+        file.at += count;
+        return size;
+    }
+    static std::int64_t seek(void* self, std::int64_t offset, int whence) {
+        auto& file = *static_cast<MemoryFile*>(self);
+        return seekInFile(file.at, file.bytes.size(), offset, whence);
+    }
+};
+
 /// RGB to BT.709 video range in integers, for identical results on every processor.
 void toYuv(std::span<const std::uint8_t> rgb, int stride_px, AVFrame& out) {
     const auto pixel = [&](int x, int y) {
@@ -177,7 +196,7 @@ VideoEncoder& VideoEncoder::operator=(VideoEncoder&&) noexcept = default;
 
 Result<VideoEncoder> VideoEncoder::begin(int width, int height, double frames_per_s) {
     const LibavFunctions* av = libavFunctions();
-    if (av == nullptr) return fail(ErrorCode::Failed, kNoLibav, "--formats");
+    if (av == nullptr) return fail(ErrorCode::Failed, missingVideoLibrary(), "preview.mp4");
     auto impl = std::make_unique<Impl>();
     impl->av = av;
     impl->width = width;

@@ -9,12 +9,16 @@
 
 namespace dollytrack::render {
 
+/// Says that libavformat, which is loaded at its first use, is not installed; null if it is. For
+/// VideoEncoder and VideoDecoder.
+[[nodiscard]] const char* missingVideoLibrary();
+
 /// Encodes an H.264 video as MP4 in memory. Single-threaded and without timestamps: with the same
 /// libraries, equal images give equal bytes on any number of cores.
 class VideoEncoder {
   public:
     /// Sizes are rounded down to even numbers, as the format requires. Returns Failed if no H.264
-    /// encoder is available.
+    /// encoder or no libavformat is available.
     [[nodiscard]] static Result<VideoEncoder> begin(int width, int height, double frames_per_s);
     ~VideoEncoder();
     VideoEncoder(VideoEncoder&&) noexcept;

@@ -45,7 +45,9 @@ Result<Bytes> encodeGltfScene(const Texture& texture, bool exact) {
     for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
         rgb.insert(rgb.end(), &texture.rgba[i], &texture.rgba[i] + 3);
     }
-    return encodeJpeg(texture.width, texture.height, 3, kJpegQuality, rgb);
+    Result<Bytes> bytes = encodeJpeg(texture.width, texture.height, 3, kJpegQuality, rgb);
+    if (!bytes) return fail(ErrorCode::Failed, bytes.error().message, texture.name);
+    return bytes;
 }
 
 /// Adds the textures in use. Returns their numbers in the file by index in the scene.

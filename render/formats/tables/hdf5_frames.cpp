@@ -1,5 +1,6 @@
 #include "render/formats/tables/hdf5_frames.h"
 
+#include "engine/io/hdf5/hdf5_reader.h"
 #include "engine/io/hdf5/hdf5_writer.h"
 #include "render/dataset/contents/frame_context.h"
 #include "render/encoders/pack.h"
@@ -67,6 +68,7 @@ const Format kHdf5FramesFormat = {
     .encode = encodeHdf5Frames,
     .convention = hdf5FramesConvention,
     .bytes_per_pixel = 4.0,
+    .missing = missingHdf5,
 };
 
 }  // namespace dollytrack::render

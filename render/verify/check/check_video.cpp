@@ -1,5 +1,5 @@
 // Checks the preview video: one image per frame, in order.
-#include "engine/io/files/text_file.h"
+#include "engine/io/files/input_file.h"
 #include "render/formats/media/video_decoder.h"
 #include "render/verify/check/check_list.h"
 #include "render/verify/read/image_files.h"
@@ -23,9 +23,9 @@ class VideoCheck {
         : dataset_(dataset), findings_(findings) {}
 
     void run() {
-        Result<std::string> bytes = readText(dataset_.folder / kVideoFile);
-        if (!bytes) return add({}, bytes.error().message, "an MP4");
-        Result<render::VideoDecoder> video = render::VideoDecoder::open(std::move(*bytes));
+        Result<InputFile> file = openNamedFile(dataset_.folder / kVideoFile);
+        if (!file) return add({}, file.error().message, "an MP4");
+        Result<render::VideoDecoder> video = render::VideoDecoder::open(std::move(*file));
         if (!video) return add({}, video.error().message, "an MP4");
         checkRate(video->framesPerSecond());
         const int frames = static_cast<int>(dataset_.frames.size());

@@ -105,7 +105,7 @@ const FrameImages::Entry& FrameImages::load(std::string_view modality) {
                 take(readClasses(path, dataset_.classes().isWide()), lens, entry.bits16);
             break;
         case Type::Float:
-            entry.problem = take(readImageF(path, kind->channels), lens, entry.real);
+            entry.problem = take(readImageF(path), lens, entry.real);
             break;
     }
     return entry;

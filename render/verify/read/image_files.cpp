@@ -2,7 +2,7 @@
 
 #include "engine/io/files/text_file.h"
 #include "engine/io/pictures/codecs.h"
-#include "render/encoders/exr.h"
+#include "render/verify/read/exr_file.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +61,6 @@ Status endsAsPng(const std::string& bytes) {
 }
 
 Result<DecodedPicture> decode(const std::string& bytes, int bits, int channels) {
-    if (bytes.empty()) return unreadableImage("it is empty");
     std::optional<DecodedPicture> picture =
         unpackPicture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
     if (!picture) return unreadableImage("it cannot be decoded");
@@ -123,16 +122,10 @@ Result<Image16> readClasses(const fs::path& path, bool wide) {
     return wide ? readImage16(path, 1) : widened(readImage8(path, 1));
 }
 
-Result<ImageF> readImageF(const fs::path& path, int channels) {
+Result<ImageF> readImageF(const fs::path& path) {
     const Result<std::string> bytes = bytesOf(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    Result<render::DecodedExr> picture = render::decodeExr(*bytes);
-    if (!picture) return tl::unexpected(picture.error());
-    if (picture->channels != channels) {
-        return unreadableImage(
-            fmt::format("it has {} channels, expected {}", picture->channels, channels));
-    }
-    return ImageF{picture->width, picture->height, channels, std::move(picture->values)};
+    return decodeExr(*bytes);
 }
 
 Result<ImageF> readFlow(const fs::path& path) {

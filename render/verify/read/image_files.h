@@ -21,8 +21,8 @@ Result<Image16> readImage16(const std::filesystem::path& path, int channels);
 Result<Image16> readClasses(const std::filesystem::path& path, bool wide);
 /// Converts 8 to 16 bits; passes an error on.
 Result<Image16> widened(const Result<Image8>& image);
-/// OpenEXR, 32-bit floats.
-Result<ImageF> readImageF(const std::filesystem::path& path, int channels);
+/// OpenEXR, one channel of 32-bit floats.
+Result<ImageF> readImageF(const std::filesystem::path& path);
 /// Middlebury .flo: two channels, px right and down.
 Result<ImageF> readFlow(const std::filesystem::path& path);
 
