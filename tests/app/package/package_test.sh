@@ -46,6 +46,18 @@ end=$(date +%s)
 echo "installed in $((installed - begin)) s, first dataset after $((end - begin)) s"
 inside dollytrack verify /root/dataset
 
+echo "== libraries that are loaded when they are needed"
+export_more() { inside dollytrack -q export /usr/share/dollytrack/scenes/apartment.glb --out /root/more \
+    --max-frames 2 --modalities rgb,depth,instance,semantic --formats "$1"; }
+for format in video:libavformat59 hdf5:libhdf5-103-1; do
+    if export_more "${format%:*}" 2>"$root/root/message"; then exit 1; fi
+    grep -q "${format#*:}" "$root/root/message"
+done
+inside sh -c 'apt-get install -y -qq --no-install-recommends libavformat59 libhdf5-103-1 >/dev/null
+    apt-mark auto libavformat59 libhdf5-103-1 >/dev/null'  # so that autoremove removes them
+export_more video,hdf5
+inside dollytrack verify /root/more
+
 echo "== all packages"
 inside sh -c 'apt-get install -y -qq --no-install-recommends /root/*.deb >/dev/null'
 inside dollytrack-editor --version
