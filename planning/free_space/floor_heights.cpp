@@ -59,17 +59,17 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
         rooms_.push_back({room.box, std::max(height, scene.room_bounds.min().z())});
     }
     floors_.resize(grid_.size());
+    std::vector<bool> is_over_a_room(grid_.size());
+    for (std::size_t room = 0; room < rooms_.size(); ++room) {
+        for (const std::size_t i : columnsOver(room)) is_over_a_room[i] = true;
+    }
     const double top = free_space.bounds().max().z();
     const double depth = size.z() + 1.0;
     parallelRanges(floors_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            if (!is_over_a_room[i]) continue;
             const Eigen::Vector2d at = grid_.centreOf(i);
             const Eigen::Vector3d from(at.x(), at.y(), top);
-            bool in_a_room = false;
-            for (std::size_t room = 0; room < rooms_.size(); ++room) {
-                in_a_room = in_a_room || isOver(at, room);
-            }
-            if (!in_a_room) continue;
             double reached = 0.0;
             std::vector<float> of_walls;
             for (int k = 0; k < kMostSurfaces; ++k) {
@@ -93,11 +93,24 @@ FloorHeights::FloorHeights(const Scene& scene, const RayCaster& rays, const Free
     for (const std::size_t room : without_floor) addLevelFloor(room);
 }
 
-/// Whether a column lies over the room's box or within a cell of it.
-bool FloorHeights::isOver(const Eigen::Vector2d& at, std::size_t room) const {
+/// The columns whose centre lies over the room's box or within a cell of it.
+std::vector<std::size_t> FloorHeights::columnsOver(std::size_t room) const {
     const Eigen::AlignedBox3d& box = rooms_[room].box;
-    return (at.array() >= box.min().head<2>().array() - grid_.cell_m).all() &&
-           (at.array() <= box.max().head<2>().array() + grid_.cell_m).all();
+    const auto cells = [&](const Eigen::Vector3d& corner) -> Eigen::Array2d {
+        return (corner.head<2>() - grid_.origin).array() / grid_.cell_m - 0.5;
+    };
+    const Eigen::Array2i count(grid_.columns_x, grid_.columns_y);
+    const Eigen::Array2i first = (cells(box.min()) - 1.0).ceil().cast<int>().max(0);
+    const Eigen::Array2i last = (cells(box.max()) + 1.0).floor().cast<int>().min(count - 1);
+    std::vector<std::size_t> columns;
+    for (int y = first.y(); y <= last.y(); ++y) {
+        for (int x = first.x(); x <= last.x(); ++x) {
+            columns.push_back(static_cast<std::size_t>(y) *
+                                  static_cast<std::size_t>(grid_.columns_x) +
+                              static_cast<std::size_t>(x));
+        }
+    }
+    return columns;
 }
 
 /// Whether half of the room's columns or more have a surface below the free space.
@@ -105,9 +118,8 @@ bool FloorHeights::hasFloor(const FreeSpace& free_space, std::size_t room) const
     const Eigen::AlignedBox3d& box = rooms_[room].box;
     std::size_t columns = 0;
     std::size_t columns_with_floor = 0;
-    for (std::size_t i = 0; i < floors_.size(); ++i) {
+    for (const std::size_t i : columnsOver(room)) {
         const Eigen::Vector2d at = grid_.centreOf(i);
-        if (!isOver(at, room)) continue;
         Eigen::Vector3d lowest(at.x(), at.y(), box.min().z() + 0.5 * grid_.cell_m);
         while (lowest.z() < box.max().z() &&
                free_space.componentAt(lowest) != static_cast<int>(room)) {
@@ -124,8 +136,7 @@ bool FloorHeights::hasFloor(const FreeSpace& free_space, std::size_t room) const
 /// furniture, because FloorLevels treats the edge of a floor as an obstacle.
 void FloorHeights::addLevelFloor(std::size_t room) {
     const auto height = static_cast<float>(rooms_[room].height);
-    for (std::size_t i = 0; i < floors_.size(); ++i) {
-        if (!isOver(grid_.centreOf(i), room)) continue;
+    for (const std::size_t i : columnsOver(room)) {
         if (!floors_[i].empty() && floors_[i].front() <= height) continue;
         floors_[i].insert(floors_[i].begin(), height);
     }

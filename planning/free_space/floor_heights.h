@@ -58,7 +58,7 @@ class FloorHeights {
 
   private:
     [[nodiscard]] double roomFloor(const Eigen::Vector3d& place) const;
-    [[nodiscard]] bool isOver(const Eigen::Vector2d& at, std::size_t room) const;
+    [[nodiscard]] std::vector<std::size_t> columnsOver(std::size_t room) const;
     [[nodiscard]] bool hasFloor(const FreeSpace& free_space, std::size_t room) const;
     void addLevelFloor(std::size_t room);
 

@@ -16,7 +16,7 @@ struct Check {
     /// Reads the required files that are not images and returns the check's functions. `subject`
     /// outlives them.
     CheckWork (*begin)(const Subject& subject, Findings& findings);
-    /// Says that a library is missing that the check needs; null if none is. Null: it needs none.
+    /// Returns a sentence if a library that the check needs is not installed, else null.
     const char* (*missing)() = nullptr;
 };
 

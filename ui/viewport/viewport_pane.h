@@ -51,9 +51,9 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 /// World position (m) of the surface under an image pixel; nullopt if there is no surface.
 [[nodiscard]] std::optional<Eigen::Vector3d> surfaceAt(const ViewImage& image,
                                                        const Eigen::Vector2d& pixel);
-/// World point (m) that stays under the cursor while zooming: the surface in the image if `current`
-/// still shows it there (the image may be older than the view), otherwise the point under the
-/// cursor at the pivot's depth. `image` may be null.
+/// The world point (m) to zoom towards, which stays under the cursor: the surface in the image, if
+/// that is under the cursor in the `current` view, too (the image may show an older view), else the
+/// point under the cursor at the pivot's depth. `image` may be null.
 [[nodiscard]] Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& current,
                                          const Eigen::Vector3d& pivot,
                                          const Eigen::Vector2d& cursor);

@@ -9,8 +9,8 @@
 namespace dollytrack {
 
 enum class JpegTables {
-    Standard,   // the standard's Huffman tables
-    Optimized,  // tables for this image: smaller and slower
+    Standard,   // the Huffman tables of the JPEG standard
+    Optimized,  // Huffman tables computed for the image: smaller file, slower to write
 };
 
 /// Compresses an image, rows from the top, to a baseline JPEG with colour at half resolution.

@@ -17,8 +17,8 @@ enum class PngFormat {
 };
 
 enum class PngEffort {
-    Fast,      // for datasets: strategies measured on rendered rooms
-    Smallest,  // for web pages
+    Fast,      // quick to write, for datasets
+    Smallest,  // slow to write, for web pages
 };
 
 /// Compresses an image, rows from the top, to a PNG. The same pixels give the same bytes.

@@ -15,8 +15,8 @@ struct Hdf5Numbers {
     std::vector<double> values;       // as many as they multiply to
 };
 
-/// Says that the HDF5 library, which is loaded at its first use, is not installed; null if it is.
-/// For reading and writing. Safe to call from many threads.
+/// Returns a sentence if the HDF5 library is not installed, else null. Readers and the writer load
+/// it at their first use. Safe to call from many threads.
 [[nodiscard]] const char* missingHdf5();
 
 /// A dataset of an HDF5 file, of whatever type of number; Hypersim's files hold one, named

@@ -41,7 +41,7 @@ struct Format {
     nlohmann::ordered_json (*convention)(const DatasetContents& contents) = nullptr;
     const char* modality = nullptr;  // the one without which there is nothing to write
     double bytes_per_pixel = 0.0;    // of a frame's share of its files, on the high side
-    /// Says that a library is missing that writing needs; null if none is. Null: it needs none.
+    /// Returns a sentence if a library that the format needs is not installed, else null.
     const char* (*missing)() = nullptr;
     bool outlines_things = false;  // its files have boxes or outlines in the undistorted images
 };

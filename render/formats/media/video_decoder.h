@@ -9,8 +9,8 @@
 
 namespace dollytrack::render {
 
-/// Decodes the first H.264 stream of an MP4 file. Opens no other file and no network address that
-/// the file may name, and starts no decoder but that of H.264.
+/// Decodes the first H.264 stream of an MP4 file. Such a file may name other files, network
+/// addresses and codecs: they are neither opened nor decoded.
 class VideoDecoder {
   public:
     /// Returns BadInput if it is no such video, Failed without libavformat.
@@ -22,8 +22,8 @@ class VideoDecoder {
     /// Mean number of images per second; 0 if the file does not say.
     [[nodiscard]] double framesPerSecond() const;
 
-    /// The next image as 8-bit RGB, decoded as BT.709 video range; nothing after the last one, or
-    /// where the stream is damaged.
+    /// The next image as 8-bit RGB; the stream is taken as BT.709 in video range. Returns nullopt
+    /// after the last image, and where the stream is damaged.
     [[nodiscard]] std::optional<DecodedPicture> next();
 
   private:

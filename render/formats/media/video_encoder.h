@@ -9,8 +9,8 @@
 
 namespace dollytrack::render {
 
-/// Says that libavformat, which is loaded at its first use, is not installed; null if it is. For
-/// VideoEncoder and VideoDecoder.
+/// Returns a sentence if libavformat is not installed, else null. VideoEncoder and VideoDecoder
+/// load it at their first use.
 [[nodiscard]] const char* missingVideoLibrary();
 
 /// Encodes an H.264 video as MP4 in memory. Single-threaded and without timestamps: with the same
