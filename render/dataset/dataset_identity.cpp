@@ -55,6 +55,8 @@ std::string pictureText(const PictureParams& picture) {
     return picture.render_mode == RenderMode::Fast
                ? fmt::format("light {} fast {} {} {}", kLight, static_cast<int>(picture.antialias),
                              static_cast<int>(picture.reflections), picture.anisotropy)
+           : picture.render_mode == RenderMode::Traced
+               ? fmt::format("light {} traced {}", kLight, picture.traced_samples)
                : fmt::format("light {} reference {}", kLight, picture.reference_samples);
 }
 

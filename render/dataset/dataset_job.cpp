@@ -205,7 +205,9 @@ bool DatasetJob::folderIsThere() const {
 }
 
 Status checkChoices(const DatasetSettings& settings) {
-    const auto modalities = chooseModalities(settings.modalities, !settings.rig.empty());
+    // The render mode may still come from the scene's project.
+    const Available hoped{!settings.rig.empty(), true};
+    const auto modalities = chooseModalities(settings.modalities, hoped);
     if (!modalities) return tl::unexpected(modalities.error());
     if (Status status = validate(settings.rig); !status) return status;
     const auto formats = chooseFormats(settings.formats);

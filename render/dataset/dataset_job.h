@@ -51,8 +51,8 @@ struct DatasetSettings {
     Rig rig;              // additional cameras; if any, the modality `cameras` is written
 };
 
-/// Checks that all modality and format names are known and their requirements are met. Returns
-/// Usage if not.
+/// Checks that all modality and format names are known and their requirements are met, except the
+/// render mode. Returns Usage if not.
 [[nodiscard]] Status checkChoices(const DatasetSettings& settings);
 
 /// Checks what can be checked without the scene: names, and whether the folder can be written.

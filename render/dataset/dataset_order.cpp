@@ -61,7 +61,9 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
                         std::to_string(trajectory.frames.size()) + " frames",
                     "--range");
     }
-    Result<ModalitySet> modalities = chooseModalities(settings.modalities, !settings.rig.empty());
+    const Available available{!settings.rig.empty(),
+                              settings.picture.render_mode != RenderMode::Fast};
+    Result<ModalitySet> modalities = chooseModalities(settings.modalities, available);
     if (!modalities) return tl::unexpected(modalities.error());
     order.contents.modalities = std::move(*modalities);
     order.contents.camera_motion = CameraMotion(trajectory);

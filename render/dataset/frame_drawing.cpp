@@ -45,7 +45,7 @@ void warnOfBentOutlines(const SensorLens& lens, const FormatSet& formats) {
 /// Warns that path tracing does not blur moving objects.
 void warnOfUnblurred(const DatasetSettings& settings, const DatasetOrigin& origin) {
     const bool lasts = settings.sensor.shutter_s > 0.0 || settings.sensor.readout_s > 0.0;
-    if (settings.picture.render_mode != RenderMode::Reference || origin.motions.empty() || !lasts) {
+    if (settings.picture.render_mode == RenderMode::Fast || origin.motions.empty() || !lasts) {
         return;
     }
     log::warn("export",

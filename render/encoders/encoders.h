@@ -34,6 +34,24 @@ nlohmann::ordered_json normalWorldConvention(const DatasetContents& contents);
 nlohmann::ordered_json albedoConvention(const DatasetContents& contents);
 nlohmann::ordered_json objectCoordinatesConvention(const DatasetContents& contents);
 
+FrameFiles encodeRoughness(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeMetallic(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json roughnessConvention(const DatasetContents& contents);
+nlohmann::ordered_json metallicConvention(const DatasetContents& contents);
+
+FrameFiles encodeHdr(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDiffuseReflectance(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDiffuseIllumination(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeDirectIllumination(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeIndirectIllumination(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeResidual(const FrameContext& context, const FrameRecord& frame);
+nlohmann::ordered_json hdrConvention(const DatasetContents& contents);
+nlohmann::ordered_json diffuseReflectanceConvention(const DatasetContents& contents);
+nlohmann::ordered_json diffuseIlluminationConvention(const DatasetContents& contents);
+nlohmann::ordered_json directIlluminationConvention(const DatasetContents& contents);
+nlohmann::ordered_json indirectIlluminationConvention(const DatasetContents& contents);
+nlohmann::ordered_json residualConvention(const DatasetContents& contents);
+
 FrameFiles encodeFlowForward(const FrameContext& context, const FrameRecord& frame);
 FrameFiles encodeFlowBackward(const FrameContext& context, const FrameRecord& frame);
 nlohmann::ordered_json flowForwardConvention(const DatasetContents& contents);

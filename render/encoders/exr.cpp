@@ -5,8 +5,11 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <half.h>
 
+#include <algorithm>
 #include <cstring>
+#include <initializer_list>
 #include <string>
 
 namespace dollytrack::render {
@@ -33,22 +36,33 @@ class MemoryStream : public Imf::OStream {
     std::uint64_t at_ = 0;
 };
 
-}  // namespace
+/// One channel: its first value, and the distance between pixels in bytes.
+struct Channel {
+    const char* name;
+    const void* first;
+    std::size_t step;
+};
 
-Result<std::vector<std::uint8_t>> encodeExr(int width, int height, std::span<const float> values) {
+Result<std::vector<std::uint8_t>> encode(int width, int height, Imf::PixelType type,
+                                         std::initializer_list<Channel> channels) {
     try {
         Imf::Header header(width, height);
         header.compression() = Imf::ZIP_COMPRESSION;
-        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        for (const Channel& channel : channels) {
+            header.channels().insert(channel.name, Imf::Channel(type));
+        }
         MemoryStream stream;
         {
             // 0 threads: encodes on the calling thread.
             Imf::OutputFile file(stream, header, 0);
-            // The library takes a non-const pointer but only reads from it.
-            auto* first = const_cast<char*>(reinterpret_cast<const char*>(values.data()));
             Imf::FrameBuffer buffer;
-            buffer.insert("Y", Imf::Slice(Imf::FLOAT, first, sizeof(float),
-                                          sizeof(float) * static_cast<std::size_t>(width)));
+            for (const Channel& channel : channels) {
+                // The library takes a non-const pointer but only reads from it.
+                auto* first = static_cast<char*>(const_cast<void*>(channel.first));
+                buffer.insert(channel.name,
+                              Imf::Slice(type, first, channel.step,
+                                         channel.step * static_cast<std::size_t>(width)));
+            }
             file.setFrameBuffer(buffer);
             file.writePixels(height);
         }
@@ -57,6 +71,33 @@ Result<std::vector<std::uint8_t>> encodeExr(int width, int height, std::span<con
         return fail(ErrorCode::Failed,
                     std::string("an EXR image cannot be made (") + e.what() + ")");
     }
+}
+
+Imath::half rounded(float value) {
+    return {std::clamp(value, -static_cast<float>(HALF_MAX), static_cast<float>(HALF_MAX))};
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encodeExr(int width, int height, std::span<const float> values) {
+    return encode(width, height, Imf::FLOAT, {{"Y", values.data(), sizeof(float)}});
+}
+
+Result<std::vector<std::uint8_t>> encodeExr(int width, int height,
+                                            std::span<const Eigen::Vector3f> values) {
+    std::vector<Imath::half> pixels;
+    pixels.reserve(3 * values.size());
+    for (const Eigen::Vector3f& value : values) {
+        for (int c = 0; c < 3; ++c) pixels.push_back(rounded(value[c]));
+    }
+    constexpr std::size_t kStep = 3 * sizeof(Imath::half);
+    const Imath::half* first = pixels.data();
+    return encode(width, height, Imf::HALF,
+                  {{"R", first, kStep}, {"G", first + 1, kStep}, {"B", first + 2, kStep}});
+}
+
+Eigen::Vector3f roundedToHalf(const Eigen::Vector3f& values) {
+    return values.unaryExpr([](float value) { return static_cast<float>(rounded(value)); });
 }
 
 }  // namespace dollytrack::render

@@ -2,6 +2,8 @@
 
 #include "engine/core/result.h"
 
+#include <Eigen/Core>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,5 +14,12 @@ namespace dollytrack::render {
 /// Equal values give equal bytes. Returns Failed if the library fails.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeExr(int width, int height,
                                                           std::span<const float> values);
+
+/// The same with three 16-bit float channels "R", "G" and "B"; values are rounded.
+[[nodiscard]] Result<std::vector<std::uint8_t>> encodeExr(int width, int height,
+                                                          std::span<const Eigen::Vector3f> values);
+
+/// Rounds each value to the nearest 16-bit float; larger ones become the largest.
+[[nodiscard]] Eigen::Vector3f roundedToHalf(const Eigen::Vector3f& values);
 
 }  // namespace dollytrack::render

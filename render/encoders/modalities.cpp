@@ -3,6 +3,7 @@
 #include "render/dataset/contents/name_selection.h"
 #include "render/encoders/encoders.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace dollytrack::render {
 namespace {
 
 // Bytes per pixel were measured in real rooms at 640 x 480.
-constexpr std::array<Modality, 18> kModalities = {{
+constexpr std::array<Modality, 26> kModalities = {{
     {"rgb", "8-bit colour images", 1.2, true, kNeedsRgb, encodeRgb, rgbConvention},
     {"depth", "16-bit depth along the viewing axis, in millimetres", 0.3, true, kNeedsDepth,
      encodeDepth, depthConvention},
@@ -28,6 +29,10 @@ constexpr std::array<Modality, 18> kModalities = {{
      encodeNormalWorld, normalWorldConvention},
     {"albedo", "8-bit base colour, without light", 0.5, false, kNeedsSurfaces, encodeAlbedo,
      albedoConvention},
+    {"roughness", "8-bit roughness of the surface's material", 0.3, false, 0, encodeRoughness,
+     roughnessConvention},
+    {"metallic", "8-bit metallic share of the surface's material", 0.1, false, 0, encodeMetallic,
+     metallicConvention},
     {"object_coordinates", "16-bit coordinates in the object's own box", 4.0, false, kNeedsDepth,
      encodeObjectCoordinates, objectCoordinatesConvention},
     {"flow_forward", "optical flow to later frames, with occlusion (Middlebury .flo)", 8.1, false,
@@ -47,6 +52,22 @@ constexpr std::array<Modality, 18> kModalities = {{
      false, kNeedsSensorLight, encodeRgbSensor, rgbSensorConvention},
     {"depth_sensor", "16-bit depth of a simulated depth camera, in millimetres, see depth_noise",
      1.6, false, kNeedsDepth | kNeedsSurfaces, encodeDepthSensor, depthSensorConvention},
+    {"hdr", "light before the tone curve, 16-bit float (OpenEXR); path-traced images only", 3.5,
+     false, kNeedsLayers, encodeHdr, hdrConvention, false},
+    {"diffuse_reflectance", "diffuse reflectance, 16-bit float (OpenEXR); path-traced images only",
+     2.0, false, kNeedsLayers, encodeDiffuseReflectance, diffuseReflectanceConvention, false},
+    {"diffuse_illumination",
+     "light on diffuse surfaces, 16-bit float (OpenEXR); path-traced images only", 3.5, false,
+     kNeedsLayers, encodeDiffuseIllumination, diffuseIlluminationConvention, false},
+    {"direct_illumination",
+     "its part directly from light sources, 16-bit float (OpenEXR); path-traced images only", 3.5,
+     false, kNeedsLayers, encodeDirectIllumination, directIlluminationConvention, false},
+    {"indirect_illumination",
+     "its part from other surfaces, 16-bit float (OpenEXR); path-traced images only", 3.5, false,
+     kNeedsLayers, encodeIndirectIllumination, indirectIlluminationConvention, false},
+    {"residual",
+     "reflections and visible emission, 16-bit float (OpenEXR); path-traced images only", 3.5,
+     false, kNeedsLayers, encodeResidual, residualConvention, false},
     {kRigModality, "colour, depth, ids, classes and normals of every camera of --rig", 2.6, false,
      kNeedsRig, encodeCameras, camerasConvention, false},
 }};
@@ -61,18 +82,32 @@ Result<ModalitySet> chooseModalities(const std::vector<std::string>& names) {
     return chooseRows(modalities(), names, "modality", "--modalities");
 }
 
-Result<ModalitySet> chooseModalities(const std::vector<std::string>& names, bool has_rig) {
+Result<ModalitySet> chooseModalities(const std::vector<std::string>& names, Available available) {
     Result<ModalitySet> chosen = chooseModalities(names);
     if (!chosen) return chosen;
+    const auto named = [&](std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    for (const Modality* one : available.layers ? ModalitySet() : *chosen) {
+        if ((one->needs & kNeedsLayers) == 0 || !named(one->name)) continue;
+        return fail(ErrorCode::Usage,
+                    fmt::format("The modality '{}' needs path-traced images: add --set "
+                                "render_mode=traced, or render_mode=reference.",
+                                one->name),
+                    "--modalities");
+    }
+    std::erase_if(*chosen, [&](const Modality* one) {
+        return !available.layers && (one->needs & kNeedsLayers) != 0;
+    });
     const auto of_rig = std::find_if(modalities().begin(), modalities().end(), [](const auto& row) {
         return std::string_view(row.name) == kRigModality;
     });
     std::erase(*chosen, &*of_rig);
-    if (has_rig) {
+    if (available.rig) {
         const auto later = std::find_if(chosen->begin(), chosen->end(),
                                         [&](const Modality* one) { return one > &*of_rig; });
         chosen->insert(later, &*of_rig);
-    } else if (std::find(names.begin(), names.end(), kRigModality) != names.end()) {
+    } else if (named(kRigModality)) {
         return fail(ErrorCode::Usage,
                     "The modality 'cameras' needs a rig: pass a rig file with --rig, or describe "
                     "each camera, as in --camera left:yaw_deg=-90.",

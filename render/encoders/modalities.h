@@ -16,9 +16,16 @@ namespace dollytrack::render {
 /// the closest name, for an unknown one.
 [[nodiscard]] Result<ModalitySet> chooseModalities(const std::vector<std::string>& names);
 
-/// The same with regard to a rig: kRigModality is included exactly if there is a rig. Returns Usage
-/// also if it is named without a rig.
+/// What an export can make images from besides the planned camera.
+struct Available {
+    bool rig = false;     // cameras of a rig
+    bool layers = false;  // light by layer, of path-traced images
+};
+
+/// The same for an export: kRigModality is included exactly if there is a rig, and "all" includes
+/// layers of light only if they are available. Returns Usage also for the name of a modality that
+/// is not available.
 [[nodiscard]] Result<ModalitySet> chooseModalities(const std::vector<std::string>& names,
-                                                   bool has_rig);
+                                                   Available available);
 
 }  // namespace dollytrack::render

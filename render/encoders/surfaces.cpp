@@ -1,10 +1,18 @@
 #include "engine/io/files/png_writer.h"
 #include "render/encoders/encoders.h"
 #include "render/encoders/pack.h"
+#include "render/materials/traced_surface.h"
+#include "render/view/view.h"
 
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
 
 namespace dollytrack::render {
 namespace {
@@ -31,6 +39,37 @@ Json normalConvention(const char* folder, const char* axes) {
             {"meaning", std::string("unit shading normal, facing the camera, in ") + axes}};
 }
 
+/// A value of the materials, 0..1, at the surfaces that the rays through pixel centres hit.
+FrameFiles encodeMaterial(const FrameContext& context, const FrameRecord& frame, const char* folder,
+                          float SurfacePoint::*value) {
+    const View view = makeView(context.contents.camera, frame.pose);
+    const std::shared_ptr<const RayCaster> rays = context.moving.raysAt(frame.index);
+    const std::optional<MovedShape> moved = context.moving.wholeShapeAt(frame.index);
+    const TracedSurface surface(context.contents.scene, moved ? &*moved : nullptr);
+    std::vector<std::uint8_t> image(frame.instance.size(), 0);
+    std::size_t i = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x, ++i) {
+            if (frame.instance[i] == 0) continue;
+            const ViewRay ray = view.rayThrough(x + 0.5, y + 0.5);
+            const double length = ray.direction.norm();
+            const Eigen::Vector3d way = ray.direction / length;
+            const RayHit hit = rays->cast(ray.origin, way, std::numeric_limits<double>::infinity(),
+                                          view.near_m * length);
+            if (hit.object_id == 0) continue;
+            const float share = surface.at(ray.origin, way, hit).*value;
+            image[i] = static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.F, 1.F)));
+        }
+    }
+    return oneFile(frameFile(folder, frame.index),
+                   encodePng(frame.width, frame.height, PngFormat::Gray8, image));
+}
+
+Json materialConvention(const char* folder, const char* meaning) {
+    return {
+        {"folder", folder}, {"type", "uint8"}, {"encoding", "255 * value"}, {"meaning", meaning}};
+}
+
 }  // namespace
 
 FrameFiles encodeNormalCamera(const FrameContext& /*context*/, const FrameRecord& frame) {
@@ -45,6 +84,14 @@ FrameFiles encodeNormalWorld(const FrameContext& /*context*/, const FrameRecord&
 FrameFiles encodeAlbedo(const FrameContext& /*context*/, const FrameRecord& frame) {
     return oneFile(frameFile("albedo", frame.index),
                    encodePng(frame.width, frame.height, PngFormat::Rgb8, frame.albedo));
+}
+
+FrameFiles encodeRoughness(const FrameContext& context, const FrameRecord& frame) {
+    return encodeMaterial(context, frame, "roughness", &SurfacePoint::roughness);
+}
+
+FrameFiles encodeMetallic(const FrameContext& context, const FrameRecord& frame) {
+    return encodeMaterial(context, frame, "metallic", &SurfacePoint::metallic);
 }
 
 FrameFiles encodeObjectCoordinates(const FrameContext& context, const FrameRecord& frame) {
@@ -92,6 +139,18 @@ Json albedoConvention(const DatasetContents& /*contents*/) {
             {"type", "uint8 x 3"},
             {"encoding", "sRGB"},
             {"meaning", "base colour without lighting; for glass its tint"}};
+}
+
+Json roughnessConvention(const DatasetContents& /*contents*/) {
+    return materialConvention("roughness",
+                              "glTF's roughness of the material, maps included; 0 also where "
+                              "instance is 0");
+}
+
+Json metallicConvention(const DatasetContents& /*contents*/) {
+    return materialConvention("metallic",
+                              "glTF's metalness of the material, maps included; 0 also where "
+                              "instance is 0");
 }
 
 Json objectCoordinatesConvention(const DatasetContents& /*contents*/) {

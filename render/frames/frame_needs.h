@@ -12,6 +12,7 @@ enum FrameNeeds : unsigned {
     kNeedsSensorLight = 1U << 6U,  // light that reaches a real camera's lens
     kNeedsMasks = 1U << 5U,        // visible masks, kept until the last frame is drawn
     kNeedsRig = 1U << 12U,         // colour images of the rig's cameras
+    kNeedsLayers = 1U << 13U,      // light by layer; only path-traced images have it
 };
 
 }  // namespace dollytrack::render

@@ -7,7 +7,8 @@ namespace dollytrack::render {
 std::size_t FrameRecord::bytes() const {
     const auto of = [](const auto& values) { return values.size() * sizeof(values[0]); };
     std::size_t all = of(rgb) + of(depth_m) + of(instance) + of(semantic) + of(normals_in_world) +
-                      of(albedo) + of(rgb_right) + of(depth_right_m) + of(sensor_light);
+                      of(albedo) + of(rgb_right) + of(depth_right_m) + of(sensor_light) +
+                      4 * of(layers.reflectance);
     for (const RenderedAmodalMask& mask : whole) all += of(mask.inside);
     // Depth, ids, normals and classes exist for one camera at a time, compressed images for all.
     constexpr std::size_t kLabelBytes = 24;

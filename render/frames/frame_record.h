@@ -4,6 +4,7 @@
 #include "engine/math/pose.h"
 #include "engine/scene/scene.h"
 #include "render/frames/amodal_mask.h"
+#include "render/frames/picture_layers.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +41,7 @@ struct FrameRecord {
                                             // outside the image
 
     std::vector<std::vector<std::uint8_t>> rig_rgb;  // by camera of the rig, as `rgb`
+    PictureLayers layers;                            // of a path-traced `rgb`
 
     /// Memory of the images, including those that are derived from them while files are written.
     [[nodiscard]] std::size_t bytes() const;

@@ -31,8 +31,8 @@ SurfaceBrdf::SurfaceBrdf(const Eigen::Vector3f& base_color, double metallic, dou
     glossy_share_ = diffuse > 0.0F ? std::clamp(glossy / (glossy + diffuse), 0.1F, 0.9F) : 1.0F;
 }
 
-Eigen::Vector3f SurfaceBrdf::value(const Eigen::Vector3d& in) const {
-    if (in.z() <= 0.0 || out_.z() <= 0.0) return Eigen::Vector3f::Zero();
+SurfaceBrdf::Layers SurfaceBrdf::layers(const Eigen::Vector3d& in) const {
+    if (in.z() <= 0.0 || out_.z() <= 0.0) return {};
     const Eigen::Vector3d facet = (in + out_).normalized();
     const double shape = ggxDensity(facet, alpha_) /
                          (4.0 * in.z() * out_.z() * (1.0 + out_masking_ + ggxLambda(in, alpha_)));
@@ -47,7 +47,7 @@ Eigen::Vector3f SurfaceBrdf::value(const Eigen::Vector3d& in) const {
     const float let_in =
         std::max(0.0F, 1.0F - albedo.at(kDielectricF0) * gain(albedo, kDielectricF0));
     const float diffuse = (1.0F - metallic_) * let_out_ * let_in * let_in_norm_;
-    return static_cast<float>(shape) * glossy + base_ * (diffuse / static_cast<float>(kPiF));
+    return {static_cast<float>(shape) * glossy, diffuse / static_cast<float>(kPiF)};
 }
 
 double SurfaceBrdf::density(const Eigen::Vector3d& in) const {

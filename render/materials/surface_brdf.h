@@ -17,8 +17,18 @@ class SurfaceBrdf {
     SurfaceBrdf(const Eigen::Vector3f& base_color, double metallic, double roughness,
                 const Eigen::Vector3d& out);
 
-    /// The BRDF, 1/sr, without the cosine; zero below the surface.
-    [[nodiscard]] Eigen::Vector3f value(const Eigen::Vector3d& in) const;
+    /// The BRDF of each layer, 1/sr, without the cosine.
+    struct Layers {
+        Eigen::Vector3f glossy = Eigen::Vector3f::Zero();
+        float diffuse = 0.0F;  // to be multiplied by the base colour
+    };
+    /// Zero below the surface.
+    [[nodiscard]] Layers layers(const Eigen::Vector3d& in) const;
+    /// Their sum, base colour included.
+    [[nodiscard]] Eigen::Vector3f value(const Eigen::Vector3d& in) const {
+        const Layers found = layers(in);
+        return found.glossy + base_ * found.diffuse;
+    }
 
     /// Density of sample(), 1/sr.
     [[nodiscard]] double density(const Eigen::Vector3d& in) const;

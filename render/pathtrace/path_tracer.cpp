@@ -2,8 +2,10 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/scene/srgb.h"
+#include "render/light/light_sample.h"
 #include "render/light/sun_rays.h"
 #include "render/light/tone_curve.h"
+#include "render/materials/layer_albedo.h"
 #include "render/materials/surface_brdf.h"
 #include "render/pathtrace/sample_sequence.h"
 #include "render/pathtrace/scene_lights.h"
@@ -20,6 +22,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kRouletteFrom = 4;  // bounces: Russian roulette starts here
 constexpr std::uint32_t kFirstDimension = 4;
 constexpr std::uint32_t kDimensionsPerStep = 16;
+constexpr double kEndAfterCells =
+    2.5;                         // length of a path's last part, in cells of the light volume
+constexpr double kSharp = 8.0;   // 1/sr: denser directions show surfaces nearly sharply
 constexpr int kMostSheets = 64;  // of glass or holes along one path segment
 
 /// An orthonormal frame around a surface normal.
@@ -48,6 +53,86 @@ double weightOf(double chosen, double other) {
     return chosen * chosen / (chosen * chosen + other * other);
 }
 
+/// Light that a surface reflects, by layer; the diffuse part is to be multiplied by the base
+/// colour.
+struct Reflected {
+    Eigen::Vector3f diffuse = Eigen::Vector3f::Zero();
+    Eigen::Vector3f glossy = Eigen::Vector3f::Zero();
+
+    void add(const SurfaceBrdf::Layers& value, const Eigen::Vector3f& arriving) {
+        diffuse += value.diffuse * arriving;
+        glossy += value.glossy.cwiseProduct(arriving);
+    }
+    [[nodiscard]] Eigen::Vector3f sum(const Eigen::Vector3f& base) const {
+        return base.cwiseProduct(diffuse) + glossy;
+    }
+};
+
+/// The light that a path has gathered, and the shares that it still carries to the camera: through
+/// the diffuse layer of the first surface, and in any other way.
+class Gathered {
+  public:
+    LayeredLight light;
+    bool seen = true;   // the camera sees the next surface directly or through glass
+    int scattered = 0;  // number of surfaces that have scattered the path
+
+    /// Light that arrives at the last surface, or at the camera.
+    void arrive(const Eigen::Vector3f& sent) {
+        if (seen) {
+            light.shown += other_.cwiseProduct(sent);
+            return;
+        }
+        (scattered == 1 ? light.direct : light.indirect) += diffuse_.cwiseProduct(sent);
+        light.glossy += other_.cwiseProduct(sent);
+    }
+    /// Light that the surface now reached reflects.
+    void reflect(const Reflected& from, const Eigen::Vector3f& base) {
+        if (seen) {
+            light.direct += other_.cwiseProduct(base).cwiseProduct(from.diffuse);
+            light.glossy += other_.cwiseProduct(from.glossy);
+            return;
+        }
+        const Eigen::Vector3f sum = from.sum(base);
+        light.indirect += diffuse_.cwiseProduct(sum);
+        light.glossy += other_.cwiseProduct(sum);
+    }
+    /// The path goes on from the surface now reached.
+    void scatter(const SurfaceBrdf::Layers& value, const Eigen::Vector3f& base, float factor) {
+        if (seen) {
+            diffuse_ = other_.cwiseProduct(base) * (value.diffuse * factor);
+            other_ = other_.cwiseProduct(value.glossy) * factor;
+        } else {
+            const Eigen::Vector3f sum = (base * value.diffuse + value.glossy) * factor;
+            diffuse_ = diffuse_.cwiseProduct(sum);
+            other_ = other_.cwiseProduct(sum);
+        }
+        seen = false;
+        ++scattered;
+    }
+    [[nodiscard]] float strongest() const { return (diffuse_ + other_).maxCoeff(); }
+    void divide(float by) {
+        diffuse_ /= by;
+        other_ /= by;
+    }
+    /// Remembers the first surface that the camera sees.
+    void meet(const SurfacePoint& point, const Eigen::Vector3f& reflectance,
+              const Eigen::Vector3d& camera) {
+        light.reflectance = reflectance;
+        light.normal = point.normal.cast<float>();
+        light.position = (point.position - camera).cast<float>();
+        light.hits = 1.0F;
+    }
+
+  private:
+    Eigen::Vector3f diffuse_ = Eigen::Vector3f::Zero();
+    Eigen::Vector3f other_ = Eigen::Vector3f::Ones();
+};
+
+/// Whether a surface shows others nearly sharply.
+bool isMirrorLike(const SurfacePoint& point) {
+    return point.metallic > 0.5F && point.roughness < 0.2F;
+}
+
 }  // namespace
 
 struct PathTracer::Impl {
@@ -71,8 +156,12 @@ struct PathTracer::Impl {
           sun_rays(of, by, surface, rig.sun),
           outside(showsOutside(of)) {}
 
+    /// One path through a pixel.
+    [[nodiscard]] LayeredLight sample(const RayThrough& ray_through, double near_m,
+                                      const std::optional<Eigen::Vector3f>& backdrop, int x, int y,
+                                      std::size_t pixel, int number) const;
     Status add(const RayThrough& ray_through, double near_m,
-               const std::optional<Eigen::Vector3f>& backdrop, int samples, RadianceImage& image,
+               const std::optional<Eigen::Vector3f>& backdrop, int samples, LayeredImage& image,
                const JobContext& job) const;
 
     /// Share of light transmitted over `free` metres from a point.
@@ -101,58 +190,107 @@ struct PathTracer::Impl {
         return 0.0;
     }
 
-    /// Direct light from a sampled lamp (`shining` 0) or emitting triangle (1), weighted by the
-    /// power heuristic.
-    [[nodiscard]] Eigen::Vector3f direct(const std::optional<LightSample>& light,
-                                         const SurfacePoint& point, const Frame& frame,
-                                         const SurfaceBrdf& brdf, std::uint32_t shining) const {
-        if (!light) return Eigen::Vector3f::Zero();
+    /// Light that arrives directly from a sampled lamp (`shining` 0) or emitting triangle (1), by
+    /// layer of the surface, weighted by the power heuristic.
+    void direct(const std::optional<LightSample>& light, const SurfacePoint& point,
+                const Frame& frame, const SurfaceBrdf& brdf, std::uint32_t shining,
+                Reflected& reflected) const {
+        if (!light) return;
         const Eigen::Vector3d in = frame.toLocal(light->way);
-        if (in.z() <= 0.0 || light->way.dot(point.face) <= 0.0) return Eigen::Vector3f::Zero();
-        const Eigen::Vector3f value = brdf.value(in);
-        if (value.maxCoeff() <= 0.0F) return Eigen::Vector3f::Zero();
+        if (in.z() <= 0.0 || light->way.dot(point.face) <= 0.0) return;
+        const SurfaceBrdf::Layers value = brdf.layers(in);
+        if (value.diffuse <= 0.0F && value.glossy.maxCoeff() <= 0.0F) return;
         const Eigen::Vector3d from = liftedOff(point, light->way);
         double free = light->free - (from - point.position).dot(light->way);
         if (shining != 0) {  // ends before the triangle itself, by a rounding margin
             free -= 4e-5 * (1.0 + (from + free * light->way).cwiseAbs().maxCoeff());
         }
         const double share = transmitted(from, light->way, free);
-        if (share <= 0.0) return Eigen::Vector3f::Zero();
+        if (share <= 0.0) return;
         const double weight = weightOf(light->density, brdf.density(in));
-        return value.cwiseProduct(light->radiance) *
-               static_cast<float>(share * weight * in.z() / light->density);
+        reflected.add(
+            value, light->radiance * static_cast<float>(share * weight * in.z() / light->density));
     }
 
     /// Direct sunlight. The sun is only sampled, because BRDF samples would hardly ever hit it.
-    [[nodiscard]] Eigen::Vector3f sunlight(const SurfacePoint& point, const Frame& frame,
-                                           const SurfaceBrdf& brdf,
-                                           const std::array<double, 2>& where) const {
+    void sunlight(const SurfacePoint& point, const Frame& frame, const SurfaceBrdf& brdf,
+                  const std::array<double, 2>& where, Reflected& reflected) const {
         const Frame around(rig.sun.way);
         const double aside = kSunRadius * std::sqrt(where[0]);
         const double angle = 2.0 * std::numbers::pi * where[1];
         const Eigen::Vector3d way = around.toWorld(
             {aside * std::cos(angle), aside * std::sin(angle), std::sqrt(1.0 - aside * aside)});
         const Eigen::Vector3d in = frame.toLocal(way);
-        if (in.z() <= 0.0 || way.dot(point.face) <= 0.0) return Eigen::Vector3f::Zero();
-        const Eigen::Vector3f value = brdf.value(in);
-        if (value.maxCoeff() <= 0.0F) return Eigen::Vector3f::Zero();
+        if (in.z() <= 0.0 || way.dot(point.face) <= 0.0) return;
+        const SurfaceBrdf::Layers value = brdf.layers(in);
+        if (value.diffuse <= 0.0F && value.glossy.maxCoeff() <= 0.0F) return;
         const double share = sun_rays.share(liftedOff(point, way), way);
-        return value.cwiseProduct(rig.sun.irradiance) * static_cast<float>(share * in.z());
+        reflected.add(value, rig.sun.irradiance * static_cast<float>(share * in.z()));
     }
 
-    [[nodiscard]] Eigen::Vector3f follow(Eigen::Vector3d origin, Eigen::Vector3d way,
-                                         double nearest, const Eigen::Vector3f& backdrop,
-                                         SampleSequence& chance) const;
+    /// Light of a path's last surface by the light volume.
+    [[nodiscard]] Eigen::Vector3f endLight(const SurfacePoint& point) const;
+    /// Whether a path of this length from its last surface, sampled with this density, ends here.
+    [[nodiscard]] bool endsAt(const SurfacePoint& point, const Gathered& gathered, double length,
+                              double density) const;
+    /// Direct light that a surface reflects.
+    [[nodiscard]] Reflected reflected(const SurfacePoint& point, const Frame& frame,
+                                      const SurfaceBrdf& brdf, std::uint32_t step,
+                                      SampleSequence& chance) const;
+
+    [[nodiscard]] LayeredLight follow(Eigen::Vector3d origin, Eigen::Vector3d way, double nearest,
+                                      const Eigen::Vector3f& backdrop,
+                                      SampleSequence& chance) const;
 };
 
-Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d way,
-                                         double nearest, const Eigen::Vector3f& backdrop,
-                                         SampleSequence& chance) const {
-    Eigen::Vector3f light = Eigen::Vector3f::Zero();
-    Eigen::Vector3f carried = Eigen::Vector3f::Ones();
+Reflected PathTracer::Impl::reflected(const SurfacePoint& point, const Frame& frame,
+                                      const SurfaceBrdf& brdf, std::uint32_t step,
+                                      SampleSequence& chance) const {
+    Reflected sum;
+    if (params.sample_lights) {
+        const double lamp = chance.next();
+        const auto on_lamp = chance.nextPair();
+        const double triangle = chance.next();
+        const auto on_triangle = chance.nextPair();
+        direct(lights.sampleLamp(point.position, lamp, on_lamp), point, frame, brdf, 0, sum);
+        direct(lights.sampleTriangle(point.position, triangle, on_triangle), point, frame, brdf, 1,
+               sum);
+    }
+    if (rig.sun.shines()) {
+        chance.jumpTo(kFirstDimension + step * kDimensionsPerStep + 12);
+        sunlight(point, frame, brdf, chance.nextPair(), sum);
+    }
+    return sum;
+}
+
+bool PathTracer::Impl::endsAt(const SurfacePoint& point, const Gathered& gathered, double length,
+                              double density) const {
+    if (params.end_light == nullptr || gathered.scattered == 0) return false;
+    const LightVolume& light = *params.end_light;
+    const Eigen::Vector3d cell = (point.position - light.low) / light.cell_m;
+    const bool inside = cell.x() > 0.0 && cell.y() > 0.0 && cell.z() > 0.0 &&
+                        cell.x() < light.cells[0] && cell.y() < light.cells[1] &&
+                        cell.z() < light.cells[2];
+    return inside && length > kEndAfterCells * light.cell_m && density < kSharp &&
+           !isMirrorLike(point);
+}
+
+Eigen::Vector3f PathTracer::Impl::endLight(const SurfacePoint& point) const {
+    const auto layer = static_cast<float>(meanDielectricAlbedo(point.roughness));
+    const float dielectric = 1.0F - point.metallic;
+    const Eigen::Vector3f reflected = point.base_color * (1.0F - dielectric * layer) +
+                                      Eigen::Vector3f::Constant(dielectric * layer);
+    return reflected.cwiseProduct(irradianceAt(*params.end_light, point.position, point.normal)) /
+           std::numbers::pi_v<float>;
+}
+
+LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d way, double nearest,
+                                      const Eigen::Vector3f& backdrop,
+                                      SampleSequence& chance) const {
+    const Eigen::Vector3d camera = origin;
+    Gathered gathered;
     Eigen::Vector3d scattered_at = origin;  // where the direction was sampled
     double density = kInfinity;             // density of the sampled direction, 1/sr
-    bool seen = true;                       // the camera sees this point directly or through glass
     int bounces = 0;
     int sheets = 0;
     for (std::uint32_t step = 0;; ++step) {
@@ -160,17 +298,17 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
         const RayHit hit = rays.cast(origin, way, kInfinity, nearest);
         nearest = 0.0;
         const double behind = (origin - scattered_at).dot(way);
-        if (!seen) {
+        if (!gathered.seen) {
             const double end = hit.object_id != 0 ? behind + hit.distance : kInfinity;
             lights.visitLamps(scattered_at, way, sheets == 0 ? 0.0 : behind, end,
                               [&](const Eigen::Vector3f& sent, double other) {
                                   const double w =
                                       params.sample_lights ? weightOf(density, other) : 1.0;
-                                  light += carried.cwiseProduct(sent) * static_cast<float>(w);
+                                  gathered.arrive(sent * static_cast<float>(w));
                               });
         }
         if (hit.object_id == 0) {
-            light += carried.cwiseProduct(seen ? backdrop : rig.skyRadiance(way));
+            gathered.arrive(gathered.seen ? backdrop : rig.skyRadiance(way));
             break;
         }
         SurfacePoint point = surface.at(origin, way, hit);
@@ -179,8 +317,7 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
             origin = liftedOff(point, way);
             continue;
         }
-        const bool window = sendsDaylight(scene.object(hit.object_id));
-        const bool daylight = !seen && window;
+        const bool daylight = !gathered.seen && sendsDaylight(scene.object(hit.object_id));
         const bool shows_outside = outside[hit.object_id - 1];
         const float shines = rig.shineFactor(shows_outside);
         const Eigen::Vector3f sent = daylight
@@ -189,13 +326,14 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
         // Surfaces that emit daylight turn dark without it.
         if (shows_outside && !point.emission.isZero(0.0F))
             point.base_color *= std::min(shines, 1.0F);
+        point.base_color = point.base_color.cwiseMax(0.0F).cwiseMin(1.0F);
         if (sent.maxCoeff() > 0.0F) {
             const double w =
                 params.sample_lights && !std::isinf(density)
                     ? weightOf(density, lights.triangleDensity(hit.object_id, hit.triangle,
                                                                scattered_at, point.position))
                     : 1.0;
-            light += carried.cwiseProduct(sent) * static_cast<float>(w);
+            gathered.arrive(sent * static_cast<float>(w));
         }
         if (daylight) break;
 
@@ -203,11 +341,12 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
             const double thrown = sheetReflectance(-way.dot(point.normal));
             const double which = chance.next();
             if (which < thrown) {
+                if (gathered.seen) gathered.meet(point, Eigen::Vector3f::Zero(), camera);
                 way -= 2.0 * way.dot(point.normal) * point.normal;
                 if (way.dot(point.face) <= 0.0 || ++bounces > params.max_bounces) break;
                 origin = scattered_at = liftedOff(point, way);
                 density = kInfinity;
-                seen = false;
+                gathered.seen = false;
                 sheets = 0;
                 continue;
             }
@@ -220,24 +359,17 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
             (void)chance.next();
         }
 
+        if (gathered.seen) {
+            gathered.meet(point, point.base_color * (1.0F - point.metallic), camera);
+        }
+        if (endsAt(point, gathered, behind + hit.distance, density)) {
+            gathered.arrive(endLight(point));
+            break;
+        }
         const Frame frame(point.normal);
         const SurfaceBrdf brdf(point.base_color, point.metallic, point.roughness,
                                frame.toLocal(-way));
-        if (params.sample_lights) {
-            const double lamp = chance.next();
-            const auto on_lamp = chance.nextPair();
-            const double triangle = chance.next();
-            const auto on_triangle = chance.nextPair();
-            const Eigen::Vector3f direct_light =
-                direct(lights.sampleLamp(point.position, lamp, on_lamp), point, frame, brdf, 0) +
-                direct(lights.sampleTriangle(point.position, triangle, on_triangle), point, frame,
-                       brdf, 1);
-            light += carried.cwiseProduct(direct_light);
-        }
-        if (rig.sun.shines()) {
-            chance.jumpTo(kFirstDimension + step * kDimensionsPerStep + 12);
-            light += carried.cwiseProduct(sunlight(point, frame, brdf, chance.nextPair()));
-        }
+        gathered.reflect(reflected(point, frame, brdf, step, chance), point.base_color);
         if (++bounces > params.max_bounces) break;
         chance.jumpTo(kFirstDimension + step * kDimensionsPerStep + 8);
         const double layer = chance.next();
@@ -246,18 +378,17 @@ Eigen::Vector3f PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d
         if (in.z() <= 0.0 || density <= 0.0) break;
         way = frame.toWorld(in).normalized();
         if (way.dot(point.face) <= 0.0) break;
-        carried = carried.cwiseProduct(brdf.value(in)) * static_cast<float>(in.z() / density);
+        gathered.scatter(brdf.layers(in), point.base_color, static_cast<float>(in.z() / density));
         if (bounces >= kRouletteFrom) {
-            const double stays = std::min(0.95, static_cast<double>(carried.maxCoeff()));
+            const double stays = std::min(0.95, static_cast<double>(gathered.strongest()));
             if (!(chance.next() < stays)) break;
-            carried /= static_cast<float>(stays);
+            gathered.divide(static_cast<float>(stays));
         }
         origin = liftedOff(point, way);
         scattered_at = point.position;
-        seen = false;
         sheets = 0;
     }
-    return light.allFinite() ? light : Eigen::Vector3f(Eigen::Vector3f::Zero());
+    return gathered.light.sum().allFinite() ? gathered.light : LayeredLight{};
 }
 
 PathTracer::PathTracer(const Scene& scene, const RayCaster& rays, const LightRig& rig,
@@ -265,7 +396,7 @@ PathTracer::PathTracer(const Scene& scene, const RayCaster& rays, const LightRig
     : impl_(std::make_unique<Impl>(scene, rays, rig, params, moved)) {}
 PathTracer::~PathTracer() = default;
 
-Status PathTracer::add(const View& view, int samples, RadianceImage& image,
+Status PathTracer::add(const View& view, int samples, LayeredImage& image,
                        const JobContext& job) const {
     image.width = view.intrinsics.width;
     image.height = view.intrinsics.height;
@@ -274,46 +405,46 @@ Status PathTracer::add(const View& view, int samples, RadianceImage& image,
 }
 
 Status PathTracer::add(const RayThrough& ray_through, double near_m, int samples,
-                       RadianceImage& image, const JobContext& job) const {
+                       LayeredImage& image, const JobContext& job) const {
     return impl_->add(ray_through, near_m, std::nullopt, samples, image, job);
+}
+
+LayeredLight PathTracer::Impl::sample(const RayThrough& ray_through, double near_m,
+                                      const std::optional<Eigen::Vector3f>& backdrop, int x, int y,
+                                      std::size_t pixel, int number) const {
+    SampleSequence chance(params.seed, static_cast<std::uint32_t>(pixel),
+                          static_cast<std::uint32_t>(number));
+    const auto [right, down] = chance.nextPair();
+    const std::optional<ViewRay> ray = ray_through(x + right, y + down);
+    if (!ray) return {};
+    const double length = ray->direction.norm();
+    const Eigen::Vector3d way = ray->direction / length;
+    const Eigen::Vector3f shown =
+        backdrop ? *backdrop : skyBackdrop(static_cast<float>(way.z()), rig.backdrop_grey);
+    const Eigen::Vector3f linear = decoded(shown).cwiseProduct(
+        backdrop ? Eigen::Vector3f(Eigen::Vector3f::Ones()) : rig.backdrop_factor);
+    const float radiance_shown = params.exposure * std::numbers::pi_v<float>;
+    return follow(ray->origin, way, near_m * length, inverseToneCurve(linear) / radiance_shown,
+                  chance);
 }
 
 Status PathTracer::Impl::add(const RayThrough& ray_through, double near_m,
                              const std::optional<Eigen::Vector3f>& backdrop, int samples,
-                             RadianceImage& image, const JobContext& job) const {
-    const int width = image.width;
-    const int height = image.height;
-    if (image.sum.empty()) {
-        image.sum.assign(static_cast<std::size_t>(width) * height, Eigen::Vector3f::Zero());
-    }
-    std::vector<Eigen::Vector3f> sum = image.sum;
-    const float radiance_shown = params.exposure * std::numbers::pi_v<float>;
-    parallelRanges(static_cast<std::size_t>(height), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t y = begin; y < end; ++y) {
-            for (int x = 0; x < width && !job.cancelled(); ++x) {
-                const std::size_t pixel = y * static_cast<std::size_t>(width) + x;
-                for (int k = 0; k < samples; ++k) {
-                    SampleSequence chance(params.seed, static_cast<std::uint32_t>(pixel),
-                                          static_cast<std::uint32_t>(image.samples + k));
-                    const auto [right, down] = chance.nextPair();
-                    const std::optional<ViewRay> ray =
-                        ray_through(x + right, static_cast<double>(y) + down);
-                    if (!ray) continue;
-                    const double length = ray->direction.norm();
-                    const Eigen::Vector3d way = ray->direction / length;
-                    const Eigen::Vector3f shown =
-                        backdrop ? *backdrop
-                                 : skyBackdrop(static_cast<float>(way.z()), rig.backdrop_grey);
-                    const Eigen::Vector3f linear = decoded(shown).cwiseProduct(
-                        backdrop ? Eigen::Vector3f(Eigen::Vector3f::Ones()) : rig.backdrop_factor);
-                    sum[pixel] += follow(ray->origin, way, near_m * length,
-                                         inverseToneCurve(linear) / radiance_shown, chance);
-                }
+                             LayeredImage& image, const JobContext& job) const {
+    const auto width = static_cast<std::size_t>(image.width);
+    auto halves = image.halves;
+    for (auto& half : halves) half.resize(width * image.height);
+    parallelFor(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+        for (std::size_t x = 0; x < width && !job.cancelled(); ++x) {
+            const std::size_t pixel = y * width + x;
+            for (int k = image.samples; k < image.samples + samples; ++k) {
+                halves[k % 2][pixel] += sample(ray_through, near_m, backdrop, static_cast<int>(x),
+                                               static_cast<int>(y), pixel, image.first_sample + k);
             }
         }
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "path tracing was cancelled");
-    image.sum = std::move(sum);
+    image.halves = std::move(halves);
     image.samples += samples;
     return {};
 }
@@ -321,18 +452,7 @@ Status PathTracer::Impl::add(const RayThrough& ray_through, double near_m,
 Eigen::Vector3f PathTracer::radiance(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
                                      std::uint32_t pixel, std::uint32_t sample) const {
     SampleSequence chance(impl_->params.seed, pixel, sample);
-    return impl_->follow(from, way, 0.0, impl_->rig.skyRadiance(way), chance);
-}
-
-std::vector<std::uint8_t> developed(const RadianceImage& image, float exposure) {
-    std::vector<std::uint8_t> rgb(3 * image.sum.size());
-    const float scale =
-        exposure * std::numbers::pi_v<float> / static_cast<float>(std::max(image.samples, 1));
-    for (std::size_t i = 0; i < image.sum.size(); ++i) {
-        const Eigen::Vector3f shown = toneCurve(image.sum[i] * scale);
-        for (int c = 0; c < 3; ++c) rgb[3 * i + c] = encodedByte(shown[c]);
-    }
-    return rgb;
+    return impl_->follow(from, way, 0.0, impl_->rig.skyRadiance(way), chance).sum();
 }
 
 }  // namespace dollytrack::render

@@ -5,7 +5,9 @@
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
 #include "render/light/light_rig.h"
+#include "render/light/light_volume.h"
 #include "render/materials/traced_surface.h"
+#include "render/pathtrace/layered_image.h"
 #include "render/view/view.h"
 
 #include <Eigen/Core>
@@ -24,18 +26,9 @@ struct PathTracerParams {
     int max_bounces = 64;       // Russian roulette ends nearly all paths earlier
     bool sample_lights = true;  // false: unbiased but noisy, without light sampling
     float exposure = 1.0F;      // of the developed image; backdrops are scaled to keep their colour
-};
-
-/// An accumulated image: linear RGB radiance, summed over `samples` per pixel; row 0 at the top.
-struct RadianceImage {
-    int width = 0;
-    int height = 0;
-    int samples = 0;
-    std::vector<Eigen::Vector3f> sum;
-
-    [[nodiscard]] Eigen::Vector3f at(int x, int y) const {
-        return sum[static_cast<std::size_t>(y) * width + x] / static_cast<float>(samples);
-    }
+    /// If set, paths end at their second surface with the light of this volume, except near the
+    /// first surface: several times faster, with the volume's small errors in indirect light.
+    const LightVolume* end_light = nullptr;
 };
 
 /// Unidirectional path tracer, the reference for drawn images. Paths start at the camera (Kajiya
@@ -53,14 +46,14 @@ class PathTracer {
     /// to the last bit for any number of calls and threads. Hidden objects and structure cuts of
     /// the view are ignored. Returns Cancelled and leaves the image unchanged if the job was
     /// cancelled.
-    [[nodiscard]] Status add(const View& view, int samples, RadianceImage& image,
+    [[nodiscard]] Status add(const View& view, int samples, LayeredImage& image,
                              const JobContext& job = {}) const;
 
     /// The same for rays through image positions of any lens; no ray means black. `image` must have
     /// its size set.
     using RayThrough = std::function<std::optional<ViewRay>(double x, double y)>;
     [[nodiscard]] Status add(const RayThrough& ray_through, double near_m, int samples,
-                             RadianceImage& image, const JobContext& job = {}) const;
+                             LayeredImage& image, const JobContext& job = {}) const;
 
     /// Radiance that arrives at a point from the direction `way`, by one path.
     [[nodiscard]] Eigen::Vector3f radiance(const Eigen::Vector3d& from, const Eigen::Vector3d& way,
@@ -70,9 +63,5 @@ class PathTracer {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// Applies exposure, tone curve and sRGB encoding; 3 bytes per pixel. With LightVolume::exposure
-/// white surfaces in average light become light grey.
-[[nodiscard]] std::vector<std::uint8_t> developed(const RadianceImage& image, float exposure);
 
 }  // namespace dollytrack::render

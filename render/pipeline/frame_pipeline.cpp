@@ -33,14 +33,14 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     if (missing_.empty()) return {};
     const Scene& scene = contents_.scene;
     LightParams wanted = contents_.light;
-    if (!needs(kNeedsRgb | kNeedsLater)) wanted.light_varies = LightVaries::Scene;
+    if (!needs(kNeedsRgb | kNeedsLayers | kNeedsLater)) wanted.light_varies = LightVaries::Scene;
     lights_.emplace(scene, rays, rooms, wanted, LightVolumeParams{}, job);
     LightVolume light = lights_->volume();
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "the export was cancelled");
-    if (picture_.render_mode == RenderMode::Reference) {
-        reference_.emplace(context_, *lights_, picture_.reference_samples, job);
+    if (picture_.render_mode != RenderMode::Fast) {
+        traced_.emplace(context_, *lights_, picture_, job);
     }
-    if (reference_) light.sun = {};  // the rasteriser then draws labels only
+    if (traced_) light.sun = {};  // the rasteriser then draws labels only
     Result<SceneRenderer> renderer = SceneRenderer::create(scene, light);
     if (!renderer) return tl::unexpected(renderer.error());
     renderer_.emplace(std::move(*renderer));
@@ -52,7 +52,7 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
         if (!created) return tl::unexpected(created.error());
         target.emplace(std::move(*created));
     }
-    if (needs(kNeedsRgb | kNeedsLater) && !reference_) {
+    if (needs(kNeedsRgb | kNeedsLater) && !traced_) {
         Status status = renderer_->reserve(contents_.camera.width_px, contents_.camera.height_px,
                                            picture_.antialias);
         if (!status) return status;
@@ -76,7 +76,7 @@ Status FramePipeline::prepare(const RayCaster& rays, const std::vector<Eigen::Al
     }
     if (needs(kNeedsRig)) {
         rig_.emplace(contents_.camera.near_m, picture_);
-        if (reference_) return {};
+        if (traced_) return {};
         for (const RigCamera& camera : contents_.rig) {
             if (Status status = rig_->prepare(LensModel(camera)); !status) return status;
         }
@@ -91,7 +91,7 @@ void FramePipeline::placeObjects(int index) {
 }
 
 void FramePipeline::lightFrame(int index) {
-    if (reference_) return;
+    if (traced_) return;
     if (needs(kNeedsRgb | kNeedsLater)) renderer_->setReflections(reflections_->at(index));
     if (!lights_->vary() || lit_for_ == index) return;
     renderer_->changeLight(lights_->volumeAt(contents_.sourceFrame(index)));
@@ -109,14 +109,15 @@ Status FramePipeline::drawMore(const View& view, FrameRecord& record) {
         right.pose = rightOf(view.pose, contents_.stereo_baseline_m);
         right.antialias = picture_.antialias;
         Status status =
-            reference_ ? renderer_->drawLabels(right, *right_) : renderer_->draw(right, *right_);
+            traced_ ? renderer_->drawLabels(right, *right_) : renderer_->draw(right, *right_);
         if (!status) return status;
-        if (!reference_) right_->readRgb(record.rgb_right);
+        if (!traced_) right_->readRgb(record.rgb_right);
         right_->readDrawnDepth(record.depth_right_m);
         fillRightCracks(context_.moving, right, record);
-        if (reference_) {
-            status = reference_->take(right, record.index, record.rgb_right);
-            if (!status) return status;
+        if (traced_) {
+            Result<PictureLayers> picture = traced_->take(right, record.index);
+            if (!picture) return tl::unexpected(picture.error());
+            record.rgb_right = developed(*picture);
         }
     }
     return needs(kNeedsRig) ? drawRig(record) : Status();
@@ -127,9 +128,14 @@ Status FramePipeline::drawRig(FrameRecord& record) {
         const LensModel lens(camera);
         const Pose pose = poseOnRig(camera, record.pose);
         std::vector<std::uint8_t>& rgb = record.rig_rgb.emplace_back();
-        Status status = reference_ ? reference_->take(lens, pose, record.index, rgb)
-                                   : rig_->draw(lens, pose, *renderer_,
-                                                *context_.moving.raysAt(record.index), rgb);
+        if (traced_) {
+            Result<PictureLayers> picture = traced_->take(lens, pose, record.index);
+            if (!picture) return tl::unexpected(picture.error());
+            rgb = developed(*picture);
+            continue;
+        }
+        Status status =
+            rig_->draw(lens, pose, *renderer_, *context_.moving.raysAt(record.index), rgb);
         if (!status) return status;
     }
     return {};
@@ -190,7 +196,7 @@ Status FramePipeline::startNext() {
     placeObjects(missing_[started_]);
     lightFrame(missing_[started_]);
     View view = viewOf(missing_[started_++]);
-    if (!needs(kNeedsRgb) || reference_) {  // path-traced images are drawn later
+    if (!needs(kNeedsRgb) || traced_) {  // path-traced images are drawn later
         return renderer_->drawLabels(view, *targets_[place], surfaces);
     }
     view.antialias = picture_.antialias;
@@ -228,15 +234,16 @@ Status FramePipeline::drawNext(const TakeFrame& take, FrameLedger* ledger) {
         if (Status status = renderer_->startSilhouettes(view, wanted); !status) return status;
         if (ledger != nullptr) silhouettes_of_ = record.index;
     }
-    if (needs(kNeedsRgb) && !reference_) target.readRgb(record.rgb);
+    if (needs(kNeedsRgb) && !traced_) target.readRgb(record.rgb);
     const bool focuses = needs(kNeedsSensorLight) && focusesByDepth(contents_.sensor);
     if (needs(kNeedsDepth) || focuses) record.depth_m = std::move(depth_m);
     if (Status status = drawMore(view, record); !status) return status;
     fillCracks(cracks, contents_.scene, context_.moving, view, record);
-    if (reference_ && needs(kNeedsRgb)) {
-        if (Status status = reference_->take(view, record.index, record.rgb); !status) {
-            return status;
-        }
+    if (traced_ && needs(kNeedsRgb | kNeedsLayers)) {
+        Result<PictureLayers> picture = traced_->take(view, record.index);
+        if (!picture) return tl::unexpected(picture.error());
+        if (needs(kNeedsRgb)) record.rgb = developed(*picture);
+        if (needs(kNeedsLayers)) record.layers = std::move(*picture);
     }
     quality_.reset();
     if (!record.rgb.empty()) quality_ = pictureQuality(record.width, record.height, record.rgb);
@@ -244,8 +251,8 @@ Status FramePipeline::drawNext(const TakeFrame& take, FrameLedger* ledger) {
         if (Status status = count(record.index, silhouettes_px, ledger); !status) return status;
     }
     if (needs(kNeedsSensorLight)) {
-        Status status = sensor_->take(record, *renderer_, reference_ ? &*reference_ : nullptr,
-                                      record.sensor_light);
+        Status status =
+            sensor_->take(record, *renderer_, traced_ ? &*traced_ : nullptr, record.sensor_light);
         if (!status) return status;
         // Later steps may draw this frame again or other frames at their own times.
         placeObjects(record.index);

@@ -13,8 +13,8 @@
 #include "render/pipeline/capture_counter.h"
 #include "render/pipeline/frame_ledger.h"
 #include "render/pipeline/frame_reflections.h"
-#include "render/pipeline/reference_pictures.h"
 #include "render/pipeline/sensor_pictures.h"
+#include "render/pipeline/traced_pictures.h"
 #include "render/rig/rig_pictures.h"
 
 #include <array>
@@ -95,9 +95,9 @@ class FramePipeline {
     PictureParams picture_;
     std::optional<FrameLights> lights_;
     std::optional<FrameReflections> reflections_;
-    int lit_for_ = -1;  // frame whose light the renderer has, if light varies
-    std::optional<ReferencePictures> reference_;  // only for path-traced images
-    std::optional<SensorPictures> sensor_;        // only with kNeedsSensorLight
+    int lit_for_ = -1;                      // frame whose light the renderer has, if light varies
+    std::optional<TracedPictures> traced_;  // only for path-traced images
+    std::optional<SensorPictures> sensor_;  // only with kNeedsSensorLight
     CaptureCounter counter_;
     std::map<int, std::vector<ObjectView>> restored_;
     std::vector<int> missing_;  // frame indices

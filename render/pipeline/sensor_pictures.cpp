@@ -55,7 +55,7 @@ View SensorPictures::viewOf(const ExposureSample& sample, const FrameRecord& fra
 }
 
 Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
-                            ReferencePictures* reference, std::vector<float>& light) {
+                            TracedPictures* traced, std::vector<float>& light) {
     const DatasetContents& contents = context_.contents;
     const SensorLens& lens = *context_.sensor_lens;
     const Exposure exposure(contents.sensor, contents.camera.height_px,
@@ -63,7 +63,7 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
     const std::optional<double> focus = contents.sensor.aperture_mm > 0.0
                                             ? focusDepthOf(contents.sensor, contents.scene, frame)
                                             : std::nullopt;
-    if (reference) return trace(frame, exposure, focus, *reference, light);
+    if (traced) return trace(frame, exposure, focus, *traced, light);
 
     LightSum sum;
     sum.lens = lens.drawn();
@@ -101,7 +101,7 @@ Status SensorPictures::take(const FrameRecord& frame, SceneRenderer& renderer,
 
 /// Traces every sample; each row averages the samples of its own exposure.
 Status SensorPictures::trace(const FrameRecord& frame, const Exposure& exposure,
-                             std::optional<double> focus, ReferencePictures& reference,
+                             std::optional<double> focus, TracedPictures& traced,
                              std::vector<float>& light) const {
     const DatasetContents& contents = context_.contents;
     const Intrinsics& drawn = context_.sensor_lens->drawn();
@@ -111,12 +111,11 @@ Status SensorPictures::trace(const FrameRecord& frame, const Exposure& exposure,
         static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
     std::vector<Eigen::Vector3f> sum(pixels, Eigen::Vector3f::Zero());
     std::vector<float> weights(pixels, 0.0F);
-    std::vector<Eigen::Vector3f> seen;
     int number = 0;
     for (const ExposureSample& sample : exposure.samples()) {
-        Status status = reference.takePart(viewOf(sample, frame, focus), frame.index, number++,
-                                           contents.sensor.looks, seen);
-        if (!status) return status;
+        const Result<PictureLayers> seen = traced.takePart(
+            viewOf(sample, frame, focus), frame.index, number++, contents.sensor.looks);
+        if (!seen) return tl::unexpected(seen.error());
         std::size_t i = 0;
         for (int y = 0; y < drawn.height; ++y) {
             for (int x = 0; x < drawn.width; ++x, ++i) {
@@ -124,7 +123,7 @@ Status SensorPictures::trace(const FrameRecord& frame, const Exposure& exposure,
                 const double row = sensor.fy * distortion.bend(straight).y() + sensor.cy;
                 const auto weight = static_cast<float>(exposure.weight(sample, row));
                 if (weight == 0.0F) continue;
-                sum[i] += weight * seen[i];
+                sum[i] += weight * seen->light(i);
                 weights[i] += weight;
             }
         }

@@ -5,7 +5,7 @@
 #include "render/dataset/contents/frame_context.h"
 #include "render/draw/scene_renderer.h"
 #include "render/frames/frame_record.h"
-#include "render/pipeline/reference_pictures.h"
+#include "render/pipeline/traced_pictures.h"
 #include "render/scene/object_paths.h"
 #include "render/sensors/exposure.h"
 #include "render/sensors/sensor_lens.h"
@@ -38,10 +38,10 @@ class SensorPictures {
                                          Reflections reflections);
 
     /// Fills `light` with linear light of the pinhole image SensorLens::drawn(), 3 values per
-    /// pixel. Path-traces it if `reference` is given. `frame` needs depth and ids if
+    /// pixel. Path-traces it if `traced` is given. `frame` needs depth and ids if
     /// focusesByDepth(). Moving objects stay at the positions of the last sample.
     [[nodiscard]] Status take(const FrameRecord& frame, SceneRenderer& renderer,
-                              ReferencePictures* reference, std::vector<float>& light);
+                              TracedPictures* traced, std::vector<float>& light);
 
   private:
     SensorPictures(const FrameContext& context, const ObjectPaths& objects, Reflections reflections)
@@ -49,7 +49,7 @@ class SensorPictures {
     [[nodiscard]] View viewOf(const ExposureSample& sample, const FrameRecord& frame,
                               std::optional<double> focus) const;
     [[nodiscard]] Status trace(const FrameRecord& frame, const Exposure& exposure,
-                               std::optional<double> focus, ReferencePictures& reference,
+                               std::optional<double> focus, TracedPictures& traced,
                                std::vector<float>& light) const;
 
     const FrameContext& context_;

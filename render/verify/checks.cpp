@@ -44,6 +44,8 @@ constexpr std::array kRgbSensor = {"rgb_sensor"};
 constexpr std::array kDepthSensor = {"depth_sensor"};
 constexpr std::array kCameras = {"cameras"};
 constexpr std::array kAlbedo = {"albedo", "instance"};
+constexpr std::array kMaterials = {"roughness", "metallic"};
+constexpr std::array kLight = {"hdr", "direct_illumination"};
 
 constexpr std::array kChecks = {
     Check{"files", "all listed files exist with their hashes, and no others", Names{}, Names{},
@@ -126,6 +128,10 @@ constexpr std::array kChecks = {
           render::missingVideoLibrary},
     Check{"albedo", "base colours agree with the visible materials", kAlbedo, Names{}, true,
           beginAlbedo},
+    Check{"materials", "roughness and metalness are those of the visible materials", kInstance,
+          kMaterials, true, beginMaterials},
+    Check{"light", "the layers of path-traced light add up, and give the image by the tone curve",
+          Names{}, kLight, false, beginLight},
     Check{"rgb_sensor", "sensor images agree with their frames, by the stated lens and times",
           kRgbSensor, Names{}, false, beginRgbSensor},
     Check{"depth_sensor", "sensor depth and its holes agree with the depth, within the noise model",

@@ -188,6 +188,44 @@ TEST(Gltf, SourcesOfTexturesInExtensions) {
     expectSheet(flat.parts.at(0), 1e-6F);
 }
 
+TEST(Gltf, ExtensionsOfMaterials) {
+    GlbWriter file = texturedSheet(kFloat, false);
+    const auto material = [&](const json& extensions) {
+        json& written = file.json["materials"][0];
+        written["emissiveFactor"] = {1.0, 0.5, 0.25};
+        written["extensions"] = extensions;
+        return read(file.glb()).materials.at(0);
+    };
+    EXPECT_EQ(material(json::object()).emission, Eigen::Vector3f(1.0F, 0.5F, 0.25F));
+    EXPECT_EQ(material({{"KHR_materials_emissive_strength", {{"emissiveStrength", 4.0}}}}).emission,
+              Eigen::Vector3f(4.0F, 2.0F, 1.0F));
+    EXPECT_EQ(
+        material({{"KHR_materials_emissive_strength", {{"emissiveStrength", -1.0}}}}).emission,
+        Eigen::Vector3f(0.0F, 0.0F, 0.0F));
+    EXPECT_EQ(material(json::object()).opacity, 1.0F);
+    EXPECT_EQ(material({{"KHR_materials_transmission", {{"transmissionFactor", 0.75}}}}).opacity,
+              0.25F);
+    EXPECT_EQ(material({{"KHR_materials_transmission", json::object()}}).opacity, 1.0F);
+    const Material unlit = material({{"KHR_materials_unlit", json::object()}});
+    EXPECT_EQ(unlit.metallic, 0.0F);
+    EXPECT_EQ(unlit.roughness, 1.0F);
+}
+
+TEST(Gltf, ABlackFactorDoesNotHideTheTexture) {
+    GlbWriter file = texturedSheet(kFloat, false);
+    json& color = file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"];
+    color = {0, 0, 0, 1};
+    const RawScene black = read(file.glb());
+    EXPECT_EQ(black.materials.at(0).base_color, Eigen::Vector3f(1.0F, 1.0F, 1.0F));
+    ASSERT_EQ(black.warnings.size(), 1U);
+    EXPECT_NE(black.warnings[0].find("1 material multiplies its texture by black"),
+              std::string::npos);
+    color = {0.1, 0, 0, 1};
+    const RawScene dark = read(file.glb());
+    EXPECT_EQ(dark.materials.at(0).base_color, Eigen::Vector3f(0.1F, 0.0F, 0.0F));
+    EXPECT_TRUE(dark.warnings.empty());
+}
+
 // Vertex colours are linear in glTF and multiply the base colour.
 TEST(Gltf, ColoursOfVerticesMultiply) {
     GlbWriter file = texturedSheet(kFloat, false);

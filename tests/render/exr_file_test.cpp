@@ -23,6 +23,30 @@ TEST(ExrFile, ReadsWhatWasWritten) {
     EXPECT_EQ(image->values, (std::vector<float>{0.5F, 1.25F, -3.0F, 1e30F, 0.0F, 7.0F}));
 }
 
+TEST(ExrFile, ReadsColoursAsTheyWereRounded) {
+    const std::vector<Eigen::Vector3f> values = {{0.1F, 1.0F, -3.0F},
+                                                 {1e-9F, 70000.0F, 2.0F},
+                                                 {0.5F, 0.25F, 0.0F},
+                                                 {1.0F / 3.0F, 4.0F, 5.0F}};
+    const auto bytes = render::encodeExr(2, 2, values);
+    ASSERT_TRUE(bytes);
+    const std::string file(bytes->begin(), bytes->end());
+    const auto image = decodeExr(file, 3);
+    ASSERT_TRUE(image) << image.error().message;
+    EXPECT_EQ(image->channels, 3);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Eigen::Vector3f rounded = render::roundedToHalf(values[i]);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_EQ(image->values[3 * i + static_cast<std::size_t>(c)], rounded[c]);
+        }
+    }
+    // 10 binary digits after the first; the largest 16-bit float is 65504.
+    EXPECT_NEAR(image->values[0], 0.1F, 0.1F / 2048.0F);
+    EXPECT_EQ(image->values[4], 65504.0F);
+    EXPECT_FALSE(decodeExr(file));
+    EXPECT_FALSE(decodeExr(exr(), 3));
+}
+
 TEST(ExrFile, RefusesDamagedFilesAndOtherChannels) {
     const std::string whole = exr();
     for (std::size_t size = 0; size < whole.size(); size += 9) {

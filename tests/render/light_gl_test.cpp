@@ -84,13 +84,14 @@ class LightGl : public fixture::GlTest {
         PathTracerParams params;
         params.exposure = volume.exposure;
         const PathTracer tracer(scene, rays, balanced(rig, volume), params);
-        RadianceImage image;
+        LayeredImage image;
         EXPECT_TRUE(tracer.add(view, 768, image));
-        scale *= volume.exposure * std::numbers::pi_v<float>;
+        const PictureLayers layers =
+            averaged(image, scale * volume.exposure * std::numbers::pi_v<float>);
         double sum = 0.0;
-        for (std::size_t i = 0; i < image.sum.size(); ++i) {
+        for (std::size_t i = 0; i < layers.size(); ++i) {
             for (std::size_t c = 0; c < 3; ++c) {
-                const float traced = scale * image.sum[i][static_cast<Eigen::Index>(c)] / 768.0F;
+                const float traced = layers.light(i)[static_cast<Eigen::Index>(c)];
                 sum += std::abs(std::min(traced, 1.0F) - std::min(drawn[3 * i + c], 1.0F));
             }
         }

@@ -56,7 +56,8 @@ Result<Annotations> annotationsOf(const OpenedScene& opened) {
 }
 
 bool wants(const render::DatasetSettings& settings, std::string_view modality) {
-    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    const auto chosen =
+        render::chooseModalities(settings.modalities, {!settings.rig.empty(), true});
     return chosen && render::contains(*chosen, modality);
 }
 

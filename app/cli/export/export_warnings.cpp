@@ -47,19 +47,27 @@ void warnOfSun(const LightParams& light) {
 }
 
 void warnOfPictures(const PictureParams& picture) {
-    if (picture.render_mode == RenderMode::Reference ||
-        picture.reference_samples == PictureParams().reference_samples) {
-        return;
+    const PictureParams standard;
+    const auto warn = [&](const char* samples, const char* mode) {
+        log::warn("export",
+                  fmt::format("{} has an effect only with render_mode={}", samples, mode));
+    };
+    if (picture.render_mode != RenderMode::Reference &&
+        picture.reference_samples != standard.reference_samples) {
+        warn("reference_samples", "reference");
     }
-    log::warn("export",
-              "reference_samples has no effect with render_mode=fast; set render_mode=reference");
+    if (picture.render_mode != RenderMode::Traced &&
+        picture.traced_samples != standard.traced_samples) {
+        warn("traced_samples", "traced");
+    }
 }
 
 /// Warns of blur settings without exposure samples; a rolling shutter always has several samples.
 void warnOfMissingSamples(const SensorParams& sensor, const render::DatasetSettings& settings) {
     const bool blurs = sensor.shutter_s > 0.0 || sensor.aperture_mm > 0.0;
     if (sensor.looks > 1 || sensor.readout_s > 0.0 || !blurs) return;
-    const auto chosen = render::chooseModalities(settings.modalities, !settings.rig.empty());
+    const auto chosen =
+        render::chooseModalities(settings.modalities, {!settings.rig.empty(), true});
     if (!chosen || !render::contains(*chosen, render::kRgbSensor)) return;
     log::warn("export",
               fmt::format("{} has no effect with one exposure sample (looks=1); set looks=16",

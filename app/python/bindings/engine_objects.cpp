@@ -333,6 +333,31 @@ std::string ScenePlan::exportTo(const cli::ExportOrder& order,
 
 namespace {
 
+/// A layer of path-traced light; nullopt for another name.
+std::optional<std::vector<float>> lightOf(const render::PictureLayers& layers,
+                                          const std::string& name) {
+    const auto each = [&](auto&& valueOf) {
+        std::vector<float> values;
+        values.reserve(3 * layers.size());
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            const Eigen::Vector3f value = valueOf(i);
+            values.insert(values.end(), value.data(), value.data() + 3);
+        }
+        return values;
+    };
+    if (name == "hdr") return each([&](std::size_t i) { return layers.light(i); });
+    if (name == "diffuse_illumination") {
+        return each([&](std::size_t i) { return layers.direct[i] + layers.indirect[i]; });
+    }
+    const std::vector<Eigen::Vector3f>* layer = name == "diffuse_reflectance" ? &layers.reflectance
+                                                : name == "direct_illumination"   ? &layers.direct
+                                                : name == "indirect_illumination" ? &layers.indirect
+                                                : name == "residual"              ? &layers.residual
+                                                                                  : nullptr;
+    if (layer == nullptr) return std::nullopt;
+    return each([&](std::size_t i) { return (*layer)[i]; });
+}
+
 /// An image of a rendered frame as array; None for an unknown name.
 py::object imageOf(render::FrameRecord& frame, const std::string& name) {
     const Shape plain = {frame.height, frame.width};
@@ -344,6 +369,7 @@ py::object imageOf(render::FrameRecord& frame, const std::string& name) {
     if (name == "albedo") return arrayOf(std::move(frame.albedo), colour);
     if (name == "rgb_right") return arrayOf(std::move(frame.rgb_right), colour);
     if (name == "depth_right") return arrayOf(std::move(frame.depth_right_m), plain);
+    if (auto light = lightOf(frame.layers, name)) return arrayOf(std::move(*light), colour);
     if (name != "normal_world" && name != "normal_camera") return py::none();
     Eigen::Matrix3f turn = Eigen::Matrix3f::Identity();
     if (name == "normal_camera") {
@@ -359,9 +385,21 @@ py::object imageOf(render::FrameRecord& frame, const std::string& name) {
 }
 
 Status checkDrawable(const std::vector<std::string>& names) {
-    constexpr std::array kDrawn = {"rgb",      "depth",        "instance",
-                                   "semantic", "normal_world", "normal_camera",
-                                   "albedo",   "rgb_right",    "depth_right"};
+    constexpr std::array kDrawn = {"rgb",
+                                   "depth",
+                                   "instance",
+                                   "semantic",
+                                   "normal_world",
+                                   "normal_camera",
+                                   "albedo",
+                                   "rgb_right",
+                                   "depth_right",
+                                   "hdr",
+                                   "diffuse_reflectance",
+                                   "diffuse_illumination",
+                                   "direct_illumination",
+                                   "indirect_illumination",
+                                   "residual"};
     for (const std::string& name : names) {
         if (std::ranges::find(kDrawn, name) != kDrawn.end()) continue;
         // A misspelt name gets a suggestion.

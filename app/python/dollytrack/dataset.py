@@ -28,7 +28,7 @@ _READ: Dict[str, Optional[float]] = {
     "rgb": None, "albedo": None, "rgb_right": None, "rgb_sensor": None, "instance": None,
     "semantic": None, "depth": 1e-3, "depth_right": 1e-3, "depth_sensor": 1e-3,
     "normal_camera": 2 / 65535, "normal_world": 2 / 65535, "object_coordinates": 1 / 65535,
-    "disparity": 1 / 256,
+    "disparity": 1 / 256, "roughness": 1 / 255, "metallic": 1 / 255,
 }
 
 
@@ -56,7 +56,7 @@ class Sample(_Images):
     (H, W) float32, metres along the viewing axis, 0 where no surface is visible. instance: (H, W)
     uint16, semantic: (H, W) uint8 (uint16 if a class id is above 255); 0: no object or class.
     normal_world, normal_camera: (H, W, 3) float32 unit vectors. object_coordinates: (H, W, 3) float32,
-    0 .. 1. disparity: (H, W) float32, px.
+    0 .. 1. disparity: (H, W) float32, px. roughness, metallic: (H, W) float32, 0 .. 1.
     """
 
     def __init__(self, dataset: "Dataset", index: int) -> None:

@@ -20,7 +20,8 @@ class Frame(Mapping[str, npt.NDArray[Any]]):
 
     rgb, albedo, rgb_right: (H, W, 3) uint8, sRGB. depth, depth_right: (H, W) float32, metres along
     the viewing axis, 0 where no surface is visible. instance, semantic: (H, W) uint16, ids of objects
-    and classes; 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors.
+    and classes; 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors. hdr and the
+    layers of light: (H, W, 3) float32, linear, 1 is white in rgb.
     """
 
     def __init__(self, index: int, time_s: float, pose: npt.NDArray[np.float64],
@@ -161,7 +162,9 @@ class Plan:
         """Renders the frames one by one; nothing is written.
 
         images: "rgb", "depth", "instance", "semantic", "normal_world", "normal_camera", "albedo",
-            "rgb_right", "depth_right"; default: the first four. See Frame for their arrays.
+            "rgb_right", "depth_right"; default: the first four. With render_mode="traced" or
+            "reference" also "hdr", "diffuse_reflectance", "diffuse_illumination",
+            "direct_illumination", "indirect_illumination", "residual". See Frame for their arrays.
         range: "a:b:s", frames a to b (b not included), every s-th.
         still: objects with a track stay at their planned poses.
         gl: OpenGL backend: "auto", "egl" (GPU) or "osmesa" (CPU).

@@ -20,6 +20,11 @@ constexpr const char* kWebp = "EXT_texture_webp";
 constexpr std::array kUndecoded = {"KHR_texture_basisu", "KHR_texture_ktx", "EXT_texture_avif",
                                    "MSFT_texture_dds"};
 
+/// Largest base colour that counts as black beside a texture, linear.
+constexpr float kBlackFactor = 0.004F;
+constexpr float kClearestGlass = 0.05F;  // opacity, so that glass stays visible
+constexpr double kMostEmissiveStrength = 1000.0;
+
 /// Whether an image is KTX, Basis, AVIF or DDS, which cannot be decoded; by first bytes or
 /// extension.
 bool isUndecoded(std::string_view bytes, std::string_view uri) {
@@ -47,6 +52,7 @@ class TextureList {
     }
 
     void noteOtherCoordinates() { ++elsewhere_; }
+    void noteBlackFactor() { ++blackened_; }
 
     void report() const {
         if (!undecoded_.empty()) {
@@ -54,6 +60,12 @@ class TextureList {
                 counted(undecoded_.size(), "texture is", "textures are") +
                 " KTX2, Basis, DDS or AVIF, which cannot be read, and shown as a flat colour; "
                 "export them as PNG, JPEG or WebP");
+        }
+        if (blackened_ > 0) {
+            raw_.warnings.push_back(
+                counted(blackened_, "material multiplies its", "materials multiply their") +
+                " texture by black, which some exporters write by mistake; the "
+                "texture is shown as it is");
         }
         if (elsewhere_ > 0) {
             raw_.notes.push_back(
@@ -117,6 +129,7 @@ class TextureList {
     std::set<std::size_t> undecoded_;     // images that cannot be decoded
     std::size_t embedded_ = 0;
     std::size_t elsewhere_ = 0;
+    std::size_t blackened_ = 0;
 };
 
 PictureCoordinates coordinatesOf(const Json& info) {
@@ -171,12 +184,26 @@ class MaterialReader {
             material.roughness = share(1.0 - numberOr(specular, "glossinessFactor", 1.0));
         }
         material.base_color = colorOf(color.head<3>());
+        if (material.texture >= 0 && material.base_color.maxCoeff() < kBlackFactor) {
+            material.base_color.setOnes();
+            textures_.noteBlackFactor();
+        }
         // Some exporters write an opacity of 0 for opaque materials.
         material.opacity = opaque || !(color.w() > 0.0) ? 1.0F : share(color.w());
+        const Json& transmission = extensionOf(source_, "KHR_materials_transmission");
+        material.opacity *= std::max(
+            kClearestGlass, share(1.0 - numberOr(transmission, "transmissionFactor", 0.0)));
+        if (extensionOf(source_, "KHR_materials_unlit").is_object()) {
+            material.metallic = 0.0F;
+            material.roughness = 1.0F;
+        }
 
         Eigen::Vector3d emission = Eigen::Vector3d::Zero();
         readNumbers(source_, "emissiveFactor", emission);
-        material.emission = colorOf(emission);
+        const Json& strength = extensionOf(source_, "KHR_materials_emissive_strength");
+        material.emission = colorOf(emission) * static_cast<float>(std::clamp(
+                                                    numberOr(strength, "emissiveStrength", 1.0),
+                                                    0.0, kMostEmissiveStrength));
         material.emission_map = mapOf(objectAt(source_, "emissiveTexture"), true);
         const Json& normal = objectAt(source_, "normalTexture");
         material.normal_map = mapOf(normal, true);

@@ -42,6 +42,8 @@ CheckWork beginCocoPolygons(const Subject& subject, Findings& findings);
 CheckWork beginFolds(const Subject& subject, Findings& findings);
 CheckWork beginVideo(const Subject& subject, Findings& findings);
 CheckWork beginAlbedo(const Subject& subject, Findings& findings);
+CheckWork beginMaterials(const Subject& subject, Findings& findings);
+CheckWork beginLight(const Subject& subject, Findings& findings);
 CheckWork beginRgbSensor(const Subject& subject, Findings& findings);
 CheckWork beginDepthSensor(const Subject& subject, Findings& findings);
 CheckWork beginTartanAir(const Subject& subject, Findings& findings);

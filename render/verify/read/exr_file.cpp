@@ -7,6 +7,7 @@
 #include <ImfInputFile.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstring>
 #include <stdexcept>
 
@@ -39,7 +40,8 @@ class BytesStream : public Imf::IStream {
 
 }  // namespace
 
-Result<ImageF> decodeExr(std::string_view bytes) {
+Result<ImageF> decodeExr(std::string_view bytes, int channels) {
+    constexpr std::array kColours = {"R", "G", "B"};
     constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
     try {
         BytesStream stream(bytes);
@@ -52,14 +54,21 @@ Result<ImageF> decodeExr(std::string_view bytes) {
             return fail(ErrorCode::BadInput,
                         fmt::format("its header declares {} x {} px", width, height));
         }
-        // The library would fill a missing channel with zeros.
-        if (file.header().channels().findChannel("Y") == nullptr) {
-            return fail(ErrorCode::BadInput, "it has no channel 'Y'");
-        }
-        ImageF image{static_cast<int>(width), static_cast<int>(height), 1, {}};
-        image.values.resize(static_cast<std::size_t>(width * height));
+        const auto count = static_cast<std::size_t>(channels);
+        ImageF image{static_cast<int>(width), static_cast<int>(height), channels, {}};
+        image.values.resize(static_cast<std::size_t>(width * height) * count);
         Imf::FrameBuffer buffer;
-        buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, image.values.data(), window));
+        for (std::size_t c = 0; c < count; ++c) {
+            const char* name = channels == 1 ? "Y" : kColours[c];
+            // The library would fill a missing channel with zeros.
+            if (file.header().channels().findChannel(name) == nullptr) {
+                return fail(ErrorCode::BadInput, fmt::format("it has no channel '{}'", name));
+            }
+            constexpr std::size_t kBytes = sizeof(float);
+            buffer.insert(
+                name, Imf::Slice::Make(Imf::FLOAT, image.values.data() + c, window, count * kBytes,
+                                       count * kBytes * static_cast<std::size_t>(width)));
+        }
         file.setFrameBuffer(buffer);
         file.readPixels(window.min.y, window.max.y);
         return image;

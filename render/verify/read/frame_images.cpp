@@ -22,12 +22,20 @@ constexpr std::array kImageKinds = {
     ImageKind{"normal_camera", ".png", Type::Bits16, 3, nullptr},
     ImageKind{"normal_world", ".png", Type::Bits16, 3, nullptr},
     ImageKind{"albedo", ".png", Type::Bits8, 3, nullptr},
+    ImageKind{"roughness", ".png", Type::Bits8, 1, nullptr},
+    ImageKind{"metallic", ".png", Type::Bits8, 1, nullptr},
     ImageKind{"object_coordinates", ".png", Type::Bits16, 3, nullptr},
     ImageKind{"rgb_right", ".png", Type::Bits8, 3, nullptr},
     ImageKind{"depth_right", ".png", Type::Bits16, 1, nullptr},
     ImageKind{"disparity", ".png", Type::Bits16, 1, "_mask.png"},
     ImageKind{"rgb_sensor", ".png", Type::Bits8, 3, nullptr},
     ImageKind{"depth_sensor", ".png", Type::Bits16, 1, nullptr},
+    ImageKind{"hdr", ".exr", Type::Float, 3, nullptr},
+    ImageKind{"diffuse_reflectance", ".exr", Type::Float, 3, nullptr},
+    ImageKind{"diffuse_illumination", ".exr", Type::Float, 3, nullptr},
+    ImageKind{"direct_illumination", ".exr", Type::Float, 3, nullptr},
+    ImageKind{"indirect_illumination", ".exr", Type::Float, 3, nullptr},
+    ImageKind{"residual", ".exr", Type::Float, 3, nullptr},
 };
 
 template <class T>
@@ -105,7 +113,7 @@ const FrameImages::Entry& FrameImages::load(std::string_view modality) {
                 take(readClasses(path, dataset_.classes().isWide()), lens, entry.bits16);
             break;
         case Type::Float:
-            entry.problem = take(readImageF(path), lens, entry.real);
+            entry.problem = take(readImageF(path, kind->channels), lens, entry.real);
             break;
     }
     return entry;

@@ -122,10 +122,10 @@ Result<Image16> readClasses(const fs::path& path, bool wide) {
     return wide ? readImage16(path, 1) : widened(readImage8(path, 1));
 }
 
-Result<ImageF> readImageF(const fs::path& path) {
+Result<ImageF> readImageF(const fs::path& path, int channels) {
     const Result<std::string> bytes = bytesOf(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    return decodeExr(*bytes);
+    return decodeExr(*bytes, channels);
 }
 
 Result<ImageF> readFlow(const fs::path& path) {

@@ -22,7 +22,7 @@ Result<Image16> readClasses(const std::filesystem::path& path, bool wide);
 /// Converts 8 to 16 bits; passes an error on.
 Result<Image16> widened(const Result<Image8>& image);
 /// OpenEXR, one channel of 32-bit floats.
-Result<ImageF> readImageF(const std::filesystem::path& path);
+Result<ImageF> readImageF(const std::filesystem::path& path, int channels);
 /// Middlebury .flo: two channels, px right and down.
 Result<ImageF> readFlow(const std::filesystem::path& path);
 

@@ -341,7 +341,7 @@ class Export(FolderCase):
         card = json.loads((out["reference"] / "dataset.json").read_text())
         self.assertEqual(card["parameters"]["picture"],
                          {"render_mode": "reference", "antialias": "4x", "reflections": "mirrors",
-                          "anisotropy": 0, "reference_samples": 4})
+                          "anisotropy": 0, "traced_samples": 16, "reference_samples": 4})
 
     def test_smoother_pictures_change_nothing_but_colours(self):
         files = {}

@@ -16,7 +16,8 @@ from dollytrack import png
 
 HAS_TORCH = importlib.util.find_spec("torch") is not None
 READ = ["rgb", "depth", "instance", "semantic", "normal_camera", "normal_world", "albedo",
-        "object_coordinates", "rgb_right", "depth_right", "disparity", "rgb_sensor", "depth_sensor"]
+        "object_coordinates", "rgb_right", "depth_right", "disparity", "rgb_sensor", "depth_sensor",
+        "roughness", "metallic"]
 
 
 def encoded(pixels, filters):
@@ -65,7 +66,7 @@ class DatasetTest(FolderCase):
     def test_images_are_those_that_opencv_reads(self):
         self.assertEqual(sorted(self.data.modalities), sorted(READ))
         scale = {"depth": 1e-3, "depth_right": 1e-3, "depth_sensor": 1e-3, "disparity": 1 / 256,
-                 "object_coordinates": 1 / 65535}
+                 "object_coordinates": 1 / 65535, "roughness": 1 / 255, "metallic": 1 / 255}
         for i, sample in enumerate(self.data):
             for name in sample:
                 read = cv2.imread(str(self.out / name / f"{i:06d}.png"), cv2.IMREAD_UNCHANGED)

@@ -195,6 +195,17 @@ class EngineTest(FolderCase):
                 np.testing.assert_allclose(frame[name][seen],
                                            read[name][:, :, ::-1][seen] / 65535 * 2 - 1, atol=2e-3)
 
+    def test_path_traced_frames_have_layers_of_light(self):
+        names = ["hdr", "diffuse_reflectance", "diffuse_illumination", "residual"]
+        frame = next(iter(self.plan.render(*names, range="0:1", render_mode="traced",
+                                           traced_samples=2)))
+        hdr, reflectance, illumination, residual = (frame[name] for name in names)
+        self.assertEqual((hdr.dtype, hdr.shape[2]), (np.float32, 3))
+        np.testing.assert_allclose(reflectance * illumination + residual, hdr, atol=1e-4)
+        self.assertGreater(hdr.mean(), 0.05)
+        with self.assertRaisesRegex(dt.Usage, "render_mode=traced"):
+            self.plan.render("hdr")
+
     def test_depth_pose_and_intrinsics_lead_to_the_objects_box(self):
         table, found = self.scene["table"], 0
         for frame in self.plan.render("depth", "instance"):

@@ -323,10 +323,10 @@ TEST(PathTracer, RepeatsToTheLastBitInAnyNumberOfStepsAndThreads) {
     const View view = viewOf(32, 24);
     const auto bytes = [&](std::initializer_list<int> steps, int threads) {
         setThreadCount(threads);
-        RadianceImage image;
+        LayeredImage image;
         for (const int samples : steps) EXPECT_TRUE(tracer.add(view, samples, image));
         setThreadCount(0);
-        return image.sum;
+        return image.halves;
     };
     const auto expected = bytes({8}, 1);
     EXPECT_EQ(bytes({8}, 2), expected);
@@ -336,23 +336,23 @@ TEST(PathTracer, RepeatsToTheLastBitInAnyNumberOfStepsAndThreads) {
     PathTracerParams params;
     params.seed = 2;
     const PathTracer reseeded(scene, rays, cornellLight(), params);
-    RadianceImage image;
+    LayeredImage image;
     ASSERT_TRUE(reseeded.add(view, 8, image));
-    EXPECT_NE(image.sum, expected);
+    EXPECT_NE(image.halves, expected);
 }
 
 TEST(PathTracer, StopsWhenCancelledAndLeavesThePictureAsItWas) {
     const Scene scene = cornell();
     const RayCaster rays(scene);
     const PathTracer tracer(scene, rays, cornellLight());
-    RadianceImage image;
+    LayeredImage image;
     ASSERT_TRUE(tracer.add(viewOf(8, 6), 2, image));
-    const auto before = image.sum;
+    const auto before = image.halves;
     const auto flag = std::make_shared<std::atomic<bool>>(true);
     const Status status = tracer.add(viewOf(8, 6), 1 << 20, image, JobContext(flag, {}));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, ErrorCode::Cancelled);
-    EXPECT_EQ(image.sum, before);
+    EXPECT_EQ(image.halves, before);
     EXPECT_EQ(image.samples, 2);
 }
 
@@ -466,9 +466,9 @@ TEST(PathTracer, BackdropsKeepTheirColour) {
     camera.width_px = camera.height_px = 16;
     View view = makeView(camera, lookAt({0, 0, 0}, {-1, 0, 0}));
     view.backdrop = Eigen::Vector3f(0.2F, 0.5F, 0.8F);
-    RadianceImage image;
+    LayeredImage image;
     ASSERT_TRUE(tracer.add(view, 1, image));
-    const auto rgb = developed(image, params.exposure);
+    const auto rgb = developed(averaged(image, params.exposure * std::numbers::pi_v<float>));
     EXPECT_NEAR(rgb[0], 51, 1);
     EXPECT_NEAR(rgb[1], 128, 1);
     EXPECT_NEAR(rgb[2], 204, 1);

@@ -207,7 +207,9 @@ void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
     if (const Field* mode = fieldNamed(*view.parameters, "render_mode");
         mode != nullptr && wantsPictures(view, draft)) {
         row("Images", "How colour images are rendered; other files do not change",
-            {"render_mode", mode->valueText() == "fast" ? "antialias" : "reference_samples"});
+            {"render_mode", mode->valueText() == "fast"     ? "antialias"
+                            : mode->valueText() == "traced" ? "traced_samples"
+                                                            : "reference_samples"});
     }
     if (wantsPictures(view, draft)) {
         row("Light", "Light of the colour images; see the parameters for more",

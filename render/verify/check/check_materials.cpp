@@ -1,4 +1,4 @@
-// Compares base colours with the materials of the surfaces shown.
+// Compares base colours, roughness and metalness with the materials of the surfaces shown.
 #include "render/materials/surface_kind.h"
 #include "render/verify/check/check_list.h"
 
@@ -103,7 +103,77 @@ bool mayHave(const Colors& colors, const Image16& ids, int x, int y, const std::
     return false;
 }
 
+/// Range of a material's roughness or metalness in an image; a map can only lower it.
+struct ValueRange {
+    int least = 0;
+    int most = 0;
+};
+
+/// Ranges of each object's materials, by id.
+using Values = std::map<int, std::vector<ValueRange>>;
+
+Values valuesOf(const Scene& scene, float Material::*value, int Material::*map) {
+    Values values;
+    for (const Object& object : scene.objects) {
+        for (std::uint32_t t = 0; t < object.triangle_count; ++t) {
+            const Material& material =
+                scene.materials[scene.triangle_material[object.first_triangle + t]];
+            const float most = std::clamp(material.*value, 0.0F, 1.0F);
+            const int highest = static_cast<int>(std::lround(255.0F * most));
+            const bool plain = material.*map < 0;
+            const ValueRange range{plain ? highest - 1 : 0, highest + 1};
+            std::vector<ValueRange>& known = values[object.id];
+            const bool there = std::ranges::any_of(known, [&](const ValueRange& one) {
+                return one.least == range.least && one.most == range.most;
+            });
+            if (!there) known.push_back(range);
+        }
+    }
+    return values;
+}
+
+/// Checks an image of roughness or metalness.
+void checkValues(FrameImages& images, const char* modality, const Values& values,
+                 Findings& findings) {
+    const Image8* image = images.image8(modality);
+    const Image16* ids = images.image16("instance");
+    if (!image || !ids) return;
+    WrongPixels wrong;
+    for (int y = 0; y < ids->height; ++y) {
+        for (int x = 0; x < ids->width; ++x) {
+            const int found = image->at(x, y);
+            const auto of = values.find(ids->at(x, y));
+            const bool right = of == values.end()
+                                   ? found == 0
+                                   : std::ranges::any_of(of->second, [&](const ValueRange& range) {
+                                         return found >= range.least && found <= range.most;
+                                     });
+            if (right) continue;
+            wrong.add(x, y, [&] {
+                return WrongPixels::Text{
+                    fmt::format("{}", found),
+                    fmt::format("a value of object {}'s materials", ids->at(x, y))};
+            });
+        }
+    }
+    wrong.report(imageFile(modality, images.frame()), images.frame(), findings);
+}
+
 }  // namespace
+
+CheckWork beginMaterials(const Subject& subject, Findings& /*findings*/) {
+    CheckWork work;
+    const auto of = [&](float Material::*value, int Material::*map) {
+        return std::make_shared<const Values>(valuesOf(*subject.scene, value, map));
+    };
+    work.frame = [roughness = of(&Material::roughness, &Material::roughness_map),
+                  metallic = of(&Material::metallic, &Material::metallic_map)](FrameImages& images,
+                                                                               Findings& findings) {
+        checkValues(images, "roughness", *roughness, findings);
+        checkValues(images, "metallic", *metallic, findings);
+    };
+    return work;
+}
 
 CheckWork beginAlbedo(const Subject& subject, Findings& /*findings*/) {
     CheckWork work;
