@@ -24,8 +24,10 @@ std::vector<ui::ExportChoice> modalityChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities()) {
         if ((one.needs & render::kNeedsRig) != 0) continue;  // available with a rig only
-        const bool colour = (one.needs & (render::kNeedsRgb | render::kNeedsSensorLight)) != 0 ||
-                            one.name == std::string_view("rgb_right");
+        const bool colour =
+            (one.needs & (render::kNeedsRgb | render::kNeedsLayers | render::kNeedsSensorLight)) !=
+                0 ||
+            one.name == std::string_view("rgb_right");
         choices.push_back({one.name, one.text, one.standard, colour});
     }
     return choices;

@@ -8,7 +8,7 @@ namespace dollytrack {
 /// depend on it.
 enum class RenderMode {
     Fast,       // rasterized, with light computed once for the scene
-    Reference,  // path traced, without any bias, but noisy
+    Reference,  // path traced, not denoised
     Traced,     // path traced with few samples and denoised
 };
 

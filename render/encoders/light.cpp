@@ -39,7 +39,7 @@ FrameFiles encodeLight(const FrameRecord& frame, const char* folder, ValueOf&& v
 Json lightConvention(const char* folder, const char* meaning) {
     return {{"folder", folder},
             {"type", "float16 x 3, channels R, G and B"},
-            {"encoding", "linear, sRGB primaries; 1 is white in rgb"},
+            {"encoding", "linear, sRGB primaries, exposed as rgb"},
             {"meaning", meaning}};
 }
 
@@ -86,14 +86,14 @@ Json hdrConvention(const DatasetContents& /*contents*/) {
 
 Json diffuseReflectanceConvention(const DatasetContents& /*contents*/) {
     return lightConvention("diffuse_reflectance",
-                           "share of light that the visible surface reflects diffusely, mean over "
-                           "the pixel; 0 for metal and glass");
+                           "base colour * (1 - metalness) of the visible surface, mean over the "
+                           "pixel; behind glass, that of the surface there");
 }
 
 Json diffuseIlluminationConvention(const DatasetContents& /*contents*/) {
     return lightConvention("diffuse_illumination",
-                           "light that a white diffuse surface would reflect here; a guess, or 0, "
-                           "where the reflectance is 0");
+                           "diffusely reflected light divided by diffuse_reflectance; a guess, or "
+                           "0, where that is 0");
 }
 
 Json directIlluminationConvention(const DatasetContents& /*contents*/) {

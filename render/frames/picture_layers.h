@@ -8,12 +8,12 @@
 namespace dollytrack::render {
 
 /// The light of a path-traced image before the tone curve, split as in Hypersim (Roberts et al.,
-/// ICCV 2021): light = reflectance * (direct + indirect) + residual. Linear RGB, row 0 at the top;
-/// light 1 is white in the finished image.
+/// ICCV 2021): light = reflectance * (direct + indirect) + residual. Linear RGB, row 0 at the top,
+/// exposed as the finished image: the tone curve maps 1 to 228 of 255.
 struct PictureLayers {
-    std::vector<Eigen::Vector3f> reflectance;  // diffuse reflectance of the visible surface, 0..1
-    // Diffuse illumination: light that a white surface would reflect, from light sources directly
-    // and from other surfaces. Where the surface reflects nothing it is a guess, or 0.
+    std::vector<Eigen::Vector3f> reflectance;  // base colour * (1 - metalness), 0..1
+    // Diffuse illumination: diffusely reflected light divided by the reflectance, from light
+    // sources directly and from other surfaces. Where the surface reflects nothing: a guess, or 0.
     std::vector<Eigen::Vector3f> direct;
     std::vector<Eigen::Vector3f> indirect;
     std::vector<Eigen::Vector3f>
@@ -21,6 +21,18 @@ struct PictureLayers {
 
     [[nodiscard]] bool empty() const { return reflectance.empty(); }
     [[nodiscard]] std::size_t size() const { return reflectance.size(); }
+    /// Appends the pixels [begin, end) of another image.
+    void append(const PictureLayers& other, std::size_t begin, std::size_t end) {
+        const auto copy = [&](std::vector<Eigen::Vector3f>& to,
+                              const std::vector<Eigen::Vector3f>& from) {
+            to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(begin),
+                      from.begin() + static_cast<std::ptrdiff_t>(end));
+        };
+        copy(reflectance, other.reflectance);
+        copy(direct, other.direct);
+        copy(indirect, other.indirect);
+        copy(residual, other.residual);
+    }
     /// The light of a pixel.
     [[nodiscard]] Eigen::Vector3f light(std::size_t i) const {
         return reflectance[i].cwiseProduct(direct[i] + indirect[i]) + residual[i];

@@ -27,14 +27,19 @@ struct Filter {
     float noise_count;  // tolerated difference of light, in standard deviations
 };
 
+// The strides divide kDenoisedRows / 4, and the radii, with 3 px for the variance and those of the
+// neighbouring windows, do not exceed kDenoisedRows.
 constexpr Filter kDirect = {7, 2, 2, 0.5F, 0.02F, 1.5F};
 constexpr Filter kIndirect = {10, 3, 3, 0.5F, 0.02F, 2.0F};
 constexpr Filter kGlossy = {5, 2, 1, 0.3F, 0.01F, 1.0F};
 
+constexpr int kVarianceRadius = 3;
+constexpr int kOutlierRadius = 2;
+constexpr float kOutlierFactor = 4.0F;
 constexpr float kRelative = 0.03F;  // tolerated difference of light, relative
 constexpr float kLeastWeight = 1e-4F;
-constexpr float kRidge = 1e-3F;    // regularization of the slopes
-constexpr float kReach_m = 0.05F;  // scale of positions, in distances from the camera
+constexpr float kRidge = 1e-3F;          // regularization of the slopes
+constexpr float kPositionScale = 0.05F;  // scale of positions, in distances from the camera
 
 /// The surface at a pixel.
 struct Visible {
@@ -44,7 +49,7 @@ struct Visible {
     bool hit = false;  // in most samples
 };
 
-/// One layer: the mean of each half of the samples.
+/// One layer: the mean of each set of samples.
 using Halves = std::array<Image, 2>;
 
 constexpr int kTerms = 7;  // constant, position, normal
@@ -55,7 +60,7 @@ Terms termsOf(const Visible& pixel, const Visible& center) {
     Terms terms;
     terms[0] = 1.0F;
     terms.segment<3>(1) =
-        (pixel.position - center.position) / (kReach_m * std::max(center.distance, 1e-3F));
+        (pixel.position - center.position) / (kPositionScale * std::max(center.distance, 1e-3F));
     terms.segment<3>(4) = 2.0F * (pixel.normal - center.normal);
     return terms;
 }
@@ -72,11 +77,23 @@ class LayerFilter {
           columns_((image.width + filter.stride_px - 1) / filter.stride_px),
           rows_((image.height + filter.stride_px - 1) / filter.stride_px),
           layer_(visible.size()) {
+        const Halves clamped = {withoutOutliers(halves[0]), withoutOutliers(halves[1])};
         for (std::size_t i = 0; i < layer_.size(); ++i) {
-            layer_[i] = 0.5F * (halves[0][i] + halves[1][i]);
+            layer_[i] = 0.5F * (clamped[0][i] + clamped[1][i]);
         }
-        findVariance(halves);
+        findVariance(clamped);
         findGuide();
+    }
+
+    /// Whether a pixel's standard deviation is more than a hundredth of its value.
+    [[nodiscard]] bool isNoisy(std::size_t i) const {
+        return variance_[i] > 1e-4F * layer_[i].squaredNorm() / 3.0F;
+    }
+    [[nodiscard]] bool anyNoise() const {
+        for (std::size_t i = 0; i < layer_.size(); ++i) {
+            if (isNoisy(i)) return true;
+        }
+        return false;
     }
 
     [[nodiscard]] Image result() const {
@@ -138,7 +155,31 @@ class LayerFilter {
         return std::exp(-0.5F * (surfaces + light));
     }
 
-    /// The variance of each pixel's mean, itself averaged over neighbours.
+    /// Dims pixels that are several times as bright as nearly all pixels of the same surface around
+    /// them: single paths that met a small bright light by chance, whose light would become a spot.
+    [[nodiscard]] Image withoutOutliers(const Image& set) const {
+        Image result = set;
+        parallelFor(static_cast<std::size_t>(height_), [&](std::size_t y) {
+            std::vector<float> near;
+            for (int x = 0; x < width_; ++x) {
+                const std::size_t i = at(x, static_cast<int>(y));
+                near.clear();
+                around(x, static_cast<int>(y), kOutlierRadius, [&](int u, int v) {
+                    const std::size_t j = at(u, v);
+                    if (counts_[j] != 0 && difference(i, j) < 4.0F) near.push_back(set[j].mean());
+                });
+                if (near.size() < 6) continue;
+                const auto bright =
+                    near.begin() + static_cast<std::ptrdiff_t>(near.size() * 8 / 10);
+                std::nth_element(near.begin(), bright, near.end());
+                const float most = kOutlierFactor * *bright;
+                if (set[i].mean() > most) result[i] *= most / set[i].mean();
+            }
+        });
+        return result;
+    }
+
+    /// The variance of each pixel's mean, itself averaged over neighbours of the same surface.
     void findVariance(const Halves& halves) {
         std::vector<float> raw(layer_.size());
         for (std::size_t i = 0; i < raw.size(); ++i) {
@@ -147,13 +188,17 @@ class LayerFilter {
         variance_.resize(raw.size());
         parallelFor(static_cast<std::size_t>(height_), [&](std::size_t y) {
             for (int x = 0; x < width_; ++x) {
-                float sum = 0.0F;
-                float count = 0.0F;
-                around(x, static_cast<int>(y), 3, [&](int u, int v) {
-                    sum += raw[at(u, v)];
-                    count += 1.0F;
+                const std::size_t i = at(x, static_cast<int>(y));
+                float sum = 1e-3F * raw[i];
+                float weights = 1e-3F;
+                around(x, static_cast<int>(y), kVarianceRadius, [&](int u, int v) {
+                    const std::size_t j = at(u, v);
+                    if (counts_[j] == 0) return;
+                    const float w = std::exp(-0.5F * difference(i, j));
+                    sum += w * raw[j];
+                    weights += w;
                 });
-                variance_[at(x, static_cast<int>(y))] = sum / count;
+                variance_[i] = sum / weights;
             }
         });
     }
@@ -191,7 +236,7 @@ class LayerFilter {
         around(x, y, filter_.radius_px, [&](int u, int v) {
             const std::size_t j = at(u, v);
             const float w = weight(center, j);
-            if (w < kLeastWeight) return;
+            if (!(w >= kLeastWeight)) return;
             const Terms terms = termsOf(visible_[j], visible_[center]);
             const Terms weighted = w * terms;
             a.noalias() += weighted * terms.transpose();
@@ -202,7 +247,10 @@ class LayerFilter {
         a(0, 0) += 1e-6F * weights;
         for (int k = 1; k < kTerms; ++k) a(k, k) += kRidge * weights;
         const Coefficients solved = a.ldlt().solve(b);
-        return solved.allFinite() ? solved : Coefficients::Zero();
+        if (solved.allFinite()) return solved;
+        Coefficients mean = Coefficients::Zero();
+        mean.row(0) = b.row(0) / weights;
+        return mean;
     }
 
     /// The results of the windows around a pixel, by weight and nearness.
@@ -246,38 +294,41 @@ class LayerFilter {
     std::vector<float> guide_variance_;
 };
 
+/// The sum over all samples of a pixel.
+LayeredLight totalOf(const LayeredImage& image, std::size_t pixel) {
+    LayeredLight total;
+    for (const auto& set : image.sets) total += set[pixel];
+    return total;
+}
+
 std::vector<Visible> visibleSurfaces(const LayeredImage& image) {
-    std::vector<Visible> visible(image.halves[0].size());
+    std::vector<Visible> visible(image.sets[0].size());
     for (std::size_t i = 0; i < visible.size(); ++i) {
-        LayeredLight sum = image.halves[0][i];
-        sum += image.halves[1][i];
-        if (!(sum.hits > 0.0F)) continue;
-        visible[i].normal = sum.normal / sum.hits;
-        visible[i].position = sum.position / sum.hits;
-        visible[i].distance = visible[i].position.norm();
-        visible[i].hit = 2.0F * sum.hits > static_cast<float>(image.samples);
+        const LayeredLight total = totalOf(image, i);
+        if (!(total.hits > 0.0F)) continue;
+        visible[i].normal = total.normal / total.hits;
+        visible[i].position = total.position / total.hits;
+        visible[i].distance = total.distance / total.hits;
+        visible[i].hit = 2.0F * total.hits > static_cast<float>(image.samples);
     }
     return visible;
 }
 
-/// The mean of a layer over each half of the samples.
+/// The mean of a layer over each set of samples.
 Halves meansOf(const LayeredImage& image, Eigen::Vector3f LayeredLight::*layer, float scale) {
     Halves means;
+    const float factor = 2.0F * scale / static_cast<float>(std::max(image.samples, 1));
     for (std::size_t k = 0; k < 2; ++k) {
-        const int samples = (image.samples + 1 - static_cast<int>(k)) / 2;
-        const float factor = scale / static_cast<float>(std::max(samples, 1));
-        for (const LayeredLight& light : image.halves[k]) means[k].push_back(factor * light.*layer);
+        for (const LayeredLight& light : image.sets[k]) means[k].push_back(factor * light.*layer);
     }
     return means;
 }
 
 /// Mean over all samples.
 Image meanOf(const LayeredImage& image, Eigen::Vector3f LayeredLight::*layer, float scale) {
-    Image mean(image.halves[0].size());
+    Image mean(image.sets[0].size());
     const float factor = scale / static_cast<float>(std::max(image.samples, 1));
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-        mean[i] = factor * (image.halves[0][i].*layer + image.halves[1][i].*layer);
-    }
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = factor * (totalOf(image, i).*layer);
     return mean;
 }
 
@@ -313,8 +364,7 @@ PictureLayers averaged(const LayeredImage& image, float scale) {
     layers.residual.assign(layers.size(), Eigen::Vector3f::Zero());
     const float factor = scale / static_cast<float>(std::max(image.samples, 1));
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        layers.residual[i] =
-            factor * (image.halves[0][i].sum() + image.halves[1][i].sum()) - layers.light(i);
+        layers.residual[i] = factor * totalOf(image, i).sum() - layers.light(i);
     }
     return layers;
 }
@@ -346,8 +396,14 @@ PictureLayers denoised(const LayeredImage& image, float scale) {
     const Halves glossy = meansOf(image, &LayeredLight::glossy, scale);
     const std::vector<char> all(visible.size(), 1);
     layers.residual = LayerFilter(image, visible, all, kGlossy, glossy).result();
+    // Light seen through glass is noisy, because some of the paths are reflected.
     const Image shown = meanOf(image, &LayeredLight::shown, scale);
-    for (std::size_t i = 0; i < shown.size(); ++i) layers.residual[i] += shown[i];
+    const LayerFilter filter(image, visible, all, kGlossy,
+                             meansOf(image, &LayeredLight::shown, scale));
+    const Image smooth = filter.anyNoise() ? filter.result() : shown;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        layers.residual[i] += filter.isNoisy(i) ? smooth[i] : shown[i];
+    }
     return layers;
 }
 

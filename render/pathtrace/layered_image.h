@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,7 +21,8 @@ struct LayeredLight {
 
     Eigen::Vector3f reflectance = Eigen::Vector3f::Zero();  // diffuse, without the glossy layer
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-    Eigen::Vector3f position = Eigen::Vector3f::Zero();  // m, relative to the camera
+    Eigen::Vector3f position = Eigen::Vector3f::Zero();  // m, world frame
+    float distance = 0.0F;                               // m, from the camera
     float hits = 0.0F;                                   // number of paths that met a surface
 
     [[nodiscard]] Eigen::Vector3f sum() const { return direct + indirect + glossy + shown; }
@@ -34,25 +34,30 @@ struct LayeredLight {
         reflectance += other.reflectance;
         normal += other.normal;
         position += other.position;
+        distance += other.distance;
         hits += other.hits;
         return *this;
     }
     bool operator==(const LayeredLight&) const = default;
 };
 
-/// The layers of an accumulated image: sums over `samples` paths per pixel, row 0 at the top.
-/// Samples alternate between two halves, whose difference shows the noise.
+/// The layers of an accumulated image: sums over `samples` paths per pixel, row 0 at the top. It
+/// may be a part of a whole image, `height` rows from row `first_row` on. With two `sets`, samples
+/// alternate between independent sets of random numbers, whose difference shows the noise.
 struct LayeredImage {
     int width = 0;
     int height = 0;
+    int first_row = 0;
     int first_sample = 0;  // number of the first sample, for its random numbers
     int samples = 0;
-    std::array<std::vector<LayeredLight>, 2> halves;
+    std::vector<std::vector<LayeredLight>> sets = std::vector<std::vector<LayeredLight>>(1);
 
     /// Mean radiance of a pixel.
     [[nodiscard]] Eigen::Vector3f at(int x, int y) const {
         const std::size_t i = static_cast<std::size_t>(y) * width + x;
-        return (halves[0][i].sum() + halves[1][i].sum()) / static_cast<float>(samples);
+        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+        for (const auto& set : sets) sum += set[i].sum();
+        return sum / static_cast<float>(samples);
     }
 };
 
@@ -64,8 +69,12 @@ struct LayeredImage {
 /// first-order regression for denoising Monte Carlo renderings, 2016). Pixels count by how similar
 /// their surfaces are, and their light in relation to the noise. Diffuse light is divided by the
 /// reflectance before, so that textures stay sharp. Results do not depend on the number of threads.
-/// `image` needs at least 2 samples per pixel.
+/// `image` needs two sets with the same number of samples.
 [[nodiscard]] PictureLayers denoised(const LayeredImage& image, float scale);
+
+/// Rows above and below one that its denoised values depend on. Parts of an image whose first row
+/// is a multiple of a quarter of it are denoised as in the whole image.
+constexpr int kDenoisedRows = 24;
 
 /// The finished image, through the tone curve: sRGB, 3 bytes per pixel.
 [[nodiscard]] std::vector<std::uint8_t> developed(const PictureLayers& layers);

@@ -22,10 +22,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kRouletteFrom = 4;  // bounces: Russian roulette starts here
 constexpr std::uint32_t kFirstDimension = 4;
 constexpr std::uint32_t kDimensionsPerStep = 16;
-constexpr double kEndAfterCells =
-    2.5;                         // length of a path's last part, in cells of the light volume
-constexpr double kSharp = 8.0;   // 1/sr: denser directions show surfaces nearly sharply
-constexpr int kMostSheets = 64;  // of glass or holes along one path segment
+// Where paths may end in the light volume: not nearer than this to their last surface, in cells of
+// the volume, and only if their direction was sampled with a lower density, 1/sr, so that
+// reflections that are nearly sharp are traced further.
+constexpr double kMinEndDistanceCells = 2.5;
+constexpr double kMaxEndDensity = 8.0;
+constexpr int kRowStep = kDenoisedRows / 4;  // a multiple of the denoiser's strides
+constexpr int kMostSheets = 64;              // of glass or holes along one path segment
 
 /// An orthonormal frame around a surface normal.
 struct Frame {
@@ -85,9 +88,10 @@ class Gathered {
         (scattered == 1 ? light.direct : light.indirect) += diffuse_.cwiseProduct(sent);
         light.glossy += other_.cwiseProduct(sent);
     }
-    /// Light that the surface now reached reflects.
-    void reflect(const Reflected& from, const Eigen::Vector3f& base) {
-        if (seen) {
+    /// Light that the surface now reached reflects. `first`: it is the surface that the layers
+    /// describe.
+    void reflect(const Reflected& from, const Eigen::Vector3f& base, bool first) {
+        if (first) {
             light.direct += other_.cwiseProduct(base).cwiseProduct(from.diffuse);
             light.glossy += other_.cwiseProduct(from.glossy);
             return;
@@ -97,8 +101,9 @@ class Gathered {
         light.glossy += other_.cwiseProduct(sum);
     }
     /// The path goes on from the surface now reached.
-    void scatter(const SurfaceBrdf::Layers& value, const Eigen::Vector3f& base, float factor) {
-        if (seen) {
+    void scatter(const SurfaceBrdf::Layers& value, const Eigen::Vector3f& base, float factor,
+                 bool first) {
+        if (first) {
             diffuse_ = other_.cwiseProduct(base) * (value.diffuse * factor);
             other_ = other_.cwiseProduct(value.glossy) * factor;
         } else {
@@ -114,12 +119,12 @@ class Gathered {
         diffuse_ /= by;
         other_ /= by;
     }
-    /// Remembers the first surface that the camera sees.
-    void meet(const SurfacePoint& point, const Eigen::Vector3f& reflectance,
-              const Eigen::Vector3d& camera) {
-        light.reflectance = reflectance;
+    /// Remembers the surface that the layers describe.
+    void meet(const SurfacePoint& point, const Eigen::Vector3d& camera) {
+        light.distance = static_cast<float>((point.position - camera).norm());
+        light.reflectance = point.base_color * (1.0F - point.metallic);
         light.normal = point.normal.cast<float>();
-        light.position = (point.position - camera).cast<float>();
+        light.position = point.position.cast<float>();
         light.hits = 1.0F;
     }
 
@@ -127,6 +132,11 @@ class Gathered {
     Eigen::Vector3f diffuse_ = Eigen::Vector3f::Zero();
     Eigen::Vector3f other_ = Eigen::Vector3f::Ones();
 };
+
+/// Whether a surface is a pane that mostly shows what is behind it.
+bool isClear(const SurfacePoint& point) {
+    return point.kind == Surface::Glass && point.opacity <= 0.5;
+}
 
 /// Whether a surface shows others nearly sharply.
 bool isMirrorLike(const SurfacePoint& point) {
@@ -156,10 +166,10 @@ struct PathTracer::Impl {
           sun_rays(of, by, surface, rig.sun),
           outside(showsOutside(of)) {}
 
-    /// One path through a pixel.
-    [[nodiscard]] LayeredLight sample(const RayThrough& ray_through, double near_m,
-                                      const std::optional<Eigen::Vector3f>& backdrop, int x, int y,
-                                      std::size_t pixel, int number) const;
+    /// One path along a ray.
+    [[nodiscard]] LayeredLight sample(const std::optional<ViewRay>& ray, double near_m,
+                                      const std::optional<Eigen::Vector3f>& backdrop,
+                                      SampleSequence& chance) const;
     Status add(const RayThrough& ray_through, double near_m,
                const std::optional<Eigen::Vector3f>& backdrop, int samples, LayeredImage& image,
                const JobContext& job) const;
@@ -233,6 +243,10 @@ struct PathTracer::Impl {
     /// Whether a path of this length from its last surface, sampled with this density, ends here.
     [[nodiscard]] bool endsAt(const SurfacePoint& point, const Gathered& gathered, double length,
                               double density) const;
+    /// Has the layers describe the surface behind a pane that the camera sees, whether or not the
+    /// path passes the pane, so that they are free of noise.
+    void meetBehind(const SurfacePoint& pane, const Eigen::Vector3d& way,
+                    const Eigen::Vector3d& camera, Gathered& gathered) const;
     /// Direct light that a surface reflects.
     [[nodiscard]] Reflected reflected(const SurfacePoint& point, const Frame& frame,
                                       const SurfaceBrdf& brdf, std::uint32_t step,
@@ -263,6 +277,20 @@ Reflected PathTracer::Impl::reflected(const SurfacePoint& point, const Frame& fr
     return sum;
 }
 
+void PathTracer::Impl::meetBehind(const SurfacePoint& pane, const Eigen::Vector3d& way,
+                                  const Eigen::Vector3d& camera, Gathered& gathered) const {
+    if (gathered.light.hits > 0.0F) return;
+    SurfacePoint point = pane;
+    for (int sheet = 0; sheet < kMostSheets && (point.hole || isClear(point)); ++sheet) {
+        const Eigen::Vector3d origin = liftedOff(point, way);
+        const RayHit hit = rays.cast(origin, way, kInfinity);
+        if (hit.object_id == 0) return;
+        point = surface.at(origin, way, hit);
+    }
+    point.base_color = point.base_color.cwiseMax(0.0F).cwiseMin(1.0F);
+    gathered.meet(point, camera);
+}
+
 bool PathTracer::Impl::endsAt(const SurfacePoint& point, const Gathered& gathered, double length,
                               double density) const {
     if (params.end_light == nullptr || gathered.scattered == 0) return false;
@@ -271,7 +299,7 @@ bool PathTracer::Impl::endsAt(const SurfacePoint& point, const Gathered& gathere
     const bool inside = cell.x() > 0.0 && cell.y() > 0.0 && cell.z() > 0.0 &&
                         cell.x() < light.cells[0] && cell.y() < light.cells[1] &&
                         cell.z() < light.cells[2];
-    return inside && length > kEndAfterCells * light.cell_m && density < kSharp &&
+    return inside && length > kMinEndDistanceCells * light.cell_m && density < kMaxEndDensity &&
            !isMirrorLike(point);
 }
 
@@ -280,8 +308,13 @@ Eigen::Vector3f PathTracer::Impl::endLight(const SurfacePoint& point) const {
     const float dielectric = 1.0F - point.metallic;
     const Eigen::Vector3f reflected = point.base_color * (1.0F - dielectric * layer) +
                                       Eigen::Vector3f::Constant(dielectric * layer);
-    return reflected.cwiseProduct(irradianceAt(*params.end_light, point.position, point.normal)) /
-           std::numbers::pi_v<float>;
+    Eigen::Vector3f irradiance = irradianceAt(*params.end_light, point.position, point.normal);
+    const double slant = point.normal.dot(rig.sun.way);
+    if (rig.sun.shines() && slant > 0.0 && rig.sun.way.dot(point.face) > 0.0) {
+        const double share = sun_rays.share(liftedOff(point, rig.sun.way), rig.sun.way);
+        irradiance += rig.sun.irradiance * static_cast<float>(share * slant);
+    }
+    return reflected.cwiseProduct(irradiance) / std::numbers::pi_v<float>;
 }
 
 LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d way, double nearest,
@@ -341,7 +374,7 @@ LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d wa
             const double thrown = sheetReflectance(-way.dot(point.normal));
             const double which = chance.next();
             if (which < thrown) {
-                if (gathered.seen) gathered.meet(point, Eigen::Vector3f::Zero(), camera);
+                if (gathered.seen) meetBehind(point, way, camera, gathered);
                 way -= 2.0 * way.dot(point.normal) * point.normal;
                 if (way.dot(point.face) <= 0.0 || ++bounces > params.max_bounces) break;
                 origin = scattered_at = liftedOff(point, way);
@@ -351,6 +384,7 @@ LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d wa
                 continue;
             }
             if (which >= thrown + (1.0 - thrown) * point.opacity) {
+                if (gathered.seen && !isClear(point)) meetBehind(point, way, camera, gathered);
                 if (++sheets > kMostSheets) break;
                 origin = liftedOff(point, way);
                 continue;
@@ -359,17 +393,17 @@ LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d wa
             (void)chance.next();
         }
 
-        if (gathered.seen) {
-            gathered.meet(point, point.base_color * (1.0F - point.metallic), camera);
-        }
+        const bool first = gathered.seen && gathered.light.hits == 0.0F && !isClear(point);
+        if (first) gathered.meet(point, camera);
+        if (gathered.seen && !first) meetBehind(point, way, camera, gathered);
         if (endsAt(point, gathered, behind + hit.distance, density)) {
-            gathered.arrive(endLight(point));
+            gathered.reflect({Eigen::Vector3f::Zero(), endLight(point)}, point.base_color, false);
             break;
         }
         const Frame frame(point.normal);
         const SurfaceBrdf brdf(point.base_color, point.metallic, point.roughness,
                                frame.toLocal(-way));
-        gathered.reflect(reflected(point, frame, brdf, step, chance), point.base_color);
+        gathered.reflect(reflected(point, frame, brdf, step, chance), point.base_color, first);
         if (++bounces > params.max_bounces) break;
         chance.jumpTo(kFirstDimension + step * kDimensionsPerStep + 8);
         const double layer = chance.next();
@@ -378,7 +412,8 @@ LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d wa
         if (in.z() <= 0.0 || density <= 0.0) break;
         way = frame.toWorld(in).normalized();
         if (way.dot(point.face) <= 0.0) break;
-        gathered.scatter(brdf.layers(in), point.base_color, static_cast<float>(in.z() / density));
+        gathered.scatter(brdf.layers(in), point.base_color, static_cast<float>(in.z() / density),
+                         first);
         if (bounces >= kRouletteFrom) {
             const double stays = std::min(0.95, static_cast<double>(gathered.strongest()));
             if (!(chance.next() < stays)) break;
@@ -409,13 +444,9 @@ Status PathTracer::add(const RayThrough& ray_through, double near_m, int samples
     return impl_->add(ray_through, near_m, std::nullopt, samples, image, job);
 }
 
-LayeredLight PathTracer::Impl::sample(const RayThrough& ray_through, double near_m,
-                                      const std::optional<Eigen::Vector3f>& backdrop, int x, int y,
-                                      std::size_t pixel, int number) const {
-    SampleSequence chance(params.seed, static_cast<std::uint32_t>(pixel),
-                          static_cast<std::uint32_t>(number));
-    const auto [right, down] = chance.nextPair();
-    const std::optional<ViewRay> ray = ray_through(x + right, y + down);
+LayeredLight PathTracer::Impl::sample(const std::optional<ViewRay>& ray, double near_m,
+                                      const std::optional<Eigen::Vector3f>& backdrop,
+                                      SampleSequence& chance) const {
     if (!ray) return {};
     const double length = ray->direction.norm();
     const Eigen::Vector3d way = ray->direction / length;
@@ -432,21 +463,58 @@ Status PathTracer::Impl::add(const RayThrough& ray_through, double near_m,
                              const std::optional<Eigen::Vector3f>& backdrop, int samples,
                              LayeredImage& image, const JobContext& job) const {
     const auto width = static_cast<std::size_t>(image.width);
-    auto halves = image.halves;
-    for (auto& half : halves) half.resize(width * image.height);
+    auto sets = image.sets;
+    for (auto& set : sets) set.resize(width * image.height);
+    const int count = static_cast<int>(sets.size());
     parallelFor(static_cast<std::size_t>(image.height), [&](std::size_t y) {
+        const auto row = static_cast<std::size_t>(image.first_row) + y;
         for (std::size_t x = 0; x < width && !job.cancelled(); ++x) {
-            const std::size_t pixel = y * width + x;
             for (int k = image.samples; k < image.samples + samples; ++k) {
-                halves[k % 2][pixel] += sample(ray_through, near_m, backdrop, static_cast<int>(x),
-                                               static_cast<int>(y), pixel, image.first_sample + k);
+                const int number = image.first_sample + k;
+                const auto pixel = static_cast<std::uint32_t>(row * width + x);
+                // All samples share the positions in the pixel, which makes edges smoother.
+                SampleSequence in_pixel(params.seed, pixel, static_cast<std::uint32_t>(number));
+                const auto [right, down] = in_pixel.nextPair();
+                SampleSequence chance(params.seed + static_cast<std::uint32_t>(number % count),
+                                      pixel, static_cast<std::uint32_t>(number / count));
+                sets[number % count][y * width + x] += sample(
+                    ray_through(static_cast<double>(x) + right, static_cast<double>(row) + down),
+                    near_m, backdrop, chance);
             }
         }
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "path tracing was cancelled");
-    image.halves = std::move(halves);
+    image.sets = std::move(sets);
     image.samples += samples;
     return {};
+}
+
+Result<PictureLayers> PathTracer::take(const RayThrough& ray_through, double near_m,
+                                       const Picture& picture, const JobContext& job) const {
+    const int rows = std::max(1, picture.pixels_at_once / std::max(picture.width, 1) / kRowStep);
+    const int margin = picture.denoises ? kDenoisedRows : 0;
+    PictureLayers layers;
+    for (int begin = 0; begin < picture.height; begin += rows * kRowStep) {
+        const int end = std::min(begin + rows * kRowStep, picture.height);
+        LayeredImage image;
+        image.width = picture.width;
+        image.first_row = std::max(begin - margin, 0);
+        image.height = std::min(end + margin, picture.height) - image.first_row;
+        image.first_sample = picture.first_sample;
+        if (picture.denoises) image.sets.resize(2);
+        const JobContext part = job.stage(static_cast<double>(begin) / picture.height,
+                                          static_cast<double>(end) / picture.height, "");
+        // Both sets get the same number.
+        const int samples =
+            picture.denoises ? std::max(2, picture.samples + picture.samples % 2) : picture.samples;
+        Status status = add(ray_through, near_m, samples, image, part);
+        if (!status) return tl::unexpected(status.error());
+        const PictureLayers finished =
+            picture.denoises ? denoised(image, picture.scale) : averaged(image, picture.scale);
+        const auto width = static_cast<std::size_t>(picture.width);
+        layers.append(finished, width * (begin - image.first_row), width * (end - image.first_row));
+    }
+    return layers;
 }
 
 Eigen::Vector3f PathTracer::radiance(const Eigen::Vector3d& from, const Eigen::Vector3d& way,

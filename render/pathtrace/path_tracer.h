@@ -27,7 +27,8 @@ struct PathTracerParams {
     bool sample_lights = true;  // false: unbiased but noisy, without light sampling
     float exposure = 1.0F;      // of the developed image; backdrops are scaled to keep their colour
     /// If set, paths end at their second surface with the light of this volume, except near the
-    /// first surface: several times faster, with the volume's small errors in indirect light.
+    /// first surface: several times faster, with the volume's small errors in indirect light. It
+    /// must outlive the tracer.
     const LightVolume* end_light = nullptr;
 };
 
@@ -54,6 +55,21 @@ class PathTracer {
     using RayThrough = std::function<std::optional<ViewRay>(double x, double y)>;
     [[nodiscard]] Status add(const RayThrough& ray_through, double near_m, int samples,
                              LayeredImage& image, const JobContext& job = {}) const;
+
+    /// An image to trace and finish. `scale`: exposure times pi.
+    struct Picture {
+        int width = 0;
+        int height = 0;
+        int samples = 16;      // rounded up to an even number if it denoises
+        int first_sample = 0;  // see LayeredImage
+        float scale = 1.0F;
+        bool denoises = false;
+        int pixels_at_once = 1 << 20;  // bounds the memory; it does not change the result
+    };
+    /// Traces an image in parts of whole rows and averages or denoises them.
+    [[nodiscard]] Result<PictureLayers> take(const RayThrough& ray_through, double near_m,
+                                             const Picture& picture,
+                                             const JobContext& job = {}) const;
 
     /// Radiance that arrives at a point from the direction `way`, by one path.
     [[nodiscard]] Eigen::Vector3f radiance(const Eigen::Vector3d& from, const Eigen::Vector3d& way,

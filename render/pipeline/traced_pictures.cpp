@@ -56,25 +56,25 @@ const PathTracer& TracedPictures::tracerAt(int frame) {
     return *still_->tracer;
 }
 
-PictureLayers TracedPictures::finished(const LayeredImage& image, int frame) const {
-    const float scale = exposureAt(frame) * std::numbers::pi_v<float>;
-    return denoises_ ? denoised(image, scale) : averaged(image, scale);
+Result<PictureLayers> TracedPictures::take(const View& view, int frame, int first_sample,
+                                           int samples) {
+    PathTracer::Picture picture = pictureAt(frame);
+    picture.width = view.intrinsics.width;
+    picture.height = view.intrinsics.height;
+    picture.first_sample = first_sample;
+    picture.samples = samples;
+    const auto ray = [&](double x, double y) { return view.rayThrough(x, y); };
+    return tracerAt(frame).take(ray, view.near_m, picture, job_);
 }
 
 Result<PictureLayers> TracedPictures::take(const View& view, int frame) {
-    LayeredImage image;
-    Status status = tracerAt(frame).add(view, samples_, image, job_);
-    if (!status) return tl::unexpected(status.error());
-    return finished(image, frame);
+    return take(view, frame, 0, samples_);
 }
 
 Result<PictureLayers> TracedPictures::takePart(const View& view, int frame, int number, int parts) {
-    const int samples = std::max(2, (samples_ + parts - 1) / parts);
-    LayeredImage image;
-    image.first_sample = number * samples;
-    Status status = tracerAt(frame).add(view, samples, image, job_);
-    if (!status) return tl::unexpected(status.error());
-    return finished(image, frame);
+    int samples = (samples_ + parts - 1) / parts;
+    if (denoises_) samples = std::max(2, samples + samples % 2);
+    return take(view, frame, number * samples, samples);
 }
 
 Result<PictureLayers> TracedPictures::take(const LensModel& lens, const Pose& pose, int frame) {
@@ -87,12 +87,18 @@ Result<PictureLayers> TracedPictures::take(const LensModel& lens, const Pose& po
         const LensRay ray = lens.ray(x, y).value_or(*centre);
         return ViewRay{pose.toWorld(ray.origin), pose.rotation * ray.direction};
     };
-    LayeredImage image;
-    image.width = lens.width();
-    image.height = lens.height();
-    Status status = tracerAt(frame).add(rayThrough, near_m, samples_, image, job_);
-    if (!status) return tl::unexpected(status.error());
-    return finished(image, frame);
+    PathTracer::Picture picture = pictureAt(frame);
+    picture.width = lens.width();
+    picture.height = lens.height();
+    return tracerAt(frame).take(rayThrough, near_m, picture, job_);
+}
+
+PathTracer::Picture TracedPictures::pictureAt(int frame) const {
+    PathTracer::Picture picture;
+    picture.samples = samples_;
+    picture.scale = exposureAt(frame) * std::numbers::pi_v<float>;
+    picture.denoises = denoises_;
+    return picture;
 }
 
 }  // namespace dollytrack::render

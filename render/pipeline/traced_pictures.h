@@ -30,7 +30,7 @@ class TracedPictures {
     [[nodiscard]] Result<PictureLayers> take(const LensModel& lens, const Pose& pose, int frame);
 
     /// Traces exposure sample `number` with a share 1 / `parts` of an image's samples, at least
-    /// two. Each number uses its own random numbers.
+    /// one. Each number uses its own random numbers.
     [[nodiscard]] Result<PictureLayers> takePart(const View& view, int frame, int number,
                                                  int parts);
 
@@ -38,7 +38,9 @@ class TracedPictures {
     struct Still;  // scene, light and tracer at one time
     [[nodiscard]] const PathTracer& tracerAt(int frame);
     [[nodiscard]] float exposureAt(int frame) const;
-    [[nodiscard]] PictureLayers finished(const LayeredImage& image, int frame) const;
+    [[nodiscard]] PathTracer::Picture pictureAt(int frame) const;
+    [[nodiscard]] Result<PictureLayers> take(const View& view, int frame, int first_sample,
+                                             int samples);
 
     const FrameContext& context_;
     const FrameLights& lights_;

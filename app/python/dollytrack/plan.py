@@ -21,7 +21,7 @@ class Frame(Mapping[str, npt.NDArray[Any]]):
     rgb, albedo, rgb_right: (H, W, 3) uint8, sRGB. depth, depth_right: (H, W) float32, metres along
     the viewing axis, 0 where no surface is visible. instance, semantic: (H, W) uint16, ids of objects
     and classes; 0: none. normal_world, normal_camera: (H, W, 3) float32 unit vectors. hdr and the
-    layers of light: (H, W, 3) float32, linear, 1 is white in rgb.
+    layers of light: (H, W, 3) float32, linear, exposed as rgb.
     """
 
     def __init__(self, index: int, time_s: float, pose: npt.NDArray[np.float64],

@@ -22,8 +22,8 @@ constexpr std::array kUndecoded = {"KHR_texture_basisu", "KHR_texture_ktx", "EXT
 
 /// Largest base colour that counts as black beside a texture, linear.
 constexpr float kBlackFactor = 0.004F;
-constexpr float kClearestGlass = 0.05F;  // opacity, so that glass stays visible
-constexpr double kMostEmissiveStrength = 1000.0;
+constexpr float kClearestGlass = 0.05F;        // opacity, so that glass stays visible
+constexpr double kMostEmissiveStrength = 8.0;  // brighter emission is clamped by the renderer
 
 /// Whether an image is KTX, Basis, AVIF or DDS, which cannot be decoded; by first bytes or
 /// extension.
@@ -191,11 +191,10 @@ class MaterialReader {
         // Some exporters write an opacity of 0 for opaque materials.
         material.opacity = opaque || !(color.w() > 0.0) ? 1.0F : share(color.w());
         const Json& transmission = extensionOf(source_, "KHR_materials_transmission");
-        material.opacity *= std::max(
-            kClearestGlass, share(1.0 - numberOr(transmission, "transmissionFactor", 0.0)));
-        if (extensionOf(source_, "KHR_materials_unlit").is_object()) {
-            material.metallic = 0.0F;
-            material.roughness = 1.0F;
+        // A transmission texture may leave most of the surface opaque.
+        if (!objectAt(transmission, "transmissionTexture").is_object()) {
+            material.opacity *= std::max(
+                kClearestGlass, share(1.0 - numberOr(transmission, "transmissionFactor", 0.0)));
         }
 
         Eigen::Vector3d emission = Eigen::Vector3d::Zero();
@@ -211,6 +210,11 @@ class MaterialReader {
             static_cast<float>(std::clamp(numberOr(normal, "scale", 1.0), 0.0, 10.0));
         material.roughness_map = mapOf(objectAt(metallic, "metallicRoughnessTexture"), true);
         material.metallic_map = material.roughness_map;
+        if (extensionOf(source_, "KHR_materials_unlit").is_object()) {
+            material.metallic = 0.0F;
+            material.roughness = 1.0F;
+            material.roughness_map = material.metallic_map = -1;
+        }
         return {std::move(material), coordinates_.value_or(PictureCoordinates())};
     }
 

@@ -1,4 +1,5 @@
 // Compares base colours, roughness and metalness with the materials of the surfaces shown.
+#include "engine/scene/srgb.h"
 #include "render/materials/surface_kind.h"
 #include "render/verify/check/check_list.h"
 
@@ -56,10 +57,9 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
                                               : material.base_color;
     ColorRange range;
     for (std::size_t c = 0; c < 3; ++c) {
-        // The renderer decodes texels by squaring.
         const auto color = [&](int texel) {
-            const double share = texel / 255.0;
-            return encoded(surface_color[static_cast<Eigen::Index>(c)] * share * share);
+            const float linear = linearFromSrgb(static_cast<float>(texel) / 255.0F);
+            return encoded(double{surface_color[static_cast<Eigen::Index>(c)] * linear});
         };
         range.least[c] = color(darkest[c]);
         range.most[c] = color(brightest[c]);
@@ -132,6 +132,24 @@ Values valuesOf(const Scene& scene, float Material::*value, int Material::*map) 
     return values;
 }
 
+/// Whether the value belongs to the object shown by the pixel or by a neighbour; see mayHave().
+bool mayHave(const Values& values, const Image16& ids, int x, int y, int found) {
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            if (!ids.holds(x + dx, y + dy)) continue;
+            const auto of = values.find(ids.at(x + dx, y + dy));
+            if (of == values.end() && found == 0) return true;
+            if (of == values.end()) continue;
+            if (std::ranges::any_of(of->second, [&](const ValueRange& range) {
+                    return found >= range.least && found <= range.most;
+                })) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 /// Checks an image of roughness or metalness.
 void checkValues(FrameImages& images, const char* modality, const Values& values,
                  Findings& findings) {
@@ -141,17 +159,10 @@ void checkValues(FrameImages& images, const char* modality, const Values& values
     WrongPixels wrong;
     for (int y = 0; y < ids->height; ++y) {
         for (int x = 0; x < ids->width; ++x) {
-            const int found = image->at(x, y);
-            const auto of = values.find(ids->at(x, y));
-            const bool right = of == values.end()
-                                   ? found == 0
-                                   : std::ranges::any_of(of->second, [&](const ValueRange& range) {
-                                         return found >= range.least && found <= range.most;
-                                     });
-            if (right) continue;
+            if (mayHave(values, *ids, x, y, image->at(x, y))) continue;
             wrong.add(x, y, [&] {
                 return WrongPixels::Text{
-                    fmt::format("{}", found),
+                    fmt::format("{}", image->at(x, y)),
                     fmt::format("a value of object {}'s materials", ids->at(x, y))};
             });
         }

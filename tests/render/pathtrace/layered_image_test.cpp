@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -34,15 +35,16 @@ Place onWall(int x, int y) {
 }
 
 /// An image of direct light with the given illumination, and independent noise of the given
-/// standard deviation in each half's mean.
+/// standard deviation in each set's mean.
 template <class PlaceAt, class Illumination>
 LayeredImage imageOf(PlaceAt&& placeAt, Illumination&& illumination, double noise) {
     LayeredImage image;
     image.width = kWidth;
     image.height = kHeight;
     image.samples = 8;
+    image.sets.resize(2);
     Random random(3, 0);
-    for (std::size_t half = 0; half < 2; ++half) {
+    for (std::size_t set = 0; set < 2; ++set) {
         for (int y = 0; y < kHeight; ++y) {
             for (int x = 0; x < kWidth; ++x) {
                 const Place place = placeAt(x, y);
@@ -52,8 +54,9 @@ LayeredImage imageOf(PlaceAt&& placeAt, Illumination&& illumination, double nois
                 light.reflectance = 4.0F * place.reflectance;
                 light.normal = 4.0F * place.normal;
                 light.position = 4.0F * place.position;
+                light.distance = 4.0F * place.position.norm();
                 light.hits = 4.0F;
-                image.halves[half].push_back(light);
+                image.sets[set].push_back(light);
             }
         }
     }
@@ -77,7 +80,7 @@ double error(const PictureLayers& layers, Illumination&& illumination) {
     return std::sqrt(sum / (kWidth * kHeight));
 }
 
-TEST(Denoised, NoiseOnAWallFallsToATenth) {
+TEST(Denoised, NoiseOnAWallFallsToASeventh) {
     const auto even = [](int, int) { return 1.0; };
     const LayeredImage image = imageOf(onWall, even, 0.2);
     EXPECT_GT(error(averaged(image, 1.0F), even), 0.12);
@@ -158,12 +161,6 @@ View viewOf(int width, int height) {
     camera.width_px = width;
     camera.height_px = height;
     return makeView(camera, lookAt({0.8, 0.3, 1.4}, {1.6, 2.4, 0.7}));
-}
-
-Eigen::Vector3d meanLight(const PictureLayers& layers) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < layers.size(); ++i) sum += layers.light(i).cast<double>();
-    return sum / static_cast<double>(layers.size());
 }
 
 // A single matt plane under a lamp: the direct layer is the integral over the lamp, and nothing is
@@ -247,6 +244,7 @@ TEST(LayeredImage, IsDenoisedToTheSameBytesOnAnyNumberOfThreads) {
     const auto bytes = [&](int threads) {
         setThreadCount(threads);
         LayeredImage image;
+        image.sets.resize(2);
         EXPECT_TRUE(tracer.add(viewOf(40, 30), 4, image));
         const auto rgb = developed(denoised(image, 2.0F));
         setThreadCount(0);
@@ -255,27 +253,141 @@ TEST(LayeredImage, IsDenoisedToTheSameBytesOnAnyNumberOfThreads) {
     EXPECT_EQ(bytes(1), bytes(2));
 }
 
-// Paths that end in the light volume give nearly the same light as whole ones.
-TEST(LayeredImage, PathsThatEndInTheLightVolumeGiveNearlyTheSameLight) {
+TEST(LayeredImage, IsTheSameInPartsOfAnySize) {
     const Scene scene = room();
     const RayCaster rays(scene);
     LightRig rig;
     rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
-    const LightVolume volume = bakeLightVolume(scene, rays, rig);
-    const View view = viewOf(40, 30);
-    const auto mean = [&](const LightVolume* end_light) {
-        PathTracerParams params;
-        params.end_light = end_light;
-        const PathTracer tracer(scene, rays, balanced(rig, volume), params);
-        LayeredImage image;
-        EXPECT_TRUE(tracer.add(view, 64, image));
-        return meanLight(averaged(image, 1.0F));
+    const PathTracer tracer(scene, rays, rig);
+    const View view = viewOf(40, 100);
+    const auto bytes = [&](bool denoises, int pixels_at_once) {
+        PathTracer::Picture picture;
+        picture.width = 40;
+        picture.height = 100;
+        picture.samples = 4;
+        picture.scale = 2.0F;
+        picture.denoises = denoises;
+        picture.pixels_at_once = pixels_at_once;
+        const auto ray = [&](double x, double y) { return view.rayThrough(x, y); };
+        const auto layers = tracer.take(ray, view.near_m, picture);
+        EXPECT_TRUE(layers);
+        return layers ? developed(*layers) : std::vector<std::uint8_t>();
     };
-    const Eigen::Vector3d whole = mean(nullptr);
-    EXPECT_LT((mean(&volume) - whole).norm(), 0.05 * whole.norm());
-    LightVolume brighter = volume;
-    for (Eigen::Vector3f& light : brighter.ambient) light *= 2.0F;
-    EXPECT_GT((mean(&brighter) - whole).norm(), 0.05 * whole.norm());
+    for (const bool denoises : {false, true}) {
+        const auto whole = bytes(denoises, 1 << 20);
+        EXPECT_EQ(whole.size(), 3U * 40U * 100U);
+        for (const int pixels : {1, 40 * 6, 40 * 31}) {
+            EXPECT_EQ(bytes(denoises, pixels), whole) << denoises << ' ' << pixels;
+        }
+    }
+    EXPECT_NE(bytes(false, 1), bytes(true, 1));
+}
+
+/// Sums of the layers' light over an image, in the order direct, indirect, residual.
+std::array<Eigen::Vector3d, 3> sumsOf(const PictureLayers& layers) {
+    std::array<Eigen::Vector3d, 3> sums;
+    for (Eigen::Vector3d& sum : sums) sum.setZero();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const Eigen::Vector3f& reflectance = layers.reflectance[i];
+        sums[0] += reflectance.cwiseProduct(layers.direct[i]).cast<double>();
+        sums[1] += reflectance.cwiseProduct(layers.indirect[i]).cast<double>();
+        sums[2] += layers.residual[i].cast<double>();
+    }
+    return sums;
+}
+
+// Paths that end in the light volume give nearly the same light as whole ones, in each layer, with
+// the sun shining in, too.
+TEST(LayeredImage, PathsThatEndInTheLightVolumeGiveNearlyTheSameLayers) {
+    const Scene scene = room();
+    const RayCaster rays(scene);
+    for (const bool sunny : {false, true}) {
+        LightRig rig;
+        rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+        if (sunny) {
+            rig.sun.way = Eigen::Vector3d(0.3, -1.0, 0.6).normalized();
+            rig.sun.irradiance.setConstant(8.0F);
+            // Nothing casts a shadow of the sun, so that it shines through walls and ceiling.
+            rig.sun.shades =
+                Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, -9), Eigen::Vector3d(1, 1, -8));
+        }
+        const LightVolume volume = bakeLightVolume(scene, rays, rig);
+        const View view = viewOf(40, 30);
+        const auto sums = [&](const LightVolume* end_light) {
+            PathTracerParams params;
+            params.end_light = end_light;
+            const PathTracer tracer(scene, rays, balanced(rig, volume), params);
+            LayeredImage image;
+            EXPECT_TRUE(tracer.add(view, 64, image));
+            return sumsOf(averaged(image, 1.0F));
+        };
+        const auto whole = sums(nullptr);
+        const auto ended = sums(&volume);
+        EXPECT_NEAR(ended[0].norm(), whole[0].norm(), 0.01 * whole[0].norm()) << sunny;
+        EXPECT_NEAR(ended[1].norm(), whole[1].norm(), 0.12 * whole[1].norm()) << sunny;
+        EXPECT_NEAR(ended[2].norm(), whole[2].norm(), 0.12 * whole[2].norm()) << sunny;
+        EXPECT_GT(whole[1].norm(), 0.1 * whole[0].norm());
+        LightVolume brighter = volume;
+        for (Eigen::Vector3f& light : brighter.ambient) light *= 2.0F;
+        EXPECT_GT(sums(&brighter)[1].norm(), 1.12 * whole[1].norm());
+    }
+}
+
+// Through a pane the layers describe the wall behind it, in all samples alike; through a nearly
+// opaque one, the pane.
+TEST(LayeredImage, DescribesWhatIsBehindGlass) {
+    for (const float opacity : {0.2F, 0.9F}) {
+        SceneBuilder builder;
+        builder.object("wall", {kNyuWall, Role::Structure, {0.8F, 0.4F, 0.2F}})
+            .quad({-9, 4, -9}, {18, 0, 0}, {0, 0, 18});
+        builder.object("pane", {kNyuOtherProp, Role::Target, {0.1F, 0.2F, 0.3F}})
+            .quad({-9, 2, -9}, {18, 0, 0}, {0, 0, 18});
+        Scene scene = builder.build();
+        scene.materials[1].opacity = opacity;
+        const RayCaster rays(scene);
+        LightRig rig;
+        rig.sky_strength = 1.0;
+        const PathTracer tracer(scene, rays, rig);
+        LayeredImage image;
+        image.width = 8;
+        image.height = 6;
+        const auto ray = [](double x, double y) {
+            return ViewRay{{0, 0, 0}, {0.1 * (x - 4), 1.0, 0.1 * (3 - y)}};
+        };
+        ASSERT_TRUE(tracer.add(ray, 0.01, 16, image));
+        const PictureLayers layers = averaged(image, 1.0F);
+        const std::size_t shown = opacity < 0.5F ? 0 : 1;
+        for (const Eigen::Vector3f& reflectance : layers.reflectance) {
+            EXPECT_TRUE(reflectance.isApprox(scene.materials[shown].base_color, 1e-4F)) << opacity;
+        }
+        EXPECT_GT(layers.residual[0].norm(), 0.0F);
+    }
+}
+
+// The difference of the two sets shows how far their mean is from the truth.
+TEST(LayeredImage, TheSetsShowTheNoise) {
+    const Scene scene = room();
+    const RayCaster rays(scene);
+    LightRig rig;
+    rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+    const PathTracer tracer(scene, rays, rig);
+    const View view = viewOf(32, 24);
+    LayeredImage right;
+    ASSERT_TRUE(tracer.add(view, 1024, right));
+    LayeredImage image;
+    image.sets.resize(2);
+    ASSERT_TRUE(tracer.add(view, 8, image));
+    double shown = 0.0;
+    double real = 0.0;
+    for (int y = 0; y < 24; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * 32 + static_cast<std::size_t>(x);
+            shown += ((image.sets[0][i].sum() - image.sets[1][i].sum()) / 8.0F).squaredNorm();
+            real += (image.at(x, y) - right.at(x, y)).squaredNorm();
+        }
+    }
+    EXPECT_GT(shown, 0.7 * real);
+    EXPECT_LT(shown, 1.4 * real);
 }
 
 }  // namespace

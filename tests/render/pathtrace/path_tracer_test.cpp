@@ -326,7 +326,7 @@ TEST(PathTracer, RepeatsToTheLastBitInAnyNumberOfStepsAndThreads) {
         LayeredImage image;
         for (const int samples : steps) EXPECT_TRUE(tracer.add(view, samples, image));
         setThreadCount(0);
-        return image.halves;
+        return image.sets;
     };
     const auto expected = bytes({8}, 1);
     EXPECT_EQ(bytes({8}, 2), expected);
@@ -338,7 +338,7 @@ TEST(PathTracer, RepeatsToTheLastBitInAnyNumberOfStepsAndThreads) {
     const PathTracer reseeded(scene, rays, cornellLight(), params);
     LayeredImage image;
     ASSERT_TRUE(reseeded.add(view, 8, image));
-    EXPECT_NE(image.halves, expected);
+    EXPECT_NE(image.sets, expected);
 }
 
 TEST(PathTracer, StopsWhenCancelledAndLeavesThePictureAsItWas) {
@@ -347,12 +347,12 @@ TEST(PathTracer, StopsWhenCancelledAndLeavesThePictureAsItWas) {
     const PathTracer tracer(scene, rays, cornellLight());
     LayeredImage image;
     ASSERT_TRUE(tracer.add(viewOf(8, 6), 2, image));
-    const auto before = image.halves;
+    const auto before = image.sets;
     const auto flag = std::make_shared<std::atomic<bool>>(true);
     const Status status = tracer.add(viewOf(8, 6), 1 << 20, image, JobContext(flag, {}));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, ErrorCode::Cancelled);
-    EXPECT_EQ(image.halves, before);
+    EXPECT_EQ(image.sets, before);
     EXPECT_EQ(image.samples, 2);
 }
 
