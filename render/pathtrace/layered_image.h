@@ -52,29 +52,33 @@ struct LayeredImage {
     int samples = 0;
     std::vector<std::vector<LayeredLight>> sets = std::vector<std::vector<LayeredLight>>(1);
 
+    /// Sum over all samples of a pixel.
+    [[nodiscard]] LayeredLight total(std::size_t pixel) const {
+        LayeredLight sum;
+        for (const auto& set : sets) sum += set[pixel];
+        return sum;
+    }
     /// Mean radiance of a pixel.
     [[nodiscard]] Eigen::Vector3f at(int x, int y) const {
-        const std::size_t i = static_cast<std::size_t>(y) * width + x;
-        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-        for (const auto& set : sets) sum += set[i].sum();
-        return sum / static_cast<float>(samples);
+        return total(static_cast<std::size_t>(y) * width + x).sum() / static_cast<float>(samples);
     }
 };
 
+/// Mean of a layer over all samples, times `scale`.
+[[nodiscard]] std::vector<Eigen::Vector3f> meanOf(const LayeredImage& image,
+                                                  Eigen::Vector3f LayeredLight::*layer,
+                                                  float scale);
+
+/// Channels of a lower reflectance are black: they show no illumination.
+constexpr float kBlack = 1e-3F;
+
+/// Diffuse light divided by the reflectance. Black channels get the mean of the other channels, so
+/// that neighbours are not darkened by them.
+[[nodiscard]] std::vector<Eigen::Vector3f> illumination(
+    const std::vector<Eigen::Vector3f>& light, const std::vector<Eigen::Vector3f>& reflectance);
+
 /// The mean over an image's samples; light is multiplied by `scale`, the exposure times pi.
 [[nodiscard]] PictureLayers averaged(const LayeredImage& image, float scale);
-
-/// The same with less noise. Each layer becomes, in small windows, a linear function of the normals
-/// and positions of its surfaces (first-order regression, Bitterli et al., Nonlinearly weighted
-/// first-order regression for denoising Monte Carlo renderings, 2016). Pixels count by how similar
-/// their surfaces are, and their light in relation to the noise. Diffuse light is divided by the
-/// reflectance before, so that textures stay sharp. Results do not depend on the number of threads.
-/// `image` needs two sets with the same number of samples.
-[[nodiscard]] PictureLayers denoised(const LayeredImage& image, float scale);
-
-/// Rows above and below one that its denoised values depend on. Parts of an image whose first row
-/// is a multiple of a quarter of it are denoised as in the whole image.
-constexpr int kDenoisedRows = 24;
 
 /// The finished image, through the tone curve: sRGB, 3 bytes per pixel.
 [[nodiscard]] std::vector<std::uint8_t> developed(const PictureLayers& layers);

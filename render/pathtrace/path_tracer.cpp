@@ -7,6 +7,8 @@
 #include "render/light/tone_curve.h"
 #include "render/materials/layer_albedo.h"
 #include "render/materials/surface_brdf.h"
+#include "render/pathtrace/denoiser.h"
+#include "render/pathtrace/path_light.h"
 #include "render/pathtrace/sample_sequence.h"
 #include "render/pathtrace/scene_lights.h"
 
@@ -55,83 +57,6 @@ double weightOf(double chosen, double other) {
     if (std::isinf(chosen)) return 1.0;
     return chosen * chosen / (chosen * chosen + other * other);
 }
-
-/// Light that a surface reflects, by layer; the diffuse part is to be multiplied by the base
-/// colour.
-struct Reflected {
-    Eigen::Vector3f diffuse = Eigen::Vector3f::Zero();
-    Eigen::Vector3f glossy = Eigen::Vector3f::Zero();
-
-    void add(const SurfaceBrdf::Layers& value, const Eigen::Vector3f& arriving) {
-        diffuse += value.diffuse * arriving;
-        glossy += value.glossy.cwiseProduct(arriving);
-    }
-    [[nodiscard]] Eigen::Vector3f sum(const Eigen::Vector3f& base) const {
-        return base.cwiseProduct(diffuse) + glossy;
-    }
-};
-
-/// The light that a path has gathered, and the shares that it still carries to the camera: through
-/// the diffuse layer of the first surface, and in any other way.
-class Gathered {
-  public:
-    LayeredLight light;
-    bool seen = true;   // the camera sees the next surface directly or through glass
-    int scattered = 0;  // number of surfaces that have scattered the path
-
-    /// Light that arrives at the last surface, or at the camera.
-    void arrive(const Eigen::Vector3f& sent) {
-        if (seen) {
-            light.shown += other_.cwiseProduct(sent);
-            return;
-        }
-        (scattered == 1 ? light.direct : light.indirect) += diffuse_.cwiseProduct(sent);
-        light.glossy += other_.cwiseProduct(sent);
-    }
-    /// Light that the surface now reached reflects. `first`: it is the surface that the layers
-    /// describe.
-    void reflect(const Reflected& from, const Eigen::Vector3f& base, bool first) {
-        if (first) {
-            light.direct += other_.cwiseProduct(base).cwiseProduct(from.diffuse);
-            light.glossy += other_.cwiseProduct(from.glossy);
-            return;
-        }
-        const Eigen::Vector3f sum = from.sum(base);
-        light.indirect += diffuse_.cwiseProduct(sum);
-        light.glossy += other_.cwiseProduct(sum);
-    }
-    /// The path goes on from the surface now reached.
-    void scatter(const SurfaceBrdf::Layers& value, const Eigen::Vector3f& base, float factor,
-                 bool first) {
-        if (first) {
-            diffuse_ = other_.cwiseProduct(base) * (value.diffuse * factor);
-            other_ = other_.cwiseProduct(value.glossy) * factor;
-        } else {
-            const Eigen::Vector3f sum = (base * value.diffuse + value.glossy) * factor;
-            diffuse_ = diffuse_.cwiseProduct(sum);
-            other_ = other_.cwiseProduct(sum);
-        }
-        seen = false;
-        ++scattered;
-    }
-    [[nodiscard]] float strongest() const { return (diffuse_ + other_).maxCoeff(); }
-    void divide(float by) {
-        diffuse_ /= by;
-        other_ /= by;
-    }
-    /// Remembers the surface that the layers describe.
-    void meet(const SurfacePoint& point, const Eigen::Vector3d& camera) {
-        light.distance = static_cast<float>((point.position - camera).norm());
-        light.reflectance = point.base_color * (1.0F - point.metallic);
-        light.normal = point.normal.cast<float>();
-        light.position = point.position.cast<float>();
-        light.hits = 1.0F;
-    }
-
-  private:
-    Eigen::Vector3f diffuse_ = Eigen::Vector3f::Zero();
-    Eigen::Vector3f other_ = Eigen::Vector3f::Ones();
-};
 
 /// Whether a surface is a pane that mostly shows what is behind it.
 bool isClear(const SurfacePoint& point) {
@@ -247,6 +172,11 @@ struct PathTracer::Impl {
     /// path passes the pane, so that they are free of noise.
     void meetBehind(const SurfacePoint& pane, const Eigen::Vector3d& way,
                     const Eigen::Vector3d& camera, Gathered& gathered) const;
+    /// Adds the light that a surface itself sends along a path from `from`, whose direction was
+    /// sampled with this density. Returns true if the path ends there: windows send daylight.
+    [[nodiscard]] bool takesEmission(const RayHit& hit, const Eigen::Vector3d& way,
+                                     const Eigen::Vector3d& from, double density,
+                                     SurfacePoint& point, Gathered& gathered) const;
     /// Direct light that a surface reflects.
     [[nodiscard]] Reflected reflected(const SurfacePoint& point, const Frame& frame,
                                       const SurfaceBrdf& brdf, std::uint32_t step,
@@ -317,6 +247,26 @@ Eigen::Vector3f PathTracer::Impl::endLight(const SurfacePoint& point) const {
     return reflected.cwiseProduct(irradiance) / std::numbers::pi_v<float>;
 }
 
+bool PathTracer::Impl::takesEmission(const RayHit& hit, const Eigen::Vector3d& way,
+                                     const Eigen::Vector3d& from, double density,
+                                     SurfacePoint& point, Gathered& gathered) const {
+    const bool daylight = !gathered.seen && sendsDaylight(scene.object(hit.object_id));
+    const bool shows_outside = outside[hit.object_id - 1];
+    const float shines = rig.shineFactor(shows_outside);
+    const Eigen::Vector3f sent =
+        daylight ? rig.skyRadiance(way) : Eigen::Vector3f(rig.emissionOf(point.emission) * shines);
+    // Surfaces that emit daylight turn dark without it.
+    if (shows_outside && !point.emission.isZero(0.0F)) point.base_color *= std::min(shines, 1.0F);
+    if (sent.maxCoeff() > 0.0F) {
+        const double w = params.sample_lights && !std::isinf(density)
+                             ? weightOf(density, lights.triangleDensity(hit.object_id, hit.triangle,
+                                                                        from, point.position))
+                             : 1.0;
+        gathered.arrive(sent * static_cast<float>(w));
+    }
+    return daylight;
+}
+
 LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d way, double nearest,
                                       const Eigen::Vector3f& backdrop,
                                       SampleSequence& chance) const {
@@ -350,26 +300,8 @@ LayeredLight PathTracer::Impl::follow(Eigen::Vector3d origin, Eigen::Vector3d wa
             origin = liftedOff(point, way);
             continue;
         }
-        const bool daylight = !gathered.seen && sendsDaylight(scene.object(hit.object_id));
-        const bool shows_outside = outside[hit.object_id - 1];
-        const float shines = rig.shineFactor(shows_outside);
-        const Eigen::Vector3f sent = daylight
-                                         ? rig.skyRadiance(way)
-                                         : Eigen::Vector3f(rig.emissionOf(point.emission) * shines);
-        // Surfaces that emit daylight turn dark without it.
-        if (shows_outside && !point.emission.isZero(0.0F))
-            point.base_color *= std::min(shines, 1.0F);
         point.base_color = point.base_color.cwiseMax(0.0F).cwiseMin(1.0F);
-        if (sent.maxCoeff() > 0.0F) {
-            const double w =
-                params.sample_lights && !std::isinf(density)
-                    ? weightOf(density, lights.triangleDensity(hit.object_id, hit.triangle,
-                                                               scattered_at, point.position))
-                    : 1.0;
-            gathered.arrive(sent * static_cast<float>(w));
-        }
-        if (daylight) break;
-
+        if (takesEmission(hit, way, scattered_at, density, point, gathered)) break;
         if (point.kind == Surface::Glass) {
             const double thrown = sheetReflectance(-way.dot(point.normal));
             const double which = chance.next();

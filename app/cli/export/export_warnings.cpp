@@ -48,9 +48,12 @@ void warnOfSun(const LightParams& light) {
 
 void warnOfPictures(const PictureParams& picture) {
     const PictureParams standard;
+    const char* now = picture.render_mode == RenderMode::Fast     ? "fast"
+                      : picture.render_mode == RenderMode::Traced ? "traced"
+                                                                  : "reference";
     const auto warn = [&](const char* samples, const char* mode) {
-        log::warn("export",
-                  fmt::format("{} has an effect only with render_mode={}", samples, mode));
+        log::warn("export", fmt::format("{} has no effect with render_mode={}; set render_mode={}",
+                                        samples, now, mode));
     };
     if (picture.render_mode != RenderMode::Reference &&
         picture.reference_samples != standard.reference_samples) {

@@ -4,6 +4,7 @@
 #include "engine/jobs/parallel.h"
 #include "render/light/light_volume.h"
 #include "render/materials/surface_brdf.h"
+#include "render/pathtrace/denoiser.h"
 #include "render/pathtrace/path_tracer.h"
 #include "tests/support/scene_builder.h"
 
