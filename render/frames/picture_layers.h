@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace dollytrack::render {
@@ -32,6 +33,21 @@ struct PictureLayers {
         copy(direct, other.direct);
         copy(indirect, other.indirect);
         copy(residual, other.residual);
+    }
+    /// The layer that a modality of this name writes ("hdr" is the light itself); empty for another
+    /// name.
+    [[nodiscard]] std::vector<Eigen::Vector3f> named(std::string_view modality) const {
+        if (modality == "diffuse_reflectance") return reflectance;
+        if (modality == "direct_illumination") return direct;
+        if (modality == "indirect_illumination") return indirect;
+        if (modality == "residual") return residual;
+        const bool is_light = modality == "hdr";
+        if (!is_light && modality != "diffuse_illumination") return {};
+        std::vector<Eigen::Vector3f> values(size());
+        for (std::size_t i = 0; i < size(); ++i) {
+            values[i] = is_light ? light(i) : Eigen::Vector3f(direct[i] + indirect[i]);
+        }
+        return values;
     }
     /// The light of a pixel.
     [[nodiscard]] Eigen::Vector3f light(std::size_t i) const {

@@ -8,8 +8,8 @@
 
 namespace dollytrack::render {
 
-/// Light that a surface reflects, by layer; the diffuse part is to be multiplied by the base
-/// colour.
+/// Light that a surface reflects in its diffuse and its glossy layer. `diffuse` does not include
+/// the surface's base colour yet.
 struct Reflected {
     Eigen::Vector3f diffuse = Eigen::Vector3f::Zero();
     Eigen::Vector3f glossy = Eigen::Vector3f::Zero();

@@ -29,8 +29,8 @@ class TracedPictures {
     /// The same for any lens; black outside its image circle.
     [[nodiscard]] Result<PictureLayers> take(const LensModel& lens, const Pose& pose, int frame);
 
-    /// Traces exposure sample `number` with a share 1 / `parts` of an image's samples, at least
-    /// one. Each number uses its own random numbers.
+    /// Traces exposure sample `number` of `parts` with 1 / `parts` of an image's paths per pixel,
+    /// at least one, or two if they are denoised. Exposure samples have independent random numbers.
     [[nodiscard]] Result<PictureLayers> takePart(const View& view, int frame, int number,
                                                  int parts);
 

@@ -333,29 +333,13 @@ std::string ScenePlan::exportTo(const cli::ExportOrder& order,
 
 namespace {
 
-/// A layer of path-traced light; nullopt for another name.
-std::optional<std::vector<float>> lightOf(const render::PictureLayers& layers,
-                                          const std::string& name) {
-    const auto each = [&](auto&& valueOf) {
-        std::vector<float> values;
-        values.reserve(3 * layers.size());
-        for (std::size_t i = 0; i < layers.size(); ++i) {
-            const Eigen::Vector3f value = valueOf(i);
-            values.insert(values.end(), value.data(), value.data() + 3);
-        }
-        return values;
-    };
-    if (name == "hdr") return each([&](std::size_t i) { return layers.light(i); });
-    if (name == "diffuse_illumination") {
-        return each([&](std::size_t i) { return layers.direct[i] + layers.indirect[i]; });
+std::vector<float> flat(const std::vector<Eigen::Vector3f>& image) {
+    std::vector<float> values;
+    values.reserve(3 * image.size());
+    for (const Eigen::Vector3f& value : image) {
+        values.insert(values.end(), value.data(), value.data() + 3);
     }
-    const std::vector<Eigen::Vector3f>* layer = name == "diffuse_reflectance" ? &layers.reflectance
-                                                : name == "direct_illumination"   ? &layers.direct
-                                                : name == "indirect_illumination" ? &layers.indirect
-                                                : name == "residual"              ? &layers.residual
-                                                                                  : nullptr;
-    if (layer == nullptr) return std::nullopt;
-    return each([&](std::size_t i) { return (*layer)[i]; });
+    return values;
 }
 
 /// An image of a rendered frame as array; None for an unknown name.
@@ -369,19 +353,18 @@ py::object imageOf(render::FrameRecord& frame, const std::string& name) {
     if (name == "albedo") return arrayOf(std::move(frame.albedo), colour);
     if (name == "rgb_right") return arrayOf(std::move(frame.rgb_right), colour);
     if (name == "depth_right") return arrayOf(std::move(frame.depth_right_m), plain);
-    if (auto light = lightOf(frame.layers, name)) return arrayOf(std::move(*light), colour);
-    if (name != "normal_world" && name != "normal_camera") return py::none();
+    if (name != "normal_world" && name != "normal_camera") {
+        const std::vector<Eigen::Vector3f> light = frame.layers.named(name);
+        if (light.empty()) return py::none();
+        return arrayOf(flat(light), colour);
+    }
     Eigen::Matrix3f turn = Eigen::Matrix3f::Identity();
     if (name == "normal_camera") {
         turn = frame.pose.rotation.conjugate().toRotationMatrix().cast<float>();
     }
-    std::vector<float> normals;
-    normals.reserve(3 * frame.normals_in_world.size());
-    for (const Eigen::Vector3f& normal : frame.normals_in_world) {
-        const Eigen::Vector3f turned = turn * normal;
-        normals.insert(normals.end(), turned.data(), turned.data() + 3);
-    }
-    return arrayOf(std::move(normals), colour);
+    std::vector<Eigen::Vector3f> normals = frame.normals_in_world;
+    for (Eigen::Vector3f& normal : normals) normal = (turn * normal).eval();
+    return arrayOf(flat(normals), colour);
 }
 
 Status checkDrawable(const std::vector<std::string>& names) {

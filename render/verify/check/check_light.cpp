@@ -17,11 +17,7 @@ double tolerance(double value) {
 /// The 8-bit value of light, by the tone curve that dataset.json states.
 int shownAs(double light) {
     const double above = std::max(light - 0.55, 0.0);
-    const double linear =
-        std::clamp(std::min(light, 0.55) + 0.45 * above / (above + 0.45), 0.0, 1.0);
-    const double srgb =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-    return static_cast<int>(std::lround(255.0 * srgb));
+    return encodedSrgb(std::min(light, 0.55) + 0.45 * above / (above + 0.45));
 }
 
 /// Checks one channel of one pixel: expected(i) gives what value i of the image must be near to.

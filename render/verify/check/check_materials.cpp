@@ -16,13 +16,6 @@ namespace {
 
 constexpr int kAlbedoTolerance = 3;  // of 255; rendering also stores colours in 8 bits
 
-/// 8-bit sRGB value of a linear colour.
-int encoded(double linear) {
-    const double c = std::clamp(linear, 0.0, 1.0);
-    const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-    return static_cast<int>(std::lround(255.0 * s));
-}
-
 /// Range of colours that a surface may have, by channel, over its texture's texels.
 struct ColorRange {
     std::array<int, 3> least = {255, 255, 255};
@@ -59,7 +52,7 @@ ColorRange rangeOf(const Material& material, const std::vector<Texture>& texture
     for (std::size_t c = 0; c < 3; ++c) {
         const auto color = [&](int texel) {
             const float linear = linearFromSrgb(static_cast<float>(texel) / 255.0F);
-            return encoded(double{surface_color[static_cast<Eigen::Index>(c)] * linear});
+            return encodedSrgb(double{surface_color[static_cast<Eigen::Index>(c)] * linear});
         };
         range.least[c] = color(darkest[c]);
         range.most[c] = color(brightest[c]);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -23,5 +25,12 @@ struct Image {
         return x >= 0 && y >= 0 && x < width && y < height;
     }
 };
+
+/// The 8-bit sRGB value of linear light, clamped to 0..1.
+[[nodiscard]] inline int encodedSrgb(double linear) {
+    const double c = std::clamp(linear, 0.0, 1.0);
+    const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+    return static_cast<int>(std::lround(255.0 * s));
+}
 
 }  // namespace dollytrack::verify

@@ -157,6 +157,12 @@ Scene room() {
     return scene;
 }
 
+LightRig lampInRoom() {
+    LightRig rig;
+    rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+    return rig;
+}
+
 View viewOf(int width, int height) {
     CameraParams camera;
     camera.width_px = width;
@@ -239,8 +245,7 @@ TEST(LayeredImage, IndirectLightHasTheColourOfTheWallsAndAllLayersAddUp) {
 TEST(LayeredImage, IsDenoisedToTheSameBytesOnAnyNumberOfThreads) {
     const Scene scene = room();
     const RayCaster rays(scene);
-    LightRig rig;
-    rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+    const LightRig rig = lampInRoom();
     const PathTracer tracer(scene, rays, rig);
     const auto bytes = [&](int threads) {
         setThreadCount(threads);
@@ -257,8 +262,7 @@ TEST(LayeredImage, IsDenoisedToTheSameBytesOnAnyNumberOfThreads) {
 TEST(LayeredImage, IsTheSameInPartsOfAnySize) {
     const Scene scene = room();
     const RayCaster rays(scene);
-    LightRig rig;
-    rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+    const LightRig rig = lampInRoom();
     const PathTracer tracer(scene, rays, rig);
     const View view = viewOf(40, 100);
     const auto bytes = [&](bool denoises, int pixels_at_once) {
@@ -303,8 +307,7 @@ TEST(LayeredImage, PathsThatEndInTheLightVolumeGiveNearlyTheSameLayers) {
     const Scene scene = room();
     const RayCaster rays(scene);
     for (const bool sunny : {false, true}) {
-        LightRig rig;
-        rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+        LightRig rig = lampInRoom();
         if (sunny) {
             rig.sun.way = Eigen::Vector3d(0.3, -1.0, 0.6).normalized();
             rig.sun.irradiance.setConstant(8.0F);
@@ -369,8 +372,7 @@ TEST(LayeredImage, DescribesWhatIsBehindGlass) {
 TEST(LayeredImage, TheSetsShowTheNoise) {
     const Scene scene = room();
     const RayCaster rays(scene);
-    LightRig rig;
-    rig.lamps.push_back({{1.5, 1.5, 2.3}, 0.3, 2.0});
+    const LightRig rig = lampInRoom();
     const PathTracer tracer(scene, rays, rig);
     const View view = viewOf(32, 24);
     LayeredImage right;
