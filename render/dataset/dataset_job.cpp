@@ -55,6 +55,7 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
             ? DatasetJournal::resume(folder->folder(), earlier)
             : DatasetJournal::begin(folder->folder(), identity, gl::rendererName(), names);
     if (!journal) return tl::unexpected(journal.error());
+    if (Status status = folder->makeFolders(names); !status) return status;
     ledger.emplace(std::move(*journal), frameCount(), std::move(earlier.entries));
     writer.emplace(FrameWriter::Settings{folder->unfinished(), contents.modalities,
                                          order.card.formats, needs()},

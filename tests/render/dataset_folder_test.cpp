@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 #include <sys/statvfs.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <limits>
 #include <map>
@@ -141,6 +143,7 @@ TEST(DatasetFolder, RemovesWhatAKilledExportLeftButForWhatIsKept) {
     auto claimed = DatasetFolder::claim(folder.path(), false);
     ASSERT_TRUE(claimed);
     ASSERT_TRUE(claimed->begin(namesFor({"rgb", "instance"}), {"rgb/000000.png"}));
+    ASSERT_TRUE(claimed->makeFolders(namesFor({"rgb", "instance"})));
     // The killed export had ten frames and no albedo, so an eleventh frame and albedo files are not
     // its own.
     EXPECT_EQ(treeOf(folder.path()),
@@ -208,24 +211,51 @@ TEST(DatasetFolder, LeavesNothingWhereNoJournalWasBegun) {
         ASSERT_TRUE(claimed);
         ASSERT_TRUE(claimed->begin(namesFor(), {}));
         writeJournal(folder.path(), namesFor());
+        ASSERT_TRUE(claimed->makeFolders(namesFor()));
     }
     EXPECT_TRUE(fs::exists(folder.path() / kMark));
     EXPECT_TRUE(fs::exists(folder.path() / ".dollytrack-new/rgb"));
 }
 
 TEST(DatasetFolder, LeavesNothingWhereAFolderWithinAnotherFails) {
-    for (const std::string& inner : {std::string("train"), std::string(300, 'x')}) {
-        const test::TempFolder folder;
-        DatasetNames names = namesFor();
-        names.folders.insert("labels");
-        names.folders.insert("lists/of/" + inner);
-        {
-            auto claimed = DatasetFolder::claim(folder.path(), false);
-            ASSERT_TRUE(claimed);
-            EXPECT_EQ(claimed->begin(names, {}).has_value(), inner == "train");
-            EXPECT_NE(treeOf(folder.path()), std::set<std::string>{});
+    const test::TempFolder folder;
+    DatasetNames names = namesFor();
+    names.folders.insert("labels");
+    names.folders.insert("lists/of/train");
+    names.folders.insert("lists/of/" + std::string(300, 'x'));
+    {
+        auto claimed = DatasetFolder::claim(folder.path(), false);
+        ASSERT_TRUE(claimed);
+        ASSERT_TRUE(claimed->begin(names, {}));
+        writeJournal(folder.path(), names);
+        EXPECT_FALSE(claimed->makeFolders(names));
+        EXPECT_TRUE(fs::exists(folder.path() / "lists/of/train"));
+    }
+    EXPECT_EQ(treeOf(folder.path()), std::set<std::string>{});
+}
+
+// A killed export runs no destructor. Wherever it is killed, the next one must accept the folder.
+TEST(DatasetFolder, CanBeClaimedAgainAfterAKillAtAnyStep) {
+    for (const bool complete : {false, true}) {
+        for (int steps = 0; steps <= 3; ++steps) {
+            const test::TempFolder folder;
+            if (complete) (void)folder.write("dataset.json", kOurCard);
+            const pid_t child = ::fork();
+            if (child == 0) {
+                auto claimed = DatasetFolder::claim(folder.path(), complete);
+                bool good = claimed.has_value();
+                if (steps > 0) good = good && claimed->begin(namesFor(), {});
+                if (steps > 1) writeJournal(folder.path(), namesFor());
+                if (steps > 2) good = good && claimed->makeFolders(namesFor());
+                ::_exit(good ? 0 : 1);
+            }
+            int how = 0;
+            ASSERT_EQ(::waitpid(child, &how, 0), child);
+            ASSERT_EQ(how, 0);
+            const auto again = DatasetFolder::claim(folder.path(), false);
+            ASSERT_TRUE(again) << describe(again.error());
+            EXPECT_EQ(again->isComplete(), complete);
         }
-        EXPECT_EQ(treeOf(folder.path()), std::set<std::string>{});
     }
 }
 

@@ -91,7 +91,7 @@ Status listAll(const GuardedFolder& folder, const std::string& within, int level
 }  // namespace
 
 DatasetFolder::~DatasetFolder() {
-    if (isBegun()) return;
+    if (begun_) return;
     if (lock_.valid() && marked_) {
         for (const std::string& folder : std::views::reverse(made_within_)) {
             unfinished().removeEmpty(folder);
@@ -101,11 +101,6 @@ DatasetFolder::~DatasetFolder() {
         (void)folder_.remove(kJournalFile);
     }
     for (const fs::path& folder : made_around_) ::rmdir(folder.c_str());
-}
-
-bool DatasetFolder::isBegun() const {
-    struct stat journal {};
-    return lock_.valid() && ::fstat(lock_.get(), &journal) == 0 && journal.st_size > 0;
 }
 
 Result<DatasetFolder> DatasetFolder::claim(const fs::path& folder, bool overwrite,
@@ -270,6 +265,10 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
         staged_ = std::move(*staged);
         made_staged_ = true;
     }
+    return {};
+}
+
+Status DatasetFolder::makeFolders(const DatasetNames& names) {
     for (const std::string& folder : names.folders) {
         if (folder == kFoldFolder) continue;  // created with the first list, if any
         for (std::size_t end = 0; end != std::string::npos;) {
@@ -281,6 +280,7 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
             return tl::unexpected(made.error());
         }
     }
+    begun_ = true;
     return {};
 }
 

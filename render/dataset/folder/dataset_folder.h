@@ -29,8 +29,8 @@ class DatasetFolder {
     [[nodiscard]] static Result<DatasetFolder> claim(const std::filesystem::path& folder,
                                                      bool overwrite,
                                                      const std::filesystem::path& root = {});
-    /// Releases the lock. If no journal was begun, also removes the mark and the empty folders that
-    /// claim() and begin() created.
+    /// Releases the lock. Unless makeFolders() succeeded, also removes the mark and the empty
+    /// folders that this object created.
     ~DatasetFolder();
     DatasetFolder(DatasetFolder&&) = default;
     DatasetFolder& operator=(DatasetFolder&&) = delete;
@@ -59,9 +59,14 @@ class DatasetFolder {
     [[nodiscard]] Status checkSpace(std::uint64_t bytes, const std::set<std::string>& keep) const;
 
     /// Removes the files of an unfinished dataset, by the names in its journal, except frame files
-    /// in `keep` (relative paths). Creates the folders of the new dataset, which may write `names`.
-    /// Returns CannotWrite if that fails or a symbolic link is in the way.
+    /// in `keep` (relative paths), and chooses unfinished() for the new one, which may write
+    /// `names`. Returns CannotWrite if that fails or a symbolic link is in the way.
     [[nodiscard]] Status begin(const DatasetNames& names, const std::set<std::string>& keep);
+
+    /// Creates the folders of the new dataset. The journal's first line must be written: without
+    /// it, the folders of an export that was killed would look like another program's. Returns
+    /// CannotWrite if that fails.
+    [[nodiscard]] Status makeFolders(const DatasetNames& names);
 
     /// Makes the dataset in unfinished() the valid one; its dataset.json must be on disk. Removes
     /// those files of an earlier dataset that its dataset.json lists, moves the new files into
@@ -77,14 +82,13 @@ class DatasetFolder {
         const std::set<std::string>& keep) const;
     /// Whether the new dataset is already the valid one but not completely moved.
     [[nodiscard]] bool isMoving() const;
-    /// Whether the journal has its first line; from then on the export can be resumed.
-    [[nodiscard]] bool isBegun() const;
     [[nodiscard]] Status moveIntoPlace();
     [[nodiscard]] Status removeStaged();
 
     GuardedFolder folder_;
     std::optional<GuardedFolder> staged_;
     FileDescriptor lock_;  // the journal
+    bool begun_ = false;   // all folders were created
     // Created folders and marks, removed if the export ends early.
     bool marked_ = false;
     // Parent folders that claim() created, innermost first.

@@ -43,8 +43,8 @@ class Crash(FolderCase):
         """Returns whether the export was still running."""
         process = start("export", self.project, "--out", out, "--resume", *EVERYTHING)
         try:
-            process.communicate(timeout=seconds)
-            self.assertEqual(process.returncode, 0)
+            _, errors = process.communicate(timeout=seconds)
+            self.assertEqual(process.returncode, 0, errors)
             return False
         except subprocess.TimeoutExpired:
             process.kill()
