@@ -43,13 +43,9 @@ std::string licenseLines(const std::string& license) {
     return fmt::format("license: other\nlicense_name: {}\n", quoted(license));
 }
 
-bool hasMasks(const GatherCard& card) {
-    return card.order.layout == &kCocoLayout || card.order.layout == &kWebDatasetLayout;
-}
-
 std::vector<std::string> tasksOf(const GatherCard& card) {
     std::vector<std::string> tasks = {"object-detection"};
-    if (hasMasks(card)) tasks.emplace_back("image-segmentation");
+    if (card.order.layout->has_masks) tasks.emplace_back("image-segmentation");
     if (card.modalities.contains(kDepth)) tasks.emplace_back("depth-estimation");
     return tasks;
 }
@@ -189,7 +185,8 @@ std::string readmeText(const GatherCard& card) {
         "none. Merged from {} datasets with `dollytrack gather --format {}`.\n\n",
         order.title, scenes, order.product_version, allFrames(card.summary),
         card.sources.front().width, card.sources.front().height,
-        hasMasks(card) ? "a box and a mask" : "a box", card.sources.size(), order.layout->name);
+        card.order.layout->has_masks ? "a box and a mask" : "a box", card.sources.size(),
+        order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
     text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),
                         order.split.by_room

@@ -74,6 +74,7 @@ const LayoutKind kImageFolderLayout = {
     .name = "imagefolder",
     .text = "one folder of images per part with metadata.jsonl, for Hugging Face's imagefolder",
     .every_modality = false,
+    .has_masks = false,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<ImageFolderLayout>(std::move(input));
     },

@@ -18,9 +18,9 @@
 
 namespace dollytrack::gather {
 
-/// How a tar file is limited; whichever comes first.
+/// How a shard (a tar or Parquet file) is limited; whichever comes first.
 struct ShardLimits {
-    std::uint64_t bytes = 1'000'000'000;
+    std::uint64_t bytes = 0;
     std::size_t frames = 0;  // 0: any number
 };
 
@@ -54,16 +54,19 @@ struct LayoutKind {
     const char* name;
     const char* text;     // what it is, for people
     bool every_modality;  // depth and labels go with the images, where all datasets have them
+    bool has_masks;       // of the objects
     std::unique_ptr<Layout> (*make)(LayoutInput input);
     const char* how_to_read;  // in the dataset's README.md
     /// `path` of a part in the README's header, as in "{}-*.tar"; null: Hugging Face has no reader.
     const char* data_files;
+    std::uint64_t shard_bytes = 1'000'000'000;  // the default limit
 };
 
 extern const LayoutKind kYoloLayout;
 extern const LayoutKind kCocoLayout;
 extern const LayoutKind kImageFolderLayout;
 extern const LayoutKind kWebDatasetLayout;
+extern const LayoutKind kParquetLayout;
 
 [[nodiscard]] std::span<const LayoutKind* const> layouts();
 

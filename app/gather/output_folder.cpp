@@ -33,7 +33,7 @@ constexpr const char* kReplaced = "replaced.json";
 constexpr const char* kReplacedSums = "replaced.sums";
 constexpr int kMostFolderLevels = 16;
 // All folders that layouts create.
-constexpr std::array<const char*, 6> kLayoutFolders = {"images", "labels", "annotations",
+constexpr std::array<const char*, 7> kLayoutFolders = {"images", "labels", "annotations", "data",
                                                        "train",  "val",    "test"};
 constexpr std::array<const char*, 4> kLayoutFiles = {"README.md", "data.yaml", kSumsFile,
                                                      kGatherCard};

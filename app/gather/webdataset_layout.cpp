@@ -1,13 +1,9 @@
-#include "app/gather/layout.h"
+#include "app/gather/shard_layout.h"
 #include "app/gather/tar_header.h"
-#include "engine/jobs/parallel.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <functional>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +11,8 @@ namespace dollytrack::gather {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kTarEnd = 2 * kTarBlock;  // an archive ends with two empty blocks
 
 /// The contents of a frame's files by extension: "png", "depth.png", "json".
 using FrameMembers = std::vector<std::pair<std::string, std::string>>;
@@ -50,128 +48,53 @@ std::string describeFrame(const OpenedSource& source, std::size_t frame,
     return text + fmt::format(R"(,"objects":[{}]}})", objects);
 }
 
-class WebDatasetLayout : public Layout {
+/// A frame's key and files.
+struct WebDatasetSample {
+    std::string key;
+    FrameMembers members;
+};
+
+class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
   public:
-    explicit WebDatasetLayout(LayoutInput input) : input_(std::move(input)) {}
-
-    Status beginPart(PartIndex part) override {
-        part_ = kParts[part];
-        shard_ = 0;
-        to_pass_ = 0;
-        return passFinished();
-    }
-
-    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
-        const std::size_t passed = std::min(to_pass_, end - begin);
-        to_pass_ -= passed;
-        begin += passed;
-        std::vector<Result<FrameMembers>> frames(end - begin, FrameMembers());
-        Status appended;
-        // One thread writes and hashes the previous frames while the others read.
-        parallelFor(frames.size() + 1, [&](std::size_t i) {
-            if (i == 0) {
-                appended = appendWaiting();
-            } else if (!input_.job.cancelled()) {
-                frames[i - 1] = membersOf(source, begin + i - 1);
-            }
-        });
-        if (!appended) return appended;
-        for (std::size_t i = 0; i < frames.size() && !input_.job.cancelled(); ++i) {
-            if (!frames[i]) return tl::unexpected(frames[i].error());
-            waiting_.emplace_back(source.frameName(begin + i), std::move(*frames[i]));
-        }
-        return {};
-    }
-
-    Status endPart() override {
-        if (Status appended = appendWaiting(); !appended) return appended;
-        return file_ ? endShard() : Status();
-    }
+    explicit WebDatasetLayout(LayoutInput input) : ShardLayout(std::move(input)) {}
 
   private:
-    [[nodiscard]] std::string shardName() const {
-        return fmt::format("{}-{:06}.tar", part_, shard_);
+    [[nodiscard]] std::string shardName(std::size_t shard) const override {
+        return fmt::format("{}-{:06}.tar", part(), shard);
     }
 
-    /// Keeps the shards of an interrupted run up to the first missing or damaged one.
-    Status passFinished() {
-        for (;; ++shard_) {
-            const std::string name = shardName();
-            const auto done = std::ranges::find(input_.finished, name, &FinishedShard::name);
-            if (done == input_.finished.end()) return {};
-            if (sha256Within(input_.files.folder(), name, input_.job) != done->sha256) return {};
-            to_pass_ += done->frames;
-            if (Status status = input_.files.list(name, done->sha256); !status) return status;
-        }
-    }
-
-    Result<FrameMembers> membersOf(const OpenedSource& source, std::size_t frame) const {
-        FrameMembers members;
-        for (const std::string& modality : input_.modalities) {
+    [[nodiscard]] Result<WebDatasetSample> read(const OpenedSource& source,
+                                                std::size_t frame) const override {
+        WebDatasetSample sample{source.frameName(frame), {}};
+        for (const std::string& modality : input().modalities) {
             Result<std::string> bytes = readProven(source.file(modality, frame));
             if (!bytes) return tl::unexpected(bytes.error());
-            members.emplace_back(modality == kPicture ? "png" : modality + ".png",
-                                 std::move(*bytes));
+            sample.members.emplace_back(modality == kPicture ? "png" : modality + ".png",
+                                        std::move(*bytes));
         }
-        members.emplace_back("json", describeFrame(source, frame, input_.classes));
-        return members;
+        sample.members.emplace_back("json", describeFrame(source, frame, input().classes));
+        return sample;
     }
 
-    Status appendWaiting() {
-        Status status;
-        for (const auto& [key, members] : waiting_) {
-            if (status) status = append(key, members);
-        }
-        waiting_.clear();
-        return status;
+    [[nodiscard]] std::uint64_t bytesWith(const WebDatasetSample& sample) const override {
+        std::uint64_t bytes = file().size() + kTarEnd;
+        for (const auto& [ending, content] : sample.members) bytes += tarBytes(content.size());
+        return bytes;
     }
 
-    Status append(const std::string& key, const FrameMembers& members) {
-        std::uint64_t bytes = 0;
-        for (const auto& [ending, content] : members) bytes += tarBytes(content.size());
-        constexpr std::uint64_t kEnd = 2 * kTarBlock;
-        const ShardLimits& limits = input_.shards;
-        if (file_ && (file_->size() + bytes + kEnd > limits.bytes ||
-                      (limits.frames > 0 && frames_ >= limits.frames))) {
-            if (Status status = endShard(); !status) return status;
-        }
-        if (!file_) {
-            Result<HashingFileWriter> file =
-                HashingFileWriter::create(input_.files.folder(), shardName());
-            if (!file) return tl::unexpected(file.error());
-            file_.emplace(std::move(*file));
-            frames_ = 0;
-        }
+    [[nodiscard]] Status append(const WebDatasetSample& sample) override {
         Status status;
-        for (const auto& [ending, content] : members) {
-            const auto header = tarHeader(key + "." + ending, content.size());
-            if (status) status = file_->write(std::string_view(header.data(), header.size()));
-            if (status) status = file_->write(content);
+        for (const auto& [ending, content] : sample.members) {
+            const auto header = tarHeader(sample.key + "." + ending, content.size());
+            if (status) status = file().write(std::string_view(header.data(), header.size()));
+            if (status) status = file().write(content);
             const std::size_t padding = tarBytes(content.size()) - kTarBlock - content.size();
-            if (status) status = file_->write(std::string(padding, '\0'));
+            if (status) status = file().write(std::string(padding, '\0'));
         }
-        ++frames_;
         return status;
     }
 
-    Status endShard() {
-        if (Status status = file_->write(std::string(2 * kTarBlock, '\0')); !status) return status;
-        Result<std::string> sha256 = file_->finish();
-        if (!sha256) return tl::unexpected(sha256.error());
-        file_.reset();
-        const FinishedShard shard{shardName(), frames_, std::move(*sha256)};
-        ++shard_;
-        if (Status status = input_.files.list(shard.name, shard.sha256); !status) return status;
-        return input_.on_shard(shard);
-    }
-
-    LayoutInput input_;
-    std::string part_;
-    std::size_t shard_ = 0;    // number within the part
-    std::size_t frames_ = 0;   // in the current shard
-    std::size_t to_pass_ = 0;  // frames in finished shards, to be skipped
-    std::vector<std::pair<std::string, FrameMembers>> waiting_;  // frames read but not yet written
-    std::optional<HashingFileWriter> file_;
+    [[nodiscard]] Status endFile() override { return file().write(std::string(kTarEnd, '\0')); }
 };
 
 }  // namespace
@@ -181,6 +104,7 @@ const LayoutKind kWebDatasetLayout = {
     .text =
         "tar files of similar size, in which each frame is KEY.png, KEY.depth.png ..., KEY.json",
     .every_modality = true,
+    .has_masks = true,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<WebDatasetLayout>(std::move(input));
     },

@@ -68,6 +68,7 @@ const LayoutKind kYoloLayout = {
     .name = "yolo",
     .text = "images in images/, boxes in labels/, and data.yaml, for Ultralytics",
     .every_modality = false,
+    .has_masks = false,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<YoloLayout>(std::move(input));
     },

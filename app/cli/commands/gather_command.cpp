@@ -5,6 +5,7 @@
 #include "engine/core/name_pattern.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -22,7 +23,7 @@ struct GatherArguments {
     std::string layout;
     std::vector<std::string> split;
     std::string class_map;
-    std::string shard_size = "1GB";
+    std::string shard_size;
     std::string out;
     bool as_json = false;
 };
@@ -56,7 +57,8 @@ Status readGatherArguments(GatherArguments& arguments) {
     const std::uint64_t seed = order.split.seed;
     order.split = *parsed;
     order.split.seed = seed;
-    const std::optional<std::uint64_t> bytes = bytesOf(arguments.shard_size);
+    const std::optional<std::uint64_t> bytes =
+        arguments.shard_size.empty() ? order.layout->shard_bytes : bytesOf(arguments.shard_size);
     if (!bytes) {
         return fail(ErrorCode::Usage,
                     "A size is a number with the unit kB, MB or GB, such as 500MB or 1GB.",
@@ -137,7 +139,7 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
     command.add_option("--format", arguments.layout, "Layout of the files")
         ->required()
         ->transform(CLI::IsMember(names, CLI::ignore_case))
-        ->type_name("yolo|coco|imagefolder|webdataset");
+        ->type_name(fmt::format("{}", fmt::join(names, "|")));
     command
         .add_option("--split", arguments.split,
                     "'none' (default), or 'by-room' with the shares of train, val and test in % "
@@ -154,12 +156,13 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
         ->type_name("FILE");
     command.add_flag("--mixed-lenses", order.mixed_lenses,
                      "Datasets may have different focal lengths; sizes must agree");
-    command.add_option("--shard-size", arguments.shard_size, "Largest tar file of webdataset")
-        ->capture_default_str()
+    command
+        .add_option("--shard-size", arguments.shard_size,
+                    "Largest file of webdataset (default 1GB) and parquet (default 500MB)")
         ->type_name("SIZE");
     command
         .add_option("--shard-frames", order.shards.frames,
-                    "Most frames of a tar file; 0: any number")
+                    "Most frames of such a file; 0: any number")
         ->capture_default_str()
         ->check(CLI::Range(0, 100'000'000).description(""));
     command

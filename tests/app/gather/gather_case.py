@@ -1,10 +1,13 @@
 """The datasets that the tests of `gather` share, and checks of every gathered folder."""
 import hashlib
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import tempfile
+
+import numpy as np
 
 from support import tiny_room
 from support.program import FolderCase, hashes, run
@@ -17,6 +20,32 @@ PARTS = ["train", "val", "test"]
 def sums_of(folder):
     """SHA256SUMS as a dict of hashes by name."""
     return {line[66:]: line[:64] for line in (folder / "SHA256SUMS").read_text().splitlines()}
+
+
+def mask_of(segmentation):
+    """The pixels of COCO's compressed run lengths, decoded by their specification."""
+    counts, value, shift = [], 0, 0
+    for char in segmentation["counts"].encode():
+        bits = char - 48
+        value |= (bits & 31) << shift
+        shift += 5
+        if bits & 32:
+            continue
+        if bits & 16:
+            value -= 1 << shift
+        counts.append(value + counts[-2] if len(counts) > 2 else value)
+        value, shift = 0, 0
+    height, width = segmentation["size"]
+    pixels = np.repeat(np.arange(len(counts)) % 2, counts)
+    return pixels.reshape(width, height).T
+
+
+def rotation(xyzw):
+    """The matrix of a quaternion."""
+    x, y, z, w = xyzw
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                     [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
 
 
 class GatherCase(FolderCase):
@@ -88,6 +117,21 @@ class GatherCase(FolderCase):
         rows = json.loads((folder / "annotations.json").read_text())["annotations"]
         return [(row["category_id"], row["bbox"], row["object_id"]) for row in rows
                 if row["image_id"] == index + 1]
+
+    def many(self):
+        """Many frames, as hard links to a dataset's files, so that gathering can be interrupted."""
+        around = self.folder / "many"
+        for number in range(0 if around.exists() else 100):
+            self.copy_as(self.datasets / "room_1", around / f"copy_{number}", 100 + number, os.link)
+        return around
+
+    @staticmethod
+    def replace_listed(dataset, name, content):
+        """Replaces a file of a dataset and its hash in dataset.json."""
+        (dataset / name).write_bytes(content)
+        card = json.loads((dataset / "dataset.json").read_text())
+        card["files"][name] = hashlib.sha256(content).hexdigest()
+        (dataset / "dataset.json").write_text(json.dumps(card))
 
     def damaged(self, damage):
         """Two datasets, the second of them damaged."""

@@ -14,26 +14,8 @@ import cv2
 import numpy as np
 import yaml
 
-from gather_case import PARTS, GatherCase
+from gather_case import PARTS, GatherCase, mask_of
 from support.program import run
-
-
-def mask_of(segmentation):
-    """The pixels of COCO's compressed run lengths, decoded by their specification."""
-    counts, value, shift = [], 0, 0
-    for char in segmentation["counts"].encode():
-        bits = char - 48
-        value |= (bits & 31) << shift
-        shift += 5
-        if bits & 32:
-            continue
-        if bits & 16:
-            value -= 1 << shift
-        counts.append(value + counts[-2] if len(counts) > 2 else value)
-        value, shift = 0, 0
-    height, width = segmentation["size"]
-    pixels = np.repeat(np.arange(len(counts)) % 2, counts)
-    return pixels.reshape(width, height).T
 
 
 class Gather(GatherCase):
