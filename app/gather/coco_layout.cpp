@@ -122,7 +122,8 @@ const LayoutKind kCocoLayout = {
     .text =
         "one folder of images per part, and annotations/instances_PART.json with boxes and masks",
     .every_modality = false,
-    .has_masks = true,
+    .contents = kBoxesAndMasks,
+    .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<CocoLayout>(std::move(input));
     },

@@ -62,6 +62,9 @@ Status checkOut(const GatherOrder& order, const std::vector<FoundDataset>& found
 /// Chooses the layout's modalities that all datasets have, and warns of the others.
 void chooseModalities(const GatherOrder& order, Gathered& all) {
     all.modalities = {kPicture};
+    for (const char* name : order.layout->required) {
+        if (isModality(name)) all.modalities.insert(name);
+    }
     if (!order.layout->every_modality) return;
     for (const char* modality : {kDepth, kInstance, kSemantic}) {
         const auto lacking = std::ranges::find_if(
@@ -130,6 +133,12 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     if (order.layout->every_modality) {
         needs.modalities = {kPicture, kDepth, kInstance, kSemantic};
     }
+    const LayoutKind& layout = *order.layout;
+    needs.required.assign(layout.required.begin(), layout.required.end());
+    needs.copied.assign(layout.copied.begin(), layout.copied.end());
+    for (const std::string& name : needs.required) {
+        if (isModality(name)) needs.modalities.insert(name);
+    }
     needs.mixed_lenses = order.mixed_lenses;
     needs.prove = order.skip_damaged;
     SourceReader reader(needs);
@@ -152,6 +161,8 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
         return fail(ErrorCode::BadInput, "All datasets are unfinished or damaged.",
                     order.datasets.front());
     }
+    const std::vector<std::size_t> scenes = scenesOf(all.sources);
+    for (std::size_t i = 0; i < scenes.size(); ++i) all.sources[i].scene_number = scenes[i];
     chooseModalities(order, all);
     all.conventions = reader.conventions();
     for (const char* modality : {kDepth, kInstance}) {
@@ -251,13 +262,12 @@ class PartWriter {
     }
 
     Status write(Layout& layout) {
-        const std::vector<std::size_t> scenes = scenesOf(all_.sources);
         for (const PartIndex part : partsOf(part_of_)) {
             if (Status status = layout.beginPart(part); !status) return status;
             std::set<std::size_t> in_part;
             for (std::size_t i = 0; i < all_.sources.size(); ++i) {
                 if (part_of_[i] != part) continue;
-                in_part.insert(scenes[i]);
+                in_part.insert(all_.sources[i].scene_number);
                 if (Status status = add(layout, all_.sources[i], summary_.parts[part]); !status) {
                     return status;
                 }

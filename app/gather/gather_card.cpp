@@ -44,8 +44,8 @@ std::string licenseLines(const std::string& license) {
 }
 
 std::vector<std::string> tasksOf(const GatherCard& card) {
-    std::vector<std::string> tasks = {"object-detection"};
-    if (card.order.layout->has_masks) tasks.emplace_back("image-segmentation");
+    const auto of_layout = card.order.layout->tasks;
+    std::vector<std::string> tasks(of_layout.begin(), of_layout.end());
     if (card.modalities.contains(kDepth)) tasks.emplace_back("depth-estimation");
     return tasks;
 }
@@ -150,7 +150,6 @@ std::string gatherJson(const GatherCard& card) {
     }
     root["classes"] = std::move(classes);
     if (order.class_map) root["class_map"] = *order.class_map;
-    const std::vector<std::size_t> scenes = scenesOf(card.sources);
     Json sources = Json::array();
     for (std::size_t i = 0; i < card.sources.size(); ++i) {
         const Source& one = card.sources[i];
@@ -158,7 +157,7 @@ std::string gatherJson(const GatherCard& card) {
                            {"part", kParts[card.part_of[i]]},
                            {"frames", one.frames},
                            {"scene", one.scene},
-                           {"scene_number", scenes[i]},
+                           {"scene_number", one.scene_number},
                            {"scene_sha256", one.scene_sha256},
                            {"geometry_sha256", one.geometry_sha256},
                            {"dataset_json_sha256", one.card_sha256},
@@ -181,12 +180,10 @@ std::string readmeText(const GatherCard& card) {
     std::string text = headerOf(card);
     text += fmt::format(
         "\n# {}\n\nImages of {} indoor scenes rendered with labels by Dollytrack {}: {} frames of "
-        "{} x {} px with {} of each visible target object; walls, floors and excluded objects have "
-        "none. Merged from {} datasets with `dollytrack gather --format {}`.\n\n",
+        "{} x {} px with {}. Merged from {} datasets with `dollytrack gather --format {}`.\n\n",
         order.title, scenes, order.product_version, allFrames(card.summary),
-        card.sources.front().width, card.sources.front().height,
-        card.order.layout->has_masks ? "a box and a mask" : "a box", card.sources.size(),
-        order.layout->name);
+        card.sources.front().width, card.sources.front().height, order.layout->contents,
+        card.sources.size(), order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
     text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),
                         order.split.by_room

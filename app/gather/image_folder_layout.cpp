@@ -74,7 +74,8 @@ const LayoutKind kImageFolderLayout = {
     .name = "imagefolder",
     .text = "one folder of images per part with metadata.jsonl, for Hugging Face's imagefolder",
     .every_modality = false,
-    .has_masks = false,
+    .contents = kBoxes,
+    .tasks = kBoxTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<ImageFolderLayout>(std::move(input));
     },

@@ -3,8 +3,8 @@
 namespace dollytrack::gather {
 
 std::span<const LayoutKind* const> layouts() {
-    static constexpr std::array kAll = {&kYoloLayout, &kCocoLayout, &kImageFolderLayout,
-                                        &kWebDatasetLayout, &kParquetLayout};
+    static constexpr std::array kAll = {&kYoloLayout,       &kCocoLayout,    &kImageFolderLayout,
+                                        &kWebDatasetLayout, &kParquetLayout, &kBopLayout};
     return kAll;
 }
 

@@ -49,17 +49,27 @@ class Layout {
     [[nodiscard]] virtual Status finish(std::span<const PartIndex> /*parts*/) { return {}; }
 };
 
+inline constexpr const char* kBoxes =
+    "a box of each visible target object; walls, floors and excluded objects have none";
+inline constexpr const char* kBoxesAndMasks =
+    "a box and a mask of each visible target object; walls, floors and excluded objects have none";
+inline constexpr std::array<const char*, 1> kBoxTasks = {"object-detection"};
+inline constexpr std::array<const char*, 2> kMaskTasks = {"object-detection", "image-segmentation"};
+
 /// A layout by its name on the command line.
 struct LayoutKind {
     const char* name;
-    const char* text;     // what it is, for people
-    bool every_modality;  // depth and labels go with the images, where all datasets have them
-    bool has_masks;       // of the objects
+    const char* text;      // what it is, for people
+    bool every_modality;   // depth and labels go with the images, where all datasets have them
+    const char* contents;  // of each frame, in README.md
+    std::span<const char* const> tasks;  // Hugging Face's names of what can be trained with it
     std::unique_ptr<Layout> (*make)(LayoutInput input);
     const char* how_to_read;  // in the dataset's README.md
     /// `path` of a part in the README's header, as in "{}-*.tar"; null: Hugging Face has no reader.
     const char* data_files;
-    std::uint64_t shard_bytes = 1'000'000'000;  // the default limit
+    std::uint64_t shard_bytes = 1'000'000'000;   // the default limit
+    std::span<const char* const> required = {};  // modalities and formats of each dataset
+    std::span<const char* const> copied = {};    // beginnings of names of files besides images
 };
 
 extern const LayoutKind kYoloLayout;
@@ -67,6 +77,7 @@ extern const LayoutKind kCocoLayout;
 extern const LayoutKind kImageFolderLayout;
 extern const LayoutKind kWebDatasetLayout;
 extern const LayoutKind kParquetLayout;
+extern const LayoutKind kBopLayout;
 
 [[nodiscard]] std::span<const LayoutKind* const> layouts();
 

@@ -67,10 +67,22 @@ std::string OpenedSource::frameName(std::size_t frame) const {
     return fmt::format("{}_{:06}", source.name, frame);
 }
 
-SourceFile OpenedSource::file(std::string_view modality, std::size_t frame) const {
-    const std::string name = frameFileOf(modality, frame);
+SourceFile OpenedSource::file(const std::string& name) const {
     const auto listed = dataset.sha256s.find(name);
     return {source.folder / name, listed == dataset.sha256s.end() ? "" : listed->second};
+}
+
+std::vector<std::string> OpenedSource::filesOf(const std::string& folder, std::size_t frame) const {
+    const std::string beginning = fmt::format("{}/{:06}", folder, frame);
+    std::vector<std::string> names;
+    for (auto at = dataset.sha256s.lower_bound(beginning);
+         at != dataset.sha256s.end() && at->first.starts_with(beginning); ++at) {
+        const std::string name = at->first.substr(folder.size() + 1);
+        const char next = at->first.c_str()[beginning.size()];
+        const bool is_longer_number = next >= '0' && next <= '9';
+        if (!is_longer_number && name.find('/') == std::string::npos) names.push_back(name);
+    }
+    return names;
 }
 
 Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace dollytrack::gather {
@@ -30,8 +29,11 @@ struct OpenedSource {
 
     /// "kitchen_000012": what the frame is called in the gathered dataset.
     [[nodiscard]] std::string frameName(std::size_t frame) const;
-    /// The frame's file of a modality, which dataset.json lists.
-    [[nodiscard]] SourceFile file(std::string_view modality, std::size_t frame) const;
+    /// A file that dataset.json lists.
+    [[nodiscard]] SourceFile file(const std::string& name) const;
+    /// The names of the frame's files in a folder, which begin with its six digits; in order.
+    [[nodiscard]] std::vector<std::string> filesOf(const std::string& folder,
+                                                   std::size_t frame) const;
 };
 
 /// Reads dataset.json and annotations.json. Error: BadInput where a file is damaged, or has changed

@@ -70,52 +70,76 @@ Status OutputFiles::write(const std::string& folder,
     return status;
 }
 
-Result<bool> OutputFiles::linkPicture(const OpenedSource& source, std::size_t frame,
-                                      const GuardedFolder& to) const {
+Result<bool> OutputFiles::linkFile(const OpenedSource& source, const FileCopy& file,
+                                   const GuardedFolder& to) const {
     // Both paths are resolved from the root without following symbolic links.
     const Result<GuardedFolder> root = GuardedFolder::open("/");
     if (!root) return tl::unexpected(root.error());
     std::error_code error;
-    const fs::path from = fs::canonical(source.source.folder, error) / frameFileOf(kPicture, frame);
-    const fs::path link = fs::canonical(to.path(), error) / pictureNameOf(source, frame);
+    const fs::path from = fs::canonical(source.source.folder, error) / file.from;
+    const fs::path link = fs::canonical(to.path(), error) / file.name;
     if (error) return false;
     const auto found = root->find(from.relative_path().string());
     if (!found || !S_ISREG(found->st_mode)) return false;
-    if (Status whole = prove(source.file(kPicture, frame)); !whole) {
-        return tl::unexpected(whole.error());
-    }
+    if (Status whole = prove(source.file(file.from)); !whole) return tl::unexpected(whole.error());
     const Status linked = root->link(from.relative_path().string(), link.relative_path().string());
     if (!linked) return tl::unexpected(linked.error());
     return true;
 }
 
-Status OutputFiles::copyPicture(const OpenedSource& source, std::size_t frame,
-                                const GuardedFolder& to, const JobContext& job) const {
-    const SourceFile file = source.file(kPicture, frame);
-    const std::string name = pictureNameOf(source, frame);
-    if (settings_.resume && sha256Within(to, name, job) == file.sha256) return {};
+Status OutputFiles::copyFile(const OpenedSource& source, const FileCopy& file,
+                             const GuardedFolder& to, const JobContext& job) const {
+    const SourceFile from = source.file(file.from);
+    if (settings_.resume && sha256Within(to, file.name, job) == from.sha256) return {};
     if (settings_.hard_links) {
-        const Result<bool> linked = linkPicture(source, frame, to);
+        const Result<bool> linked = linkFile(source, file, to);
         if (!linked) return tl::unexpected(linked.error());
         if (*linked) return {};
     }
-    return copyProven(file, to, name);
+    return copyProven(from, to, file.name);
+}
+
+Status OutputFiles::copyFiles(const OpenedSource& source, const std::vector<FileCopy>& files,
+                              const std::string& folder, const JobContext& job) {
+    const Result<GuardedFolder> to = folder_.makeWithin(folder);
+    if (!to) return tl::unexpected(to.error());
+    std::vector<Status> copied(files.size());
+    parallelFor(files.size(), [&](std::size_t i) {
+        if (!job.cancelled()) copied[i] = copyFile(source, files[i], *to, job);
+    });
+    Status status = firstError(copied);
+    for (const FileCopy& file : files) {
+        if (status) status = list(folder + "/" + file.name, source.file(file.from).sha256);
+    }
+    return status;
+}
+
+Status OutputFiles::copyFrames(const OpenedSource& source, const std::string& from,
+                               std::size_t begin, std::size_t end,
+                               const std::function<std::size_t(std::size_t)>& count,
+                               const std::string& folder, const JobContext& job) {
+    std::vector<FileCopy> files;
+    for (std::size_t frame = begin; frame < end; ++frame) {
+        const std::vector<std::string> names = source.filesOf(from, frame);
+        if (names.size() != count(frame)) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("dataset.json lists {} files of frame {} in {}, not {}; export "
+                                    "the dataset again, or leave it out with --skip-damaged.",
+                                    names.size(), frame, from, count(frame)),
+                        source.source.folder.string());
+        }
+        for (const std::string& name : names) files.push_back({from + "/" + name, name});
+    }
+    return copyFiles(source, files, folder, job);
 }
 
 Status OutputFiles::copyPictures(const OpenedSource& source, std::size_t begin, std::size_t end,
                                  const std::string& folder, const JobContext& job) {
-    const Result<GuardedFolder> to = folder_.makeWithin(folder);
-    if (!to) return tl::unexpected(to.error());
-    std::vector<Status> copied(end - begin);
-    parallelFor(end - begin, [&](std::size_t i) {
-        if (!job.cancelled()) copied[i] = copyPicture(source, begin + i, *to, job);
-    });
-    Status status = firstError(copied);
-    for (std::size_t frame = begin; status && frame < end; ++frame) {
-        status =
-            list(folder + "/" + pictureNameOf(source, frame), source.file(kPicture, frame).sha256);
+    std::vector<FileCopy> pictures;
+    for (std::size_t frame = begin; frame < end; ++frame) {
+        pictures.push_back({frameFileOf(kPicture, frame), pictureNameOf(source, frame)});
     }
-    return status;
+    return copyFiles(source, pictures, folder, job);
 }
 
 Result<std::string> OutputFiles::finish() {

@@ -35,8 +35,8 @@ constexpr int kMostFolderLevels = 16;
 // All folders that layouts create.
 constexpr std::array<const char*, 7> kLayoutFolders = {"images", "labels", "annotations", "data",
                                                        "train",  "val",    "test"};
-constexpr std::array<const char*, 4> kLayoutFiles = {"README.md", "data.yaml", kSumsFile,
-                                                     kGatherCard};
+constexpr std::array<const char*, 6> kLayoutFiles = {"README.md",  "data.yaml", "camera.json",
+                                                     "index.json", kSumsFile,   kGatherCard};
 
 std::string below(const std::string& folder, const std::string& name) {
     return folder.empty() ? name : folder + "/" + name;

@@ -173,7 +173,7 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
                        source.dataset.lens,      stored.time_s,      stored.pose,         {},
                        source.annotations[frame]};
         for (const std::string& modality : input().modalities) {
-            Result<std::string> bytes = readProven(source.file(modality, frame));
+            Result<std::string> bytes = readProven(source.file(frameFileOf(modality, frame)));
             if (!bytes) return tl::unexpected(bytes.error());
             row.images.push_back(std::move(*bytes));
         }
@@ -277,7 +277,8 @@ const LayoutKind kParquetLayout = {
     .name = "parquet",
     .text = "Parquet files for the Hugging Face Hub: a table of frames with images and objects",
     .every_modality = true,
-    .has_masks = true,
+    .contents = kBoxesAndMasks,
+    .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<ParquetLayout>(std::move(input));
     },

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 
@@ -31,6 +32,10 @@ tl::unexpected<Error> notUsable(const fs::path& folder, const std::string& lacki
 
 }  // namespace
 
+bool isModality(std::string_view name) {
+    return std::ranges::find(kModalities, name) != kModalities.end();
+}
+
 std::string frameFileOf(std::string_view modality, std::size_t frame) {
     return fmt::format("{}/{:06}.png", modality, frame);
 }
@@ -55,6 +60,9 @@ Json SourceReader::conventionsOf(const verify::StoredDataset& dataset) const {
         // Class masks follow from the class tables, which are compared separately.
         if (modality == kSemantic || !dataset.has(modality)) continue;
         shared[modality] = dataset.convention(modality);
+    }
+    for (const std::string& format : needs_.required) {
+        if (!isModality(format)) shared[format] = dataset.convention(format);
     }
     return shared;
 }
@@ -148,6 +156,12 @@ Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& so
             status = add(frameFileOf(modality, frame));
         }
     }
+    for (const std::string& beginning : needs_.copied) {
+        for (auto at = dataset.sha256s.lower_bound(beginning);
+             status && at != dataset.sha256s.end() && at->first.starts_with(beginning); ++at) {
+            status = add(at->first);
+        }
+    }
     if (!status || files.empty()) return status;
     std::vector<Status> proven(files.size());
     parallelFor(files.size(), [&](std::size_t i) {
@@ -173,6 +187,12 @@ Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job)
         return notUsable(folder, "colour images", "--modalities rgb");
     }
     if (!dataset->has("coco")) return notUsable(folder, kAnnotationFile, "--formats coco");
+    for (const std::string& name : needs_.required) {
+        if (dataset->has(name)) continue;
+        return isModality(name)
+                   ? notUsable(folder, name + " images", "--modalities rgb," + name)
+                   : notUsable(folder, "files in the format " + name, "--formats coco," + name);
+    }
     damaged_ = true;
     if (Status whole = checkFiles(*dataset, *source, job); !whole) {
         return tl::unexpected(whole.error());

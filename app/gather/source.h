@@ -42,6 +42,7 @@ struct Source {
     int width = 0;                                  // px
     int height = 0;                                 // px
     std::set<std::string> modalities;               // of those that can be gathered
+    std::size_t scene_number = 0;                   // as scenesOf() numbers them
     std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
 
     [[nodiscard]] const ClassTable& classes() const {
@@ -51,9 +52,11 @@ struct Source {
 
 /// Which files of a dataset are gathered, and what they must have in common with the others'.
 struct SourceNeeds {
-    std::set<std::string> modalities;  // of each frame, where the dataset has them
-    bool mixed_lenses = false;         // datasets may have different focal lengths
-    bool prove = false;                // read all files and compare their hashes
+    std::set<std::string> modalities;   // of each frame, where the dataset has them
+    std::vector<std::string> required;  // modalities and formats without which it is refused
+    std::vector<std::string> copied;    // beginnings of the names of other files
+    bool mixed_lenses = false;          // datasets may have different focal lengths
+    bool prove = false;                 // read all files and compare their hashes
 };
 
 /// Reads datasets and compares each with the first.
@@ -84,6 +87,9 @@ class SourceReader {
     nlohmann::ordered_json conventions_;
     std::map<std::string, std::shared_ptr<const ClassTable>> tables_;  // by their text
 };
+
+/// Whether a name is that of an image kind that can be gathered.
+[[nodiscard]] bool isModality(std::string_view name);
 
 /// A frame's file of a modality: "rgb/000012.png".
 [[nodiscard]] std::string frameFileOf(std::string_view modality, std::size_t frame);

@@ -67,7 +67,7 @@ class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
                                                 std::size_t frame) const override {
         WebDatasetSample sample{source.frameName(frame), {}};
         for (const std::string& modality : input().modalities) {
-            Result<std::string> bytes = readProven(source.file(modality, frame));
+            Result<std::string> bytes = readProven(source.file(frameFileOf(modality, frame)));
             if (!bytes) return tl::unexpected(bytes.error());
             sample.members.emplace_back(modality == kPicture ? "png" : modality + ".png",
                                         std::move(*bytes));
@@ -104,7 +104,8 @@ const LayoutKind kWebDatasetLayout = {
     .text =
         "tar files of similar size, in which each frame is KEY.png, KEY.depth.png ..., KEY.json",
     .every_modality = true,
-    .has_masks = true,
+    .contents = kBoxesAndMasks,
+    .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<WebDatasetLayout>(std::move(input));
     },

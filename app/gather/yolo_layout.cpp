@@ -68,7 +68,8 @@ const LayoutKind kYoloLayout = {
     .name = "yolo",
     .text = "images in images/, boxes in labels/, and data.yaml, for Ultralytics",
     .every_modality = false,
-    .has_masks = false,
+    .contents = kBoxes,
+    .tasks = kBoxTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<YoloLayout>(std::move(input));
     },

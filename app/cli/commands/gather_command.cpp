@@ -203,7 +203,8 @@ void addGatherCommand(CLI::App& app, Session& session) {
         ->type_name("DIR");
     addGatherOptions(*command, *arguments);
     command->footer(
-        "Datasets need the modality rgb and the format coco, which 'export' writes by default.\n"
+        "Datasets need the modality rgb and the format coco, which 'export' writes by default;\n"
+        "bop also needs the modality depth and the format bop.\n"
         "Files are copied unchanged, and each copy is checked by its hash. The result has "
         "README.md\n"
         "(a dataset card for Hugging Face), gather.json (sources, parts, classes) and SHA256SUMS.\n"
