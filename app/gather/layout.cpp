@@ -4,7 +4,8 @@ namespace dollytrack::gather {
 
 std::span<const LayoutKind* const> layouts() {
     static constexpr std::array kAll = {&kYoloLayout,       &kCocoLayout,    &kImageFolderLayout,
-                                        &kWebDatasetLayout, &kParquetLayout, &kBopLayout};
+                                        &kWebDatasetLayout, &kParquetLayout, &kBopLayout,
+                                        &kTartanAirLayout};
     return kAll;
 }
 

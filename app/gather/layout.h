@@ -78,6 +78,7 @@ extern const LayoutKind kImageFolderLayout;
 extern const LayoutKind kWebDatasetLayout;
 extern const LayoutKind kParquetLayout;
 extern const LayoutKind kBopLayout;
+extern const LayoutKind kTartanAirLayout;
 
 [[nodiscard]] std::span<const LayoutKind* const> layouts();
 

@@ -204,7 +204,7 @@ void addGatherCommand(CLI::App& app, Session& session) {
     addGatherOptions(*command, *arguments);
     command->footer(
         "Datasets need the modality rgb and the format coco, which 'export' writes by default;\n"
-        "bop also needs the modality depth and the format bop.\n"
+        "bop also needs the modality depth and the format bop, tartanair the format tartanair.\n"
         "Files are copied unchanged, and each copy is checked by its hash. The result has "
         "README.md\n"
         "(a dataset card for Hugging Face), gather.json (sources, parts, classes) and SHA256SUMS.\n"

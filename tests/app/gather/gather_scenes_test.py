@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""BOP, a layout of one folder per scene, read by the rules of its readers.
+"""Layouts of one folder per scene, BOP and TartanAir, read by the rules of their readers.
 
 Usage: gather_scenes_test.py PROGRAM [unittest arguments]
 """
@@ -11,7 +11,7 @@ import unittest
 import cv2
 import numpy as np
 
-from gather_case import PARTS, GatherCase
+from gather_case import PARTS, GatherCase, rotation
 from support.program import hashes, run
 
 SPLIT = ["--split", "by-room", "60/20/20"]
@@ -20,10 +20,13 @@ SPLIT = ["--split", "by-room", "60/20/20"]
 class Scenes(GatherCase):
     @classmethod
     def export(cls, project, out, *arguments):
-        super().export(project, out, "--formats", "coco,bop", *arguments)
+        super().export(project, out, "--formats", "coco,bop,tartanair", *arguments)
 
     def folder_of(self, name):
         return self.datasets / ("again/dataset" if name == "again" else name)
+
+    def part_of(self, out, name):
+        return next(one["part"] for one in self.card(out)["sources"] if one["name"] == name)
 
     def assert_copied(self, folder, source, inner):
         """The files of a folder are those of the source dataset."""
@@ -109,7 +112,51 @@ class Scenes(GatherCase):
                           datasets=[self.datasets / "room_0", wide])
         self.assertFalse((out / "camera.json").exists())
 
-    # --- refused and interrupted
+    # --- TartanAir
+
+    def test_tartanair_trajectories(self):
+        out = self.gather("--format", "tartanair", *SPLIT)
+        folders = {f"room_{i}": f"room_{i}/Easy/P000" for i in range(1, 6)}
+        # The first two datasets are of one scene.
+        folders.update({"again": "again/Easy/P000", "room_0": "again/Easy/P001"})
+        found = {str(path.relative_to(out / part))
+                 for part in PARTS for path in (out / part).glob("*/*/*")}
+        self.assertEqual(found, set(folders.values()))
+        for name, inner in folders.items():
+            folder, source = out / self.part_of(out, name) / inner, self.folder_of(name)
+            frames = json.loads((source / "dataset.json").read_text())["frames"]
+            poses = np.loadtxt(folder / "pose_left.txt")
+            self.assertEqual(poses.shape, (len(frames), 7))
+            self.assertEqual(len(list((folder / "flow").iterdir())), 2 * (len(frames) - 1))
+            for index, (frame, pose) in enumerate(zip(frames, poses)):
+                # North, east, down to x, -y, -z; forward, right, down to the camera's axes.
+                np.testing.assert_allclose(pose[:3] * [1, -1, -1], frame["position"], atol=1e-6)
+                camera = np.diag([1, -1, -1]) @ rotation(pose[3:]) @ np.array(
+                    [[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+                np.testing.assert_allclose(camera, rotation(frame["quaternion_xyzw"]), atol=1e-6)
+                png = cv2.imread(str(source / "depth" / f"{index:06}.png"), cv2.IMREAD_UNCHANGED)
+                depth = np.load(folder / "depth_left" / f"{index:06}_left_depth.npy")
+                self.assertEqual(depth.dtype, np.float32)
+                self.assertLess(np.abs(depth * 1000 - png)[png > 0].max(), 0.51)
+                classes = np.load(folder / "seg_left" / f"{index:06}_left_seg.npy")
+                semantic = cv2.imread(str(source / "semantic" / f"{index:06}.png"),
+                                      cv2.IMREAD_UNCHANGED)
+                np.testing.assert_array_equal(classes, semantic)
+                for image, rgb in [(folder / "image_left" / f"{index:06}_left.png",
+                                    source / "rgb" / f"{index:06}.png")]:
+                    np.testing.assert_array_equal(cv2.imread(str(image)), cv2.imread(str(rgb)))
+            self.assert_copied(folder, source, "flow")
+
+    def test_tartanair_classes_are_left_out_if_they_are_mapped(self):
+        (self.folder / "map.csv").write_text("chair,seat\n")
+        out = self.new_folder()
+        done = run("gather", self.datasets / "room_0", "--out", out, "--format", "tartanair",
+                   "--class-map", self.folder / "map.csv")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("seg_left is left out", done.stderr)
+        self.assertEqual(list(out.rglob("seg_left")), [])
+
+    # --- both
 
     def test_datasets_without_the_format_are_refused(self):
         plain, flat = self.folder / "plain", self.folder / "flat"
@@ -119,6 +166,7 @@ class Scenes(GatherCase):
                        *arguments)
             self.assertEqual(made.returncode, 0, made.stderr)
         for folder, layout, option in [(plain, "bop", "--formats coco,bop"),
+                                       (plain, "tartanair", "--formats coco,tartanair"),
                                        (flat, "bop", "--modalities rgb,depth")]:
             out = self.new_folder()
             refused = run("-q", "gather", self.datasets / "room_0", folder, "--out", out, "--format",
@@ -127,7 +175,8 @@ class Scenes(GatherCase):
             self.assertFalse(out.exists())
 
     def test_interrupted_runs_go_on_to_the_same_bytes(self):
-        for layout, damaged in [("bop", "mask_visib/000003_000000.png")]:
+        for layout, damaged in [("bop", "mask_visib/000003_000000.png"),
+                                ("tartanair", "depth_left/000003_left_depth.npy")]:
             with self.subTest(layout):
                 around = self.folder / f"mended_{layout}"
                 for number in range(3):
@@ -167,7 +216,8 @@ class Scenes(GatherCase):
             self.assertFails(refused, 4, str(bad), "export the dataset again")
 
     def test_files_that_the_dataset_does_not_list_are_missed(self):
-        for layout, name, words in [("bop", "mask_visib/000002_000001.png", "frame 2 in mask_visib")]:
+        for layout, name, words in [("bop", "mask_visib/000002_000001.png", "frame 2 in mask_visib"),
+                                    ("tartanair", "flow/000001_000002_mask.npy", "frame 1 in flow")]:
             bad = self.folder / f"bad_{layout}"
             shutil.copytree(self.datasets / "room_1", bad)
             card = json.loads((bad / "dataset.json").read_text())
