@@ -74,10 +74,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
         return fail(ErrorCode::Usage, "Flow distances are in frames and at least 1.",
                     "--flow-distances");
     }
-    const bool has_flow =
-        std::ranges::any_of(order.contents.modalities, [](const Modality* modality) {
-            return std::string_view(modality->name).starts_with("flow_");
-        });
+    const bool has_flow = std::ranges::any_of(order.contents.modalities, &Modality::of_pairs);
     const int nearest =
         settings.flow_distances.empty() ? 1 : *std::ranges::min_element(settings.flow_distances);
     if (has_flow && nearest > 1 && nearest >= std::ssize(order.contents.frames)) {

@@ -1,15 +1,12 @@
 #include "render/dataset/size_estimate.h"
 
-#include "render/encoders/encoders.h"
-
 #include <string_view>
 
 namespace dollytrack::render {
 
 double bytesPerPixel(const Modality& modality, std::size_t flow_distances) {
-    const bool is_flow =
-        modality.encode == encodeFlowForward || modality.encode == encodeFlowBackward;
-    return modality.bytes_per_pixel * (is_flow ? static_cast<double>(flow_distances) : 1.0);
+    return modality.bytes_per_pixel *
+           (modality.of_pairs ? static_cast<double>(flow_distances) : 1.0);
 }
 
 std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats, int frames) {

@@ -54,8 +54,12 @@ nlohmann::ordered_json residualConvention(const DatasetContents& contents);
 
 FrameFiles encodeFlowForward(const FrameContext& context, const FrameRecord& frame);
 FrameFiles encodeFlowBackward(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeSceneFlow(const FrameContext& context, const FrameRecord& frame);
+FrameFiles encodeTracks(const FrameContext& context, const FrameRecord& frame);
 nlohmann::ordered_json flowForwardConvention(const DatasetContents& contents);
 nlohmann::ordered_json flowBackwardConvention(const DatasetContents& contents);
+nlohmann::ordered_json sceneFlowConvention(const DatasetContents& contents);
+nlohmann::ordered_json tracksConvention(const DatasetContents& contents);
 
 FrameFiles encodeRgbRight(const FrameContext& context, const FrameRecord& frame);
 FrameFiles encodeDepthRight(const FrameContext& context, const FrameRecord& frame);

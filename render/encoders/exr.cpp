@@ -73,6 +73,15 @@ Result<std::vector<std::uint8_t>> encode(int width, int height, Imf::PixelType t
     }
 }
 
+/// `first` is the first pixel's first of three values.
+template <class Value>
+Result<std::vector<std::uint8_t>> encodeColours(int width, int height, Imf::PixelType type,
+                                                const Value* first) {
+    constexpr std::size_t kStep = 3 * sizeof(Value);
+    return encode(width, height, type,
+                  {{"R", first, kStep}, {"G", first + 1, kStep}, {"B", first + 2, kStep}});
+}
+
 Imath::half rounded(float value) {
     return {std::clamp(value, -static_cast<float>(HALF_MAX), static_cast<float>(HALF_MAX))};
 }
@@ -90,10 +99,13 @@ Result<std::vector<std::uint8_t>> encodeExr(int width, int height,
     for (const Eigen::Vector3f& value : values) {
         for (int c = 0; c < 3; ++c) pixels.push_back(rounded(value[c]));
     }
-    constexpr std::size_t kStep = 3 * sizeof(Imath::half);
-    const Imath::half* first = pixels.data();
-    return encode(width, height, Imf::HALF,
-                  {{"R", first, kStep}, {"G", first + 1, kStep}, {"B", first + 2, kStep}});
+    return encodeColours(width, height, Imf::HALF, pixels.data());
+}
+
+Result<std::vector<std::uint8_t>> encodeExrVectors(int width, int height,
+                                                   std::span<const Eigen::Vector3f> values) {
+    static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
+    return encodeColours(width, height, Imf::FLOAT, reinterpret_cast<const float*>(values.data()));
 }
 
 Eigen::Vector3f roundedToHalf(const Eigen::Vector3f& values) {

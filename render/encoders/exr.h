@@ -19,6 +19,10 @@ namespace dollytrack::render {
 [[nodiscard]] Result<std::vector<std::uint8_t>> encodeExr(int width, int height,
                                                           std::span<const Eigen::Vector3f> values);
 
+/// Three 32-bit float channels "R", "G" and "B", for vectors.
+[[nodiscard]] Result<std::vector<std::uint8_t>> encodeExrVectors(
+    int width, int height, std::span<const Eigen::Vector3f> values);
+
 /// Rounds each value to the nearest 16-bit float; larger ones become the largest.
 [[nodiscard]] Eigen::Vector3f roundedToHalf(const Eigen::Vector3f& values);
 

@@ -1,5 +1,6 @@
 #include "engine/io/files/png_writer.h"
 #include "render/encoders/encoders.h"
+#include "render/encoders/exr.h"
 #include "render/encoders/pack.h"
 #include "render/truth/motion_field.h"
 
@@ -65,6 +66,30 @@ FrameFiles encodeFlowForward(const FrameContext& context, const FrameRecord& fra
 
 FrameFiles encodeFlowBackward(const FrameContext& context, const FrameRecord& frame) {
     return encodeFlow(context, frame, "flow_backward", -1);
+}
+
+FrameFiles encodeSceneFlow(const FrameContext& context, const FrameRecord& frame) {
+    std::vector<FrameFile> files;
+    for (const int distance : context.contents.flow_distances) {
+        const int other = frame.index + distance;
+        if (other >= static_cast<int>(context.contents.frames.size())) continue;
+        auto bytes = encodeExrVectors(frame.width, frame.height, sceneFlow(context, frame, other));
+        if (!bytes) return tl::unexpected(std::move(bytes.error()));
+        files.push_back({pairFile("scene_flow", frame.index, other, ".exr"), std::move(*bytes)});
+    }
+    return files;
+}
+
+Json sceneFlowConvention(const DatasetContents& contents) {
+    return {{"folder", "scene_flow"},
+            {"files", "AAAAAA_BBBBBB.exr: from frame A to frame B"},
+            {"type", "OpenEXR, 32-bit float, m: R right, G down, B forward"},
+            {"distances", contents.flow_distances},
+            {"to", "B = A + distance"},
+            {"invalid", kNoMotion},
+            {"meaning",
+             "position in B's camera axes minus position in A's, of the surface point at the "
+             "pixel's centre; invalid where no surface is visible"}};
 }
 
 Json flowForwardConvention(const DatasetContents& contents) {

@@ -13,7 +13,7 @@ namespace dollytrack::render {
 namespace {
 
 // Bytes per pixel were measured in real rooms at 640 x 480.
-constexpr std::array<Modality, 26> kModalities = {{
+constexpr std::array<Modality, 28> kModalities = {{
     {"rgb", "8-bit colour images", 1.2, true, kNeedsRgb, encodeRgb, rgbConvention},
     {"depth", "16-bit depth along the viewing axis, in millimetres", 0.3, true, kNeedsDepth,
      encodeDepth, depthConvention},
@@ -36,9 +36,13 @@ constexpr std::array<Modality, 26> kModalities = {{
     {"object_coordinates", "16-bit coordinates in the object's own box", 4.0, false, kNeedsDepth,
      encodeObjectCoordinates, objectCoordinatesConvention},
     {"flow_forward", "optical flow to later frames, with occlusion (Middlebury .flo)", 8.1, false,
-     kNeedsDepth, encodeFlowForward, flowForwardConvention, false},
+     kNeedsDepth, encodeFlowForward, flowForwardConvention, false, true},
     {"flow_backward", "optical flow to earlier frames, with occlusion (Middlebury .flo)", 8.1,
-     false, kNeedsDepth, encodeFlowBackward, flowBackwardConvention, false},
+     false, kNeedsDepth, encodeFlowBackward, flowBackwardConvention, false, true},
+    {"scene_flow", "3D motion to later frames, in metres, 32-bit float (OpenEXR)", 9.0, false,
+     kNeedsDepth, encodeSceneFlow, sceneFlowConvention, false, true},
+    {"tracks", "points followed through 300 frames, with occlusion (NumPy arrays as in TAP-Vid)",
+     0.8, false, 0, encodeTracks, tracksConvention, false},
     {"rgb_right", "8-bit colour images of the stereo pair's right camera", 1.2, false, kNeedsRight,
      encodeRgbRight, rgbRightConvention},
     {"depth_right", "16-bit depth of the right camera, in millimetres", 0.3, false, kNeedsRight,

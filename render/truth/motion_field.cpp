@@ -8,34 +8,53 @@
 namespace dollytrack::render {
 namespace {
 
+/// World positions of the pixels' surface points at the other image's time.
+struct MovedPoints {
+    std::vector<Eigen::Vector3d> places;
+    std::vector<bool> nothing;  // pixels that hit nothing
+};
+
 /// `motions` move each object, by id, from the frame's time to the other image's; empty if nothing
 /// moves.
-MotionField fieldTo(const FrameContext& context, const FrameRecord& frame, const Pose& other,
-                    const RayCaster& rays, const std::vector<Eigen::Isometry3d>& motions) {
-    const Intrinsics lens = makeIntrinsics(context.contents.camera);
+MovedPoints movedPoints(const FrameRecord& frame, const Intrinsics& lens,
+                        const std::vector<Eigen::Isometry3d>& motions) {
     const std::size_t count = frame.depth_m.size();
-    std::vector<Eigen::Vector3d> places(count, Eigen::Vector3d::Zero());
-    std::vector<bool> nothing(count, false);
-    MotionField field;
-    field.motion.assign(count, Eigen::Vector2f::Constant(kNoMotion));
+    MovedPoints points{std::vector<Eigen::Vector3d>(count, Eigen::Vector3d::Zero()),
+                       std::vector<bool>(count, false)};
     std::size_t i = 0;
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x, ++i) {
             const auto depth = static_cast<double>(frame.depth_m[i]);
             if (!(depth > 0.0)) {
-                nothing[i] = true;
+                points.nothing[i] = true;
                 continue;
             }
-            const Eigen::Vector2d at(x + 0.5, y + 0.5);
-            places[i] = frame.pose.toWorld(depth * lens.unproject(at.x(), at.y()));
-            if (!motions.empty()) places[i] = motions[frame.instance[i]] * places[i];
-            const Eigen::Vector3d there = other.toCamera(places[i]);
-            if (there.z() < context.contents.camera.near_m) continue;
-            field.motion[i] = (lens.project(there) - at).cast<float>();
+            Eigen::Vector3d& place = points.places[i];
+            place = frame.pose.toWorld(depth * lens.unproject(x + 0.5, y + 0.5));
+            if (!motions.empty()) place = motions[frame.instance[i]] * place;
         }
     }
-    field.sight =
-        visibilityFrom(rays, other, lens, context.contents.camera.near_m, places, nothing);
+    return points;
+}
+
+MotionField fieldTo(const FrameContext& context, const FrameRecord& frame, const Pose& other,
+                    const RayCaster& rays, const std::vector<Eigen::Isometry3d>& motions) {
+    const Intrinsics lens = makeIntrinsics(context.contents.camera);
+    const double near_m = context.contents.camera.near_m;
+    const MovedPoints points = movedPoints(frame, lens, motions);
+    MotionField field;
+    field.motion.assign(points.places.size(), Eigen::Vector2f::Constant(kNoMotion));
+    std::size_t i = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x, ++i) {
+            if (points.nothing[i]) continue;
+            const Eigen::Vector3d there = other.toCamera(points.places[i]);
+            if (there.z() < near_m) continue;
+            field.motion[i] =
+                (lens.project(there) - Eigen::Vector2d(x + 0.5, y + 0.5)).cast<float>();
+        }
+    }
+    field.sight = visibilityFrom(rays, other, lens, near_m, points.places, points.nothing);
     return field;
 }
 
@@ -45,6 +64,24 @@ MotionField motionField(const FrameContext& context, const FrameRecord& frame, i
     const Pose& other = context.contents.frames[other_frame].camera.pose;
     return fieldTo(context, frame, other, *context.moving.raysAt(other_frame),
                    context.moving.between(frame.index, other_frame));
+}
+
+std::vector<Eigen::Vector3f> sceneFlow(const FrameContext& context, const FrameRecord& frame,
+                                       int other_frame) {
+    const Intrinsics lens = makeIntrinsics(context.contents.camera);
+    const Pose& other = context.contents.frames[other_frame].camera.pose;
+    const MovedPoints points =
+        movedPoints(frame, lens, context.moving.between(frame.index, other_frame));
+    std::vector<Eigen::Vector3f> flow(points.places.size(), Eigen::Vector3f::Constant(kNoMotion));
+    std::size_t i = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x, ++i) {
+            if (points.nothing[i]) continue;
+            const Eigen::Vector3d here = frame.depth_m[i] * lens.unproject(x + 0.5, y + 0.5);
+            flow[i] = (other.toCamera(points.places[i]) - here).cast<float>();
+        }
+    }
+    return flow;
 }
 
 MotionField parallaxField(const FrameContext& context, const FrameRecord& frame,

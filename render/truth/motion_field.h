@@ -25,6 +25,11 @@ struct MotionField {
 [[nodiscard]] MotionField motionField(const FrameContext& context, const FrameRecord& frame,
                                       int other_frame);
 
+/// Scene flow by pixel: the surface point's position in the other frame's camera axes minus that in
+/// this frame's (x right, y down, z forward), m. kNoMotion in all three where nothing is hit.
+[[nodiscard]] std::vector<Eigen::Vector3f> sceneFlow(const FrameContext& context,
+                                                     const FrameRecord& frame, int other_frame);
+
 /// Displacement to another camera with the same intrinsics at the same time, as for stereo.
 [[nodiscard]] MotionField parallaxField(const FrameContext& context, const FrameRecord& frame,
                                         const Pose& other_camera);

@@ -22,6 +22,8 @@ constexpr std::array kExactDepth = {"depth_exr", "depth"};
 constexpr std::array kNormals = {"normal_camera", "normal_world"};
 constexpr std::array kCoordinates = {"object_coordinates", "instance"};
 constexpr std::array kFlow = {"flow_forward", "flow_backward"};
+constexpr std::array kSceneFlow = {"scene_flow"};
+constexpr std::array kTracks = {"tracks"};
 constexpr std::array kStereo = {"disparity", "rgb_right", "depth_right"};
 constexpr std::array kAmodal = {"amodal"};
 constexpr std::array kInstances = {"instances", "instance"};
@@ -89,6 +91,10 @@ constexpr std::array kChecks = {
           kAnyDepth, false, beginObjectCoordinates},
     Check{"flow", "flow and its masks agree with depth and poses to 0.01 px", Names{}, kFlow, false,
           beginFlow},
+    Check{"scene_flow", "scene flow agrees with depth and poses", kSceneFlow, kAnyDepth, false,
+          beginSceneFlow},
+    Check{"tracks", "tracked points agree with poses, depth, ids and the motion of their objects",
+          kTracks, Names{}, false, beginTracks},
     Check{"stereo", "disparity and the right images agree with the depth", Names{}, kStereo, false,
           beginStereo},
     Check{"amodal", "amodal masks contain the visible masks", kAmodal, Names{}, false, beginAmodal},

@@ -52,6 +52,51 @@ class Arrays(unittest.TestCase):
         allowed = 0.6 / 256 + expected * 0.0006 / depth[seen]
         self.assertTrue((np.abs(disparity[seen] - expected) <= allowed).all())
 
+    def test_scene_flow_leads_to_the_point_that_optical_flow_shows(self):
+        exr = cv2.imread(str(self.data.folder / "scene_flow" /
+                             f"{self.index:06d}_{self.index + 1:06d}.exr"), cv2.IMREAD_UNCHANGED)
+        self.assertEqual(exr.dtype, np.float32)
+        motion = exr[..., ::-1].astype(float)  # OpenCV gives blue, green, red
+        flow = self.flow().astype(float)
+        depth = self.image("depth") / 1000
+        known = (depth > 0) & (np.abs(flow) < 1e9).all(axis=2)
+        self.assertGreater(known.mean(), 0.5)
+        k = self.data.card["conventions"]["intrinsics"]
+        y, x = np.mgrid[:depth.shape[0], :depth.shape[1]] + 0.5
+        there = np.dstack(((x - k["cx"]) / k["fx"] * depth, (y - k["cy"]) / k["fy"] * depth,
+                           depth)) + motion
+        u = there[..., 0] / there[..., 2] * k["fx"] + k["cx"] - x
+        v = there[..., 1] / there[..., 2] * k["fy"] + k["cy"] - y
+        error = np.hypot(u - flow[..., 0], v - flow[..., 1])[known]
+        self.assertLess(error.max(), 0.5)  # depth is rounded to millimetres
+        self.assertLess(np.median(error), 0.02)
+
+    def test_tracks_are_where_tap_vid_expects_them(self):
+        def load(name):
+            return np.load(self.data.folder / "tracks" / f"000000_{name}.npy")
+        points, occluded, query = load("points"), load("occluded"), load("query_points")
+        tracks, frames = occluded.shape
+        self.assertEqual((points.shape, query.shape), ((tracks, frames, 2), (tracks, 3)))
+        self.assertEqual(occluded.dtype, bool)
+        self.assertEqual(frames, min(300, len(self.data.card["frames"])))
+        chosen = query[:, 0].astype(int)
+        self.assertLess(np.abs(points[np.arange(tracks), chosen] - query[:, :0:-1]).max(), 0.01)
+        self.assertFalse(occluded[np.arange(tracks), chosen].any())
+        height, width = self.image("depth").shape
+        inside = ((points >= 0) & (points < (width, height))).all(axis=2)
+        self.assertTrue(inside[~occluded].all())
+        # The depth image shows the visible points.
+        ids = load("object_ids")
+        seen = ~occluded[:, self.index]
+        at = points[seen, self.index].astype(int)
+        pose = np.linalg.inv(self.data.pose(self.index))
+        places = load("points_3d")[seen, self.index]
+        z = (places @ pose[:3, :3].T + pose[:3, 3])[:, 2]
+        depth = self.image("depth")[at[:, 1], at[:, 0]] / 1000
+        same = self.image("instance")[at[:, 1], at[:, 0]] == ids[seen]
+        self.assertGreater(same.mean(), 0.9)
+        self.assertLess(np.median(np.abs(z - depth)[same]), 0.01)
+
     def test_tartanair_arrays(self):
         depth = np.load(self.data.file("depth_left", self.index, "_left_depth.npy"))
         self.assertEqual(depth.dtype, np.float32)

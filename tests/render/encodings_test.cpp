@@ -1,7 +1,7 @@
 #include "engine/core/random.h"
+#include "render/encoders/numpy_file.h"
 #include "render/formats/labels/mask_outline.h"
 #include "render/formats/poses/kitti.h"
-#include "render/formats/poses/numpy_file.h"
 
 #include <gtest/gtest.h>
 

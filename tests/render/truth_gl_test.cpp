@@ -157,6 +157,88 @@ TEST_F(TruthGl, FlowFollowsWhatRaysMeetAlsoOfMovingThings) {
     EXPECT_GT(of_moving, 50);
 }
 
+/// Reads the values of a .npy file.
+template <class Value>
+std::vector<Value> valuesOf(const std::string& bytes) {
+    const std::size_t begin =
+        10 + static_cast<unsigned char>(bytes[8]) + 256U * static_cast<unsigned char>(bytes[9]);
+    std::vector<Value> values((bytes.size() - begin) / sizeof(Value));
+    std::memcpy(values.data(), bytes.data() + begin, sizeof(Value) * values.size());
+    return values;
+}
+
+TEST_F(TruthGl, TracksFollowPointsAlsoOfMovingObjects) {
+    exportAll(true);
+    const Intrinsics lens = makeIntrinsics(smallCamera());
+    const auto bytes = [&](const char* name) {
+        return read(folder_ / "out" / (std::string("tracks/000000_") + name + ".npy"));
+    };
+    const auto points = valuesOf<float>(bytes("points"));
+    const auto places = valuesOf<float>(bytes("points_3d"));
+    const auto occluded = valuesOf<std::uint8_t>(bytes("occluded"));
+    const auto queries = valuesOf<float>(bytes("query_points"));
+    const auto ids = valuesOf<std::uint16_t>(bytes("object_ids"));
+    constexpr std::size_t kFrames = 4;
+    const std::size_t count = lens.width * lens.height / 30;  // the room is closed
+    ASSERT_EQ(ids.size(), count);
+    ASSERT_EQ(queries.size(), 3 * count);
+    ASSERT_EQ(occluded.size(), kFrames * count);
+    ASSERT_EQ(points.size(), 2 * kFrames * count);
+    ASSERT_EQ(places.size(), 3 * kFrames * count);
+    int hidden = 0;
+    int outside = 0;
+    int moving = 0;
+    for (std::size_t t = 0; t < kFrames; ++t) {
+        const RayCaster rays(sceneAt(static_cast<int>(t)));
+        const Pose& camera = trajectory_.frames[t].pose;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t at = i * kFrames + t;
+            const Eigen::Vector2d point(points[2 * at], points[2 * at + 1]);
+            // Where the ray of the query meets its object, moved to this frame.
+            const auto chosen = static_cast<std::size_t>(queries[3 * i]);
+            ASSERT_LT(chosen, kFrames);
+            const Pose& then = trajectory_.frames[chosen].pose;
+            const RayCaster rays_then(sceneAt(static_cast<int>(chosen)));
+            const Eigen::Vector3d ahead =
+                then.rotation * lens.unproject(queries[3 * i + 2], queries[3 * i + 1]);
+            const RayHit hit = rays_then.cast(then.position, ahead, 1e9, smallCamera().near_m);
+            ASSERT_EQ(hit.object_id, ids[i]);
+            Eigen::Vector3d place = then.position + hit.distance * ahead;
+            if (hit.object_id == motions_[0].object_id) {
+                place = motions_[0].by_frame[t] * motions_[0].by_frame[chosen].inverse() * place;
+                moving += t == chosen ? 0 : 1;
+            }
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_NEAR(places[3 * at + axis], place[axis], 1e-4);
+            }
+            const Eigen::Vector3d there = camera.toCamera(place);
+            if (there.z() < smallCamera().near_m) {
+                EXPECT_EQ(point, Eigen::Vector2d(-1, -1));
+                EXPECT_EQ(occluded[at], 1);
+                continue;
+            }
+            EXPECT_LT((point - lens.project(there)).norm(), 1e-2);
+            if (point.x() < 0 || point.y() < 0 || point.x() >= lens.width ||
+                point.y() >= lens.height) {
+                EXPECT_EQ(occluded[at], 1);
+                ++outside;
+                continue;
+            }
+            const Eigen::Vector3d before = place + 0.01 * (camera.position - place).normalized();
+            if (occluded[at] != 0) {
+                ++hidden;
+                EXPECT_NE(t, chosen);
+                EXPECT_FALSE(rays.sees(camera.position, place));
+            } else {
+                EXPECT_TRUE(rays.sees(camera.position, before));
+            }
+        }
+    }
+    EXPECT_GT(hidden, 5);
+    EXPECT_GT(outside, 20);
+    EXPECT_GT(moving, 5);
+}
+
 TEST_F(TruthGl, WholeMasksAreWhatRaysMeetOfAnObjectAlone) {
     exportAll(false);
     const Intrinsics lens = makeIntrinsics(smallCamera());

@@ -32,6 +32,7 @@ struct Modality {
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
 
     bool is_picture = true;  // one PNG file per frame, usable for contact sheets
+    bool of_pairs = false;   // one file for each of the flow distances
 };
 
 /// The modality whose files may be JPEG; see pictureEnding().

@@ -2,9 +2,9 @@
 
 #include "engine/io/files/png_writer.h"
 #include "render/dataset/contents/frame_context.h"
+#include "render/encoders/numpy_file.h"
 #include "render/encoders/pack.h"
 #include "render/formats/poses/frame_text.h"
-#include "render/formats/poses/numpy_file.h"
 #include "render/truth/motion_field.h"
 
 #include <nlohmann/json.hpp>

@@ -5,6 +5,7 @@
 #include "render/verify/read/flow_files.h"
 #include "render/verify/read/sensor_files.h"
 #include "render/verify/read/stored_rig.h"
+#include "render/verify/read/track_files.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +33,10 @@ std::set<std::string> neededFiles(const StoredDataset& dataset) {
             names.insert(file.stem + ".flo");
             names.insert(file.stem + "_mask.png");
         }
+        for (const FlowFile& file : pairFiles(dataset, "scene_flow", frame)) {
+            names.insert(file.stem + ".exr");
+        }
+        for (const std::string& file : trackFiles(dataset, frame)) names.insert(file);
     }
     for (const std::string& name : rigImageFiles(dataset)) names.insert(name);
     for (const std::string& format : dataset.formats) {

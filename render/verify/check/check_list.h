@@ -25,6 +25,8 @@ CheckWork beginExactDepth(const Subject& subject, Findings& findings);
 CheckWork beginNormals(const Subject& subject, Findings& findings);
 CheckWork beginObjectCoordinates(const Subject& subject, Findings& findings);
 CheckWork beginFlow(const Subject& subject, Findings& findings);
+CheckWork beginSceneFlow(const Subject& subject, Findings& findings);
+CheckWork beginTracks(const Subject& subject, Findings& findings);
 CheckWork beginStereo(const Subject& subject, Findings& findings);
 CheckWork beginAmodal(const Subject& subject, Findings& findings);
 CheckWork beginInstances(const Subject& subject, Findings& findings);

@@ -14,16 +14,23 @@ std::vector<int> flowDistances(const StoredDataset& dataset, const std::string& 
     return distances;
 }
 
-std::vector<FlowFile> flowFiles(const StoredDataset& dataset, int frame) {
+std::vector<FlowFile> pairFiles(const StoredDataset& dataset, const std::string& modality,
+                                int frame) {
     std::vector<FlowFile> files;
-    for (const auto& [modality, direction] :
-         {std::pair("flow_forward", 1), std::pair("flow_backward", -1)}) {
-        if (!dataset.has(modality)) continue;
-        for (const int distance : flowDistances(dataset, modality)) {
-            const int other = frame + direction * distance;
-            if (other < 0 || other >= static_cast<int>(dataset.frames.size())) continue;
-            files.push_back({fmt::format("{}/{:06}_{:06}", modality, frame, other), other});
-        }
+    if (!dataset.has(modality)) return files;
+    const int direction = modality == "flow_backward" ? -1 : 1;
+    for (const int distance : flowDistances(dataset, modality)) {
+        const int other = frame + direction * distance;
+        if (other < 0 || other >= static_cast<int>(dataset.frames.size())) continue;
+        files.push_back({fmt::format("{}/{:06}_{:06}", modality, frame, other), other});
+    }
+    return files;
+}
+
+std::vector<FlowFile> flowFiles(const StoredDataset& dataset, int frame) {
+    std::vector<FlowFile> files = pairFiles(dataset, "flow_forward", frame);
+    for (FlowFile& file : pairFiles(dataset, "flow_backward", frame)) {
+        files.push_back(std::move(file));
     }
     return files;
 }

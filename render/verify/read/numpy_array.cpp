@@ -40,7 +40,7 @@ std::vector<int> shapeFrom(std::string_view text) {
         if (text.empty()) break;
         int size = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-        if (error != std::errc() || size < 1 || size > kLargestArraySide) return {};
+        if (error != std::errc() || size < 0 || size > kLargestArraySide) return {};
         shape.push_back(size);
         text.remove_prefix(end - text.data());
     }
@@ -66,7 +66,8 @@ Result<Image<T>> readArray(const std::filesystem::path& path, std::string_view t
     }
     const auto order = valueOf(header, "fortran_order");
     if (!order || !order->starts_with("False")) return unreadableArray("it is not in C order");
-    const std::vector<int> shape = shapeFrom(valueOf(header, "shape").value_or(""));
+    std::vector<int> shape = shapeFrom(valueOf(header, "shape").value_or(""));
+    if (shape.size() == 1) shape.insert(shape.begin(), 1);
     const bool flat = shape.size() == 2 && channels == 1;
     const bool deep = shape.size() == 3 && shape[2] == channels;
     if (!flat && !deep) {
@@ -94,6 +95,10 @@ Result<ImageF> readNumpyF(const std::filesystem::path& path, int channels) {
 
 Result<Image8> readNumpy8(const std::filesystem::path& path, int channels) {
     return readArray<std::uint8_t>(path, "|u1", channels);
+}
+
+Result<Image8> readNumpyBool(const std::filesystem::path& path) {
+    return readArray<std::uint8_t>(path, "|b1", 1);
 }
 
 Result<Image16> readNumpy16(const std::filesystem::path& path, int channels) {

@@ -164,6 +164,75 @@ def flow_mask_of_all_occluded(copy):
     copy.edit(most, lambda mask: np.where(mask == 0, 1, mask).astype(np.uint8))
 
 
+@found_by("scene_flow")
+def scene_flow_in_world_axes(copy):
+    copy.edit("scene_flow/000000_000001.exr",
+              lambda m: np.where(np.abs(m) < 1e9, m[..., [1, 2, 0]], m).astype(np.float32))
+
+
+@found_by("scene_flow")
+def scene_flow_a_centimetre_off(copy):
+    copy.edit("scene_flow/000001_000002.exr",
+              lambda m: np.where(np.abs(m) < 1e9, m + 0.01, m).astype(np.float32))
+
+
+@found_by("scene_flow")
+def scene_flow_unknown(copy):
+    copy.edit("scene_flow/000000_000001.exr", lambda m: np.full_like(m, 1e10))
+
+
+# --- tracks
+
+def edit_tracks(copy, array, function):
+    path = copy.folder / f"tracks/000000_{array}.npy"
+    values = np.load(path)
+    function(values)
+    np.save(path, values)
+
+
+@found_by("tracks")
+def tracks_a_fiftieth_of_a_pixel_off(copy):
+    def shift(points):
+        points[5, 1] += 0.02
+    edit_tracks(copy, "points", shift)
+
+
+@found_by("tracks")
+def tracks_of_a_point_that_slides(copy):
+    def slide(places):
+        places[3, 1:] += 0.01
+    edit_tracks(copy, "points_3d", slide)
+
+
+@found_by("tracks")
+def tracks_all_visible(copy):
+    edit_tracks(copy, "occluded", lambda occluded: occluded.fill(False))
+
+
+@found_by("tracks")
+def tracks_one_hidden(copy):
+    def hide(occluded):
+        occluded[np.argmax((~occluded).all(axis=1))] = True
+    edit_tracks(copy, "occluded", hide)
+
+
+@found_by("tracks")
+def tracks_of_other_objects(copy):
+    edit_tracks(copy, "object_ids", lambda ids: ids.sort())
+
+
+@found_by("tracks")
+def tracks_with_x_and_y_swapped(copy):
+    path = copy.folder / "tracks/000000_query_points.npy"
+    np.save(path, np.ascontiguousarray(np.load(path)[:, [0, 2, 1]]))
+
+
+@found_by("tracks")
+def tracks_of_fewer_frames(copy):
+    path = copy.folder / "tracks/000000_points.npy"
+    np.save(path, np.ascontiguousarray(np.load(path)[:, :-1]))
+
+
 # --- stereo
 
 @found_by("stereo")

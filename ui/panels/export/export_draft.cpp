@@ -96,7 +96,7 @@ std::string summaryOf(const ExportView& view, const ExportDraft& draft) {
 
 bool wantsFlow(const ExportView& view, const ExportDraft& draft) {
     const auto names = chosen(view.modalities, draft.turned_modalities);
-    return isIn(names, "flow_forward") || isIn(names, "flow_backward");
+    return isIn(names, "flow_forward") || isIn(names, "flow_backward") || isIn(names, "scene_flow");
 }
 
 bool wantsSensors(const ExportView& view, const ExportDraft& draft) {

@@ -1,4 +1,4 @@
-#include "render/formats/poses/numpy_file.h"
+#include "render/encoders/numpy_file.h"
 
 #include <fmt/format.h>
 
