@@ -183,12 +183,12 @@ class BopLayout : public Layout {
 const LayoutKind kBopLayout = {
     .name = "bop",
     .text = "scenes of the BOP benchmark: PART/000000/ with rgb, depth, masks and object poses",
-    .every_modality = false,
-    .contents = kBoxesAndMasks,
+    .content = LayoutContent::Colour,
     .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<BopLayout>(std::move(input));
     },
+    .labels = kBoxesAndMasks,
     .how_to_read =
         "Readers of the BOP benchmark, such as bop_toolkit, take each `PART/000000/` as a scene, "
         "with `scene_camera.json`, `scene_gt.json` and `scene_gt_info.json` in millimetres. There "

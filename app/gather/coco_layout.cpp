@@ -121,12 +121,12 @@ const LayoutKind kCocoLayout = {
     .name = "coco",
     .text =
         "one folder of images per part, and annotations/instances_PART.json with boxes and masks",
-    .every_modality = false,
-    .contents = kBoxesAndMasks,
+    .content = LayoutContent::Colour,
     .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<CocoLayout>(std::move(input));
     },
+    .labels = kBoxesAndMasks,
     .how_to_read =
         "`pycocotools.coco.COCO(\"annotations/instances_train.json\")` reads boxes and masks "
         "(compressed run lengths); `file_name` is an image in `train/`. Image and annotation ids "

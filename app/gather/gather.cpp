@@ -59,13 +59,30 @@ Status checkOut(const GatherOrder& order, const std::vector<FoundDataset>& found
     return {};
 }
 
-/// Chooses the layout's modalities that all datasets have, and warns of the others.
+void warnOfOldIds() {
+    log::warn(kSubsystem,
+              "semantic is left out: its pixels have the datasets' class ids, but the class map "
+              "replaces them");
+}
+
+/// Chooses the layout's modalities: those that all datasets have, with a warning of the others, or
+/// all if a layout keeps each dataset apart.
 void chooseModalities(const GatherOrder& order, Gathered& all) {
     all.modalities = {kPicture};
     for (const char* name : order.layout->required) {
         if (isModality(name)) all.modalities.insert(name);
     }
-    if (!order.layout->every_modality) return;
+    if (order.layout->content == LayoutContent::Colour) return;
+    if (order.layout->content == LayoutContent::Everything) {
+        for (const Source& one : all.sources) {
+            all.modalities.insert(one.modalities.begin(), one.modalities.end());
+        }
+        const auto isSemantic = [](const std::string& folder) {
+            return folder == kSemantic || folder.ends_with(std::string("/") + kSemantic);
+        };
+        if (order.class_map && std::erase_if(all.modalities, isSemantic) > 0) warnOfOldIds();
+        return;
+    }
     for (const char* modality : {kDepth, kInstance, kSemantic}) {
         const auto lacking = std::ranges::find_if(
             all.sources, [&](const Source& one) { return !one.modalities.contains(modality); });
@@ -76,9 +93,7 @@ void chooseModalities(const GatherOrder& order, Gathered& all) {
             log::warn(kSubsystem, fmt::format("{} is left out: {} has none", modality,
                                               lacking->folder.string()));
         } else if (modality == std::string_view(kSemantic) && order.class_map) {
-            log::warn(kSubsystem,
-                      "semantic is left out: its pixels have the datasets' class ids, but the "
-                      "class map replaces them");
+            warnOfOldIds();
         } else {
             all.modalities.insert(modality);
         }
@@ -130,7 +145,7 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
                              const JobContext& job) {
     SourceNeeds needs;
     needs.modalities = {kPicture};
-    if (order.layout->every_modality) {
+    if (order.layout->content != LayoutContent::Colour) {
         needs.modalities = {kPicture, kDepth, kInstance, kSemantic};
     }
     const LayoutKind& layout = *order.layout;
@@ -139,6 +154,7 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     for (const std::string& name : needs.required) {
         if (isModality(name)) needs.modalities.insert(name);
     }
+    needs.everything = layout.content == LayoutContent::Everything;
     needs.mixed_lenses = order.mixed_lenses;
     needs.prove = order.skip_damaged;
     SourceReader reader(needs);

@@ -182,7 +182,7 @@ std::string readmeText(const GatherCard& card) {
         "\n# {}\n\nImages of {} indoor scenes rendered with labels by Dollytrack {}: {} frames of "
         "{} x {} px with {}. Merged from {} datasets with `dollytrack gather --format {}`.\n\n",
         order.title, scenes, order.product_version, allFrames(card.summary),
-        card.sources.front().width, card.sources.front().height, order.layout->contents,
+        card.sources.front().width, card.sources.front().height, order.layout->labels,
         card.sources.size(), order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
     text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),

@@ -73,12 +73,12 @@ class ImageFolderLayout : public Layout {
 const LayoutKind kImageFolderLayout = {
     .name = "imagefolder",
     .text = "one folder of images per part with metadata.jsonl, for Hugging Face's imagefolder",
-    .every_modality = false,
-    .contents = kBoxes,
+    .content = LayoutContent::Colour,
     .tasks = kBoxTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<ImageFolderLayout>(std::move(input));
     },
+    .labels = kBoxes,
     .how_to_read =
         "`datasets.load_dataset(\"imagefolder\", data_dir=\".\")` reads it. `objects` "
         "has boxes (x, y, width, height, px) and their class numbers.",

@@ -49,6 +49,14 @@ class Layout {
     [[nodiscard]] virtual Status finish(std::span<const PartIndex> /*parts*/) { return {}; }
 };
 
+/// Which files of the datasets a layout holds.
+enum class LayoutContent {
+    Colour,      // the colour images
+    Shared,      // also depth, instance and class images, if all datasets have them
+    Everything,  // all of a dataset's PNG and JPEG images, and inertial measurements
+};
+
+// Values of LayoutKind::labels.
 inline constexpr const char* kBoxes =
     "a box of each visible target object; walls, floors and excluded objects have none";
 inline constexpr const char* kBoxesAndMasks =
@@ -59,11 +67,11 @@ inline constexpr std::array<const char*, 2> kMaskTasks = {"object-detection", "i
 /// A layout by its name on the command line.
 struct LayoutKind {
     const char* name;
-    const char* text;      // what it is, for people
-    bool every_modality;   // depth and labels go with the images, where all datasets have them
-    const char* contents;  // of each frame, in README.md
+    const char* text;  // what it is, for people
+    LayoutContent content;
     std::span<const char* const> tasks;  // Hugging Face's names of what can be trained with it
     std::unique_ptr<Layout> (*make)(LayoutInput input);
+    const char* labels;       // after "frames with", in the dataset's README.md
     const char* how_to_read;  // in the dataset's README.md
     /// `path` of a part in the README's header, as in "{}-*.tar"; null: Hugging Face has no reader.
     const char* data_files;
@@ -79,6 +87,7 @@ extern const LayoutKind kWebDatasetLayout;
 extern const LayoutKind kParquetLayout;
 extern const LayoutKind kBopLayout;
 extern const LayoutKind kTartanAirLayout;
+extern const LayoutKind kMcapLayout;
 
 [[nodiscard]] std::span<const LayoutKind* const> layouts();
 

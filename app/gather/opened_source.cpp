@@ -85,7 +85,7 @@ std::vector<std::string> OpenedSource::filesOf(const std::string& folder, std::s
     return names;
 }
 
-Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
+Result<verify::StoredDataset> readDescription(const Source& source) {
     Result<verify::StoredDataset> dataset = verify::readStoredDataset(source.folder);
     if (!dataset) return tl::unexpected(dataset.error());
     const Result<std::string> card = sha256OfFile(source.folder / "dataset.json");
@@ -95,6 +95,12 @@ Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes)
                     "The dataset was changed while it was read; gather it again.",
                     source.folder.string());
     }
+    return dataset;
+}
+
+Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
+    Result<verify::StoredDataset> dataset = readDescription(source);
+    if (!dataset) return tl::unexpected(dataset.error());
     dataset->card = nullptr;  // freed before annotations.json is read, because it is large
     const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
     if (!file) return tl::unexpected(file.error());

@@ -36,6 +36,10 @@ struct OpenedSource {
                                                    std::size_t frame) const;
 };
 
+/// Reads dataset.json. Error: BadInput where it is damaged, or has changed since the dataset was
+/// looked at.
+[[nodiscard]] Result<verify::StoredDataset> readDescription(const Source& source);
+
 /// Reads dataset.json and annotations.json. Error: BadInput where a file is damaged, or has changed
 /// since the dataset was looked at.
 [[nodiscard]] Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes);

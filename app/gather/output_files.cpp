@@ -137,7 +137,8 @@ Status OutputFiles::copyPictures(const OpenedSource& source, std::size_t begin, 
                                  const std::string& folder, const JobContext& job) {
     std::vector<FileCopy> pictures;
     for (std::size_t frame = begin; frame < end; ++frame) {
-        pictures.push_back({frameFileOf(kPicture, frame), pictureNameOf(source, frame)});
+        pictures.push_back(
+            {frameFileOf(source.dataset, kPicture, frame), pictureNameOf(source, frame)});
     }
     return copyFiles(source, pictures, folder, job);
 }

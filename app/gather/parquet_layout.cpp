@@ -173,7 +173,8 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
                        source.dataset.lens,      stored.time_s,      stored.pose,         {},
                        source.annotations[frame]};
         for (const std::string& modality : input().modalities) {
-            Result<std::string> bytes = readProven(source.file(frameFileOf(modality, frame)));
+            Result<std::string> bytes =
+                readProven(source.file(frameFileOf(source.dataset, modality, frame)));
             if (!bytes) return tl::unexpected(bytes.error());
             row.images.push_back(std::move(*bytes));
         }
@@ -276,12 +277,12 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
 const LayoutKind kParquetLayout = {
     .name = "parquet",
     .text = "Parquet files for the Hugging Face Hub: a table of frames with images and objects",
-    .every_modality = true,
-    .contents = kBoxesAndMasks,
+    .content = LayoutContent::Shared,
     .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<ParquetLayout>(std::move(input));
     },
+    .labels = kBoxesAndMasks,
     .how_to_read =
         "`datasets.load_dataset(\".\")` reads it. `image` is the colour image; `depth`, `instance` "
         "and `semantic` have the same pixels. `objects` has boxes (x, y, width, height, px), class "

@@ -3,6 +3,7 @@
 #include "engine/io/files/sha256.h"
 #include "engine/io/settings/class_table_file.h"
 #include "engine/jobs/parallel.h"
+#include "render/verify/read/stored_rig.h"
 
 #include <fmt/format.h>
 
@@ -30,14 +31,32 @@ tl::unexpected<Error> notUsable(const fs::path& folder, const std::string& lacki
                 folder.string());
 }
 
+/// The folders of all images with a PNG or JPEG file for each frame.
+std::set<std::string> imageFoldersOf(const verify::StoredDataset& dataset) {
+    std::set<std::string> folders(dataset.modalities.begin(), dataset.modalities.end());
+    if (dataset.has("cameras")) {
+        for (const std::string& file : verify::rigImageFiles(dataset)) {
+            folders.insert(file.substr(0, file.rfind('/')));
+        }
+    }
+    std::erase_if(folders, [&](const std::string& folder) {
+        return !GuardedFolder::isPlain(folder) ||
+               !dataset.sha256s.contains(frameFileOf(dataset, folder, 0));
+    });
+    return folders;
+}
+
 }  // namespace
 
 bool isModality(std::string_view name) {
     return std::ranges::find(kModalities, name) != kModalities.end();
 }
 
-std::string frameFileOf(std::string_view modality, std::size_t frame) {
-    return fmt::format("{}/{:06}.png", modality, frame);
+std::string frameFileOf(const verify::StoredDataset& dataset, std::string_view modality,
+                        std::size_t frame) {
+    std::string name = fmt::format("{}/{:06}.jpg", modality, frame);
+    if (!dataset.sha256s.contains(name)) name.replace(name.size() - 3, 3, "png");
+    return name;
 }
 
 Result<SourceFile> listedFile(const verify::StoredDataset& dataset, const std::string& name) {
@@ -106,6 +125,7 @@ Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
     source.frames = dataset.frames.size();
     source.width = dataset.lens.width;
     source.height = dataset.lens.height;
+    if (needs_.everything) source.modalities = imageFoldersOf(dataset);
     for (const char* modality : kModalities) {
         if (dataset.has(modality)) source.modalities.insert(modality);
     }
@@ -150,10 +170,11 @@ Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& so
         return {};
     };
     Status status = add(kAnnotationFile);
-    for (const std::string& modality : needs_.modalities) {
-        if (!source.modalities.contains(modality)) continue;
+    if (status && needs_.everything && dataset.has("imu")) status = add(kImuFile);
+    for (const std::string& modality : source.modalities) {
+        if (!needs_.everything && !needs_.modalities.contains(modality)) continue;
         for (std::size_t frame = 0; status && frame < source.frames; ++frame) {
-            status = add(frameFileOf(modality, frame));
+            status = add(frameFileOf(dataset, modality, frame));
         }
     }
     for (const std::string& beginning : needs_.copied) {

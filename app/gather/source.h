@@ -19,11 +19,17 @@
 
 namespace dollytrack::gather {
 
-/// The image kinds that can be gathered; rgb is always.
+/// The image kinds that most layouts hold; rgb is always.
 inline constexpr const char* kPicture = "rgb";
 inline constexpr const char* kDepth = "depth";
 inline constexpr const char* kInstance = "instance";
 inline constexpr const char* kSemantic = "semantic";
+
+/// The folder of the images of a rig's cameras.
+inline constexpr std::string_view kRigFolder = "cameras/";
+
+/// The inertial measurements of a dataset.
+inline constexpr const char* kImuFile = "imu.csv";
 
 /// The file of a dataset with its boxes and masks, in COCO's format.
 inline constexpr const char* kAnnotationFile = "annotations.json";
@@ -53,6 +59,7 @@ struct Source {
 /// Which files of a dataset are gathered, and what they must have in common with the others'.
 struct SourceNeeds {
     std::set<std::string> modalities;   // of each frame, where the dataset has them
+    bool everything = false;            // also all other images, and inertial measurements
     std::vector<std::string> required;  // modalities and formats without which it is refused
     std::vector<std::string> copied;    // beginnings of the names of other files
     bool mixed_lenses = false;          // datasets may have different focal lengths
@@ -91,8 +98,9 @@ class SourceReader {
 /// Whether a name is that of an image kind that can be gathered.
 [[nodiscard]] bool isModality(std::string_view name);
 
-/// A frame's file of a modality: "rgb/000012.png".
-[[nodiscard]] std::string frameFileOf(std::string_view modality, std::size_t frame);
+/// A frame's file of a modality: "rgb/000012.png", or ".jpg" if dataset.json lists that.
+[[nodiscard]] std::string frameFileOf(const verify::StoredDataset& dataset,
+                                      std::string_view modality, std::size_t frame);
 
 /// A file that dataset.json lists. Error: BadInput where it does not.
 [[nodiscard]] Result<SourceFile> listedFile(const verify::StoredDataset& dataset,

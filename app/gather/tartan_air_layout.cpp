@@ -81,12 +81,12 @@ class TartanAirLayout : public Layout {
 const LayoutKind kTartanAirLayout = {
     .name = "tartanair",
     .text = "TartanAir's folders PART/ENV/Easy/P000/ with images, depth, classes, flow and poses",
-    .every_modality = false,
-    .contents = "depth, classes, optical flow and poses",
+    .content = LayoutContent::Colour,
     .tasks = kTartanAirTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<TartanAirLayout>(std::move(input));
     },
+    .labels = "depth, classes, optical flow and poses",
     .how_to_read =
         "Readers of TartanAir take `train/` as the folder of environments. An environment is a "
         "scene, named after its first source dataset, and `P000`, `P001` ... are the datasets of "

@@ -67,7 +67,8 @@ class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
                                                 std::size_t frame) const override {
         WebDatasetSample sample{source.frameName(frame), {}};
         for (const std::string& modality : input().modalities) {
-            Result<std::string> bytes = readProven(source.file(frameFileOf(modality, frame)));
+            Result<std::string> bytes =
+                readProven(source.file(frameFileOf(source.dataset, modality, frame)));
             if (!bytes) return tl::unexpected(bytes.error());
             sample.members.emplace_back(modality == kPicture ? "png" : modality + ".png",
                                         std::move(*bytes));
@@ -103,12 +104,12 @@ const LayoutKind kWebDatasetLayout = {
     .name = "webdataset",
     .text =
         "tar files of similar size, in which each frame is KEY.png, KEY.depth.png ..., KEY.json",
-    .every_modality = true,
-    .contents = kBoxesAndMasks,
+    .content = LayoutContent::Shared,
     .tasks = kMaskTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<WebDatasetLayout>(std::move(input));
     },
+    .labels = kBoxesAndMasks,
     .how_to_read =
         "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\")` reads a tar file; "
         "`datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the colour image; "

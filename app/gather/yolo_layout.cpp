@@ -67,12 +67,12 @@ class YoloLayout : public Layout {
 const LayoutKind kYoloLayout = {
     .name = "yolo",
     .text = "images in images/, boxes in labels/, and data.yaml, for Ultralytics",
-    .every_modality = false,
-    .contents = kBoxes,
+    .content = LayoutContent::Colour,
     .tasks = kBoxTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<YoloLayout>(std::move(input));
     },
+    .labels = kBoxes,
     .how_to_read =
         "Train YOLO with `data.yaml`: `yolo detect train data=data.yaml`. Each line of a file in "
         "`labels/` has a class number and the box's centre and size as fractions of the image "

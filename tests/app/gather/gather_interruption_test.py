@@ -3,6 +3,8 @@
 
 Usage: gather_interruption_test.py PROGRAM [unittest arguments]
 """
+import hashlib
+import json
 import os
 import pathlib
 import shutil
@@ -55,6 +57,42 @@ class Interruption(GatherCase):
                 self.assertEqual(card["skipped"], ["bad"])
         self.assertFails(run("-q", "gather", around / "bad", "--out", self.new_folder(), "--format",
                              "yolo", "--skip-damaged"), 4, "All datasets")
+
+    def test_what_a_recording_cannot_hold_is_said(self):
+        def edit_card(folder, change):
+            card = json.loads((folder / "dataset.json").read_text())
+            change(card)
+            (folder / "dataset.json").write_text(json.dumps(card))
+
+        def turn_back(card):
+            card["frames"][4]["time_s"] = card["frames"][2]["time_s"]
+
+        def edit_measurements(change):
+            def damage(folder):
+                path = folder / "imu.csv"
+                path.write_text(change(path.read_text()))
+                edit_card(folder, lambda card: card["files"].update(
+                    {"imu.csv": hashlib.sha256(path.read_bytes()).hexdigest()}))
+            return damage
+
+        for damage, words in [
+                (lambda folder: edit_card(folder, turn_back), ["frames[4].time_s", "increase"]),
+                (lambda folder: edit_card(folder, lambda card: card["frames"][0].update(time_s=-1)),
+                 ["frames[0].time_s", "from 0 on"]),
+                (edit_measurements(lambda text: text + text.splitlines()[1] + "\n"),
+                 ["imu.csv:", "increase"]),
+                (edit_measurements(lambda text: text + "1,2,3\n"), ["imu.csv:", "3 values"]),
+                (lambda folder: (folder / "imu.csv").write_text("changed"), ["imu.csv", "SHA-256"]),
+                (lambda folder: (folder / "imu.csv").unlink(), ["imu.csv is missing"])]:
+            with self.subTest(words):
+                around = self.damaged(damage)
+                out = self.new_folder()
+                command = ["-q", "gather", around, "--out", out, "--format", "mcap"]
+                self.assertFails(run(*command), 4, str(around / "bad"), *words)
+                self.assertFalse((out / "gather.json").exists())
+        done = run(*command, "--skip-damaged")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([path.name for path in out.rglob("*.mcap")], ["good.mcap"])
 
     def test_what_is_no_dataset_is_said(self):
         nothing = self.folder / "nothing"
@@ -156,7 +194,7 @@ class Interruption(GatherCase):
             self.copy_as(self.datasets / "room_1", around / f"copy_{number}", 100 + number)
         picture = around / "copy_4" / "rgb" / "000003.png"
         right = picture.read_bytes()
-        for layout in ["yolo", "coco", "imagefolder", "webdataset"]:
+        for layout in ["yolo", "coco", "imagefolder", "webdataset", "mcap"]:
             with self.subTest(layout):
                 arguments = ["--format", layout, "--shard-frames", 5]
                 whole = self.gather(*arguments, datasets=[around])
@@ -166,8 +204,8 @@ class Interruption(GatherCase):
                 self.assertFails(run(*command), 4, str(picture))
                 picture.write_bytes(right)
                 staged = out / ".dollytrack-new"
-                pictures = sorted(staged.glob("*.tar") if layout == "webdataset"
-                                  else staged.rglob("*.png"))
+                ending = {"webdataset": "tar", "mcap": "mcap"}.get(layout, "png")
+                pictures = sorted(staged.rglob(f"*.{ending}"))
                 self.assertGreater(len(pictures), 3)
                 self.assertFails(run(*command, "--resume", "--title", "Others"), 2,
                                  "other contents",
@@ -198,7 +236,7 @@ class Interruption(GatherCase):
         self.assertEqual(hashes(out), hashes(whole))
 
     def test_an_interrupted_run_goes_on_to_the_same_bytes(self):
-        for layout, more in [("coco", []), ("webdataset", ["--shard-frames", 5])]:
+        for layout, more in [("coco", []), ("webdataset", ["--shard-frames", 5]), ("mcap", [])]:
             with self.subTest(layout):
                 arguments = ["--format", layout, "--split", "by-room", "80/10/10", *more]
                 whole = self.gather(*arguments, datasets=[self.many()])
@@ -238,7 +276,7 @@ class Interruption(GatherCase):
         self.assertEqual(hashes(out), hashes(new))
 
     def test_memory_does_not_grow_with_frames(self):
-        for layout in ["webdataset", "parquet"]:
+        for layout in ["webdataset", "parquet", "mcap"]:
             with self.subTest(layout):
                 out = self.new_folder()
                 done = subprocess.run(["/usr/bin/env", "python3", "-c", (

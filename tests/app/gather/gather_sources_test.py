@@ -104,6 +104,12 @@ class Sources(GatherCase):
             self.assertEqual([one["name"] for one in card["classes"]], ["seat", "mug"])
             self.assertNotIn("semantic", card["modalities"])
             self.assertEqual(card["class_map"], {"cup": "mug"})
+        done = run("-q", "gather", own, own_2, "--out", self.folder / "recordings", "--format", "mcap",
+                   "--class-map", self.folder / "map.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("semantic is left out", done.stderr)
+        for path in (self.folder / "recordings").rglob("*.mcap"):
+            self.assertNotIn(b"/camera/semantic", path.read_bytes())
         (self.folder / "map.json").write_text('{"cups": "mug"}')
         refused = run("-q", "gather", own, own_2, "--out", self.new_folder(), "--format", "coco",
                       "--class-map", self.folder / "map.json")
