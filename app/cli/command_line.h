@@ -37,6 +37,7 @@ void addEditCommand(CLI::App& app, Session& session);
 void addExportCommand(CLI::App& app, Session& session);
 void addVerifyCommand(CLI::App& app, Session& session);
 void addViewCommand(CLI::App& app, Session& session);
+void addStatisticsCommand(CLI::App& app, Session& session);
 void addEvaluateCommand(CLI::App& app, Session& session);
 void addBatchCommand(CLI::App& app, Session& session);
 void addGatherCommand(CLI::App& app, Session& session);

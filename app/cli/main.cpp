@@ -153,6 +153,7 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
     cli::addExportCommand(app, session);
     cli::addVerifyCommand(app, session);
     cli::addViewCommand(app, session);
+    cli::addStatisticsCommand(app, session);
     cli::addEvaluateCommand(app, session);
     cli::addCompareCommand(app, session);
     cli::addSweepCommand(app, session);

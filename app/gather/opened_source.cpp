@@ -1,7 +1,7 @@
 #include "app/gather/opened_source.h"
 
-#include "engine/io/files/bounded_json.h"
 #include "engine/io/files/sha256.h"
+#include "render/verify/read/coco_annotations.h"
 
 #include <fmt/format.h>
 
@@ -31,34 +31,16 @@ Annotation annotationOf(const json& one, const ClassTable& table, const ClassUni
     return read;
 }
 
-/// Parses annotations one by one, so that the JSON of only one annotation is in memory.
 Status readAnnotations(const std::string& text, const std::string& where, const ClassUnion& classes,
                        OpenedSource& opened) {
-    constexpr int kInList = 2;  // nesting depth of an annotation
-    std::string section;
-    bool damaged = false;
-    const auto take = [&](int depth, json::parse_event_t event, json& value) {
-        if (depth == 1 && event == json::parse_event_t::key) section = value.get<std::string>();
-        if (depth != kInList || event != json::parse_event_t::object_end) return true;
-        if (section != "annotations") return false;
-        try {
-            bool known = false;
-            const std::size_t frame = frameOf(value, opened.annotations.size());
-            Annotation one = annotationOf(value, opened.source.classes(), classes, known);
-            damaged = damaged || !known || frame == opened.annotations.size();
-            if (!damaged) opened.annotations[frame].push_back(std::move(one));
-        } catch (const json::exception&) {
-            damaged = true;
-        }
-        return false;
-    };
-    const Result<json> parsed = parseBoundedJson<json>(text, where, take);
-    if (!parsed) return tl::unexpected(parsed.error());
-    if (!damaged) return {};
-    return fail(ErrorCode::BadInput,
-                "An annotation lacks a field, or names a class or image that does not exist; "
-                "export the dataset again.",
-                where);
+    return verify::forEachAnnotation(text, where, [&](const json& value) {
+        bool known = false;
+        const std::size_t frame = frameOf(value, opened.annotations.size());
+        Annotation one = annotationOf(value, opened.source.classes(), classes, known);
+        if (!known || frame == opened.annotations.size()) return false;
+        opened.annotations[frame].push_back(std::move(one));
+        return true;
+    });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/view/frame_pictures.h"
 
 #include "app/view/base64.h"
+#include "app/view/even_frames.h"
 #include "engine/io/files/guarded_folder.h"
 #include "engine/jobs/parallel.h"
 #include "render/verify/read/frame_images.h"
@@ -87,27 +88,17 @@ class PictureMaker {
     std::vector<PictureKind> kinds_;
 };
 
-/// About `count` evenly spaced numbers below `end`, including the first and the last.
-std::vector<int> evenly(std::size_t count, std::size_t end) {
-    std::vector<int> chosen;
-    count = std::min(count, end);
-    for (std::size_t i = 0; i < count; ++i) {
-        chosen.push_back(static_cast<int>(count == 1 ? 0 : i * (end - 1) / (count - 1)));
-    }
-    return chosen;
-}
-
 /// `count` frames: as many of `first` as fit, then evenly spaced ones.
 std::vector<int> choose(const std::vector<int>& first, std::size_t count, std::size_t frames) {
     std::vector<bool> taken(frames, false);
-    for (const int at : evenly(count, first.size())) {
+    for (const int at : evenlySpaced(count, first.size())) {
         taken[first[at]] = true;
     }
     std::vector<int> others;
     for (std::size_t i = 0; i < frames; ++i) {
         if (!taken[i]) others.push_back(static_cast<int>(i));
     }
-    for (const int at : evenly(count - std::min(count, first.size()), others.size())) {
+    for (const int at : evenlySpaced(count - std::min(count, first.size()), others.size())) {
         taken[others[at]] = true;
     }
     std::vector<int> chosen;
@@ -127,7 +118,7 @@ struct PictureTry {
 /// estimated from a few frames.
 PictureTry firstTry(const PictureMaker& maker, std::size_t frames, std::size_t most_bytes,
                     const JobContext& job) {
-    const std::vector<int> tried = evenly(kTried, frames);
+    const std::vector<int> tried = evenlySpaced(kTried, frames);
     double per_frame = 0.0;
     for (std::size_t size = 0; size < kSizes.size(); ++size) {
         per_frame = kSafety * static_cast<double>(maker.bytesOf(tried, kSizes[size], job)) /

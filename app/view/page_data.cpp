@@ -42,10 +42,6 @@ std::map<int, Json> rowsByObject(const Json& card, const char* place, const char
     return rows;
 }
 
-std::map<int, Json> countedRows(const verify::StoredDataset& dataset) {
-    return rowsByObject(dataset.card, "/metrics/counted/per_object", "object_id");
-}
-
 std::map<int, Json> plannedRows(const verify::StoredDataset& dataset) {
     return rowsByObject(dataset.card, "/metrics/planned/ledger", "id");
 }
@@ -186,6 +182,10 @@ std::string sceneName(const Json& card) {
 }
 
 }  // namespace
+
+std::map<int, Json> countedRows(const verify::StoredDataset& dataset) {
+    return rowsByObject(dataset.card, "/metrics/counted/per_object", "object_id");
+}
 
 std::vector<int> bestFrames(const verify::StoredDataset& dataset) {
     std::set<int> frames;

@@ -8,10 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace dollytrack::view {
+
+/// The rows of metrics.counted.per_object in dataset.json by object id; empty without them.
+[[nodiscard]] std::map<int, nlohmann::ordered_json> countedRows(
+    const verify::StoredDataset& dataset);
 
 /// The dataset's frames that show some object best, by rising index.
 [[nodiscard]] std::vector<int> bestFrames(const verify::StoredDataset& dataset);

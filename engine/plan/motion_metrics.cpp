@@ -1,5 +1,7 @@
 #include "engine/plan/motion_metrics.h"
 
+#include "engine/math/quantile.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,14 +11,6 @@ namespace dollytrack {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-/// Quantile with linear interpolation between neighbouring values.
-double quantile(const std::vector<double>& sorted, double share) {
-    const double at = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(at);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
-}
 
 SampleStatistics spreadOf(std::vector<double> values) {
     if (values.empty()) return {};

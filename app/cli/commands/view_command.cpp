@@ -1,9 +1,9 @@
 #include "app/cli/command_line.h"
 #include "app/cli/export/dataset_scene.h"
 #include "app/cli/export/room_exports.h"
+#include "app/cli/terminal/output_file.h"
 #include "app/view/dataset_page.h"
 #include "engine/core/log.h"
-#include "engine/io/files/guarded_folder.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -25,47 +25,7 @@ struct ViewArguments {
 
 /// The path of the page: --out, by default DATASET.html beside the dataset.
 fs::path pageFile(const ViewArguments& arguments) {
-    if (!arguments.out.empty()) return arguments.out;
-    std::error_code error;
-    fs::path dataset = fs::absolute(fs::path(arguments.folder) / "", error).lexically_normal();
-    dataset = dataset.parent_path();
-    return dataset.parent_path() / (dataset.filename().string() + ".html");
-}
-
-/// Refuses a folder with one dataset per room.
-Status checkIsDataset(const fs::path& folder) {
-    std::error_code error;
-    if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder)) return {};
-    const Result<std::vector<fs::path>> rooms = roomFolders(folder);
-    if (!rooms) return tl::unexpected(rooms.error());
-    std::vector<std::string> names;
-    for (const fs::path& room : *rooms) names.push_back(room.filename().string());
-    return fail(
-        ErrorCode::BadInput,
-        fmt::format("The folder contains one dataset per room; give the folder of one of them: {}.",
-                    fmt::join(names, ", ")),
-        folder.string());
-}
-
-/// Opens the folder of the page after checking that the page can be written.
-Result<GuardedFolder> openFor(const fs::path& file, bool overwrite) {
-    const std::string name = file.filename().string();
-    std::error_code error;
-    if (name.empty() || name == "." || name == ".." || fs::is_directory(file, error)) {
-        return fail(ErrorCode::CannotWrite, "The path is a folder; give a file name for the page.",
-                    file.string());
-    }
-    const fs::path parent = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    Result<GuardedFolder> folder = GuardedFolder::open(parent);
-    if (!folder) return folder;
-    if (const Status status = folder->checkFile(name); !status) {
-        return tl::unexpected(status.error());
-    }
-    if (!overwrite && folder->has(name)) {
-        return fail(ErrorCode::Usage, "The file already exists; pass --overwrite to replace it.",
-                    file.string());
-    }
-    return folder;
+    return arguments.out.empty() ? fileBeside(arguments.folder, ".html") : fs::path(arguments.out);
 }
 
 std::string picturesText(const view::DatasetPage& page) {
@@ -77,13 +37,13 @@ std::string picturesText(const view::DatasetPage& page) {
 
 Result<ExitCode> runView(const ViewArguments& arguments, const Session& session) {
     const JobContext job = session.job();
-    if (const Status status = checkIsDataset(arguments.folder); !status) {
+    if (const Status status = refuseRooms(arguments.folder); !status) {
         return tl::unexpected(status.error());
     }
     const auto dataset = verify::readStoredDataset(arguments.folder);
     if (!dataset) return tl::unexpected(dataset.error());
     const fs::path file = pageFile(arguments);
-    const Result<GuardedFolder> folder = openFor(file, arguments.overwrite);
+    const Result<GuardedFolder> folder = openPageFolder(file, arguments.overwrite);
     if (!folder) return tl::unexpected(folder.error());
     DatasetSceneArguments asked = arguments.scene;
     asked.with_textures = true;

@@ -125,6 +125,20 @@ Result<std::vector<fs::path>> roomFolders(const fs::path& folder) {
     return folders;
 }
 
+Status refuseRooms(const fs::path& folder) {
+    std::error_code error;
+    if (fs::exists(folder / "dataset.json", error) || !holdsRooms(folder)) return {};
+    const Result<std::vector<fs::path>> rooms = roomFolders(folder);
+    if (!rooms) return tl::unexpected(rooms.error());
+    std::vector<std::string> names;
+    for (const fs::path& room : *rooms) names.push_back(room.filename().string());
+    return fail(
+        ErrorCode::BadInput,
+        fmt::format("The folder contains one dataset per room; give the folder of one of them: {}.",
+                    fmt::join(names, ", ")),
+        folder.string());
+}
+
 JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,
                      int before, int count, int total) {
     const auto share = [total](int frames) {

@@ -46,6 +46,9 @@ bool holdsRooms(const std::filesystem::path& folder);
 /// The room folders that rooms.json lists; they need not exist. Error: BadInput.
 Result<std::vector<std::filesystem::path>> roomFolders(const std::filesystem::path& folder);
 
+/// Refuses a folder with one dataset per room, naming the rooms. Error: BadInput.
+Status refuseRooms(const std::filesystem::path& folder);
+
 /// A job context that reports `count` frames of a dataset as frames before .. before + count of
 /// `total`.
 JobContext countedOn(const JobContext& job, std::shared_ptr<const std::atomic<bool>> cancel_flag,

@@ -1,7 +1,7 @@
 """The page of `view`, open in a browser."""
 import cv2
 
-import browser
+from support import browser
 from view_case import HOSTILE, ViewCase, card_of, changed_copy
 
 

@@ -9,8 +9,8 @@ import unittest
 
 import numpy as np
 
-import browser
 from page_case import PageCase
+from support import browser
 from view_case import FRAMES, HOSTILE, data_of
 
 

@@ -8,9 +8,8 @@ import unittest
 
 import numpy as np
 
-import browser
 from page_case import PageCase
-from support import tiny_room
+from support import browser, tiny_room
 from support.program import FolderCase, run
 from view_case import FRAMES, changed_copy, data_of
 

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "app/statistics/quantity.h"
+#include "engine/core/result.h"
+#include "engine/jobs/job.h"
+#include "render/verify/read/stored_dataset.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack::statistics {
+
+/// How often a class occurs.
+struct ClassStatistics {
+    int id = 0;
+    std::string name;
+    std::size_t boxes = 0;    // instances: one for each object in each frame
+    std::size_t frames = 0;   // with at least one box
+    std::size_t objects = 0;  // distinct objects with a box
+    std::size_t targets = 0;  // objects in the scene that should be captured
+    std::size_t captured = 0;
+    std::size_t well_captured = 0;
+};
+
+/// Numbers of box centres over a grid of the image, row by row from the top.
+struct HeatMap {
+    int columns = 0;
+    int rows = 0;
+    std::vector<std::uint64_t> boxes;
+};
+
+/// A box that is drawn on an example frame.
+struct ExampleBox {
+    std::array<double, 4> box = {};  // x, y, width, height, px
+    std::string object;
+    std::string class_name;
+    std::array<std::uint8_t, 3> color = {};  // of the class, sRGB
+};
+
+/// A frame that is shown on the page.
+struct ExampleFrame {
+    int frame = 0;
+    std::size_t boxes = 0;
+    std::vector<ExampleBox> shown_boxes;  // at most kMostExampleBoxes
+    std::vector<std::uint8_t> jpeg;       // empty if the image does not exist or is damaged
+};
+inline constexpr std::size_t kMostExampleBoxes = 40;
+
+/// What is measured in the image files of some frames.
+struct ImageCounts {
+    std::size_t frames = 0;      // whose images were read
+    std::size_t unreadable = 0;  // images that are missing or damaged
+};
+
+/// Unusable images, as counted by the export in all frames.
+struct UnusableImages {
+    std::size_t measured = 0;
+    std::size_t dark = 0;
+    std::size_t white = 0;
+    std::size_t flat = 0;
+};
+
+/// The numbers of one dataset.
+struct DatasetStatistics {
+    std::string name;   // of its folder
+    std::string scene;  // file name
+    int width_px = 0;
+    int height_px = 0;
+    std::size_t frames = 0;
+    double duration_s = 0.0;
+    std::optional<double> path_length_m;  // nothing without frames.csv
+    bool has_boxes = false;               // whether there is an annotations.json
+    std::size_t boxes = 0;
+    std::size_t boxes_at_border = 0;       // that touch the border of the image
+    std::vector<ClassStatistics> classes;  // that have boxes or targets, in the table's order
+    HeatMap heat_map;                      // of all boxes
+    UnusableImages unusable;
+    ImageCounts images;
+    std::vector<ExampleFrame> examples;
+    std::array<std::vector<double>, kQuantities> samples;
+    std::vector<double> time_s;  // by frame
+    /// The quantities of kAlongTrajectory, by frame.
+    std::array<std::vector<std::optional<double>>, kAlongTrajectory.size()> along;
+
+    [[nodiscard]] std::vector<double>& of(Quantity quantity) {
+        return samples[static_cast<std::size_t>(quantity)];
+    }
+    [[nodiscard]] const std::vector<double>& of(Quantity quantity) const {
+        return samples[static_cast<std::size_t>(quantity)];
+    }
+};
+
+/// Reads the tables, annotations and some images of a dataset. `examples` is the number of frames
+/// to show. Equal input gives equal numbers, whatever the number of threads. Errors: BadInput, with
+/// the file, if a table or the annotations are damaged; Cancelled.
+[[nodiscard]] Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset,
+                                                          std::size_t examples,
+                                                          const JobContext& job);
+
+}  // namespace dollytrack::statistics

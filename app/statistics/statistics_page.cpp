@@ -1,0 +1,267 @@
+#include "app/statistics/statistics_page.h"
+
+#include "app/batch/markup.h"
+#include "app/statistics/charts.h"
+#include "app/statistics/page_style.h"
+#include "app/statistics/page_tables.h"
+#include "app/statistics/page_text.h"
+#include "app/statistics/plot_frame.h"
+#include "app/view/base64.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace dollytrack::statistics {
+namespace {
+
+using Datasets = std::span<const DatasetStatistics>;
+
+std::string figure(std::string_view key, std::string_view title, std::string_view values,
+                   std::string_view chart, std::string_view note) {
+    return fmt::format(
+        "<figure class=\"chart\" data-chart=\"{}\"><figcaption><h3>{}</h3>{}</figcaption>{}{}"
+        "</figure>\n",
+        key, title, values, chart,
+        note.empty() ? "" : fmt::format("<p class=\"note\">{}</p>", note));
+}
+
+/// Medians and percentiles below the title of a histogram.
+std::string spreadText(const QuantityInfo& info, Datasets datasets) {
+    std::string text;
+    for (std::size_t i = 0; i < datasets.size(); ++i) {
+        const std::optional<Spread> spread = spreadOf(datasets[i].of(info.quantity));
+        const auto number = [&](double value) { return numberText(value * info.factor); };
+        const std::string words =
+            spread ? fmt::format("median {}{}, 80 % between {} and {}{}", number(spread->median),
+                                 info.unit, number(spread->p10), number(spread->p90), info.unit)
+                   : "no values";
+        text += fmt::format("<p class=\"quiet{}\">{}</p>",
+                            datasets.size() == 1 ? "" : fmt::format(" key s{}", i), words);
+    }
+    return text;
+}
+
+/// The note of a histogram, with the share of values that its axis leaves out.
+std::string noteOf(const QuantityInfo& info, const Bins& bins, Datasets datasets) {
+    std::string note = batch::asMarkup(info.note);
+    double most = 0.0;
+    for (const DatasetStatistics& one : datasets) {
+        const Histogram histogram = histogramOf(bins, one.of(info.quantity));
+        if (histogram.total == 0) continue;
+        most = std::max(
+            most, static_cast<double>(histogram.beyond) / static_cast<double>(histogram.total));
+    }
+    if (most > 0.0) {
+        note += fmt::format("{}{}{} % of the values lie beyond the axis.", note.empty() ? "" : " ",
+                            datasets.size() == 1 ? "" : "Up to ", numberText(100.0 * most));
+    }
+    return note;
+}
+
+std::string histograms(Datasets datasets, const SharedBins& bins,
+                       std::initializer_list<Quantity> chosen) {
+    std::string text;
+    for (const Quantity quantity : chosen) {
+        const auto& shared = bins[static_cast<std::size_t>(quantity)];
+        if (!shared) continue;
+        const QuantityInfo& info = infoOf(quantity);
+        text += figure(info.key, info.title, spreadText(info, datasets),
+                       histogramChart(info, *shared, datasets), noteOf(info, *shared, datasets));
+    }
+    return text;
+}
+
+std::string section(std::string_view title, std::string_view charts) {
+    if (charts.empty()) return {};
+    return fmt::format("<h2>{}</h2>\n<div class=\"charts\">\n{}</div>\n", title, charts);
+}
+
+/// Scene, number of frames and size of the images.
+std::string summaryOf(const DatasetStatistics& one) {
+    return fmt::format("<span class=\"quiet\">{}{}{} frames of {} × {} px</span>",
+                       shownName(one.scene), one.scene.empty() ? "" : ", ",
+                       numberText(static_cast<double>(one.frames)), one.width_px, one.height_px);
+}
+
+std::string header(Datasets datasets) {
+    if (datasets.size() == 1) {
+        return fmt::format("<h1>Statistics of {}</h1>\n<p>{}</p>\n", shownName(datasets[0].name),
+                           summaryOf(datasets[0]));
+    }
+    std::string text =
+        fmt::format("<h1>Statistics of {} datasets</h1>\n<div id=\"datasets\">", datasets.size());
+    for (std::size_t i = 0; i < datasets.size(); ++i) {
+        text += fmt::format("<span class=\"key s{}\"><b>{}</b> {}</span>", i,
+                            shownName(datasets[i].name), summaryOf(datasets[i]));
+    }
+    return text + "</div>\n";
+}
+
+std::string exampleFigure(const DatasetStatistics& one, std::size_t dataset,
+                          const ExampleFrame& example, bool name_dataset) {
+    std::string boxes;
+    for (const ExampleBox& box : example.shown_boxes) {
+        boxes += fmt::format(
+            "<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" "
+            "stroke=\"#{:02x}{:02x}{:02x}\"><title>{} ({})</title></rect>",
+            box.box[0], box.box[1], box.box[2], box.box[3], box.color[0], box.color[1],
+            box.color[2], shownName(box.object), shownName(box.class_name));
+    }
+    const std::string count =
+        one.has_boxes ? fmt::format(", {} box{}", example.boxes, example.boxes == 1 ? "" : "es")
+                      : "";
+    return fmt::format(
+        "<figure class=\"example\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Frame "
+        "{}\"><image width=\"{}\" height=\"{}\" href=\"data:image/jpeg;base64,{}\"/>{}</svg>"
+        "<figcaption>{}frame {}{}</figcaption></figure>\n",
+        one.width_px, one.height_px, example.frame, one.width_px, one.height_px,
+        view::base64(example.jpeg), boxes,
+        name_dataset
+            ? fmt::format("<span class=\"key s{}\">{}</span>, ", dataset, shownName(one.name))
+            : "",
+        example.frame, count);
+}
+
+std::string examples(Datasets datasets) {
+    std::string text;
+    for (std::size_t i = 0; i < datasets.size(); ++i) {
+        for (const ExampleFrame& example : datasets[i].examples) {
+            text += exampleFigure(datasets[i], i, example, datasets.size() > 1);
+        }
+    }
+    if (text.empty()) return {};
+    return fmt::format(
+        "<h2>Example frames</h2>\n<div class=\"frames\">\n{}</div>\n<p class=\"note\">Evenly "
+        "spaced "
+        "frames with their boxes, in the colours of the classes; the pointer shows the name of an "
+        "object.</p>\n",
+        text);
+}
+
+/// The same for all heat maps.
+double fullShare(Datasets datasets) {
+    double share = 0.0;
+    for (const DatasetStatistics& one : datasets) {
+        share = std::max(share, fullShareOf(one.heat_map));
+    }
+    return share;
+}
+
+std::string heatMaps(Datasets datasets) {
+    const double full_share = fullShare(datasets);
+    std::string text;
+    for (std::size_t i = 0; i < datasets.size() && full_share > 0.0; ++i) {
+        const std::string name =
+            datasets.size() == 1
+                ? ""
+                : fmt::format("<p class=\"quiet key s{}\">{}</p>", i, shownName(datasets[i].name));
+        text += figure("box_centers", "Box centres over the image", name,
+                       heatMapChart(datasets[i], i, full_share), "");
+    }
+    return text;
+}
+
+std::string classSection(Datasets datasets) {
+    const std::vector<ClassRow> rows = classRowsOf(datasets);
+    if (rows.empty()) return {};
+    const std::string_view note =
+        rows.size() > kMostChartClasses ? "The 15 classes with the most boxes." : "";
+    std::string charts;
+    if (fullShare(datasets) > 0.0) {
+        charts += figure("boxes_by_class", "Boxes by class", "", boxesByClassChart(rows), note);
+    }
+    charts += figure("captured_by_class", "Captured objects by class",
+                     "<p class=\"quiet\">filled: captured, outlined: all target objects</p>",
+                     capturedByClassChart(rows), note);
+    // One heat map fills the row; several stand side by side in the next section.
+    const bool single = datasets.size() == 1;
+    return section(single ? "Classes and places in the image" : "Classes",
+                   charts + (single ? heatMaps(datasets) : "")) +
+           classTable(rows, datasets);
+}
+
+std::string boxSection(Datasets datasets, const SharedBins& bins) {
+    const bool single = datasets.size() == 1;
+    return section(
+        single ? "Sizes, distances and visibility" : "Sizes, distances, visibility and places",
+        histograms(datasets, bins,
+                   {Quantity::BoxShare, Quantity::MaskShare, Quantity::AspectRatio,
+                    Quantity::BoxesPerFrame, Quantity::Distance, Quantity::VisibleFraction,
+                    Quantity::Truncation, Quantity::BestVisibleFraction}) +
+            (single ? "" : heatMaps(datasets)));
+}
+
+std::string lines(Datasets datasets, const SharedBins& bins) {
+    std::string text;
+    for (std::size_t i = 0; i < kAlongTrajectory.size(); ++i) {
+        const QuantityInfo& info = infoOf(kAlongTrajectory[i]);
+        if (!bins[static_cast<std::size_t>(info.quantity)]) continue;
+        text += figure(fmt::format("{}_over_time", info.key),
+                       fmt::format("{} along the trajectory", info.title), "",
+                       lineChart(i, datasets), "");
+    }
+    return text;
+}
+
+/// Which charts are missing, and how to get them.
+std::string missingCharts(const SharedBins& bins) {
+    std::string text;
+    for (const QuantityInfo& info : quantities()) {
+        if (bins[static_cast<std::size_t>(info.quantity)] || *info.source == '\0') continue;
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", info.title, info.source);
+    }
+    if (text.empty()) return {};
+    return fmt::format(
+        "<p class=\"note\">Not shown, because no dataset has values: {}. The brackets name what "
+        "<code>dollytrack export</code> needs to write them.</p>\n",
+        text);
+}
+
+std::string imageNote(Datasets datasets) {
+    std::size_t most = 0;
+    for (const DatasetStatistics& one : datasets) most = std::max(most, one.images.frames);
+    if (most == 0) return {};
+    return fmt::format(
+        "<p class=\"note\">Measured in {} evenly spaced frames{}; depth at about "
+        "4,800 pixels of each.</p>\n",
+        most, datasets.size() == 1 ? "" : " or fewer of each dataset");
+}
+
+}  // namespace
+
+std::string statisticsPage(Datasets datasets) {
+    const SharedBins bins = sharedBinsOf(datasets);
+    const bool single = datasets.size() == 1;
+    std::string body = header(datasets);
+    body += "<h2>Overview</h2>\n";
+    if (single) {
+        body += overviewTiles(datasets[0]);
+    } else {
+        body += overviewTable(datasets);
+        body += "<p class=\"note\">Small numbers are differences from the first dataset.</p>\n";
+    }
+    body += examples(datasets);
+    body += classSection(datasets) + boxSection(datasets, bins);
+    body += section("Camera", histograms(datasets, bins,
+                                         {Quantity::CameraHeight, Quantity::CameraPitch,
+                                          Quantity::Speed, Quantity::TurnRate}) +
+                                  lines(datasets, bins));
+    const std::string images = section(
+        "Images",
+        histograms(datasets, bins, {Quantity::Depth, Quantity::Luma, Quantity::Colorfulness}));
+    if (!images.empty()) body += images + imageNote(datasets);
+    body += missingCharts(bins);
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+        "style-src 'unsafe-inline'\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n<title>Statistics of {}</title>\n"
+        "<style>{}</style></head>\n<body class=\"{}\">\n{}</body></html>\n",
+        single ? shownName(datasets[0].name) : fmt::format("{} datasets", datasets.size()),
+        kPageStyle, single ? "single" : "compared", body);
+}
+
+}  // namespace dollytrack::statistics
