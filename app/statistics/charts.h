@@ -19,8 +19,8 @@ namespace dollytrack::statistics {
 /// durations.
 [[nodiscard]] std::string lineChart(std::size_t line, std::span<const DatasetStatistics> datasets);
 
-/// The most classes in a chart.
-inline constexpr std::size_t kMostChartClasses = 15;
+/// The number of classes in a chart; fewer of many datasets.
+[[nodiscard]] std::size_t chartClassesOf(std::span<const ClassRow> rows);
 
 /// Numbers of boxes by class.
 [[nodiscard]] std::string boxesByClassChart(std::span<const ClassRow> rows);

@@ -46,7 +46,7 @@ std::string barText(const PlotFrame& frame, const ClassBar& bar, std::size_t dat
 
 std::string classChart(std::span<const ClassRow> all, const std::string& title,
                        const std::string& label, BarOf bar_of) {
-    const std::span<const ClassRow> rows = all.first(std::min(all.size(), kMostChartClasses));
+    const std::span<const ClassRow> rows = all.first(chartClassesOf(all));
     const std::size_t datasets = rows.empty() ? 0 : rows[0].datasets.size();
     double most = 1.0;
     for (const ClassRow& row : rows) {
@@ -80,6 +80,13 @@ std::string classChart(std::span<const ClassRow> all, const std::string& title,
 }
 
 }  // namespace
+
+std::size_t chartClassesOf(std::span<const ClassRow> rows) {
+    constexpr std::size_t kMostClasses = 15;
+    constexpr std::size_t kMostBars = 36;
+    if (rows.empty()) return 0;
+    return std::min({rows.size(), kMostClasses, kMostBars / rows[0].datasets.size()});
+}
 
 std::string boxesByClassChart(std::span<const ClassRow> rows) {
     return classChart(rows, "Boxes by class", "boxes", [](const ClassStatistics& one) {

@@ -5,14 +5,14 @@ namespace dollytrack::statistics {
 const char* const kPageStyle = R"css(
 :root {
   --background: #f4f5f7; --panel: #ffffff; --text: #1c1e21; --quiet: #565b63; --line: #d9dce1;
-  --grid: #e7e9ed; --c0: #0b62b0; --c1: #d55e00; --c2: #00875f; --c3: #b04a8a; --c4: #a87900;
-  --c5: #2a8fc7;
+  --grid: #e7e9ed; --c0: #0f4fd4; --c1: #a8301f; --c2: #00a28f; --c3: #d08400; --c4: #8040a8;
+  --c5: #15151c;
 }
 @media (prefers-color-scheme: dark) {
   :root {
     --background: #151619; --panel: #1e2024; --text: #e6e7ea; --quiet: #a5abb5; --line: #383c43;
-    --grid: #2b2e34; --c0: #5aaef5; --c1: #ff8b3d; --c2: #31c997; --c3: #e595c6; --c4: #ecc049;
-    --c5: #a5dcff;
+    --grid: #2b2e34; --c0: #3f9bff; --c1: #d2682c; --c2: #2f9e86; --c3: #ffe14d; --c4: #c3a0dd;
+    --c5: #ffffff;
   }
 }
 .s0 { --c: var(--c0); } .s1 { --c: var(--c1); } .s2 { --c: var(--c2); }

@@ -166,8 +166,9 @@ std::string heatMaps(Datasets datasets) {
 std::string classSection(Datasets datasets) {
     const std::vector<ClassRow> rows = classRowsOf(datasets);
     if (rows.empty()) return {};
-    const std::string_view note =
-        rows.size() > kMostChartClasses ? "The 15 classes with the most boxes." : "";
+    const std::size_t shown = chartClassesOf(rows);
+    const std::string note =
+        rows.size() > shown ? fmt::format("The {} classes with the most boxes.", shown) : "";
     std::string charts;
     if (fullShare(datasets) > 0.0) {
         charts += figure("boxes_by_class", "Boxes by class", "", boxesByClassChart(rows), note);

@@ -187,6 +187,8 @@ class Mutants(ParentCase):
                 data, command = path.read_bytes(), ["verify", self.dataset]
                 if "transforms" not in path.name and rng.random() < 0.1:
                     command = ["evaluate", self.dataset, "--estimated", self.dataset / "tum.txt"]
+                elif rng.random() < 0.3:
+                    command = ["statistics", self.dataset, "-o", self.work / "out.html"]
             else:
                 name, data, command = rng.choice(seeds)
                 path = self.work / name
@@ -366,7 +368,8 @@ class HandMade(ParentCase):
                          ["dataset.json: " + place[0]])
                 self.refuses("verify", copy, words=words)
                 if words:
-                    self.refuses("view", copy, "-o", self.work / "page.html", words=words)
+                    for command in ("view", "statistics"):
+                        self.refuses(command, copy, "-o", self.work / "page.html", words=words)
                     self.refuses("gather", copy, "--format", "coco", "--out", self.work / "all",
                                  words=words)
         shutil.rmtree(copy)

@@ -5,6 +5,9 @@ Usage: statistics_page_test.py PROGRAM [unittest arguments]
 """
 import unittest
 
+import cv2
+import numpy as np
+
 from statistics_case import HOSTILE, StatisticsCase
 from support import browser
 
@@ -90,6 +93,24 @@ class Page(StatisticsCase):
                     backgrounds.add(self.browser.run(
                         "return getComputedStyle(document.body).backgroundColor"))
         self.assertEqual(len(backgrounds), 2)
+
+    def test_colours_differ_for_colour_blind_readers(self):
+        """CIE 1976 differences after Machado et al.'s simulation (2009) of the three kinds."""
+        kinds = np.array([[[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                          [[.152, 1.053, -.205], [.115, .786, .099], [-.004, -.048, 1.052]],
+                          [[.367, .861, -.228], [.280, .673, .047], [-.012, .043, .969]],
+                          [[1.256, -.077, -.179], [-.078, .931, .148], [.005, .691, .304]]])
+        for dark in (False, True):
+            self.open("two", dark=dark)
+            shown = self.browser.run("""return [0, 1, 2, 3, 4, 5].map(i => getComputedStyle(
+                document.body).getPropertyValue(`--c${i}`).trim())""")
+            colors = np.array([[int(one[i:i + 2], 16) for i in (1, 3, 5)] for one in shown]) / 255
+            linear = np.where(colors > .04045, ((colors + .055) / 1.055) ** 2.4, colors / 12.92)
+            for kind in kinds:
+                seen = np.clip(linear @ kind.T, 0, 1) ** (1 / 2.4) * 1.055 - .055
+                lab = cv2.cvtColor(np.float32(np.clip(seen, 0, 1))[None], cv2.COLOR_RGB2LAB)[0]
+                apart = np.linalg.norm(lab[:, None] - lab[None], axis=2)[np.triu_indices(6, 1)]
+                self.assertGreater(apart.min(), 14)
 
     def test_examples_show_their_boxes(self):
         self.open("one")

@@ -8,6 +8,7 @@ import re
 import shutil
 import unittest
 
+import cv2
 import numpy as np
 
 from statistics_case import FRAMES, HOSTILE, StatisticsCase, card_of, rows_of, samples_of
@@ -164,6 +165,36 @@ class Command(StatisticsCase):
         both = self.folder / "alone2.html"
         self.page_of(self.whole, self.part, "-o", both)
         self.assertEqual(len(re.findall(r'class="example"', both.read_text())), 8)
+
+    def test_six_large_datasets_stay_below_the_limit(self):
+        """Long names, 300 classes with boxes, many boxes per frame, images of noise."""
+        def change(card):
+            rules = [{"id": i, "name": f"{i}" + "<é" * 32, "matches": [f"thing{i}<*"]}
+                     for i in range(1, 301)]
+            card["labels"] = {"classes": rules}
+            sample = card["objects"][-1]
+            card["objects"] = [{**sample, "id": i, "role": "target", "name": f"thing{i}" + "<é" * 500,
+                                "class_id": i} for i in range(1, 301)]
+            card["metrics"]["counted"]["per_object"] = []
+            frame = card["frames"][0]
+            card["frames"] = [{**frame, "index": i, "time_s": 0.1 * i} for i in range(1000)]
+            card["formats"] = ["coco"]
+        copy = self.changed_copy(self.part, "large", change)
+        coco = {"annotations": [
+            {"image_id": i // 100 + 1, "category_id": i % 300 + 1, "object_id": i % 300 + 1,
+             "bbox": [i * 7 % 319, i * 11 % 239, 1, 1], "area": 1} for i in range(100_000)]}
+        (copy / "annotations.json").write_text(json.dumps(coco))
+        noise = np.random.default_rng(1).integers(0, 256, (240, 320, 3), np.uint8)
+        for i in range(1000):
+            cv2.imwrite(str(copy / "rgb" / f"{i:06d}.png"), noise)
+        page = self.folder / "large.html"
+        self.page_of(*[copy] * 6, "-o", page)
+        self.assertLess(page.stat().st_size, 2_000_000)
+        self.assertIn("200 more classes", page.read_text())
+        self.assertEqual(page.read_text().count("class=\"example\""), 6)
+        self.page_of(copy, "-o", page, "--overwrite")
+        self.assertLess(page.stat().st_size, 2_000_000)
+        self.assertEqual(page.read_text().count("class=\"example\""), 8)
 
     def test_names_are_escaped(self):
         page = self.folder / "hostile.html"
