@@ -61,6 +61,7 @@ dl {
   display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 10px; margin: 0;
 }
 dl div {
+  display: flex; flex-direction: column-reverse; justify-content: flex-end;
   padding: 8px 12px; border: 1px solid var(--line); border-radius: 8px; background: var(--panel);
 }
 dd { margin: 0; font-size: 19px; font-weight: 600; font-variant-numeric: tabular-nums; }
@@ -85,6 +86,7 @@ small { display: inline-block; min-width: 3.4em; color: var(--quiet); font-size:
 @media (max-width: 600px) {
   th, td { padding: 4px 6px; }
   tbody th { min-width: 96px; white-space: normal; }
+  .single table.classes td { min-width: 0; }
 }
 )css";
 

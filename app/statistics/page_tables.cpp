@@ -69,8 +69,8 @@ std::string overviewTiles(const DatasetStatistics& dataset) {
     std::string text = "<dl>";
     for (const OverviewRow& row : overviewOf({&dataset, 1})) {
         if (!row.values[0]) continue;
-        text += fmt::format("<div><dd>{}</dd><dt>{}</dt></div>\n",
-                            numberText(*row.values[0] * row.factor), batch::asMarkup(row.label));
+        text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", batch::asMarkup(row.label),
+                            numberText(*row.values[0] * row.factor));
     }
     return text + "</dl>\n";
 }

@@ -7,14 +7,14 @@
 namespace dollytrack::statistics {
 namespace {
 
-using Json = nlohmann::json;
+using nlohmann::json;
 
-Json optionalJson(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
+json optionalJson(const std::optional<double>& value) {
+    return value ? json(*value) : json();
 }
 
-Json classesJson(const DatasetStatistics& one) {
-    Json list = Json::array();
+json classesJson(const DatasetStatistics& one) {
+    json list = json::array();
     for (const ClassStatistics& row : one.classes) {
         list.push_back({{"id", row.id},
                         {"name", row.name},
@@ -28,8 +28,8 @@ Json classesJson(const DatasetStatistics& one) {
     return list;
 }
 
-Json heatMapJson(const HeatMap& map) {
-    Json rows = Json::array();
+json heatMapJson(const HeatMap& map) {
+    json rows = json::array();
     for (int y = 0; y < map.rows; ++y) {
         const auto begin = map.boxes.begin() + static_cast<std::ptrdiff_t>(y) * map.columns;
         rows.push_back(std::vector<std::uint64_t>(begin, begin + map.columns));
@@ -37,9 +37,9 @@ Json heatMapJson(const HeatMap& map) {
     return rows;
 }
 
-Json histogramJson(const Bins& bins, const std::vector<double>& values) {
+json histogramJson(const Bins& bins, const std::vector<double>& values) {
     const Histogram histogram = histogramOf(bins, values);
-    Json one = {
+    json one = {
         {"values", histogram.total}, {"counts", histogram.counts}, {"beyond", histogram.beyond}};
     if (const std::optional<Spread> spread = spreadOf(values)) {
         one["p10"] = spread->p10;
@@ -49,11 +49,11 @@ Json histogramJson(const Bins& bins, const std::vector<double>& values) {
     return one;
 }
 
-Json alongJson(const DatasetStatistics& one) {
-    Json lines = Json::object();
+json alongJson(const DatasetStatistics& one) {
+    json lines = json::object();
     for (std::size_t i = 0; i < kAlongTrajectory.size(); ++i) {
         const TrajectoryLine line = trajectoryLineOf(one.time_s, one.along[i]);
-        Json values = Json::array();
+        json values = json::array();
         for (const std::optional<double>& value : line.values)
             values.push_back(optionalJson(value));
         lines["time_s"] = line.time_s;
@@ -64,20 +64,20 @@ Json alongJson(const DatasetStatistics& one) {
 
 }  // namespace
 
-Json statisticsJson(std::span<const DatasetStatistics> datasets) {
+json statisticsJson(std::span<const DatasetStatistics> datasets) {
     const SharedBins bins = sharedBinsOf(datasets);
     const std::vector<OverviewRow> overview = overviewOf(datasets);
-    Json edges = Json::object();
+    json edges = json::object();
     for (const QuantityInfo& info : quantities()) {
         const auto& shared = bins[static_cast<std::size_t>(info.quantity)];
         if (shared) edges[info.key] = shared->edges;
     }
-    Json list = Json::array();
+    json list = json::array();
     for (std::size_t i = 0; i < datasets.size(); ++i) {
         const DatasetStatistics& one = datasets[i];
-        Json numbers = Json::object();
+        json numbers = json::object();
         for (const OverviewRow& row : overview) numbers[row.key] = optionalJson(row.values[i]);
-        Json histograms = Json::object();
+        json histograms = json::object();
         for (const QuantityInfo& info : quantities()) {
             const auto& shared = bins[static_cast<std::size_t>(info.quantity)];
             if (shared) histograms[info.key] = histogramJson(*shared, one.of(info.quantity));
