@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -94,20 +96,22 @@ class BopLayout : public Layout {
 
     /// The dataset's scene_gt.json with the new object ids. Counts the objects of each frame.
     Result<std::string> truthOf(const OpenedSource& source) {
-        const SourceFile file = source.file(kTruthFile);
-        const Result<std::string> text = readProven(file);
+        const Result<SourceFile> file = listedFile(source.dataset, kTruthFile);
+        if (!file) return tl::unexpected(file.error());
+        const Result<std::string> text = readProven(*file);
         if (!text) return tl::unexpected(text.error());
         std::vector<std::string> lines(source.source.frames);
         objects_in_frame_.assign(lines.size(), 0);
         bool is_damaged = false;
         std::size_t frame = lines.size();
         // Frame by frame, so that the JSON of only one is in memory.
-        const auto take = [&](int depth, Json::parse_event_t event, Json& value) {
-            if (depth == 1 && event == Json::parse_event_t::key) {
+        const auto take = [&](int depth, nlohmann::json::parse_event_t event,
+                              nlohmann::json& value) {
+            if (depth == 1 && event == nlohmann::json::parse_event_t::key) {
                 frame = frameOfKey(value.get<std::string>(), lines.size());
                 is_damaged = is_damaged || frame == lines.size();
             }
-            if (depth != 1 || event != Json::parse_event_t::array_end) return true;
+            if (depth != 1 || event != nlohmann::json::parse_event_t::array_end) return true;
             if (is_damaged || !renumber(value, source)) {
                 is_damaged = true;
             } else {
@@ -116,15 +120,16 @@ class BopLayout : public Layout {
             }
             return false;
         };
-        const Result<Json> parsed = parseBoundedJson<Json>(*text, file.path.string(), take);
+        const Result<nlohmann::json> parsed =
+            parseBoundedJson<nlohmann::json>(*text, file->path.string(), take);
         if (!parsed) return tl::unexpected(parsed.error());
         std::string result = "{";
         for (const std::string& line : lines) {
             if (is_damaged || line.empty()) {
                 return fail(ErrorCode::BadInput,
-                            "A frame is missing, or an object is none of the dataset's; export the "
-                            "dataset again.",
-                            file.path.string());
+                            "It lacks a frame, or names an object that dataset.json does not list; "
+                            "export the dataset again.",
+                            file->path.string());
             }
             if (result.size() > 1) result += ',';
             result += line;
@@ -133,12 +138,13 @@ class BopLayout : public Layout {
     }
 
     /// Returns false if an object is none of the dataset's.
-    bool renumber(Json& objects, const OpenedSource& source) {
-        for (Json& one : objects) {
+    bool renumber(nlohmann::json& objects, const OpenedSource& source) {
+        for (nlohmann::json& one : objects) {
             if (!one.is_object() || !one.contains("obj_id")) return false;
-            Json& id = one["obj_id"];
-            const verify::StoredObject* object =
-                id.is_number_integer() ? source.dataset.object(id.get<int>()) : nullptr;
+            nlohmann::json& id = one["obj_id"];
+            const auto number = id.is_number_integer() ? id.get<std::int64_t>() : 0;
+            if (number < 1 || number > std::numeric_limits<int>::max()) return false;
+            const verify::StoredObject* object = source.dataset.object(static_cast<int>(number));
             if (object == nullptr) return false;
             id = idOf(*object, source);
         }

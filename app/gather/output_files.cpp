@@ -101,6 +101,10 @@ Status OutputFiles::copyFile(const OpenedSource& source, const FileCopy& file,
 
 Status OutputFiles::copyFiles(const OpenedSource& source, const std::vector<FileCopy>& files,
                               const std::string& folder, const JobContext& job) {
+    for (const FileCopy& file : files) {
+        const Result<SourceFile> listed = listedFile(source.dataset, file.from);
+        if (!listed) return tl::unexpected(listed.error());
+    }
     const Result<GuardedFolder> to = folder_.makeWithin(folder);
     if (!to) return tl::unexpected(to.error());
     std::vector<Status> copied(files.size());
@@ -124,7 +128,7 @@ Status OutputFiles::copyFrames(const OpenedSource& source, const std::string& fr
         if (names.size() != count(frame)) {
             return fail(ErrorCode::BadInput,
                         fmt::format("dataset.json lists {} files of frame {} in {}, not {}; export "
-                                    "the dataset again, or leave it out with --skip-damaged.",
+                                    "the dataset again.",
                                     names.size(), frame, from, count(frame)),
                         source.source.folder.string());
         }

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <charconv>
 #include <map>
 #include <memory>
-#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -142,16 +144,23 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
         return fmt::format("data/{}-{:05}.parquet", part, shard);
     }
 
-    /// Undoes the renaming by an earlier run that was interrupted after it finished the part.
+    /// Undoes the renaming by an earlier run that was interrupted after it finished the part. Files
+    /// of that run must not stay beside those of this one.
     Status undoRenaming(const std::string& part) {
-        std::set<std::string> names;  // a shard that was written again is noted twice
-        for (const FinishedShard& shard : input().finished) {
-            if (shard.name.starts_with("data/" + part + "-")) names.insert(shard.name);
-        }
         const GuardedFolder& folder = input().files.folder();
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const std::string name = finalName(part, i, names.size());
-            const Result<bool> moved = folder.move(name, folder, temporaryName(part, i));
+        if (!folder.has("data")) return {};
+        const Result<std::vector<std::string>> names = folder.list("data");
+        if (!names) return tl::unexpected(names.error());
+        for (const std::string& name : *names) {
+            const std::string numbers = name.substr(std::min(name.size(), part.size() + 1));
+            std::size_t shard = 0;
+            if (std::from_chars(numbers.data(), numbers.data() + numbers.size(), shard).ec !=
+                    std::errc() ||
+                !name.starts_with(part + "-") || numbers.find("-of-") == std::string::npos) {
+                continue;
+            }
+            const Result<bool> moved =
+                folder.move("data/" + name, folder, temporaryName(part, shard));
             if (!moved) return tl::unexpected(moved.error());
         }
         return {};
@@ -161,7 +170,7 @@ class ParquetLayout : public ShardLayout<ParquetRow> {
         return temporaryName(part(), shard);
     }
 
-    void pass(const OpenedSource& source, std::size_t frame) override {
+    void skip(const OpenedSource& source, std::size_t frame) override {
         ++image_id_;
         object_id_ += source.annotations[frame].size();
     }

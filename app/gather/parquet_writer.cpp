@@ -16,6 +16,7 @@ constexpr std::int64_t kGroupRows = 100;
 constexpr std::size_t kGroupBytes = 32'000'000;
 
 // Numbers of the Parquet format (parquet.thrift).
+constexpr int kNoRepetition = -1;  // of the schema itself
 constexpr int kRequired = 0;
 constexpr int kRepeated = 2;
 constexpr int kPlainEncoding = 0;
@@ -64,14 +65,7 @@ void appendLittleEndian(std::string& bytes, Number value) {
 /// A struct in Thrift's compact protocol. Fields are added in the order of their ids.
 class ThriftStruct {
   public:
-    enum Type : std::uint8_t {
-        kInt16 = 4,
-        kInt32 = 5,
-        kInt64 = 6,
-        kBinary = 8,
-        kList = 9,
-        kStruct = 12
-    };
+    enum Type : std::uint8_t { kInt32 = 5, kInt64 = 6, kBinary = 8, kList = 9, kStruct = 12 };
 
     ThriftStruct& integer(int id, std::int64_t value, Type type = kInt32) {
         begin(id, type);
@@ -116,7 +110,8 @@ std::string schemaElement(const ParquetField& field, int repetition, std::size_t
     ThriftStruct element;
     const bool is_value = children == 0;
     if (is_value) element.integer(1, typeOf(field.kind));
-    element.integer(3, repetition).text(4, field.name);
+    if (repetition != kNoRepetition) element.integer(3, repetition);
+    element.text(4, field.name);
     if (!is_value) element.integer(5, static_cast<std::int64_t>(children));
     // Each as the older ConvertedType and as LogicalType, a union of empty structs.
     if (field.kind == Kind::Text) {
@@ -202,7 +197,7 @@ void ParquetColumn::clear() {
 ParquetWriter::ParquetWriter(const std::vector<ParquetField>& fields,
                              const std::map<std::string, std::string>& metadata, Sink sink)
     : sink_(std::move(sink)) {
-    schema_ = schemaElement({"schema", Kind::Group}, kRequired, fields.size());
+    schema_ = schemaElement({"schema", Kind::Group}, kNoRepetition, fields.size());
     ++schema_elements_;
     for (const ParquetField& field : fields) addField(field, field.name, {field.name}, 0);
     for (const auto& [key, value] : metadata) {
@@ -251,6 +246,45 @@ Status ParquetWriter::endRow() {
     return group_rows_ >= kGroupRows || bytes >= kGroupBytes ? endGroup() : Status();
 }
 
+Result<std::string> ParquetWriter::writeColumn(Leaf& leaf) {
+    ParquetColumn& column = leaf.values;
+    const std::string levels = column.levels();
+    const auto bytes = static_cast<std::int64_t>(levels.size() + column.values_.size());
+    const auto count = static_cast<std::int64_t>(column.count_);
+    const std::string header = ThriftStruct()  // PageHeader of a data page, version 1
+                                   .integer(1, 0)
+                                   .integer(2, bytes)
+                                   .integer(3, bytes)
+                                   .child(5, ThriftStruct()  // DataPageHeader
+                                                 .integer(1, count)
+                                                 .integer(2, kPlainEncoding)
+                                                 .integer(3, kRunLengthEncoding)
+                                                 .integer(4, kRunLengthEncoding))
+                                   .bytes();
+    const auto page = static_cast<std::int64_t>(written_);
+    const std::int64_t chunk_bytes = static_cast<std::int64_t>(header.size()) + bytes;
+    for (const std::string_view piece :
+         {std::string_view(header), std::string_view(levels), std::string_view(column.values_)}) {
+        if (Status status = write(piece); !status) return tl::unexpected(status.error());
+    }
+    std::string encodings;
+    appendZigzag(encodings, kPlainEncoding);
+    appendZigzag(encodings, kRunLengthEncoding);
+    std::string path;
+    for (const std::string& name : leaf.path) appendText(path, name);
+    const auto metadata = ThriftStruct()  // ColumnMetaData
+                              .integer(1, typeOf(column.kind_))
+                              .list(2, ThriftStruct::kInt32, 2, encodings)
+                              .list(3, ThriftStruct::kBinary, leaf.path.size(), path)
+                              .integer(4, 0)  // not compressed
+                              .integer(5, count, ThriftStruct::kInt64)
+                              .integer(6, chunk_bytes, ThriftStruct::kInt64)
+                              .integer(7, chunk_bytes, ThriftStruct::kInt64)
+                              .integer(9, page, ThriftStruct::kInt64);
+    column.clear();
+    return ThriftStruct().integer(2, page, ThriftStruct::kInt64).child(3, metadata).bytes();
+}
+
 Status ParquetWriter::endGroup() {
     if (written_ == 0) {
         if (Status status = write(kParquetMagic); !status) return status;
@@ -259,42 +293,9 @@ Status ParquetWriter::endGroup() {
     const std::uint64_t begin = written_;
     std::string columns;
     for (Leaf& leaf : leaves_) {
-        ParquetColumn& column = leaf.values;
-        const std::string levels = column.levels();
-        const auto bytes = static_cast<std::int64_t>(levels.size() + column.values_.size());
-        const auto count = static_cast<std::int64_t>(column.count_);
-        const std::string header = ThriftStruct()
-                                       .integer(1, 0)  // a data page, version 1
-                                       .integer(2, bytes)
-                                       .integer(3, bytes)
-                                       .child(5, ThriftStruct()
-                                                     .integer(1, count)
-                                                     .integer(2, kPlainEncoding)
-                                                     .integer(3, kRunLengthEncoding)
-                                                     .integer(4, kRunLengthEncoding))
-                                       .bytes();
-        const auto page = static_cast<std::int64_t>(written_);
-        const std::int64_t chunk_bytes = static_cast<std::int64_t>(header.size()) + bytes;
-        for (const std::string_view piece : {std::string_view(header), std::string_view(levels),
-                                             std::string_view(column.values_)}) {
-            if (Status status = write(piece); !status) return status;
-        }
-        std::string encodings;
-        appendZigzag(encodings, kPlainEncoding);
-        appendZigzag(encodings, kRunLengthEncoding);
-        std::string path;
-        for (const std::string& name : leaf.path) appendText(path, name);
-        const auto chunk = ThriftStruct()  // ColumnMetaData
-                               .integer(1, typeOf(column.kind_))
-                               .list(2, ThriftStruct::kInt32, 2, encodings)
-                               .list(3, ThriftStruct::kBinary, leaf.path.size(), path)
-                               .integer(4, 0)  // not compressed
-                               .integer(5, count, ThriftStruct::kInt64)
-                               .integer(6, chunk_bytes, ThriftStruct::kInt64)
-                               .integer(7, chunk_bytes, ThriftStruct::kInt64)
-                               .integer(9, page, ThriftStruct::kInt64);
-        columns += ThriftStruct().integer(2, page, ThriftStruct::kInt64).child(3, chunk).bytes();
-        column.clear();
+        Result<std::string> chunk = writeColumn(leaf);
+        if (!chunk) return tl::unexpected(chunk.error());
+        columns += *chunk;
     }
     const auto bytes = static_cast<std::int64_t>(written_ - begin);
     groups_ += ThriftStruct()

@@ -50,8 +50,8 @@ class ParquetColumn {
 
     ParquetField::Kind kind_;
     int lists_;                // nested lists around a value
-    int open_lists_ = 0;       // of them begun
-    bool is_empty_ = false;    // the innermost begun list has no value yet
+    int open_lists_ = 0;       // lists begun and not yet ended
+    bool is_empty_ = false;    // the innermost open list has no value yet
     int next_repetition_ = 0;  // repetition level of the next value
     std::vector<Run> repetition_;
     std::vector<Run> definition_;
@@ -77,7 +77,8 @@ class ParquetWriter {
     /// Writes the last row group and the footer.
     [[nodiscard]] Status finish();
 
-    /// No file ended by finish() is larger, if `more` bytes of values are added first.
+    /// Upper bound of the file's size in bytes if rows with `more` bytes of values are added and
+    /// the file is finished.
     [[nodiscard]] std::uint64_t mostBytes(std::uint64_t more) const;
 
   private:
@@ -88,6 +89,8 @@ class ParquetWriter {
     void addField(const ParquetField& field, const std::string& path,
                   const std::vector<std::string>& full_path, int lists);
     [[nodiscard]] Status write(std::string_view bytes);
+    /// Writes a column's values of the row group; returns its ColumnChunk for the footer.
+    [[nodiscard]] Result<std::string> writeColumn(Leaf& leaf);
     [[nodiscard]] Status endGroup();
 
     Sink sink_;

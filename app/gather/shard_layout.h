@@ -13,7 +13,7 @@
 namespace dollytrack::gather {
 
 /// A layout of numbered files (shards) that each hold as many frames as the limits allow. `Frame`
-/// is what a frame's place in a shard is written from. One thread writes frames while the others
+/// is the content of a frame, read but not yet written. One thread writes frames while the others
 /// read the next ones.
 template <class Frame>
 class ShardLayout : public Layout {
@@ -21,12 +21,12 @@ class ShardLayout : public Layout {
     Status beginPart(PartIndex part) override {
         part_ = kParts[part];
         shard_ = 0;
-        to_pass_ = 0;
+        frames_to_skip_ = 0;
         return passFinished();
     }
 
     Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
-        for (; to_pass_ > 0 && begin < end; ++begin, --to_pass_) pass(source, begin);
+        for (; frames_to_skip_ > 0 && begin < end; ++begin, --frames_to_skip_) skip(source, begin);
         std::vector<Result<Frame>> frames(end - begin, Frame());
         Status appended;
         parallelFor(frames.size() + 1, [&](std::size_t i) {
@@ -56,7 +56,7 @@ class ShardLayout : public Layout {
     /// The name of a shard while the part is written.
     [[nodiscard]] virtual std::string shardName(std::size_t shard) const = 0;
     /// Called for a frame in a shard that an earlier run finished.
-    virtual void pass(const OpenedSource& /*source*/, std::size_t /*frame*/) {}
+    virtual void skip(const OpenedSource& /*source*/, std::size_t /*frame*/) {}
     /// Called by several threads at once.
     [[nodiscard]] virtual Result<Frame> read(const OpenedSource& source,
                                              std::size_t frame) const = 0;
@@ -86,7 +86,7 @@ class ShardLayout : public Layout {
             const auto done = std::ranges::find(input_.finished, name, &FinishedShard::name);
             if (done == input_.finished.end()) return {};
             if (sha256Within(input_.files.folder(), name, input_.job) != done->sha256) return {};
-            to_pass_ += done->frames;
+            frames_to_skip_ += done->frames;
             if (Status status = keep(*done); !status) return status;
         }
     }
@@ -131,10 +131,10 @@ class ShardLayout : public Layout {
 
     LayoutInput input_;
     std::string part_;
-    std::size_t shard_ = 0;       // number within the part
-    std::size_t frames_ = 0;      // in the open shard
-    std::size_t to_pass_ = 0;     // frames in finished shards, not written again
-    std::vector<Frame> waiting_;  // frames read but not yet written
+    std::size_t shard_ = 0;           // number within the part
+    std::size_t frames_ = 0;          // in the open shard
+    std::size_t frames_to_skip_ = 0;  // frames in finished shards, not written again
+    std::vector<Frame> waiting_;      // frames read but not yet written
     std::optional<HashingFileWriter> file_;
 };
 

@@ -74,7 +74,8 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
         return fail(ErrorCode::Usage, "Flow distances are in frames and at least 1.",
                     "--flow-distances");
     }
-    const bool has_flow = std::ranges::any_of(order.contents.modalities, &Modality::of_pairs);
+    const bool has_flow =
+        std::ranges::any_of(order.contents.modalities, &Modality::per_flow_distance);
     const int nearest =
         settings.flow_distances.empty() ? 1 : *std::ranges::min_element(settings.flow_distances);
     if (has_flow && nearest > 1 && nearest >= std::ssize(order.contents.frames)) {

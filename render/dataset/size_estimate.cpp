@@ -6,7 +6,7 @@ namespace dollytrack::render {
 
 double bytesPerPixel(const Modality& modality, std::size_t flow_distances) {
     return modality.bytes_per_pixel *
-           (modality.of_pairs ? static_cast<double>(flow_distances) : 1.0);
+           (modality.per_flow_distance ? static_cast<double>(flow_distances) : 1.0);
 }
 
 std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats, int frames) {

@@ -38,7 +38,7 @@ FrameFiles encodeTracks(const FrameContext& context, const FrameRecord& frame) {
                          numpyBytes(type, shape, values)});
     };
     add("points", "<f4", {count, tracks.frames, 2}, numbersOf(tracks.points));
-    add("points_3d", "<f4", {count, tracks.frames, 3}, numbersOf(tracks.places));
+    add("points_3d", "<f4", {count, tracks.frames, 3}, numbersOf(tracks.positions));
     add("occluded", "|b1", {count, tracks.frames}, numbersOf(tracks.occluded));
     add("query_points", "<f4", {count, 3}, numbersOf(queries));
     add("object_ids", "<u2", {count}, numbersOf(tracks.object_ids));

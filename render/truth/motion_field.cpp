@@ -10,7 +10,7 @@ namespace {
 
 /// World positions of the pixels' surface points at the other image's time.
 struct MovedPoints {
-    std::vector<Eigen::Vector3d> places;
+    std::vector<Eigen::Vector3d> positions;
     std::vector<bool> nothing;  // pixels that hit nothing
 };
 
@@ -29,9 +29,9 @@ MovedPoints movedPoints(const FrameRecord& frame, const Intrinsics& lens,
                 points.nothing[i] = true;
                 continue;
             }
-            Eigen::Vector3d& place = points.places[i];
-            place = frame.pose.toWorld(depth * lens.unproject(x + 0.5, y + 0.5));
-            if (!motions.empty()) place = motions[frame.instance[i]] * place;
+            Eigen::Vector3d& position = points.positions[i];
+            position = frame.pose.toWorld(depth * lens.unproject(x + 0.5, y + 0.5));
+            if (!motions.empty()) position = motions[frame.instance[i]] * position;
         }
     }
     return points;
@@ -43,18 +43,18 @@ MotionField fieldTo(const FrameContext& context, const FrameRecord& frame, const
     const double near_m = context.contents.camera.near_m;
     const MovedPoints points = movedPoints(frame, lens, motions);
     MotionField field;
-    field.motion.assign(points.places.size(), Eigen::Vector2f::Constant(kNoMotion));
+    field.motion.assign(points.positions.size(), Eigen::Vector2f::Constant(kNoMotion));
     std::size_t i = 0;
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x, ++i) {
             if (points.nothing[i]) continue;
-            const Eigen::Vector3d there = other.toCamera(points.places[i]);
+            const Eigen::Vector3d there = other.toCamera(points.positions[i]);
             if (there.z() < near_m) continue;
             field.motion[i] =
                 (lens.project(there) - Eigen::Vector2d(x + 0.5, y + 0.5)).cast<float>();
         }
     }
-    field.sight = visibilityFrom(rays, other, lens, near_m, points.places, points.nothing);
+    field.sight = visibilityFrom(rays, other, lens, near_m, points.positions, points.nothing);
     return field;
 }
 
@@ -72,13 +72,14 @@ std::vector<Eigen::Vector3f> sceneFlow(const FrameContext& context, const FrameR
     const Pose& other = context.contents.frames[other_frame].camera.pose;
     const MovedPoints points =
         movedPoints(frame, lens, context.moving.between(frame.index, other_frame));
-    std::vector<Eigen::Vector3f> flow(points.places.size(), Eigen::Vector3f::Constant(kNoMotion));
+    std::vector<Eigen::Vector3f> flow(points.positions.size(),
+                                      Eigen::Vector3f::Constant(kNoMotion));
     std::size_t i = 0;
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x, ++i) {
             if (points.nothing[i]) continue;
             const Eigen::Vector3d here = frame.depth_m[i] * lens.unproject(x + 0.5, y + 0.5);
-            flow[i] = (other.toCamera(points.places[i]) - here).cast<float>();
+            flow[i] = (other.toCamera(points.positions[i]) - here).cast<float>();
         }
     }
     return flow;

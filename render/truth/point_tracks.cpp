@@ -56,14 +56,15 @@ std::vector<TrackedPoint> choosePoints(const FrameContext& context, int first_fr
     const auto firstOf = [&](int frame) {
         return static_cast<int>(std::int64_t{wanted} * frame / frames);
     };
-    parallelFor(frames, [&](std::size_t i) {
-        const int frame = first_frame + static_cast<int>(i);
+    // One frame after the other: raysAt() may build a ray caster, which is parallel itself.
+    for (int i = 0; i < frames; ++i) {
+        const int frame = first_frame + i;
         const std::shared_ptr<const RayCaster> rays = context.moving.raysAt(frame);
         Random random(static_cast<std::uint64_t>(context.contents.sourceFrame(frame)));
-        for (int k = firstOf(static_cast<int>(i)); k < firstOf(static_cast<int>(i) + 1); ++k) {
-            found[k] = choosePoint(context, *rays, frame, static_cast<int>(i), random);
+        for (int k = firstOf(i); k < firstOf(i + 1); ++k) {
+            found[k] = choosePoint(context, *rays, frame, i, random);
         }
-    });
+    }
     std::vector<TrackedPoint> points;
     for (const auto& point : found) {
         if (point) points.push_back(*point);
@@ -86,27 +87,30 @@ PointTracks trackPoints(const FrameContext& context, int first_frame) {
     }
     const std::size_t frames = static_cast<std::size_t>(tracks.frames);
     tracks.points.assign(chosen.size() * frames, Eigen::Vector2f::Constant(-1.0F));
-    tracks.places.resize(chosen.size() * frames);
+    tracks.positions.resize(chosen.size() * frames);
     tracks.occluded.resize(chosen.size() * frames);
-    parallelFor(frames, [&](std::size_t t) {
+    constexpr std::size_t kGrain = 500;
+    for (std::size_t t = 0; t < frames; ++t) {
         const int frame = first_frame + static_cast<int>(t);
         const Pose& pose = contents.frames[frame].camera.pose;
-        std::vector<Eigen::Vector3d> places;
-        places.reserve(chosen.size());
-        for (const TrackedPoint& point : chosen) {
-            places.push_back(motionOf(contents.motions, point.object_id, frame) * point.at_rest);
-        }
-        const std::vector<PixelVisibility> seen =
-            visibilityFrom(*context.moving.raysAt(frame), pose, lens, near_m, places,
-                           std::vector<bool>(chosen.size(), false));
-        for (std::size_t i = 0; i < chosen.size(); ++i) {
-            const std::size_t at = i * frames + t;
-            tracks.places[at] = places[i].cast<float>();
-            tracks.occluded[at] = seen[i] == PixelVisibility::Seen ? 0 : 1;
-            const Eigen::Vector3d there = pose.toCamera(places[i]);
-            if (there.z() >= near_m) tracks.points[at] = lens.project(there).cast<float>();
-        }
-    });
+        const std::shared_ptr<const RayCaster> rays = context.moving.raysAt(frame);
+        parallelRanges(chosen.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+            std::vector<Eigen::Vector3d> positions;
+            for (std::size_t i = begin; i < end; ++i) {
+                positions.push_back(motionOf(contents.motions, chosen[i].object_id, frame) *
+                                    chosen[i].at_rest);
+            }
+            const std::vector<PixelVisibility> seen = visibilityFrom(
+                *rays, pose, lens, near_m, positions, std::vector<bool>(positions.size(), false));
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::size_t at = i * frames + t;
+                tracks.positions[at] = positions[i - begin].cast<float>();
+                tracks.occluded[at] = seen[i - begin] == PixelVisibility::Seen ? 0 : 1;
+                const Eigen::Vector3d there = pose.toCamera(positions[i - begin]);
+                if (there.z() >= near_m) tracks.points[at] = lens.project(there).cast<float>();
+            }
+        });
+    }
     return tracks;
 }
 

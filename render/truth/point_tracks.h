@@ -22,9 +22,9 @@ struct PointTracks {
     std::vector<Eigen::Vector3i> queries;
     std::vector<std::uint16_t> object_ids;
 
-    std::vector<Eigen::Vector2f> points;  // px, right and down; (-1, -1) if nearer than near_m
-    std::vector<Eigen::Vector3f> places;  // world, m; moves with the object
-    std::vector<std::uint8_t> occluded;   // 1: hidden by a surface, or outside the image
+    std::vector<Eigen::Vector2f> points;     // px, right and down; (-1, -1) if nearer than near_m
+    std::vector<Eigen::Vector3f> positions;  // world, m; move with the object
+    std::vector<std::uint8_t> occluded;      // 1: hidden by a surface, or outside the image
 };
 
 /// Tracks of the clip that begins at a frame of the dataset. The points are chosen at random, the

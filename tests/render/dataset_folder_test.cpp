@@ -189,7 +189,7 @@ TEST(DatasetFolder, LeavesNothingWhereBeginRefuses) {
     EXPECT_FALSE(DatasetFolder::claim(folder.path(), false));
 }
 
-TEST(DatasetFolder, LeavesNothingWhereNoJournalWasBegun) {
+TEST(DatasetFolder, LeavesNothingUnlessItMadeTheFolders) {
     const test::TempFolder folder;
     (void)folder.write("rgb/mine.png", "mine");
     for (const bool complete : {false, true}) {
@@ -203,6 +203,7 @@ TEST(DatasetFolder, LeavesNothingWhereNoJournalWasBegun) {
             ASSERT_TRUE(claimed);
             ASSERT_TRUE(claimed->begin(namesFor(), {}));
             EXPECT_NE(treeOf(folder.path()), before);
+            EXPECT_FALSE(claimed->makeFolders(namesFor()));  // the journal is empty
         }
         EXPECT_EQ(treeOf(folder.path()), before);
     }

@@ -31,8 +31,8 @@ struct Modality {
     /// Description of the files for dataset.json.
     nlohmann::ordered_json (*convention)(const DatasetContents& contents);
 
-    bool is_picture = true;  // one PNG file per frame, usable for contact sheets
-    bool of_pairs = false;   // one file for each of the flow distances
+    bool is_picture = true;          // one PNG file per frame, usable for contact sheets
+    bool per_flow_distance = false;  // its files are for each of the flow distances
 };
 
 /// The modality whose files may be JPEG; see pictureEnding().

@@ -269,6 +269,10 @@ Status DatasetFolder::begin(const DatasetNames& names, const std::set<std::strin
 }
 
 Status DatasetFolder::makeFolders(const DatasetNames& names) {
+    struct stat journal {};
+    if (::fstat(lock_.get(), &journal) != 0 || journal.st_size == 0) {
+        return fail(ErrorCode::Failed, "the journal is empty", path().string());
+    }
     for (const std::string& folder : names.folders) {
         if (folder == kFoldFolder) continue;  // created with the first list, if any
         for (std::size_t end = 0; end != std::string::npos;) {

@@ -65,7 +65,7 @@ class DatasetFolder {
 
     /// Creates the folders of the new dataset. The journal's first line must be written: without
     /// it, the folders of an export that was killed would look like another program's. Returns
-    /// CannotWrite if that fails.
+    /// Failed if the journal is empty, CannotWrite if a folder cannot be created.
     [[nodiscard]] Status makeFolders(const DatasetNames& names);
 
     /// Makes the dataset in unfinished() the valid one; its dataset.json must be on disk. Removes

@@ -15,12 +15,12 @@
 namespace dollytrack::verify {
 namespace {
 
-/// The clips of a dataset. Thread-safe; the most recently read ones are kept.
+/// The clips of a dataset, of which the last three by frame number are kept. Thread-safe.
 class Clips {
   public:
     explicit Clips(const StoredDataset& dataset) : dataset_(dataset) {}
 
-    /// Null if the clip cannot be read; the first request of such a clip reports why.
+    /// Null if the clip cannot be read, which is reported once while it is kept.
     std::shared_ptr<const StoredTracks> at(int first_frame, Findings& findings) {
         const std::lock_guard lock(mutex_);
         if (const auto found = clips_.find(first_frame); found != clips_.end()) {
@@ -193,25 +193,34 @@ class TracksInFrame {
         }
     }
 
-    /// The pixel in which the point was chosen shows the point's object.
+    /// The pixel in which the point was chosen shows the point's object, at the point's depth.
     void checkObject(int track, const ReprojectedPixel& projected, Findings& findings) {
         const float* query = tracks_.queries.pixel(0, track);
         const Eigen::Vector2d at(query[2], query[1]);
-        const Image16* ids = images_.image16("instance");
-        if (!ids || query[0] != static_cast<float>(column_) || !isInside(at)) return;
+        if (query[0] != static_cast<float>(column_) || !isInside(at)) return;
         const int id = tracks_.object_ids.at(track, 0);
+        if (dataset_.object(id) == nullptr) {
+            add(track, "object_ids", fmt::format("object {}", id), "an object of dataset.json",
+                findings);
+            return;
+        }
         const int x = static_cast<int>(at.x());
         const int y = static_cast<int>(at.y());
-        if (ids->at(x, y) == id) return;
-        // Rasterisation may decide differently at edges, and where two surfaces coincide.
         if (subject_.rays) {
-            const FrameRays rays(subject_, images_.stored(), view_.camera);
-            if (rays.mayShow(x, y, id, projected.depth_m, 1e-5)) return;
-        } else {
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) {
-                    if (ids->holds(x + dx, y + dy) && ids->at(x + dx, y + dy) == id) return;
-                }
+            if (projected.depth_m > FrameRays::kFarthest) return;
+            if (!rays_)
+                rays_ = std::make_unique<FrameRays>(subject_, images_.stored(), view_.camera);
+            if (rays_->mayShow(x, y, id, projected.depth_m, 1e-5)) return;
+            add(track, "points_3d", fmt::format("object {} at {:.4f} m", id, projected.depth_m),
+                fmt::format("the surface in pixel ({}, {})", x, y), findings);
+            return;
+        }
+        const Image16* ids = images_.image16("instance");
+        if (!ids) return;
+        // Rasterisation may decide differently at edges.
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dx = -1; dx <= 1; ++dx) {
+                if (ids->holds(x + dx, y + dy) && ids->at(x + dx, y + dy) == id) return;
             }
         }
         add(track, "object_ids", fmt::format("object {}", id),
@@ -257,6 +266,7 @@ class TracksInFrame {
     int column_ = 0;
     FrameImages& images_;
     OtherView view_;
+    std::unique_ptr<FrameRays> rays_;  // of the frame; made when needed
 };
 
 }  // namespace

@@ -20,8 +20,10 @@ std::vector<FlowFile> pairFiles(const StoredDataset& dataset, const std::string&
     if (!dataset.has(modality)) return files;
     const int direction = modality == "flow_backward" ? -1 : 1;
     for (const int distance : flowDistances(dataset, modality)) {
+        const int frames = static_cast<int>(dataset.frames.size());
+        if (distance < 1 || distance >= frames) continue;
         const int other = frame + direction * distance;
-        if (other < 0 || other >= static_cast<int>(dataset.frames.size())) continue;
+        if (other < 0 || other >= frames) continue;
         files.push_back({fmt::format("{}/{:06}_{:06}", modality, frame, other), other});
     }
     return files;

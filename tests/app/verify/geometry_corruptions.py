@@ -205,6 +205,32 @@ def tracks_of_a_point_that_slides(copy):
 
 
 @found_by("tracks")
+def tracks_of_a_point_in_mid_air(copy):
+    track = 7
+    lens = copy.card["conventions"]["intrinsics"]
+    query = np.load(copy.folder / "tracks/000000_query_points.npy")[track]
+    camera = copy.card["frames"][int(query[0])]["position"]
+
+    def move(positions):
+        positions[track] = (positions[track] + camera) / 2
+    edit_tracks(copy, "points_3d", move)
+    position = np.load(copy.folder / "tracks/000000_points_3d.npy")[track, 0]
+
+    def project(points):
+        for frame in range(points.shape[1]):
+            pose = copy.card["frames"][frame]
+            x, y, z, w = pose["quaternion_xyzw"]
+            v = np.array([x, y, z])
+            ray = position - pose["position"]
+            # Turned by the conjugate quaternion, from the world into the camera.
+            there = ray - 2 * w * np.cross(v, ray) + 2 * np.cross(v, np.cross(v, ray))
+            if there[2] >= 0.06:
+                points[track, frame] = (lens["fx"] * there[0] / there[2] + lens["cx"],
+                                        lens["fy"] * there[1] / there[2] + lens["cy"])
+    edit_tracks(copy, "points", project)
+
+
+@found_by("tracks")
 def tracks_all_visible(copy):
     edit_tracks(copy, "occluded", lambda occluded: occluded.fill(False))
 
