@@ -68,6 +68,7 @@ void warnOfOldIds() {
 /// Chooses the layout's modalities: those that all datasets have, with a warning of the others, or
 /// all if a layout keeps each dataset apart.
 void chooseModalities(const GatherOrder& order, Gathered& all) {
+    if (order.layout->content == LayoutContent::Copied) return;
     all.modalities = {kPicture};
     for (const char* name : order.layout->required) {
         if (isModality(name)) all.modalities.insert(name);
@@ -144,11 +145,12 @@ void warnOfOneClass(const GatherSummary& summary, const ClassUnion& classes) {
 Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDataset>& found,
                              const JobContext& job) {
     SourceNeeds needs;
-    needs.modalities = {kPicture};
-    if (order.layout->content != LayoutContent::Colour) {
+    const LayoutKind& layout = *order.layout;
+    if (layout.content == LayoutContent::Colour) {
+        needs.modalities = {kPicture};
+    } else if (layout.content != LayoutContent::Copied) {
         needs.modalities = {kPicture, kDepth, kInstance, kSemantic};
     }
-    const LayoutKind& layout = *order.layout;
     needs.required.assign(layout.required.begin(), layout.required.end());
     needs.copied.assign(layout.copied.begin(), layout.copied.end());
     for (const std::string& name : needs.required) {

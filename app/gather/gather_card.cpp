@@ -121,6 +121,18 @@ Json partJson(const GatherCard& card, PartIndex part) {
             {"datasets", one.datasets}};
 }
 
+/// Names of the image kinds and of the copied folders.
+std::string imageList(const GatherCard& card) {
+    std::vector<std::string> names(card.modalities.begin(), card.modalities.end());
+    for (const std::string_view copied : card.order.layout->copied) {
+        const bool is_left_out = copied == "seg_left/" && !card.classes.keepsIds();
+        if (copied.ends_with('/') && !is_left_out) {
+            names.emplace_back(copied.substr(0, copied.size() - 1));
+        }
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 std::vector<PartIndex> partsOf(std::span<const PartIndex> part_of) {
@@ -191,8 +203,7 @@ std::string readmeText(const GatherCard& card) {
                                           "{}). `gather.json` lists the part of each source.",
                                           order.split.seed)
                             : "The dataset is not split.");
-    text +=
-        fmt::format("## Images\n\nImages of each frame: {}.\n\n", fmt::join(card.modalities, ", "));
+    text += fmt::format("## Images\n\nImages of each frame: {}.\n\n", imageList(card));
     text += fmt::format("## Classes\n\n{}\n", classTable(card));
     text += fmt::format("## Conventions\n\n{}\n", conventionList(card));
     text +=

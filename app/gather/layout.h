@@ -51,6 +51,7 @@ class Layout {
 
 /// Which files of the datasets a layout holds.
 enum class LayoutContent {
+    Copied,      // only the files that LayoutKind::copied names
     Colour,      // the colour images
     Shared,      // also depth, instance and class images, if all datasets have them
     Everything,  // all of a dataset's PNG and JPEG images, and inertial measurements

@@ -81,7 +81,10 @@ Json SourceReader::conventionsOf(const verify::StoredDataset& dataset) const {
         shared[modality] = dataset.convention(modality);
     }
     for (const std::string& format : needs_.required) {
-        if (!isModality(format)) shared[format] = dataset.convention(format);
+        if (isModality(format)) continue;
+        shared[format] = dataset.convention(format);
+        // TartanAir's class masks, as above.
+        if (shared[format].is_object()) shared[format].erase("seg_left");
     }
     return shared;
 }
@@ -204,7 +207,7 @@ Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job)
     if (!source) return source;
     source->card_sha256 = std::move(*card_sha256);
     damaged_ = false;
-    if (!source->modalities.contains(kPicture)) {
+    if (needs_.modalities.contains(kPicture) && !source->modalities.contains(kPicture)) {
         return notUsable(folder, "colour images", "--modalities rgb");
     }
     if (!dataset->has("coco")) return notUsable(folder, kAnnotationFile, "--formats coco");

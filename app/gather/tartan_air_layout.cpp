@@ -81,7 +81,7 @@ class TartanAirLayout : public Layout {
 const LayoutKind kTartanAirLayout = {
     .name = "tartanair",
     .text = "TartanAir's folders PART/ENV/Easy/P000/ with images, depth, classes, flow and poses",
-    .content = LayoutContent::Colour,
+    .content = LayoutContent::Copied,
     .tasks = kTartanAirTasks,
     .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
         return std::make_unique<TartanAirLayout>(std::move(input));

@@ -13,7 +13,7 @@ Datasets need NumPy alone. The engine is loaded when it is first asked for.
 """
 from typing import TYPE_CHECKING, Any, List
 
-from .dataset import Dataset, Sample
+from .dataset import Dataset, Sample, Tracks
 from .errors import BadInput, Cancelled, CannotWrite, Error, Failed, NoOpenGl, Usage
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .scene import judge as judge, load as load, set_threads as set_threads
 
 __all__ = ["BadInput", "Cancelled", "CannotWrite", "Dataset", "Error", "Failed", "Frame", "Frames",
-           "NoOpenGl", "PARAMETERS", "Plan", "Sample", "Scene", "SceneObject", "Usage", "judge",
+           "NoOpenGl", "PARAMETERS", "Plan", "Sample", "Scene", "SceneObject", "Tracks", "Usage", "judge",
            "load", "set_threads"]
 
 _OF_ENGINE = {"PARAMETERS": "arguments", "Frame": "plan", "Frames": "plan", "Plan": "plan",

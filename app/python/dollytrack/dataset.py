@@ -3,7 +3,8 @@ import json
 import operator
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Tuple, Union, overload
+from typing import (TYPE_CHECKING, Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Tuple,
+                    Union, overload)
 
 import numpy as np
 import numpy.typing as npt
@@ -30,6 +31,23 @@ _READ: Dict[str, Optional[float]] = {
     "normal_camera": 2 / 65535, "normal_world": 2 / 65535, "object_coordinates": 1 / 65535,
     "disparity": 1 / 256, "roughness": 1 / 255, "metallic": 1 / 255,
 }
+
+
+class Tracks(NamedTuple):
+    """Points on surfaces, followed through a clip: N tracks, T frames."""
+
+    #: Index of the clip's first frame.
+    first_frame: int
+    #: (N, T, 2) x and y in px; (-1, -1) nearer than near_m and behind the camera.
+    points: npt.NDArray[np.float32]
+    #: (N, T, 3) positions in the world, m.
+    points_3d: npt.NDArray[np.float32]
+    #: (N, T) whether the point is hidden by a surface or outside the image.
+    occluded: npt.NDArray[np.bool_]
+    #: (N, 3) frame counted from the clip's first, y and x in px, where the point is visible.
+    query_points: npt.NDArray[np.float32]
+    #: (N,) ids of the objects.
+    object_ids: npt.NDArray[np.uint16]
 
 
 class _Boxes:
@@ -218,6 +236,47 @@ class Dataset(_Samples):
     def times(self) -> npt.NDArray[np.float64]:
         """(N,) times of the frames, s."""
         return np.array([sample.time_s for sample in self], dtype=np.float64)
+
+    def tracks(self, frame: int = 0) -> Tracks:
+        """The point tracks of the clip that contains a frame, by its index in the whole dataset. The
+        arrays are read from the files when their values are used.
+
+        Raises Usage if the dataset has no tracks or no such frame, BadInput if a file is damaged.
+        """
+        count = len(self._card["frames"])
+        if "tracks" not in self._card["modalities"]:
+            raise failure(Usage, "The dataset has no tracks; export it with --modalities tracks.",
+                          str(self.folder))
+        if not isinstance(frame, (int, np.integer)) or not 0 <= frame < count:
+            raise failure(Usage, f"There is no such frame; give a number from 0 to {count - 1}.",
+                          repr(frame))
+        try:
+            clip = max(1, int(self._card["conventions"]["tracks"]["clip_frames"]))
+        except (KeyError, TypeError, ValueError):
+            raise failure(BadInput, "The field conventions.tracks.clip_frames is missing; export the "
+                          "dataset again.", str(self.folder / "dataset.json")) from None
+        first = int(frame) // clip * clip
+        frames = min(clip, count - first)
+
+        def read(name: str, dtype: Any, *shape: Optional[int]) -> npt.NDArray[Any]:
+            file = self.folder / "tracks" / f"{first:06d}_{name}.npy"
+            try:
+                values: npt.NDArray[Any] = np.load(file, mmap_mode="r", allow_pickle=False)
+            except (OSError, ValueError, EOFError, TypeError) as error:
+                raise failure(BadInput, f"The file cannot be read ({error}); export the dataset "
+                              "again.", str(file)) from None
+            fits = values.ndim == len(shape) and all(
+                size is None or size == found for size, found in zip(shape, values.shape))
+            if values.dtype != dtype or not fits:
+                raise failure(BadInput, "The array has another type or shape than the clip's frames "
+                              "and tracks need; export the dataset again.", str(file))
+            return values
+
+        points = read("points", np.float32, None, frames, 2)
+        n = len(points)
+        return Tracks(first, points, read("points_3d", np.float32, n, frames, 3),
+                      read("occluded", np.bool_, n, frames), read("query_points", np.float32, n, 3),
+                      read("object_ids", np.uint16, n))
 
     @property
     def splits(self) -> Dict[str, "Dataset"]:

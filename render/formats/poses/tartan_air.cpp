@@ -101,10 +101,9 @@ nlohmann::ordered_json tartanAirConvention(const DatasetContents& contents) {
         {"format",
          "TartanAir: one line per frame with position and quaternion (x y z w) of the camera in "
          "the world, axes x north (the world's x), y east, z down; the camera's x is forward; "
-         "depth_left: float32, planar metres, 10000 where no surface is visible; seg_left: " +
-             classes +
-             "; flow: float32 u, v to the next frame, its mask 0 visible, 10 occluded, 100 outside "
-             "the image"}};
+         "depth_left: float32, planar metres, 10000 where no surface is visible; flow: float32 u, "
+         "v to the next frame, its mask 0 visible, 10 occluded, 100 outside the image"},
+        {"seg_left", classes}};
 }
 
 }  // namespace

@@ -142,9 +142,9 @@ class Scenes(GatherCase):
                 semantic = cv2.imread(str(source / "semantic" / f"{index:06}.png"),
                                       cv2.IMREAD_UNCHANGED)
                 np.testing.assert_array_equal(classes, semantic)
-                for image, rgb in [(folder / "image_left" / f"{index:06}_left.png",
-                                    source / "rgb" / f"{index:06}.png")]:
-                    np.testing.assert_array_equal(cv2.imread(str(image)), cv2.imread(str(rgb)))
+                np.testing.assert_array_equal(
+                    cv2.imread(str(folder / "image_left" / f"{index:06}_left.png")),
+                    cv2.imread(str(source / "rgb" / f"{index:06}.png")))
             self.assert_copied(folder, source, "flow")
 
     def test_tartanair_classes_are_left_out_if_they_are_mapped(self):
@@ -155,6 +155,8 @@ class Scenes(GatherCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("seg_left is left out", done.stderr)
         self.assertEqual(list(out.rglob("seg_left")), [])
+        self.assertIn("Images of each frame: image_left, depth_left, ",
+                      (out / "README.md").read_text())
 
     # --- both
 

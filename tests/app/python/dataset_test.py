@@ -122,6 +122,31 @@ class DatasetTest(FolderCase):
         with self.assertRaises(KeyError):
             self.data[0]["flow_forward"]
 
+    def test_tracks_are_those_of_the_files(self):
+        tracks = self.data.tracks()
+        count = len(tracks.points)
+        self.assertGreater(count, 50)
+        self.assertEqual(tracks.first_frame, 0)
+        for name in ("points", "points_3d", "occluded", "query_points", "object_ids"):
+            expected = np.load(self.out / "tracks" / f"000000_{name}.npy")
+            self.assertEqual(len(expected), count)
+            np.testing.assert_array_equal(getattr(tracks, name), expected)
+        self.assertEqual(self.data[3:].tracks(9).points.shape, (count, 10, 2))
+        for frame in (10, -1, 1.5, "0"):
+            with self.assertRaises(dt.Usage):
+                self.data.tracks(frame)
+        copy = self.folder / "damaged_tracks"
+        shutil.copytree(self.out, copy)
+        for damage in (lambda file: np.save(file, np.zeros((count, 9, 2), np.float32)),
+                       lambda file: np.save(file, np.zeros((count, 10, 2))),
+                       lambda file: file.write_bytes(b"\x93NUMPY"),
+                       lambda file: np.save(file, np.array([{}]), allow_pickle=True),
+                       lambda file: file.unlink()):
+            damage(copy / "tracks" / "000000_points.npy")
+            with self.assertRaises(dt.BadInput) as caught:
+                dt.Dataset(copy).tracks()
+            self.assertIn("000000_points.npy", str(caught.exception))
+
     def test_splits_are_the_folds(self):
         splits = self.data.splits
         self.assertEqual({"train", "val", "fold_0_train", "fold_2_val"} - set(splits), set())
