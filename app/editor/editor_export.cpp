@@ -160,15 +160,17 @@ ui::ExportView Editor::exportView() {
     const auto isChosen = [](const auto& row, const std::vector<std::string>& turned) {
         return row.standard != (std::ranges::find(turned, row.name) != turned.end());
     };
-    double bytes_per_pixel = 0.0;
+    const double pixels = 1.0 * view.camera.width_px * view.camera.height_px;
+    view.bytes_per_frame = 0.0;
     for (const render::Modality& one : render::modalities()) {
         if (!isChosen(one, draft.turned_modalities)) continue;
-        bytes_per_pixel += render::bytesPerPixel(one, distances);
+        view.bytes_per_frame += render::bytesPerFrame(one, pixels, distances);
     }
     for (const render::Format& one : render::formats()) {
-        if (isChosen(one, draft.turned_formats)) bytes_per_pixel += one.bytes_per_pixel;
+        if (isChosen(one, draft.turned_formats)) {
+            view.bytes_per_frame += one.bytes_per_pixel * pixels;
+        }
     }
-    view.bytes_per_frame = bytes_per_pixel * view.camera.width_px * view.camera.height_px;
     view.has_tracks = hasTracks();
     view.modalities = modalityChoices();
     view.formats = formatChoices();

@@ -9,9 +9,10 @@
 
 namespace dollytrack::render {
 
-/// Bytes per pixel of all files of a modality in one frame, on the high side for furnished rooms.
-/// With several flow distances a frame has several flow files.
-[[nodiscard]] double bytesPerPixel(const Modality& modality, std::size_t flow_distances);
+/// Bytes of all files of a modality for a frame of so many pixels, on the high side for furnished
+/// rooms. With several flow distances a frame has several flow files.
+[[nodiscard]] double bytesPerFrame(const Modality& modality, double pixels,
+                                   std::size_t flow_distances);
 
 /// Estimated size of this many frames: images and format files.
 [[nodiscard]] std::uint64_t estimateBytes(const DatasetContents& contents, const FormatSet& formats,

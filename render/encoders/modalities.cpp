@@ -42,7 +42,7 @@ constexpr std::array<Modality, 28> kModalities = {{
     {"scene_flow", "3D motion to later frames, in metres, 32-bit float (OpenEXR)", 9.0, false,
      kNeedsDepth, encodeSceneFlow, sceneFlowConvention, false, true},
     {"tracks", "points followed through 300 frames, with occlusion (NumPy arrays as in TAP-Vid)",
-     0.8, false, 0, encodeTracks, tracksConvention, false},
+     0.8, false, 0, encodeTracks, tracksConvention, false, false, 220e3},
     {"rgb_right", "8-bit colour images of the stereo pair's right camera", 1.2, false, kNeedsRight,
      encodeRgbRight, rgbRightConvention},
     {"depth_right", "16-bit depth of the right camera, in millimetres", 0.3, false, kNeedsRight,

@@ -25,6 +25,19 @@ TEST(SizeEstimate, ExpectsTheFilesOfEveryDistanceThatFlowGoesTo) {
     EXPECT_EQ(estimateBytes(contents, {}, 10), of_pictures);
 }
 
+// 21 bytes for each track and frame; the number of tracks is limited.
+TEST(SizeEstimate, ExpectsTracksNotToGrowWithLargeImages) {
+    const Scene scene;
+    DatasetContents contents{scene, {}, *chooseModalities({"tracks"}), {}};
+    contents.camera.width_px = 320;
+    contents.camera.height_px = 240;
+    EXPECT_GE(estimateBytes(contents, {}, 300), 300U * 2'560U * 21U);
+    contents.camera.width_px = 4000;
+    contents.camera.height_px = 3000;
+    EXPECT_GE(estimateBytes(contents, {}, 300), 300U * 10'000U * 21U);
+    EXPECT_LE(estimateBytes(contents, {}, 300), 300U * 10'000U * 24U);
+}
+
 // TartanAir's arrays are not compressed either: 4 bytes of depth, 1 of classes, 8 of motion and 1
 // of its mask.
 TEST(SizeEstimate, ExpectsTheFilesOfFormats) {

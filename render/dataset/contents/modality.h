@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct Modality {
 
     bool is_picture = true;          // one PNG file per frame, usable for contact sheets
     bool per_flow_distance = false;  // its files are for each of the flow distances
+    /// Limit of a frame's bytes; infinite if they grow with the image.
+    double most_bytes = std::numeric_limits<double>::infinity();
 };
 
 /// The modality whose files may be JPEG; see pictureEnding().
