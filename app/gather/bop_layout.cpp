@@ -200,7 +200,10 @@ const LayoutKind kBopLayout = {
         "with `scene_camera.json`, `scene_gt.json` and `scene_gt_info.json` in millimetres. There "
         "are no models: an object's origin and axes are the centre and the axes of its box. "
         "`index.json` has each object's name, class and box size, and each scene's source. An "
-        "object has one `obj_id` in all datasets of its scene.",
+        "object has one `obj_id` in all datasets of its scene. `cam_K` puts the centre of the "
+        "first "
+        "pixel at (0, 0), which is (0.5, 0.5) under Conventions; poses are from the world to the "
+        "camera. `bbox_obj` ends at the borders of the image.",
     .data_files = nullptr,
     .required = kBopRequired,
     .copied = kBopCopied,

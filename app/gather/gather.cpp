@@ -229,8 +229,8 @@ Result<bool> isDone(const OutputFolder& out, const GatherOrder& order,
     if (!differing.empty() && order.overwrite) return false;
     if (!differing.empty()) {
         return fail(ErrorCode::Usage,
-                    fmt::format("the folder contains a complete dataset with other contents: {} "
-                                "differ; choose another folder, or give --overwrite",
+                    fmt::format("the folder contains another complete dataset (different: {}); "
+                                "choose another folder, or give --overwrite",
                                 differing),
                     out.path().string());
     }

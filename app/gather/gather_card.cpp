@@ -121,6 +121,10 @@ Json partJson(const GatherCard& card, PartIndex part) {
             {"datasets", one.datasets}};
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 /// Names of the image kinds and of the copied folders.
 std::string imageList(const GatherCard& card) {
     std::vector<std::string> names(card.modalities.begin(), card.modalities.end());
@@ -191,11 +195,12 @@ std::string readmeText(const GatherCard& card) {
     for (const PartSummary& part : card.summary.parts) scenes += part.scenes;
     std::string text = headerOf(card);
     text += fmt::format(
-        "\n# {}\n\nImages of {} indoor scenes rendered with labels by Dollytrack {}: {} frames of "
-        "{} x {} px with {}. Merged from {} datasets with `dollytrack gather --format {}`.\n\n",
-        order.title, scenes, order.product_version, allFrames(card.summary),
-        card.sources.front().width, card.sources.front().height, order.layout->labels,
-        card.sources.size(), order.layout->name);
+        "\n# {}\n\nImages of {} rendered with labels by Dollytrack {}: {} frames of {} x {} px "
+        "with "
+        "{}. Merged from {} with `dollytrack gather --format {}`.\n\n",
+        order.title, counted(scenes, "indoor scene"), order.product_version,
+        allFrames(card.summary), card.sources.front().width, card.sources.front().height,
+        order.layout->labels, counted(card.sources.size(), "dataset"), order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
     text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),
                         order.split.by_room

@@ -265,11 +265,12 @@ Result<std::vector<FinishedShard>> OutputFolder::begin(const render::DatasetIden
     if (goes_on) {
         const std::string differing = render::differences(*earlier.identity, identity);
         if (!differing.empty()) {
-            return fail(ErrorCode::Usage,
-                        fmt::format("the unfinished result in the folder has other contents: {} "
-                                    "differ; gather without --resume, or into another folder",
-                                    differing),
-                        path().string());
+            return fail(
+                ErrorCode::Usage,
+                fmt::format("the folder contains another unfinished result (different: {}); "
+                            "gather without --resume, or into another folder",
+                            differing),
+                path().string());
         }
     } else if (staged_) {
         if (Status removed = removeStaged(); !removed) return tl::unexpected(removed.error());

@@ -111,10 +111,14 @@ const LayoutKind kWebDatasetLayout = {
     },
     .labels = kBoxesAndMasks,
     .how_to_read =
-        "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\")` reads a tar file; "
-        "`datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the colour image; "
-        "`depth.png`, `instance.png` and `semantic.png` have the same pixels; `json` has boxes, "
-        "masks, camera and pose.",
+        "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\", only=[\"png\", \"json\"])` "
+        "reads "
+        "a tar file; `datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the "
+        "colour "
+        "image; `depth.png`, `instance.png` and `semantic.png` have the same pixels; `json` has "
+        "boxes, masks, camera and pose. Without `only`, webdataset would turn the 16-bit images "
+        "into 8-bit colours; `cv2.imdecode(np.frombuffer(sample[\"depth.png\"], np.uint8), -1)` "
+        "decodes them.",
     .data_files = "{}-*.tar",
 };
 

@@ -45,6 +45,19 @@ class Clips {
     std::map<int, std::shared_ptr<const StoredTracks>> clips_;  // by first frame
 };
 
+const char* expectedOfTrack(WrongVisibility::Expected expected) {
+    switch (expected) {
+        case WrongVisibility::Expected::Seen:
+            return "visible";
+        case WrongVisibility::Expected::Occluded:
+            return "occluded, a surface is in front";
+        case WrongVisibility::Expected::Inside:
+            return "a position inside the image";
+        default:
+            return "occluded, because it is outside the image";
+    }
+}
+
 /// The tracks of a clip in one of its frames.
 class TracksInFrame {
   public:
@@ -61,29 +74,24 @@ class TracksInFrame {
     void check(Findings& findings) {
         std::vector<ReprojectedPixel> projected;
         for (int i = 0; i < tracks_.count(); ++i) projected.push_back(project(i));
-        Image8 sight{tracks_.count(), 1, 1, {}};
+        std::vector<std::uint8_t> visibilities;
         Findings unlikely;
         for (int i = 0; i < tracks_.count(); ++i) {
             checkPoint(i, projected[i], findings);
             checkPlace(i, findings);
             checkObject(i, projected[i], subject_.rays ? findings : unlikely);
             if (!subject_.rays) checkDepth(i, projected[i], unlikely);
-            sight.values.push_back(sightOf(i, projected[i]));
+            visibilities.push_back(visibilityOf(i, projected[i]));
         }
         // A point may be visible through a slit narrower than a pixel, or on an object thinner than
         // one, without showing up in the depth; many points may not.
-        if (unlikely.count > 5 + sight.values.size() / 100) findings.append(unlikely);
-        // The function expects an image with depth everywhere.
-        FrameImages::Depth depth;
-        depth.metres = {tracks_.count(), 1, 1, std::vector<float>(sight.values.size(), 1.0F)};
-        Findings hidden;
-        checkVisibilityMask(subject_, sight, depth, projected, view_, nullptr,
-                            {file("occluded"), images_.frame()}, hidden);
-        for (Finding& one : hidden.first) {
-            if (one.pixel) one.found = fmt::format("track {}: {}", (*one.pixel)[0], one.found);
-            one.pixel.reset();
+        if (unlikely.count > 5 + visibilities.size() / 100) findings.append(unlikely);
+        for (const WrongVisibility& wrong :
+             wrongVisibilities(subject_, visibilities, projected, 0.0, view_)) {
+            add(static_cast<int>(wrong.point), "occluded",
+                visibilities[wrong.point] == kSeen ? "visible" : "occluded",
+                expectedOfTrack(wrong.expected), findings);
         }
-        findings.append(hidden);
     }
 
   private:
@@ -132,7 +140,7 @@ class TracksInFrame {
                at.y() < dataset_.lens.height;
     }
 
-    [[nodiscard]] std::uint8_t sightOf(int track, const ReprojectedPixel& projected) const {
+    [[nodiscard]] std::uint8_t visibilityOf(int track, const ReprojectedPixel& projected) const {
         if (tracks_.occluded.at(column_, track) == 0) return kSeen;
         return projected.behind || !isInside(point(track)) ? kOutside : kOccluded;
     }
@@ -186,8 +194,11 @@ class TracksInFrame {
         }
         if (query_column != column_) return;
         const Eigen::Vector2d at = point(track);
-        if (!((at - chosen_at).norm() <= 0.01) || tracks_.occluded.at(column_, track) != 0) {
-            add(track, "query_points", fmt::format("({:.3f}, {:.3f}) px", at.x(), at.y()),
+        const bool is_hidden = tracks_.occluded.at(column_, track) != 0;
+        if (!((at - chosen_at).norm() <= 0.01) || is_hidden) {
+            add(track, "query_points",
+                fmt::format("{} at ({:.3f}, {:.3f}) px", is_hidden ? "occluded" : "visible", at.x(),
+                            at.y()),
                 fmt::format("visible at ({:.3f}, {:.3f}) px", chosen_at.x(), chosen_at.y()),
                 findings);
         }

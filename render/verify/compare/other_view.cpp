@@ -105,25 +105,23 @@ void compareMaskWithDepth(const Image8& mask, const std::vector<ReprojectedPixel
     }
 }
 
-/// Compares by ray casts.
-void compareMaskWithRays(const Subject& subject, const Image8& mask,
-                         const std::vector<ReprojectedPixel>& reprojected,
-                         const std::vector<int>& inside, double rounding_m, const OtherView& to,
-                         WrongPixels& pixels) {
+/// Appends the wrong ones of the points `inside` the image, by ray casts.
+void addWrongByRays(const Subject& subject, std::span<const std::uint8_t> found,
+                    const std::vector<ReprojectedPixel>& points,
+                    const std::vector<std::size_t>& inside, double rounding_m, const OtherView& to,
+                    std::vector<WrongVisibility>& wrong) {
     FrameRays rays(subject, to.frame, to.camera);
     std::vector<Eigen::Vector3d> places;
-    for (const int i : inside) places.push_back(reprojected[i].place);
+    for (const std::size_t i : inside) places.push_back(points[i].place);
     std::vector<RayHit> hits;
     rays.castTo(places, hits);
     for (std::size_t k = 0; k < inside.size(); ++k) {
-        const std::size_t i = inside[k];
-        const ReprojectedPixel& one = reprojected[i];
-        const int found = mask.values[i];
+        const ReprojectedPixel& one = points[inside[k]];
         const double slack = 2.0 * rounding_m + FrameRays::kDrawing * (1.0 + one.depth_m);
         const double same = one.depth_m - kSameSurface_m;
         const double first = hits[k].object_id == 0 ? one.depth_m : hits[k].distance;
-        const bool wrong_seen = found == kSeen && first < same - slack;
-        const bool wrong_occluded = found == kOccluded && first > same + slack;
+        const bool wrong_seen = found[inside[k]] == kSeen && first < same - slack;
+        const bool wrong_occluded = found[inside[k]] == kOccluded && first > same + slack;
         if (!wrong_seen && !wrong_occluded) continue;
         // At an edge, a ray slightly beside the point may give the other answer.
         const double off = (one.off_px + 0.01) * one.depth_m / subject.dataset.lens.fx;
@@ -139,9 +137,23 @@ void compareMaskWithRays(const Subject& subject, const Image8& mask,
             const double depth = hit.object_id == 0 ? one.depth_m : hit.distance;
             return wrong_seen ? depth >= same - slack : depth <= same + slack;
         });
-        if (may_be) continue;
-        pixels.add(static_cast<int>(i) % mask.width, static_cast<int>(i) / mask.width,
-                   [&] { return wrong(found, wrong_seen ? "occluded" : "seen"); });
+        using Expected = WrongVisibility::Expected;
+        if (!may_be) {
+            wrong.push_back({inside[k], wrong_seen ? Expected::Occluded : Expected::Seen});
+        }
+    }
+}
+
+const char* expectedInMask(WrongVisibility::Expected expected) {
+    switch (expected) {
+        case WrongVisibility::Expected::Seen:
+            return "seen";
+        case WrongVisibility::Expected::Occluded:
+            return "occluded";
+        case WrongVisibility::Expected::Inside:
+            return "inside the other image";
+        default:
+            return "outside the other image (2)";
     }
 }
 
@@ -180,42 +192,57 @@ ReprojectedPixel reproject(const StoredDataset& dataset, const StoredFrame& from
     return reprojected;
 }
 
+std::vector<WrongVisibility> wrongVisibilities(const Subject& subject,
+                                               std::span<const std::uint8_t> found,
+                                               const std::vector<ReprojectedPixel>& points,
+                                               double rounding_m, const OtherView& to) {
+    std::vector<WrongVisibility> wrong;
+    std::vector<std::size_t> inside;  // points that may lie inside the image
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i] != kSeen && found[i] != kOccluded && found[i] != kOutside) continue;
+        const Sides sides = sidesOf(subject.dataset, points[i]);
+        if (found[i] == kOutside ? !sides.may_be_outside : !sides.may_be_inside) {
+            wrong.push_back({i, found[i] == kOutside ? WrongVisibility::Expected::Inside
+                                                     : WrongVisibility::Expected::Outside});
+        } else if (found[i] != kOutside) {
+            inside.push_back(i);
+        }
+    }
+    if (subject.rays) addWrongByRays(subject, found, points, inside, rounding_m, to, wrong);
+    return wrong;
+}
+
 void checkVisibilityMask(const Subject& subject, const Image8& mask,
                          const FrameImages::Depth& depth,
                          const std::vector<ReprojectedPixel>& reprojected, const OtherView& to,
                          const FrameImages::Depth* other_depth, const VisibilityMaskFile& file,
                          Findings& findings) {
     WrongPixels pixels;
-    std::vector<int> inside;  // pixels that may lie inside the other image
-    for (int i = 0; i < static_cast<int>(mask.values.size()); ++i) {
-        const std::size_t at = i;
-        const int found = mask.values[at];
-        const int x = i % mask.width;
-        const int y = i / mask.width;
-        const bool nothing = !(depth.metres.values[at] > 0.0F);
+    std::vector<std::uint8_t> compared = mask.values;
+    std::vector<int> inside;
+    const auto add = [&](std::size_t i, const char* expected) {
+        const int pixel = static_cast<int>(i);
+        pixels.add(pixel % mask.width, pixel / mask.width,
+                   [&] { return wrong(mask.values[i], expected); });
+    };
+    for (std::size_t i = 0; i < mask.values.size(); ++i) {
+        const int found = mask.values[i];
+        const bool nothing = !(depth.metres.values[i] > 0.0F);
         if (nothing || found == kNothing) {
-            if (nothing != (found == kNothing)) {
-                pixels.add(x, y, [&] {
-                    return wrong(found, nothing ? "nothing (255)" : "the state of the surface");
-                });
-            }
-            continue;
-        }
-        const Sides sides = sidesOf(subject.dataset, reprojected[at]);
-        if (found == kOutside ? !sides.may_be_outside : !sides.may_be_inside) {
-            pixels.add(x, y, [&] {
-                return wrong(found, found == kOutside ? "inside the other image"
-                                                      : "outside the other image (2)");
-            });
+            compared[i] = kNothing;
+            if (nothing == (found == kNothing)) continue;
+            add(i, nothing ? "nothing (255)" : "the state of the surface");
         } else if (found == kSeen || found == kOccluded) {
-            inside.push_back(i);
+            inside.push_back(static_cast<int>(i));
         } else if (found != kOutside) {
-            pixels.add(x, y, [&] { return wrong(found, "0, 1, 2 or 255"); });
+            add(i, "0, 1, 2 or 255");
         }
     }
-    if (subject.rays) {
-        compareMaskWithRays(subject, mask, reprojected, inside, depth.rounding_m, to, pixels);
-    } else if (other_depth) {
+    for (const WrongVisibility& one :
+         wrongVisibilities(subject, compared, reprojected, depth.rounding_m, to)) {
+        add(one.point, expectedInMask(one.expected));
+    }
+    if (!subject.rays && other_depth) {
         WrongPixels unlikely;
         compareMaskWithDepth(mask, reprojected, inside, depth, *other_depth, unlikely);
         // An object thinner than a pixel may hide points without showing up in the depth; whole

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace dollytrack::verify {
@@ -41,6 +43,20 @@ struct ReprojectedPixel {
 ReprojectedPixel reproject(const StoredDataset& dataset, const StoredFrame& from, int x, int y,
                            double metres, double rounding_m, const OtherView& to,
                            const Eigen::Isometry3d& motion);
+
+/// A point whose stored visibility is wrong.
+struct WrongVisibility {
+    enum class Expected { Seen, Occluded, Inside, Outside };
+    std::size_t point = 0;
+    Expected expected = Expected::Seen;  // Inside: seen or occluded, but not outside
+};
+
+/// Compares the visibility of points in a view (kSeen, kOccluded or kOutside; others are skipped)
+/// with the borders of its image and, if the subject has a scene, with ray casts.
+std::vector<WrongVisibility> wrongVisibilities(const Subject& subject,
+                                               std::span<const std::uint8_t> found,
+                                               const std::vector<ReprojectedPixel>& points,
+                                               double rounding_m, const OtherView& to);
 
 /// The mask file to check, for findings.
 struct VisibilityMaskFile {

@@ -24,9 +24,10 @@ Status take(const StoredDataset& dataset, const std::string& name, Read&& read, 
     auto array = read(dataset.folder / name);
     if (!array) return fail(ErrorCode::BadInput, array.error().message, name);
     if ((rows >= 0 && array->height != rows) || (columns >= 0 && array->width != columns)) {
+        const auto side = [](int size) { return size < 0 ? "any" : fmt::format("{}", size); };
         return fail(ErrorCode::BadInput,
-                    fmt::format("it has {} rows and {} columns, {} x {} belong to the clip",
-                                array->height, array->width, rows, columns),
+                    fmt::format("it has {} rows and {} columns, the clip needs {} and {}",
+                                array->height, array->width, side(rows), side(columns)),
                     name);
     }
     into = std::move(*array);
