@@ -46,8 +46,8 @@ class CdrWriter {
         bytes_ += second;
     }
 
-    /// The message; the writer is empty afterwards.
-    [[nodiscard]] std::string take() { return std::move(bytes_); }
+    /// The message. The writer must not be used afterwards.
+    [[nodiscard]] std::string take() && { return std::move(bytes_); }
 
   private:
     static constexpr std::size_t kHeaderBytes = 4;

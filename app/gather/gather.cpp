@@ -157,6 +157,7 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
         if (isModality(name)) needs.modalities.insert(name);
     }
     needs.everything = layout.content == LayoutContent::Everything;
+    needs.check = layout.check;
     needs.mixed_lenses = order.mixed_lenses;
     needs.prove = order.skip_damaged;
     SourceReader reader(needs);

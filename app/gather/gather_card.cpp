@@ -67,6 +67,15 @@ std::string headerOf(const GatherCard& card) {
     return text + "---\n";
 }
 
+/// " of 640 x 480 px"; empty if the sizes differ.
+std::string sizeOf(std::span<const Source> sources) {
+    const Source& first = sources.front();
+    const bool is_common = std::ranges::all_of(sources, [&](const Source& one) {
+        return one.width == first.width && one.height == first.height;
+    });
+    return is_common ? fmt::format(" of {} x {} px", first.width, first.height) : std::string();
+}
+
 std::string partTable(const GatherCard& card) {
     std::string text =
         "| part | frames | boxes | scenes | source datasets |\n|---|---|---|---|---|\n";
@@ -195,12 +204,11 @@ std::string readmeText(const GatherCard& card) {
     for (const PartSummary& part : card.summary.parts) scenes += part.scenes;
     std::string text = headerOf(card);
     text += fmt::format(
-        "\n# {}\n\nImages of {} rendered with labels by Dollytrack {}: {} frames of {} x {} px "
-        "with "
-        "{}. Merged from {} with `dollytrack gather --format {}`.\n\n",
+        "\n# {}\n\nImages of {} rendered with labels by Dollytrack {}: {} frames{} with {}. Merged "
+        "from {} with `dollytrack gather --format {}`.\n\n",
         order.title, counted(scenes, "indoor scene"), order.product_version,
-        allFrames(card.summary), card.sources.front().width, card.sources.front().height,
-        order.layout->labels, counted(card.sources.size(), "dataset"), order.layout->name);
+        allFrames(card.summary), sizeOf(card.sources), order.layout->labels,
+        counted(card.sources.size(), "dataset"), order.layout->name);
     text += fmt::format("## Reading\n\n{}\n\n", order.layout->how_to_read);
     text += fmt::format("## Parts\n\n{}\n{}\n\n", partTable(card),
                         order.split.by_room

@@ -79,6 +79,9 @@ struct LayoutKind {
     std::uint64_t shard_bytes = 1'000'000'000;   // the default limit
     std::span<const char* const> required = {};  // modalities and formats of each dataset
     std::span<const char* const> copied = {};    // beginnings of names of files besides images
+    /// Checks a dataset for what only this layout cannot hold, before anything is written;
+    /// BadInput.
+    Status (*check)(const verify::StoredDataset& dataset) = nullptr;
 };
 
 extern const LayoutKind kYoloLayout;

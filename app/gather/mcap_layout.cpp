@@ -73,9 +73,14 @@ const LayoutKind kMcapLayout = {
     .how_to_read =
         "Foxglove and Rerun open the files; `ros2 bag play -s mcap NAME.mcap` publishes the "
         "messages. "
-        "`/tf` has the camera's poses in the frame `map`, `/objects` the objects' oriented boxes; "
+        "`/tf` has the camera's poses in the frame `map`, `/objects` and `/moving_objects` the "
+        "objects' oriented boxes; "
         "images are below `/camera`.",
     .data_files = nullptr,
+    .check = [](const verify::StoredDataset& dataset) -> Status {
+        const Result<RecordedSensors> sensors = readSensors(dataset);
+        return sensors ? Status() : tl::unexpected(sensors.error());
+    },
 };
 
 }  // namespace dollytrack::gather

@@ -25,10 +25,11 @@ constexpr const char* kSensorCamera = "/sensor_camera";
 constexpr const char* kImageType = "sensor_msgs/msg/CompressedImage";
 constexpr const char* kInfoType = "sensor_msgs/msg/CameraInfo";
 constexpr const char* kTransformType = "tf2_msgs/msg/TFMessage";
+constexpr const char* kBoxType = "visualization_msgs/msg/MarkerArray";
 
-/// Asks rosbag2 to give the topic's last message to nodes that start later (transient local).
-constexpr const char* kLatchedQos =
-    "- history: 1\n  depth: 1\n  reliability: 1\n  durability: 1\n"
+/// What rosbag2 needs to publish a topic as it was; the values are those of rmw's enumerations.
+constexpr const char* kQos =
+    "- history: 1\n  depth: {}\n  reliability: 1\n  durability: {}\n"
     "  deadline:\n    sec: 9223372036\n    nsec: 854775807\n"
     "  lifespan:\n    sec: 9223372036\n    nsec: 854775807\n"
     "  liveliness: 1\n  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n"
@@ -37,6 +38,9 @@ constexpr const char* kLatchedQos =
 tl::unexpected<Error> damaged(const std::string& what, const std::string& where) {
     return fail(ErrorCode::BadInput, what + "; export the dataset again.", where);
 }
+
+constexpr const char* kBadTime =
+    "A time is negative, earlier than the one before, or beyond 2,147,483,647 s";
 
 /// A ROS time has 32 bits of seconds.
 bool isTime(double time_s) {
@@ -91,45 +95,19 @@ Pose shiftedRight(double right_m) {
     return {{right_m, 0.0, 0.0}, Eigen::Quaterniond::Identity()};
 }
 
-}  // namespace
-
-Result<McapRecording> McapRecording::begin(const OpenedSource& source, const ClassUnion& classes,
-                                           const std::set<std::string>& images,
-                                           const GuardedFolder& folder, const std::string& name) {
-    Result<verify::StoredDataset> dataset = readDescription(source.source);
-    if (!dataset) return tl::unexpected(dataset.error());
-    Result<McapWriter> file = McapWriter::create(
-        folder, name, "ros2", "dollytrack " + cleanText(source.source.product_version));
-    if (!file) return tl::unexpected(file.error());
-    McapRecording recording(source, std::move(*file));
-    Status status = recording.readTimes();
-    if (status) status = recording.readImu(*dataset);
-    if (status) status = recording.addCameras(*dataset, images);
-    if (status) status = recording.addImages(*dataset, images);
-    if (status) status = recording.describe(*dataset, classes);
-    if (status) status = recording.addStaticTransforms();
-    if (status) status = recording.addBoxes(classes);
-    if (status) status = recording.addPath();
-    if (!status) return tl::unexpected(status.error());
-    return recording;
-}
-
-Status McapRecording::readTimes() {
-    const std::vector<verify::StoredFrame>& frames = source_.dataset.frames;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const double time_s = frames[i].time_s;
-        if (!isTime(time_s) || (i > 0 && time_s < frames[i - 1].time_s)) {
-            return damaged("The times of the frames do not increase from 0 on",
-                           fmt::format("{}/dataset.json: frames[{}].time_s",
-                                       source_.source.folder.string(), i));
+Status readTimes(const verify::StoredDataset& dataset, std::vector<std::uint64_t>& times_ns) {
+    for (const verify::StoredFrame& frame : dataset.frames) {
+        const std::size_t i = times_ns.size();
+        if (!isTime(frame.time_s) || (i > 0 && frame.time_s < dataset.frames[i - 1].time_s)) {
+            return damaged(kBadTime, fmt::format("{}/dataset.json: frames[{}].time_s",
+                                                 dataset.folder.string(), i));
         }
-        times_ns_.push_back(static_cast<std::uint64_t>(std::llround(time_s * 1e9)));
+        times_ns.push_back(static_cast<std::uint64_t>(std::llround(frame.time_s * 1e9)));
     }
-    start_ns_ = times_ns_.front();
     return {};
 }
 
-Status McapRecording::readImu(const verify::StoredDataset& dataset) {
+Status readImu(const verify::StoredDataset& dataset, std::vector<ImuSample>& imu) {
     if (!dataset.has("imu")) return {};
     const Result<SourceFile> file = listedFile(dataset, kImuFile);
     if (!file) return tl::unexpected(file.error());
@@ -142,19 +120,104 @@ Status McapRecording::readImu(const verify::StoredDataset& dataset) {
     for (const NumberLine& line : *lines) {
         const std::vector<double>& v = line.values;
         if (!isTime(1e-9 * v[0]) ||
-            (!imu_.empty() && v[0] < static_cast<double>(imu_.back().time_ns))) {
-            return damaged("The times do not increase from 0 on", placeOf(file->path, line.line));
+            (!imu.empty() && v[0] < static_cast<double>(imu.back().time_ns))) {
+            return damaged(kBadTime, placeOf(file->path, line.line));
         }
-        imu_.push_back({static_cast<std::uint64_t>(v[0]), {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
+        imu.push_back({static_cast<std::uint64_t>(v[0]), {v[1], v[2], v[3]}, {v[4], v[5], v[6]}});
     }
-    start_ns_ = std::min(start_ns_, imu_.front().time_ns);
-    const Result<std::uint16_t> channel = addTopic("/imu", "sensor_msgs/msg/Imu");
-    if (channel) imu_channel_ = *channel;
-    return channel ? Status() : tl::unexpected(channel.error());
+    return {};
+}
+
+/// The planned camera, and those of its other images.
+Status addPlannedCameras(const verify::StoredDataset& dataset,
+                         std::vector<RecordedCamera>& cameras) {
+    const ros::CameraInfo planned = infoOf(dataset.lens);
+    cameras.push_back({"/camera", opticalFrame("/camera"), planned, {}});
+    try {
+        for (const char* folder : {"rgb_right", "depth_right"}) {
+            if (!dataset.has(folder)) continue;
+            ros::CameraInfo right = planned;
+            right.baseline_m = dataset.convention(folder).at("baseline_m").get<double>();
+            cameras.push_back({kRightCamera, opticalFrame(kRightCamera), right, {}});
+            break;
+        }
+        if (dataset.has("rgb_sensor")) {
+            const Json distortion = dataset.convention("rgb_sensor").at("distortion");
+            ros::CameraInfo sensor = planned;
+            sensor.distortion.clear();
+            for (const char* key : {"k1", "k2", "p1", "p2", "k3"}) {
+                sensor.distortion.push_back(distortion.at(key).get<double>());
+            }
+            cameras.push_back({kSensorCamera, cameras[0].frame, sensor, {}});
+        }
+    } catch (const Json::exception&) {
+        return damaged("A convention of an image is missing or of the wrong type",
+                       (dataset.folder / "dataset.json").string() + ": conventions");
+    }
+    return {};
+}
+
+Status addRigCameras(const verify::StoredDataset& dataset, RecordedSensors& sensors) {
+    if (!dataset.has("cameras")) return {};
+    Result<std::vector<verify::StoredCamera>> rig = verify::readStoredRig(dataset);
+    if (!rig) return tl::unexpected(rig.error());
+    sensors.rig = std::move(*rig);
+    for (std::size_t i = 0; i < sensors.rig.size(); ++i) {
+        const std::string name = cameraNameOf(sensors.rig[i].name);
+        if (std::ranges::find(sensors.cameras, name, &RecordedCamera::name) !=
+            sensors.cameras.end()) {
+            return fail(ErrorCode::BadInput,
+                        fmt::format("Two cameras of the rig would have the topic {}; export the "
+                                    "dataset with other names.",
+                                    name),
+                        dataset.folder.string());
+        }
+        sensors.cameras.push_back({name, opticalFrame(name), infoOf(sensors.rig[i]), i});
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<RecordedSensors> readSensors(const verify::StoredDataset& dataset) {
+    RecordedSensors sensors;
+    Status status = readTimes(dataset, sensors.times_ns);
+    if (status) status = readImu(dataset, sensors.imu);
+    if (status) status = addPlannedCameras(dataset, sensors.cameras);
+    if (status) status = addRigCameras(dataset, sensors);
+    if (!status) return tl::unexpected(status.error());
+    return sensors;
+}
+
+McapRecording::McapRecording(const OpenedSource& source, RecordedSensors sensors, McapWriter file)
+    : source_(source), sensors_(std::move(sensors)), file_(std::move(file)) {
+    start_ns_ = sensors_.times_ns.front();
+    if (!sensors_.imu.empty()) start_ns_ = std::min(start_ns_, sensors_.imu.front().time_ns);
+}
+
+Result<McapRecording> McapRecording::begin(const OpenedSource& source, const ClassUnion& classes,
+                                           const std::set<std::string>& images,
+                                           const GuardedFolder& folder, const std::string& name) {
+    Result<verify::StoredDataset> dataset = readDescription(source.source);
+    if (!dataset) return tl::unexpected(dataset.error());
+    Result<RecordedSensors> sensors = readSensors(*dataset);
+    if (!sensors) return tl::unexpected(sensors.error());
+    Result<McapWriter> file = McapWriter::create(
+        folder, name, "ros2", "dollytrack " + cleanText(source.source.product_version));
+    if (!file) return tl::unexpected(file.error());
+    McapRecording recording(source, std::move(*sensors), std::move(*file));
+    Status status = recording.addSensorTopics();
+    if (status) status = recording.addImages(*dataset, images);
+    if (status) status = recording.describe(*dataset, classes);
+    if (status) status = recording.addStaticTransforms();
+    if (status) status = recording.addBoxes(classes);
+    if (status) status = recording.addPath();
+    if (!status) return tl::unexpected(status.error());
+    return recording;
 }
 
 Result<std::uint16_t> McapRecording::addTopic(const std::string& topic, const std::string& type,
-                                              const McapMap& metadata) {
+                                              Durability durability, McapMap metadata) {
     auto known = schemas_.find(type);
     if (known == schemas_.end()) {
         const Result<std::uint16_t> schema =
@@ -162,65 +225,27 @@ Result<std::uint16_t> McapRecording::addTopic(const std::string& topic, const st
         if (!schema) return schema;
         known = schemas_.emplace(type, *schema).first;
     }
+    const bool is_latched = durability == Durability::TransientLocal;
+    metadata["offered_qos_profiles"] =
+        is_latched ? fmt::format(kQos, 1, 1) : fmt::format(kQos, 10, 2);
     return file_.addChannel(known->second, topic, "cdr", metadata);
 }
 
-Status McapRecording::addCameras(const verify::StoredDataset& dataset,
-                                 const std::set<std::string>& images) {
-    const auto add = [&](const std::string& name, const std::string& frame,
-                         std::optional<ros::CameraInfo> info) {
-        cameras_.push_back({name, frame, std::move(info)});
+/// The topics of poses, measurements and lenses.
+Status McapRecording::addSensorTopics() {
+    Status status;
+    const auto add = [&](const std::string& topic, const char* type) -> std::uint16_t {
+        if (!status) return 0;
+        const Result<std::uint16_t> channel = addTopic(topic, type);
+        if (!channel) status = tl::unexpected(channel.error());
+        return channel.value_or(0);
     };
-    const auto isUsed = [&](const char* folder) {
-        return dataset.has(folder) && images.contains(folder);
-    };
-    const ros::CameraInfo own = infoOf(dataset.lens);
-    try {
-        add("/camera", opticalFrame("/camera"), own);
-        for (const char* folder : {"rgb_right", "depth_right"}) {
-            if (!isUsed(folder) || cameras_.size() > 1) continue;
-            ros::CameraInfo right = own;
-            right.baseline_m = dataset.convention(folder).at("baseline_m").get<double>();
-            add(kRightCamera, opticalFrame(kRightCamera), right);
-        }
-        if (isUsed("rgb_sensor")) {
-            const Json bent = dataset.convention("rgb_sensor").at("distortion");
-            ros::CameraInfo sensor = own;
-            sensor.distortion.clear();
-            for (const char* key : {"k1", "k2", "p1", "p2", "k3"}) {
-                sensor.distortion.push_back(bent.at(key).get<double>());
-            }
-            add(kSensorCamera, cameras_[0].frame, sensor);
-        }
-    } catch (const Json::exception&) {
-        return damaged("A convention of an image is missing or of the wrong type",
-                       (dataset.folder / "dataset.json").string() + ": conventions");
+    if (!sensors_.imu.empty()) imu_channel_ = add("/imu", "sensor_msgs/msg/Imu");
+    for (const RecordedCamera& camera : sensors_.cameras) {
+        info_channels_.push_back(camera.info ? add(camera.name + "/camera_info", kInfoType) : 0);
     }
-    if (dataset.has("cameras")) {
-        Result<std::vector<verify::StoredCamera>> rig = verify::readStoredRig(dataset);
-        if (!rig) return tl::unexpected(rig.error());
-        rig_ = std::move(*rig);
-    }
-    for (const verify::StoredCamera& one : rig_) {
-        const std::string name = cameraNameOf(one.name);
-        if (std::ranges::find(cameras_, name, &Camera::name) != cameras_.end()) {
-            return fail(ErrorCode::BadInput,
-                        fmt::format("Two cameras of the rig would have the topic {}; export the "
-                                    "dataset with other names.",
-                                    name),
-                        dataset.folder.string());
-        }
-        add(name, opticalFrame(name), infoOf(one));
-    }
-    for (Camera& one : cameras_) {
-        if (!one.info) continue;
-        const Result<std::uint16_t> channel = addTopic(one.name + "/camera_info", kInfoType);
-        if (!channel) return tl::unexpected(channel.error());
-        one.info_channel = *channel;
-    }
-    const Result<std::uint16_t> poses = addTopic("/tf", kTransformType);
-    if (poses) poses_ = *poses;
-    return poses ? Status() : tl::unexpected(poses.error());
+    poses_ = add("/tf", kTransformType);
+    return status;
 }
 
 Status McapRecording::addImages(const verify::StoredDataset& dataset,
@@ -228,17 +253,13 @@ Status McapRecording::addImages(const verify::StoredDataset& dataset,
     for (const std::string& folder : source_.source.modalities) {
         if (!images.contains(folder)) continue;
         const auto [camera, image] = topicOf(folder);
-        const auto found = std::ranges::find(cameras_, camera, &Camera::name);
-        if (found == cameras_.end()) continue;
-        const auto rig = std::ranges::find(
-            rig_, camera, [](const verify::StoredCamera& one) { return cameraNameOf(one.name); });
+        const auto found = std::ranges::find(sensors_.cameras, camera, &RecordedCamera::name);
+        if (found == sensors_.cameras.end()) continue;
+        const std::optional<std::size_t> rig = found->rig_index;
         ImageTopic topic{folder, found->frame};
-        topic.is_depth = image.starts_with(kDepth) && (rig == rig_.end() || !rig->range);
-        Json convention = dataset.convention(folder);
-        if (rig != rig_.end()) {
-            const Json& stored = dataset.card["cameras"][rig - rig_.begin()];
-            convention = stored.value(image, Json());
-        }
+        topic.is_depth = image.starts_with(kDepth) && !(rig && sensors_.rig[*rig].range);
+        const Json convention =
+            rig ? dataset.card["cameras"][*rig].value(image, Json()) : dataset.convention(folder);
         McapMap metadata = {{"folder", folder}};
         if (!convention.is_null()) {
             metadata["convention"] =
@@ -246,7 +267,8 @@ Status McapRecording::addImages(const verify::StoredDataset& dataset,
         }
         const char* transport = topic.is_depth ? "compressedDepth" : "compressed";
         const Result<std::uint16_t> channel =
-            addTopic(fmt::format("{}/{}/{}", camera, image, transport), kImageType, metadata);
+            addTopic(fmt::format("{}/{}/{}", camera, image, transport), kImageType,
+                     Durability::Volatile, std::move(metadata));
         if (!channel) return tl::unexpected(channel.error());
         topic.channel = *channel;
         images_.push_back(std::move(topic));
@@ -269,30 +291,34 @@ Status McapRecording::describe(verify::StoredDataset& dataset, const ClassUnion&
 }
 
 Status McapRecording::addStaticTransforms() {
-    const std::string& camera = cameras_[0].frame;
+    const std::string& planned = sensors_.cameras[0].frame;
     std::vector<ros::Transform> fixed;
-    if (!imu_.empty()) fixed.push_back({camera, kImuFrame, Pose{}});
-    for (const Camera& one : cameras_) {
-        if (one.name != kRightCamera) continue;
-        fixed.push_back({camera, one.frame, shiftedRight(one.info->baseline_m)});
-    }
-    for (const verify::StoredCamera& one : rig_) {
-        if (one.level) continue;
-        fixed.push_back({camera, opticalFrame(cameraNameOf(one.name)), one.carrier_from_camera});
+    if (!sensors_.imu.empty()) fixed.push_back({planned, kImuFrame, Pose{}});
+    for (const RecordedCamera& camera : sensors_.cameras) {
+        if (camera.name == kRightCamera) {
+            fixed.push_back({planned, camera.frame, shiftedRight(camera.info->baseline_m)});
+        }
+        if (!camera.rig_index) continue;
+        const verify::StoredCamera& stored = sensors_.rig[*camera.rig_index];
+        if (stored.level) continue;
+        fixed.push_back({planned, camera.frame, stored.carrier_from_camera});
     }
     if (fixed.empty()) return {};
     const Result<std::uint16_t> channel =
-        addTopic("/tf_static", kTransformType, {{"offered_qos_profiles", kLatchedQos}});
+        addTopic("/tf_static", kTransformType, Durability::TransientLocal);
     if (!channel) return tl::unexpected(channel.error());
     return file_.addMessage(*channel, start_ns_, ros::transforms(start_ns_, fixed));
 }
 
+/// Objects that move are on a topic of their own: a node that starts later gets only the last
+/// message of a topic, which must hold all of the topic's boxes.
 Status McapRecording::addBoxes(const ClassUnion& classes) {
     constexpr float kOpacity = 0.3F;
-    const Result<std::uint16_t> channel = addTopic("/objects", "visualization_msgs/msg/MarkerArray",
-                                                   {{"offered_qos_profiles", kLatchedQos}});
-    if (!channel) return tl::unexpected(channel.error());
-    objects_ = *channel;
+    std::set<int> moving;
+    for (const verify::StoredFrame& frame : source_.dataset.frames) {
+        for (const verify::MovedObject& object : frame.moving) moving.insert(object.object_id);
+    }
+    std::vector<ros::BoxMarker> static_boxes;
     const ClassTable& table = source_.source.classes();
     for (const verify::StoredObject& object : source_.dataset.objects) {
         const DatasetClass* found = table.find(object.class_id);
@@ -301,30 +327,42 @@ Status McapRecording::addBoxes(const ClassUnion& classes) {
             &of == &table.voidClass() ? of.name : classes.classes()[classes.indexOf(of)].name;
         const auto share = [&](int i) { return static_cast<float>(of.color[i]) / 255.0F; };
         const Eigen::AngleAxisd turn(object.box.yaw, Eigen::Vector3d::UnitZ());
-        boxes_.push_back({object.role + "/" + class_name,
-                          object.id,
-                          {object.box.center, Eigen::Quaterniond(turn)},
-                          2.0 * object.box.half_size,
-                          {share(0), share(1), share(2), kOpacity},
-                          object.name});
+        std::vector<ros::BoxMarker>& boxes =
+            moving.contains(object.id) ? moving_boxes_ : static_boxes;
+        boxes.push_back({object.role + "/" + class_name,
+                         object.id,
+                         {object.box.center, Eigen::Quaterniond(turn)},
+                         2.0 * object.box.half_size,
+                         {share(0), share(1), share(2), kOpacity},
+                         object.name});
     }
-    return file_.addMessage(objects_, start_ns_, ros::boxMarkers({start_ns_, kWorldFrame}, boxes_));
+    const Result<std::uint16_t> channel =
+        addTopic("/objects", kBoxType, Durability::TransientLocal);
+    if (!channel) return tl::unexpected(channel.error());
+    if (!moving_boxes_.empty()) {
+        const Result<std::uint16_t> moving_objects = addTopic("/moving_objects", kBoxType);
+        if (!moving_objects) return tl::unexpected(moving_objects.error());
+        moving_objects_ = *moving_objects;
+    }
+    return file_.addMessage(*channel, start_ns_,
+                            ros::boxMarkers({start_ns_, kWorldFrame}, static_boxes));
 }
 
 Status McapRecording::addPath() {
     std::vector<ros::TimedPose> poses;
-    for (std::size_t i = 0; i < times_ns_.size(); ++i) {
-        poses.push_back({times_ns_[i], source_.dataset.frames[i].pose});
+    for (std::size_t i = 0; i < sensors_.times_ns.size(); ++i) {
+        poses.push_back({sensors_.times_ns[i], source_.dataset.frames[i].pose});
     }
     const Result<std::uint16_t> channel =
-        addTopic("/trajectory", "nav_msgs/msg/Path", {{"offered_qos_profiles", kLatchedQos}});
+        addTopic("/trajectory", "nav_msgs/msg/Path", Durability::TransientLocal);
     if (!channel) return tl::unexpected(channel.error());
     return file_.addMessage(*channel, start_ns_, ros::path({start_ns_, kWorldFrame}, poses));
 }
 
 Status McapRecording::addImuBefore(std::uint64_t time_ns) {
-    for (; next_imu_ < imu_.size() && imu_[next_imu_].time_ns < time_ns; ++next_imu_) {
-        const ImuSample& one = imu_[next_imu_];
+    for (; next_imu_ < sensors_.imu.size() && sensors_.imu[next_imu_].time_ns < time_ns;
+         ++next_imu_) {
+        const ImuSample& one = sensors_.imu[next_imu_];
         const std::string message =
             ros::imu({one.time_ns, kImuFrame}, one.rate_rps, one.force_mps2);
         Status added = file_.addMessage(imu_channel_, one.time_ns, message);
@@ -333,26 +371,26 @@ Status McapRecording::addImuBefore(std::uint64_t time_ns) {
     return {};
 }
 
-/// Poses of the cameras that move on their own, and boxes of the objects that move.
+/// Poses of the planned camera and of level cameras, and boxes of the objects that move.
 Status McapRecording::addPoses(std::size_t frame) {
     const verify::StoredFrame& stored = source_.dataset.frames[frame];
-    const std::uint64_t time_ns = times_ns_[frame];
-    std::vector<ros::Transform> poses = {{kWorldFrame, cameras_[0].frame, stored.pose}};
-    for (const verify::StoredCamera& one : rig_) {
-        if (!one.level) continue;
-        poses.push_back({kWorldFrame, opticalFrame(cameraNameOf(one.name)), one.poses[frame]});
+    const std::uint64_t time_ns = sensors_.times_ns[frame];
+    std::vector<ros::Transform> poses = {{kWorldFrame, sensors_.cameras[0].frame, stored.pose}};
+    for (const RecordedCamera& camera : sensors_.cameras) {
+        if (!camera.rig_index || !sensors_.rig[*camera.rig_index].level) continue;
+        poses.push_back({kWorldFrame, camera.frame, sensors_.rig[*camera.rig_index].poses[frame]});
     }
     Status status = file_.addMessage(poses_, time_ns, ros::transforms(time_ns, poses));
-    std::vector<ros::BoxMarker> moved;
-    for (const ros::BoxMarker& box : boxes_) {
+    if (!status || moving_boxes_.empty()) return status;
+    std::vector<ros::BoxMarker> boxes = moving_boxes_;
+    for (ros::BoxMarker& box : boxes) {
         const Eigen::Isometry3d* motion = stored.movement(box.id);
         if (motion == nullptr) continue;
-        moved.push_back(box);
-        moved.back().pose = {*motion * box.pose.position,
-                             Eigen::Quaterniond(motion->linear()) * box.pose.rotation};
+        box.pose = {*motion * box.pose.position,
+                    Eigen::Quaterniond(motion->linear()) * box.pose.rotation};
     }
-    if (!status || moved.empty()) return status;
-    return file_.addMessage(objects_, time_ns, ros::boxMarkers({time_ns, kWorldFrame}, moved));
+    return file_.addMessage(moving_objects_, time_ns,
+                            ros::boxMarkers({time_ns, kWorldFrame}, boxes));
 }
 
 Status McapRecording::add(std::size_t begin, std::size_t end, const JobContext& job) {
@@ -361,22 +399,25 @@ Status McapRecording::add(std::size_t begin, std::size_t end, const JobContext& 
         const ImageTopic& topic = images_[i % images_.size()];
         const std::size_t frame = begin + i / images_.size();
         if (job.cancelled()) return;
-        const Result<std::string> file =
-            readProven(source_.file(frameFileOf(source_.dataset, topic.folder, frame)));
-        if (file) {
-            messages[i] =
-                ros::compressedImage({times_ns_[frame], topic.frame}, *file, topic.is_depth);
+        const SourceFile source = source_.file(frameFileOf(source_.dataset, topic.folder, frame));
+        const Result<std::string> file = readProven(source);
+        if (file && topic.is_depth && !file->starts_with("\x89PNG\r\n\x1A\n")) {
+            messages[i] = damaged("The depth image is not a PNG file", source.path.string());
+        } else if (file) {
+            messages[i] = ros::compressedImage({sensors_.times_ns[frame], topic.frame}, *file,
+                                               topic.is_depth);
         } else {
             messages[i] = tl::unexpected(file.error());
         }
     });
     for (std::size_t frame = begin; frame < end && !job.cancelled(); ++frame) {
-        const std::uint64_t time_ns = times_ns_[frame];
+        const std::uint64_t time_ns = sensors_.times_ns[frame];
         Status status = addImuBefore(time_ns);
         if (status) status = addPoses(frame);
-        for (const Camera& camera : cameras_) {
+        for (std::size_t i = 0; i < info_channels_.size(); ++i) {
+            const RecordedCamera& camera = sensors_.cameras[i];
             if (!status || !camera.info) continue;
-            status = file_.addMessage(camera.info_channel, time_ns,
+            status = file_.addMessage(info_channels_[i], time_ns,
                                       ros::cameraInfo({time_ns, camera.frame}, *camera.info));
         }
         for (std::size_t i = 0; status && i < images_.size(); ++i) {

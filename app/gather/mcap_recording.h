@@ -15,9 +15,35 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack::gather {
+
+/// A camera of a recording. Its topics begin with its name.
+struct RecordedCamera {
+    std::string name;   // "/camera_left"
+    std::string frame;  // "camera_left_optical_frame"
+    std::optional<ros::CameraInfo> info;
+    std::optional<std::size_t> rig_index;  // in RecordedSensors::rig, if it is of the rig
+};
+
+struct ImuSample {
+    std::uint64_t time_ns = 0;
+    std::array<double, 3> rate_rps = {};    // angular rate
+    std::array<double, 3> force_mps2 = {};  // specific force
+};
+
+/// The cameras of a dataset, their times and the inertial measurements.
+struct RecordedSensors {
+    std::vector<std::uint64_t> times_ns;  // of the frames
+    std::vector<RecordedCamera> cameras;  // the planned one first
+    std::vector<verify::StoredCamera> rig;
+    std::vector<ImuSample> imu;
+};
+
+/// Takes them from dataset.json and imu.csv. Error: BadInput where they cannot be recorded.
+[[nodiscard]] Result<RecordedSensors> readSensors(const verify::StoredDataset& dataset);
 
 /// A dataset as one MCAP file of ROS 2 messages: its images, cameras, poses, inertial measurements
 /// and boxes. Frames are "map" (the dataset's world: z up, m), "camera_optical_frame" and those of
@@ -40,13 +66,8 @@ class McapRecording {
     [[nodiscard]] Result<std::string> finish();
 
   private:
-    /// A camera of the recording. Its topics begin with its name.
-    struct Camera {
-        std::string name;   // "/camera_left"
-        std::string frame;  // "camera_left_optical_frame"
-        std::optional<ros::CameraInfo> info;
-        std::uint16_t info_channel = 0;
-    };
+    /// Whether nodes that start later get a topic's last message from `ros2 bag play`.
+    enum class Durability { TransientLocal, Volatile };  // they do; they do not
     /// The images of one folder.
     struct ImageTopic {
         std::string folder;
@@ -54,18 +75,9 @@ class McapRecording {
         bool is_depth = false;  // along the viewing axis
         std::uint16_t channel = 0;
     };
-    struct ImuSample {
-        std::uint64_t time_ns = 0;
-        std::array<double, 3> rate_rps = {};
-        std::array<double, 3> force_mps2 = {};
-    };
 
-    McapRecording(const OpenedSource& source, McapWriter file)
-        : source_(source), file_(std::move(file)) {}
-    [[nodiscard]] Status readTimes();
-    [[nodiscard]] Status readImu(const verify::StoredDataset& dataset);
-    [[nodiscard]] Status addCameras(const verify::StoredDataset& dataset,
-                                    const std::set<std::string>& images);
+    McapRecording(const OpenedSource& source, RecordedSensors sensors, McapWriter file);
+    [[nodiscard]] Status addSensorTopics();
     [[nodiscard]] Status addImages(const verify::StoredDataset& dataset,
                                    const std::set<std::string>& images);
     [[nodiscard]] Status addBoxes(const ClassUnion& classes);
@@ -75,21 +87,20 @@ class McapRecording {
     [[nodiscard]] Status addImuBefore(std::uint64_t time_ns);
     [[nodiscard]] Status addPoses(std::size_t frame);
     [[nodiscard]] Result<std::uint16_t> addTopic(const std::string& topic, const std::string& type,
-                                                 const McapMap& metadata = {});
+                                                 Durability durability = Durability::Volatile,
+                                                 McapMap metadata = {});
 
     const OpenedSource& source_;
+    RecordedSensors sensors_;
     McapWriter file_;
     std::map<std::string, std::uint16_t> schemas_;  // by type
-    std::vector<std::uint64_t> times_ns_;           // of the frames
-    std::vector<Camera> cameras_;                   // the planned one first
-    std::vector<verify::StoredCamera> rig_;
     std::vector<ImageTopic> images_;
-    std::vector<ros::BoxMarker> boxes_;  // of all objects, at rest
-    std::vector<ImuSample> imu_;
+    std::vector<ros::BoxMarker> moving_boxes_;  // of objects that move in any frame, at rest
     std::size_t next_imu_ = 0;
-    std::uint64_t start_ns_ = 0;  // of the first message
-    std::uint16_t poses_ = 0;     // channel numbers
-    std::uint16_t objects_ = 0;
+    std::uint64_t start_ns_ = 0;                // of the first message
+    std::vector<std::uint16_t> info_channels_;  // of the cameras; 0: none
+    std::uint16_t poses_ = 0;                   // channel numbers
+    std::uint16_t moving_objects_ = 0;
     std::uint16_t imu_channel_ = 0;
 };
 

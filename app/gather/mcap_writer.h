@@ -16,7 +16,7 @@ namespace dollytrack::gather {
 /// Names and values of an MCAP record.
 using McapMap = std::map<std::string, std::string>;
 
-/// What the messages of some channels consist of.
+/// The definition of a message type.
 struct McapSchema {
     std::string name;      // "sensor_msgs/msg/Imu"
     std::string encoding;  // of `data`: "ros2msg"

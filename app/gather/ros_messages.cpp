@@ -2,6 +2,8 @@
 
 #include "app/gather/cdr_writer.h"
 
+#include <utility>
+
 namespace dollytrack::gather::ros {
 namespace {
 
@@ -44,7 +46,7 @@ std::string compressedImage(const Header& header, std::string_view file, bool is
     // The transport's header: a format and two parameters of inverse depth, which 16UC1 lacks.
     const std::string depth_header(is_depth ? sizeof(std::int32_t) + 2 * sizeof(float) : 0, '\0');
     cdr.bytes(depth_header, file);
-    return cdr.take();
+    return std::move(cdr).take();
 }
 
 std::string cameraInfo(const Header& header, const CameraInfo& camera) {
@@ -62,7 +64,7 @@ std::string cameraInfo(const Header& header, const CameraInfo& camera) {
                            1.0, 0.0});
     for (int i = 0; i < 6; ++i) cdr.number(std::uint32_t{0});  // binning, region: the whole image
     cdr.number(false);
-    return cdr.take();
+    return std::move(cdr).take();
 }
 
 std::string transforms(std::uint64_t time_ns, std::span<const Transform> all) {
@@ -73,7 +75,7 @@ std::string transforms(std::uint64_t time_ns, std::span<const Transform> all) {
         cdr.text(one.child_frame);
         add(cdr, one.pose);
     }
-    return cdr.take();
+    return std::move(cdr).take();
 }
 
 std::string imu(const Header& header, const std::array<double, 3>& rate_rps,
@@ -89,7 +91,7 @@ std::string imu(const Header& header, const std::array<double, 3>& rate_rps,
     cdr.numbers(kUnknown);
     cdr.numbers(force_mps2);
     cdr.numbers(kUnknown);
-    return cdr.take();
+    return std::move(cdr).take();
 }
 
 std::string boxMarkers(const Header& header, std::span<const BoxMarker> boxes) {
@@ -123,7 +125,7 @@ std::string boxMarkers(const Header& header, std::span<const BoxMarker> boxes) {
         cdr.bytes("");
         cdr.number(false);  // mesh_use_embedded_materials
     }
-    return cdr.take();
+    return std::move(cdr).take();
 }
 
 std::string path(const Header& header, std::span<const TimedPose> poses) {
@@ -134,7 +136,7 @@ std::string path(const Header& header, std::span<const TimedPose> poses) {
         add(cdr, Header{one.time_ns, header.frame});
         add(cdr, one.pose);
     }
-    return cdr.take();
+    return std::move(cdr).take();
 }
 
 }  // namespace dollytrack::gather::ros

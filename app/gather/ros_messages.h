@@ -20,7 +20,7 @@ namespace dollytrack::gather::ros {
 /// rosbag2 stores them ("ros2msg").
 [[nodiscard]] std::string definitionOf(std::string_view type);
 
-/// When and in which frame a message's values are.
+/// Time and coordinate frame of a message (std_msgs/msg/Header).
 struct Header {
     std::uint64_t time_ns = 0;
     std::string frame;
@@ -59,8 +59,8 @@ struct Transform {
 [[nodiscard]] std::string imu(const Header& header, const std::array<double, 3>& rate_rps,
                               const std::array<double, 3>& force_mps2);
 
-/// A box of visualization_msgs/msg/MarkerArray that stays until one of the same `group` and `id`
-/// replaces it.
+/// A box of visualization_msgs/msg/MarkerArray that stays until one of the same topic, `group` and
+/// `id` replaces it.
 struct BoxMarker {
     std::string group;
     int id = 0;

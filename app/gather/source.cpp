@@ -31,12 +31,18 @@ tl::unexpected<Error> notUsable(const fs::path& folder, const std::string& lacki
                 folder.string());
 }
 
-/// The folders of all images with a PNG or JPEG file for each frame.
-std::set<std::string> imageFoldersOf(const verify::StoredDataset& dataset) {
+/// The folders of all images with a PNG or JPEG file for each frame. Error: BadInput where the rig
+/// is damaged.
+Result<std::set<std::string>> imageFoldersOf(const verify::StoredDataset& dataset) {
     std::set<std::string> folders(dataset.modalities.begin(), dataset.modalities.end());
     if (dataset.has("cameras")) {
-        for (const std::string& file : verify::rigImageFiles(dataset)) {
-            folders.insert(file.substr(0, file.rfind('/')));
+        const Result<std::vector<verify::StoredCamera>> rig = verify::readStoredRig(dataset);
+        if (!rig) return tl::unexpected(rig.error());
+        for (const verify::StoredCamera& camera : *rig) {
+            for (const char* image : verify::kStoredRigImages) {
+                const std::string file = camera.file(image, 0);
+                folders.insert(file.substr(0, file.rfind('/')));
+            }
         }
     }
     std::erase_if(folders, [&](const std::string& folder) {
@@ -54,9 +60,9 @@ bool isModality(std::string_view name) {
 
 std::string frameFileOf(const verify::StoredDataset& dataset, std::string_view modality,
                         std::size_t frame) {
-    std::string name = fmt::format("{}/{:06}.jpg", modality, frame);
-    if (!dataset.sha256s.contains(name)) name.replace(name.size() - 3, 3, "png");
-    return name;
+    std::string jpeg = fmt::format("{}/{:06}.jpg", modality, frame);
+    if (!isModality(modality) && dataset.sha256s.contains(jpeg)) return jpeg;
+    return fmt::format("{}/{:06}.png", modality, frame);
 }
 
 Result<SourceFile> listedFile(const verify::StoredDataset& dataset, const std::string& name) {
@@ -80,6 +86,7 @@ Json SourceReader::conventionsOf(const verify::StoredDataset& dataset) const {
         if (modality == kSemantic || !dataset.has(modality)) continue;
         shared[modality] = dataset.convention(modality);
     }
+    if (needs_.everything) shared.erase("intrinsics");  // each dataset stays apart
     for (const std::string& format : needs_.required) {
         if (isModality(format)) continue;
         shared[format] = dataset.convention(format);
@@ -96,8 +103,9 @@ Status SourceReader::compare(const verify::StoredDataset& dataset) {
         conventions_ = std::move(own);
         return {};
     }
-    const Json& lens = conventions_["intrinsics"];
-    if (lens["width"] != dataset.lens.width || lens["height"] != dataset.lens.height) {
+    const Json lens = conventions_.value("intrinsics", Json());
+    if (!needs_.everything &&
+        (lens["width"] != dataset.lens.width || lens["height"] != dataset.lens.height)) {
         return fail(ErrorCode::BadInput,
                     fmt::format("Its images are {} x {} px, those of {} are {} x {} px; gather "
                                 "datasets of one size.",
@@ -128,7 +136,11 @@ Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
     source.frames = dataset.frames.size();
     source.width = dataset.lens.width;
     source.height = dataset.lens.height;
-    if (needs_.everything) source.modalities = imageFoldersOf(dataset);
+    if (needs_.everything) {
+        Result<std::set<std::string>> folders = imageFoldersOf(dataset);
+        if (!folders) return tl::unexpected(folders.error());
+        source.modalities = std::move(*folders);
+    }
     for (const char* modality : kModalities) {
         if (dataset.has(modality)) source.modalities.insert(modality);
     }
@@ -220,6 +232,9 @@ Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job)
     damaged_ = true;
     if (Status whole = checkFiles(*dataset, *source, job); !whole) {
         return tl::unexpected(whole.error());
+    }
+    if (needs_.check != nullptr) {
+        if (Status sound = needs_.check(*dataset); !sound) return tl::unexpected(sound.error());
     }
     damaged_ = false;
     if (Status fits = compare(*dataset); !fits) return tl::unexpected(fits.error());

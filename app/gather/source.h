@@ -59,11 +59,12 @@ struct Source {
 /// Which files of a dataset are gathered, and what they must have in common with the others'.
 struct SourceNeeds {
     std::set<std::string> modalities;   // of each frame, where the dataset has them
-    bool everything = false;            // also all other images, and inertial measurements
+    bool everything = false;            // also other images and measurements; any lens and size
     std::vector<std::string> required;  // modalities and formats without which it is refused
     std::vector<std::string> copied;    // beginnings of the names of other files
     bool mixed_lenses = false;          // datasets may have different focal lengths
     bool prove = false;                 // read all files and compare their hashes
+    Status (*check)(const verify::StoredDataset& dataset) = nullptr;  // of the layout; BadInput
 };
 
 /// Reads datasets and compares each with the first.
@@ -98,7 +99,8 @@ class SourceReader {
 /// Whether a name is that of an image kind that can be gathered.
 [[nodiscard]] bool isModality(std::string_view name);
 
-/// A frame's file of a modality: "rgb/000012.png", or ".jpg" if dataset.json lists that.
+/// A frame's file of an image folder: "rgb/000012.png". In a folder for which isModality() is
+/// false, it is a ".jpg" if dataset.json lists that.
 [[nodiscard]] std::string frameFileOf(const verify::StoredDataset& dataset,
                                       std::string_view modality, std::size_t frame);
 

@@ -10,6 +10,7 @@ import unittest
 import zlib
 
 import numpy as np
+import yaml
 
 import exports
 
@@ -76,7 +77,9 @@ class Mcap(unittest.TestCase):
         names = set()
         for one in self.all["definitions"]:
             names.add(one["name"])
-            if one["official"] is not None:  # Time and Duration are built into the library
+            if one["official"] is None:  # these are built into the library
+                self.assertIn(one["name"], ["builtin_interfaces/Time", "builtin_interfaces/Duration"])
+            else:
                 self.assertEqual(one["own"], one["official"], one["name"])
         for name in ["sensor_msgs/CameraInfo", "sensor_msgs/Imu", "visualization_msgs/Marker",
                      "geometry_msgs/TransformStamped", "sensor_msgs/CompressedImage"]:
@@ -103,6 +106,16 @@ class Mcap(unittest.TestCase):
         data = self.file.read_bytes()
         end = int(records["Footer"]["summaryStart"]) - 13  # where the record DataEnd begins
         self.assertEqual(records["DataEnd"]["dataSectionCrc"], zlib.crc32(data[:end]))
+
+    def test_every_topic_has_its_quality_of_service(self):
+        found = {}
+        for one in self.all["channels"]:
+            (profile,) = yaml.safe_load(one["metadata"]["offered_qos_profiles"])
+            found[one["topic"]] = profile["durability"]
+        # 1, transient local: nodes that start later get the last message. 2: they do not.
+        latched = {topic for topic, durability in found.items() if durability == 1}
+        self.assertEqual(latched, {"/tf_static", "/objects", "/trajectory"})
+        self.assertEqual(set(found.values()), {1, 2})
 
     def test_dataset_json_and_classes_are_in_the_file(self):
         (attachment,) = self.all["attachments"]
@@ -309,10 +322,24 @@ class Mcap(unittest.TestCase):
             self.assertEqual(message["orientation_covariance"][0], -1)  # no orientation
         np.testing.assert_array_equal(self.static_transforms()["imu_frame"], np.eye(4))
 
-    def test_a_moved_object_has_its_box_in_each_frame(self):
-        copy = self.data.folder.with_name("moved")
+    def copy_as(self, name):
+        copy = self.data.folder.with_name(name)
         shutil.copytree(self.data.folder, copy)
-        card = json.loads((copy / "dataset.json").read_text())
+        return copy, json.loads((copy / "dataset.json").read_text())
+
+    def test_a_damaged_rig_is_refused(self):
+        copy, card = self.copy_as("short_rig")
+        del card["cameras"][1]["poses"][-1]
+        (copy / "dataset.json").write_text(json.dumps(card))
+        done = subprocess.run([exports.PROGRAM, "-q", "gather", copy, "--out",
+                               copy.with_name("no_recordings"), "--format", "mcap"],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 4)
+        for words in [str(copy / "dataset.json"), "cameras[1] has 3 poses", "export the dataset again"]:
+            self.assertIn(words, done.stderr)
+
+    def test_a_moved_object_has_its_box_in_each_frame(self):
+        copy, card = self.copy_as("moved")
         item = next(one for one in card["objects"] if one["role"] == "target")
         quarter = [0, 0, 0.5 ** 0.5, 0.5 ** 0.5]
         card["frames"][2]["moving"] = [
@@ -321,18 +348,25 @@ class Mcap(unittest.TestCase):
         out = copy.with_name("moved_recordings")
         exports.dollytrack("-q", "gather", copy, "--out", out, "--format", "mcap")
         found = json.loads(exports.call("node", DUMP, out / "train" / "moved.mcap"))["messages"]
-        _, moved = [one for one in found if one["topic"] == "/objects"]
-        self.assertEqual(int(moved["log"]), self.times[2])
-        (marker,) = moved["message"]["markers"]
-        self.assertEqual(marker["id"], item["id"])
+        # The last message of each topic, which late readers get, has all boxes of the topic.
+        (fixed,) = [one for one in found if one["topic"] == "/objects"]
+        self.assertEqual({one["id"] for one in fixed["message"]["markers"]},
+                         {one["id"] for one in card["objects"]} - {item["id"]})
+        moving = [one for one in found if one["topic"] == "/moving_objects"]
+        self.assertEqual([int(one["log"]) for one in moving], self.times)
         x, y, z = item["box"]["center"]
-        np.testing.assert_allclose(vector(marker["pose"]["position"]), [1 - y, 2 + x, 3 + z],
-                                   atol=1e-9)
-        yaw = item["box"]["yaw_rad"] + np.pi / 2
-        np.testing.assert_allclose(exports.rotation(vector(marker["pose"]["orientation"]))[:, 0],
-                                   [np.cos(yaw), np.sin(yaw), 0], atol=1e-9)
+        for index, one in enumerate(moving):
+            (marker,) = one["message"]["markers"]
+            self.assertEqual((marker["id"], marker["text"]), (item["id"], item["name"]))
+            position, yaw = [x, y, z], item["box"]["yaw_rad"]
+            if index == 2:
+                position, yaw = [1 - y, 2 + x, 3 + z], yaw + np.pi / 2
+            np.testing.assert_allclose(vector(marker["pose"]["position"]), position, atol=1e-9)
+            np.testing.assert_allclose(exports.rotation(vector(marker["pose"]["orientation"]))[:, 0],
+                                       [np.cos(yaw), np.sin(yaw), 0], atol=1e-9)
 
     def test_boxes_of_the_objects(self):
+        self.assertNotIn("/moving_objects", {one["topic"] for one in self.all["channels"]})
         (message,) = self.messages("/objects")
         objects = self.data.card["objects"]
         classes = {one["id"]: one["name"] for one in self.data.card["classes"]}

@@ -123,6 +123,7 @@ Pose StoredCamera::expectedPose(const Pose& planned) const {
 }
 
 Result<std::vector<StoredCamera>> readStoredRig(const StoredDataset& dataset) {
+    const std::string where = (dataset.folder / "dataset.json").string();
     std::vector<StoredCamera> cameras;
     try {
         for (const OrderedJson& one : dataset.card.at("cameras")) {
@@ -130,13 +131,16 @@ Result<std::vector<StoredCamera>> readStoredRig(const StoredDataset& dataset) {
             const std::string problem = problemOf(cameras.back(), dataset.frames.size());
             if (problem.empty()) continue;
             return fail(ErrorCode::BadInput,
-                        fmt::format("cameras[{}] has {}", cameras.size() - 1, problem));
+                        fmt::format("cameras[{}] has {}; export the dataset again.",
+                                    cameras.size() - 1, problem),
+                        where);
         }
     } catch (const nlohmann::json::exception& error) {
         return fail(ErrorCode::BadInput,
                     fmt::format("A field of \"cameras\" is missing or has the wrong type ({}); "
                                 "export the dataset again.",
-                                plainReason(error)));
+                                plainReason(error)),
+                    where);
     }
     return cameras;
 }

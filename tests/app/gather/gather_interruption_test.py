@@ -76,11 +76,11 @@ class Interruption(GatherCase):
             return damage
 
         for damage, words in [
-                (lambda folder: edit_card(folder, turn_back), ["frames[4].time_s", "increase"]),
+                (lambda folder: edit_card(folder, turn_back), ["frames[4].time_s", "earlier"]),
                 (lambda folder: edit_card(folder, lambda card: card["frames"][0].update(time_s=-1)),
-                 ["frames[0].time_s", "from 0 on"]),
+                 ["frames[0].time_s", "negative"]),
                 (edit_measurements(lambda text: text + text.splitlines()[1] + "\n"),
-                 ["imu.csv:", "increase"]),
+                 ["imu.csv:", "earlier"]),
                 (edit_measurements(lambda text: text + "1,2,3\n"), ["imu.csv:", "3 values"]),
                 (lambda folder: (folder / "imu.csv").write_text("changed"), ["imu.csv", "SHA-256"]),
                 (lambda folder: (folder / "imu.csv").unlink(), ["imu.csv is missing"])]:
@@ -89,10 +89,17 @@ class Interruption(GatherCase):
                 out = self.new_folder()
                 command = ["-q", "gather", around, "--out", out, "--format", "mcap"]
                 self.assertFails(run(*command), 4, str(around / "bad"), *words)
-                self.assertFalse((out / "gather.json").exists())
-        done = run(*command, "--skip-damaged")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual([path.name for path in out.rglob("*.mcap")], ["good.mcap"])
+                self.assertEqual(list(out.rglob("*.mcap")), [])
+                done = run(*command, "--skip-damaged")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual([path.name for path in out.rglob("*.mcap")], ["good.mcap"])
+                self.assertEqual(self.card(out)["skipped"], ["bad"])
+
+    def test_only_png_files_are_depth_images(self):
+        around = self.damaged(
+            lambda folder: self.replace_listed(folder, "depth/000003.png", b"\xFF\xD8\xFF\xE0"))
+        refused = run("-q", "gather", around, "--out", self.new_folder(), "--format", "mcap")
+        self.assertFails(refused, 4, str(around / "bad" / "depth" / "000003.png"), "not a PNG file")
 
     def test_what_is_no_dataset_is_said(self):
         nothing = self.folder / "nothing"
@@ -116,7 +123,7 @@ class Interruption(GatherCase):
         before = hashes(out)
         again = ["-q", "gather", self.datasets / "room_1", "--out", out, "--format", "coco"]
         self.assertFails(run(*again), 2, "complete", "--overwrite", "--resume")
-        self.assertFails(run(*again, "--resume"), 2, "other contents")
+        self.assertFails(run(*again, "--resume"), 2, "another unfinished result")
         self.assertEqual(hashes(out), before)
         (out / "images" / "train" / "mine.png").write_bytes(b"mine")
         done = run(*again, "--overwrite")
@@ -208,7 +215,7 @@ class Interruption(GatherCase):
                 pictures = sorted(staged.rglob(f"*.{ending}"))
                 self.assertGreater(len(pictures), 3)
                 self.assertFails(run(*command, "--resume", "--title", "Others"), 2,
-                                 "other contents",
+                                 "another complete dataset",
                                  "the title")
                 # An image lost in a power cut is written again; complete files stay.
                 lost, kept = pictures[:2]

@@ -108,7 +108,9 @@ class Sources(GatherCase):
                    "--class-map", self.folder / "map.json")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("semantic is left out", done.stderr)
-        for path in (self.folder / "recordings").rglob("*.mcap"):
+        recordings = list((self.folder / "recordings").rglob("*.mcap"))
+        self.assertEqual(len(recordings), 2)
+        for path in recordings:
             self.assertNotIn(b"/camera/semantic", path.read_bytes())
         (self.folder / "map.json").write_text('{"cups": "mug"}')
         refused = run("-q", "gather", own, own_2, "--out", self.new_folder(), "--format", "coco",
@@ -126,6 +128,12 @@ class Sources(GatherCase):
                           "yolo")
             self.assertFails(refused, 4, str(first), str(second), word)
         self.gather("--format", "yolo", "--mixed-lenses", datasets=[first, wide])
+        # Recordings stand alone.
+        out = self.gather("--format", "mcap", datasets=[first, small, wide])
+        self.assertEqual(len(list(out.rglob("*.mcap"))), 3)
+        self.assertNotIn(" px", (out / "README.md").read_text())
+        out = self.gather("--format", "mcap", datasets=[first, wide])
+        self.assertIn("frames of 160 x 120 px with", (out / "README.md").read_text())
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ import collections
 import hashlib
 import json
 import pathlib
+import shutil
 import tarfile
 import unittest
 
@@ -167,6 +168,17 @@ class Gather(GatherCase):
         done = run("-q", "--threads", 1, "gather", self.datasets, "--out", again, *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(hashes(again), hashes(out))
+
+    def test_a_jpeg_file_does_not_replace_a_colour_image(self):
+        for layout in ["imagefolder", "mcap"]:
+            dataset = self.folder / layout
+            shutil.copytree(self.datasets / "room_0", dataset)
+            self.replace_listed(dataset, "rgb/000002.jpg", b"another file")
+            out = self.gather("--format", layout, datasets=[dataset])
+            png = (dataset / "rgb" / "000002.png").read_bytes()
+            written = [path.read_bytes() for path in out.rglob("*") if path.is_file()]
+            self.assertTrue(any(png in data for data in written))
+            self.assertFalse(any(b"another file" in data for data in written))
 
     # --- the card
 
