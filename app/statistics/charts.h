@@ -15,11 +15,7 @@ namespace dollytrack::statistics {
 [[nodiscard]] std::string histogramChart(const QuantityInfo& info, const Bins& bins,
                                          std::span<const DatasetStatistics> datasets);
 
-/// The quantity kAlongTrajectory[line] over time; of several datasets, over the part of their
-/// durations.
-[[nodiscard]] std::string lineChart(std::size_t line, std::span<const DatasetStatistics> datasets);
-
-/// The number of classes in a chart; fewer of many datasets.
+/// The number of rows in a chart; fewer of many datasets.
 [[nodiscard]] std::size_t chartClassesOf(std::span<const ClassRow> rows);
 
 /// Numbers of boxes by class.
@@ -30,7 +26,7 @@ namespace dollytrack::statistics {
 
 /// Where box centres lie in the image of a dataset. Cells with at least this share of the boxes are
 /// drawn in the full colour.
-[[nodiscard]] std::string heatMapChart(const DatasetStatistics& one, std::size_t dataset,
+[[nodiscard]] std::string heatMapChart(const DatasetStatistics& statistics, std::size_t dataset,
                                        double full_share);
 
 /// The share of the boxes that only 2 % of the cells with boxes exceed; 0 without boxes. A single

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dollytrack::statistics {
 namespace {
@@ -17,7 +18,7 @@ struct ClassBar {
     double outlined = 0.0;  // 0: no outline
 };
 
-using BarOf = ClassBar (*)(const ClassStatistics& one);
+using BarOf = ClassBar (*)(const ClassStatistics& counted);
 
 std::string barText(const PlotFrame& frame, const ClassBar& bar, std::size_t dataset, double y,
                     double height) {
@@ -50,9 +51,9 @@ std::string classChart(std::span<const ClassRow> all, const std::string& title,
     const std::size_t datasets = rows.empty() ? 0 : rows[0].datasets.size();
     double most = 1.0;
     for (const ClassRow& row : rows) {
-        for (const ClassStatistics* one : row.datasets) {
-            if (one == nullptr) continue;
-            const ClassBar bar = bar_of(*one);
+        for (const ClassStatistics* counted : row.datasets) {
+            if (counted == nullptr) continue;
+            const ClassBar bar = bar_of(*counted);
             most = std::max({most, bar.filled, bar.outlined});
         }
     }
@@ -89,15 +90,17 @@ std::size_t chartClassesOf(std::span<const ClassRow> rows) {
 }
 
 std::string boxesByClassChart(std::span<const ClassRow> rows) {
-    return classChart(rows, "Boxes by class", "boxes", [](const ClassStatistics& one) {
-        return ClassBar{static_cast<double>(one.boxes), 0.0};
+    return classChart(rows, "Boxes by class", "boxes", [](const ClassStatistics& counted) {
+        return ClassBar{static_cast<double>(counted.boxes), 0.0};
     });
 }
 
 std::string capturedByClassChart(std::span<const ClassRow> rows) {
-    return classChart(rows, "Captured objects by class", "objects", [](const ClassStatistics& one) {
-        return ClassBar{static_cast<double>(one.captured), static_cast<double>(one.targets)};
-    });
+    return classChart(rows, "Captured objects by class", "objects",
+                      [](const ClassStatistics& counted) {
+                          return ClassBar{static_cast<double>(counted.captured),
+                                          static_cast<double>(counted.targets)};
+                      });
 }
 
 }  // namespace dollytrack::statistics

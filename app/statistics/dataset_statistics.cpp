@@ -1,7 +1,7 @@
 #include "app/statistics/dataset_statistics.h"
 
-#include "app/statistics/box_statistics.h"
-#include "app/statistics/image_statistics.h"
+#include "app/cli/terminal/output_file.h"
+#include "app/statistics/dataset_measurements.h"
 #include "app/view/even_frames.h"
 #include "render/formats/tables/dataset_card.h"
 #include "render/verify/read/number_table.h"
@@ -31,7 +31,7 @@ tl::unexpected<Error> damagedTable(const std::filesystem::path& path, std::size_
 }
 
 /// Visible fractions and truncations, from instances.csv.
-Status addVisibility(const verify::StoredDataset& dataset, DatasetStatistics& into) {
+Status addVisibility(const verify::StoredDataset& dataset, DatasetStatistics& statistics) {
     if (!dataset.has("instances")) return {};
     const std::filesystem::path path = dataset.folder / "instances.csv";
     const auto table = verify::NumberTable::read(path);
@@ -41,7 +41,7 @@ Status addVisibility(const verify::StoredDataset& dataset, DatasetStatistics& in
             const char* column = infoOf(quantity).key;
             const std::optional<double> value = table->number(i, column);
             if (!value || *value < 0.0 || *value > 1.0) return damagedTable(path, i, column);
-            into.of(quantity).push_back(*value);
+            statistics.valuesOf(quantity).push_back(*value);
         }
     }
     return {};
@@ -63,7 +63,7 @@ double heightOf(const Eigen::Vector3d& position, const std::vector<OrientedBox>&
     return position.z() - floor_z;
 }
 
-Status addPoses(const verify::StoredDataset& dataset, DatasetStatistics& into) {
+Status addPoses(const verify::StoredDataset& dataset, DatasetStatistics& statistics) {
     std::vector<OrientedBox> floors;
     for (const verify::StoredObject& object : dataset.objects) {
         if (object.nyu40 == kFloorClass) floors.push_back(object.box);
@@ -76,21 +76,20 @@ Status addPoses(const verify::StoredDataset& dataset, DatasetStatistics& into) {
                 "The time is beyond 1,000,000,000 s; export the dataset again.",
                 fmt::format("{}: frames[{}]", (dataset.folder / "dataset.json").string(), i));
         }
-        into.time_s.push_back(frame.time_s);
         const double sine = std::clamp(frame.pose.forward().z(), -1.0, 1.0);
-        into.along[0].emplace_back(heightOf(frame.pose.position, floors));
-        into.along[1].emplace_back(std::asin(sine) * 180.0 / std::numbers::pi);
+        statistics.valuesOf(Quantity::CameraHeight)
+            .push_back(heightOf(frame.pose.position, floors));
+        statistics.valuesOf(Quantity::CameraPitch)
+            .push_back(std::asin(sine) * 180.0 / std::numbers::pi);
     }
-    if (!into.time_s.empty()) into.duration_s = into.time_s.back() - into.time_s.front();
+    statistics.duration_s = dataset.frames.back().time_s - dataset.frames.front().time_s;
     return {};
 }
 
-/// Speeds, turn rates and length of the path, from frames.csv. They are missing where a path
+/// Speeds, turn rates and length of the path, from frames.csv. Both rates are missing where a path
 /// begins.
-Status addMotion(const verify::StoredDataset& dataset, DatasetStatistics& into) {
+Status addMotion(const verify::StoredDataset& dataset, DatasetStatistics& statistics) {
     const std::size_t frames = dataset.frames.size();
-    into.along[2].resize(frames);
-    into.along[3].resize(frames);
     if (!dataset.has("frames")) return {};
     const std::filesystem::path path = dataset.folder / "frames.csv";
     const auto table = verify::NumberTable::read(path);
@@ -101,39 +100,42 @@ Status addMotion(const verify::StoredDataset& dataset, DatasetStatistics& into) 
                                 table->rows(), frames),
                     path.string());
     }
+    constexpr std::array<Quantity, 2> kRates = {Quantity::Speed, Quantity::TurnRate};
+    for (const Quantity quantity : kRates) {
+        if (table->has(infoOf(quantity).key)) continue;
+        return fail(ErrorCode::BadInput,
+                    fmt::format("There is no column \"{}\"; export the dataset again.",
+                                infoOf(quantity).key),
+                    path.string());
+    }
     double length_m = 0.0;
     for (std::size_t i = 0; i < frames; ++i) {
-        for (const std::size_t line : {std::size_t{2}, std::size_t{3}}) {
-            const char* column = infoOf(kAlongTrajectory[line]).key;
-            const std::optional<double> value = table->number(i, column);
-            if (value && !(*value >= 0.0 && *value <= kLargest)) {
-                return damagedTable(path, i, column);
+        std::array<std::optional<double>, 2> rates;
+        for (std::size_t k = 0; k < kRates.size(); ++k) {
+            rates[k] = table->number(i, infoOf(kRates[k]).key);
+            if (rates[k] && !(*rates[k] >= 0.0 && *rates[k] <= kLargest)) {
+                return damagedTable(path, i, infoOf(kRates[k]).key);
             }
-            into.along[line][i] = value;
         }
-        if (i > 0 && into.along[2][i]) {
-            length_m += *into.along[2][i] * (into.time_s[i] - into.time_s[i - 1]);
+        // A rate without the other one has a damaged value, not an empty field.
+        if (rates[0].has_value() != rates[1].has_value()) {
+            return damagedTable(path, i, infoOf(kRates[rates[0] ? 1 : 0]).key);
         }
+        if (!rates[0]) continue;
+        statistics.valuesOf(Quantity::Speed).push_back(*rates[0]);
+        statistics.valuesOf(Quantity::TurnRate).push_back(*rates[1]);
+        if (i == 0) continue;
+        length_m += *rates[0] * (dataset.frames[i].time_s - dataset.frames[i - 1].time_s);
     }
-    into.path_length_m = length_m;
+    if (!statistics.valuesOf(Quantity::Speed).empty()) statistics.path_length_m = length_m;
     return {};
 }
 
-void addAlongToSamples(DatasetStatistics& into) {
-    for (std::size_t line = 0; line < kAlongTrajectory.size(); ++line) {
-        for (const std::optional<double>& value : into.along[line]) {
-            if (value) into.of(kAlongTrajectory[line]).push_back(*value);
-        }
-    }
-}
-
-Status addUnusable(const verify::StoredDataset& dataset, DatasetStatistics& into) {
+Status addUnusable(const verify::StoredDataset& dataset, DatasetStatistics& statistics) {
     const Json::json_pointer place("/metrics/pictures");
     if (!dataset.card.contains(place)) return {};
     try {
-        const render::PictureTally tally = render::pictureTallyFrom(dataset.card.at(place));
-        into.unusable = {static_cast<std::size_t>(std::max(0, tally.pictures)), tally.dark.size(),
-                         tally.white.size(), tally.flat.size()};
+        statistics.pictures = render::pictureTallyFrom(dataset.card.at(place));
     } catch (const Json::exception&) {
         return fail(ErrorCode::BadInput,
                     "This field is missing or has the wrong type; export the dataset again.",
@@ -151,9 +153,7 @@ Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset
                     dataset.folder.string());
     }
     DatasetStatistics statistics;
-    std::error_code error;
-    const auto path = std::filesystem::absolute(dataset.folder / "", error).lexically_normal();
-    statistics.name = path.parent_path().filename().string();
+    statistics.name = cli::fileBeside(dataset.folder, "").filename().string();
     const Json::json_pointer file("/scene/file");
     if (dataset.card.contains(file) && dataset.card.at(file).is_string()) {
         statistics.scene = dataset.card.at(file).get<std::string>();
@@ -169,7 +169,6 @@ Result<DatasetStatistics> collectStatistics(const verify::StoredDataset& dataset
             return tl::unexpected(added.error());
         }
     }
-    addAlongToSamples(statistics);
     job.report(0.3);
     if (const Status measured = measureImages(dataset, statistics, job); !measured) {
         return tl::unexpected(measured.error());

@@ -3,6 +3,7 @@
 #include "app/statistics/quantity.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
+#include "render/pictures/picture_quality.h"
 #include "render/verify/read/stored_dataset.h"
 
 #include <array>
@@ -50,20 +51,6 @@ struct ExampleFrame {
 };
 inline constexpr std::size_t kMostExampleBoxes = 40;
 
-/// What is measured in the image files of some frames.
-struct ImageCounts {
-    std::size_t frames = 0;      // whose images were read
-    std::size_t unreadable = 0;  // images that are missing or damaged
-};
-
-/// Unusable images, as counted by the export in all frames.
-struct UnusableImages {
-    std::size_t measured = 0;
-    std::size_t dark = 0;
-    std::size_t white = 0;
-    std::size_t flat = 0;
-};
-
 /// The numbers of one dataset.
 struct DatasetStatistics {
     std::string name;   // of its folder
@@ -72,25 +59,23 @@ struct DatasetStatistics {
     int height_px = 0;
     std::size_t frames = 0;
     double duration_s = 0.0;
-    std::optional<double> path_length_m;  // nothing without frames.csv
+    std::optional<double> path_length_m;  // nothing without speeds in frames.csv
     bool has_boxes = false;               // whether there is an annotations.json
     std::size_t boxes = 0;
     std::size_t boxes_at_border = 0;       // that touch the border of the image
     std::vector<ClassStatistics> classes;  // that have boxes or targets, in the table's order
     HeatMap heat_map;                      // of all boxes
-    UnusableImages unusable;
-    ImageCounts images;
+    render::PictureTally pictures;         // as counted by the export in all frames
+    std::size_t image_frames = 0;          // whose images were read
+    std::size_t images_unreadable = 0;     // images that are missing or damaged
     std::vector<ExampleFrame> examples;
-    std::array<std::vector<double>, kQuantities> samples;
-    std::vector<double> time_s;  // by frame
-    /// The quantities of kAlongTrajectory, by frame.
-    std::array<std::vector<std::optional<double>>, kAlongTrajectory.size()> along;
+    std::array<std::vector<double>, kQuantities> values;  // by quantity
 
-    [[nodiscard]] std::vector<double>& of(Quantity quantity) {
-        return samples[static_cast<std::size_t>(quantity)];
+    [[nodiscard]] std::vector<double>& valuesOf(Quantity quantity) {
+        return values[static_cast<std::size_t>(quantity)];
     }
-    [[nodiscard]] const std::vector<double>& of(Quantity quantity) const {
-        return samples[static_cast<std::size_t>(quantity)];
+    [[nodiscard]] const std::vector<double>& valuesOf(Quantity quantity) const {
+        return values[static_cast<std::size_t>(quantity)];
     }
 };
 

@@ -53,19 +53,20 @@ double fullShareOf(const HeatMap& map) {
     return quantile(shares, 0.98);
 }
 
-std::string heatMapChart(const DatasetStatistics& one, std::size_t dataset, double full_share) {
-    const HeatMap& map = one.heat_map;
+std::string heatMapChart(const DatasetStatistics& statistics, std::size_t dataset,
+                         double full_share) {
+    const HeatMap& map = statistics.heat_map;
     const PlotAxis x{0.0,
-                     static_cast<double>(one.width_px),
+                     static_cast<double>(statistics.width_px),
                      false,
                      {{0.0, "0"},
-                      {0.5 * one.width_px, numberText(0.5 * one.width_px)},
-                      {static_cast<double>(one.width_px), numberText(one.width_px)}},
+                      {0.5 * statistics.width_px, numberText(0.5 * statistics.width_px)},
+                      {static_cast<double>(statistics.width_px), numberText(statistics.width_px)}},
                      "image column, px"};
-    PlotAxis y{0.0, static_cast<double>(one.height_px), false, {}, "row, px"};
-    y.ticks = {{0.0, numberText(one.height_px)},  // rows count downwards
-               {0.5 * one.height_px, numberText(0.5 * one.height_px)},
-               {static_cast<double>(one.height_px), "0"}};
+    PlotAxis y{0.0, static_cast<double>(statistics.height_px), false, {}, "row, px"};
+    y.ticks = {{0.0, numberText(statistics.height_px)},  // rows count downwards
+               {0.5 * statistics.height_px, numberText(0.5 * statistics.height_px)},
+               {static_cast<double>(statistics.height_px), "0"}};
     const double cell = (PlotFrame::kWidth - 12.0 - 40.0) / map.columns;
     const PlotFrame frame(x, y, cell * map.rows);
     std::array<std::string, kLevels + 1> paths;

@@ -9,7 +9,10 @@
 namespace dollytrack::statistics {
 namespace {
 
-constexpr int kLinearBins = 40;  // at most about
+constexpr int kLinearBins = 40;      // at most about
+constexpr double kLeastHigh = 1e-3;  // of axes from zero
+// Of other axes, as a share of the values: numbers of three digits at the axis differ.
+constexpr double kLeastRange = 0.05;
 
 struct Range {
     double low = 0.0;
@@ -79,11 +82,17 @@ std::vector<double> edgesFor(AxisKind kind, Range range,
             return evenEdges(0.0, 256.0, 32);
         case AxisKind::Count:
             return countEdges(range.high);
-        case AxisKind::FromZero:
-            return roundEdges(0.0, usualHigh(samples));
+        case AxisKind::FromZero: {
+            const double high = usualHigh(samples);
+            return roundEdges(0.0, high < kLeastHigh ? 1.0 : high);
+        }
         case AxisKind::Linear:
             break;
     }
+    // Equal values may differ by rounding.
+    const double middle = 0.5 * (range.low + range.high);
+    const double least = kLeastRange * std::max(1.0, std::abs(middle));
+    if (range.high - range.low < least) range = {middle - 0.5 * least, middle + 0.5 * least};
     return roundEdges(range.low, range.high);
 }
 
@@ -108,7 +117,9 @@ SharedBins sharedBinsOf(std::span<const DatasetStatistics> datasets) {
     SharedBins bins;
     for (const QuantityInfo& info : quantities()) {
         std::vector<const std::vector<double>*> samples;
-        for (const DatasetStatistics& one : datasets) samples.push_back(&one.of(info.quantity));
+        for (const DatasetStatistics& dataset : datasets) {
+            samples.push_back(&dataset.valuesOf(info.quantity));
+        }
         bins[static_cast<std::size_t>(info.quantity)] = binsFor(info.kind, samples);
     }
     return bins;

@@ -33,21 +33,6 @@ PlotAxis valueAxis(const QuantityInfo& info, const Bins& bins) {
     return axis;
 }
 
-/// One separate bar per bin.
-std::string bars(const PlotFrame& frame, const Bins& bins, const Histogram& histogram) {
-    std::string path;
-    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-        if (histogram.counts[i] == 0) continue;
-        const double left = frame.xAt(bins.edges[i]) + 0.5;
-        const double right = std::max(left + 0.5, frame.xAt(bins.edges[i + 1]) - 0.5);
-        // A bar of few values stays visible.
-        const double top = std::min(frame.yAt(shareOf(histogram, i)), frame.bottom() - 0.8);
-        path += fmt::format("M{:.1f} {:.1f}V{:.1f}H{:.1f}V{:.1f}z", left, frame.bottom(), top,
-                            right, frame.bottom());
-    }
-    return fmt::format("<path class=\"bars s0\" d=\"{}\"/>", path);
-}
-
 /// An outline with a pale area below it.
 std::string outline(const PlotFrame& frame, const Bins& bins, const Histogram& histogram,
                     std::size_t dataset) {
@@ -68,18 +53,18 @@ std::string tooltips(const PlotFrame& frame, const QuantityInfo& info, const Bin
                      std::span<const DatasetStatistics> datasets) {
     std::string text;
     for (std::size_t i = 0; i + 1 < bins.edges.size(); ++i) {
-        std::string words = fmt::format("{} to {}{}", numberText(bins.edges[i] * info.factor),
+        std::string label = fmt::format("{} to {}{}", numberText(bins.edges[i] * info.factor),
                                         numberText(bins.edges[i + 1] * info.factor), info.unit);
         if (info.kind == AxisKind::Count) {
             const double low = std::ceil(bins.edges[i]);
             const double high = std::floor(bins.edges[i + 1]);
-            words = low == high ? numberText(low)
+            label = low == high ? numberText(low)
                                 : fmt::format("{} to {}", numberText(low), numberText(high));
         }
         for (std::size_t d = 0; d < datasets.size(); ++d) {
-            words +=
+            label +=
                 fmt::format("\n{}: {} ({} %)",
-                            datasets.size() == 1 ? info.items : shownName(datasets[d].name, 24),
+                            datasets.size() == 1 ? info.items : shownName(datasets[d].name, 12),
                             numberText(static_cast<double>(histograms[d].counts[i])),
                             numberText(100.0 * shareOf(histograms[d], i)));
         }
@@ -87,7 +72,7 @@ std::string tooltips(const PlotFrame& frame, const QuantityInfo& info, const Bin
         text += fmt::format(
             "<rect class=\"bin\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\">"
             "<title>{}</title></rect>",
-            left, frame.top(), frame.xAt(bins.edges[i + 1]) - left, kPlotHeight, words);
+            left, frame.top(), frame.xAt(bins.edges[i + 1]) - left, kPlotHeight, label);
     }
     return text;
 }
@@ -98,8 +83,8 @@ std::string histogramChart(const QuantityInfo& info, const Bins& bins,
                            std::span<const DatasetStatistics> datasets) {
     std::vector<Histogram> histograms;
     double most = 0.0;
-    for (const DatasetStatistics& one : datasets) {
-        histograms.push_back(histogramOf(bins, one.of(info.quantity)));
+    for (const DatasetStatistics& dataset : datasets) {
+        histograms.push_back(histogramOf(bins, dataset.valuesOf(info.quantity)));
         for (std::size_t i = 0; i < histograms.back().counts.size(); ++i) {
             most = std::max(most, shareOf(histograms.back(), i));
         }
@@ -110,11 +95,10 @@ std::string histogramChart(const QuantityInfo& info, const Bins& bins,
     std::string content;
     for (std::size_t i = 0; i < datasets.size(); ++i) {
         if (histograms[i].total == 0) continue;
-        content += datasets.size() == 1 ? bars(frame, bins, histograms[i])
-                                        : outline(frame, bins, histograms[i], i);
+        content += outline(frame, bins, histograms[i], i);
     }
     for (std::size_t i = 0; i < datasets.size(); ++i) {
-        const std::optional<Spread> spread = spreadOf(datasets[i].of(info.quantity));
+        const std::optional<Spread> spread = spreadOf(datasets[i].valuesOf(info.quantity));
         if (!spread) continue;
         content += fmt::format("<path class=\"median s{}\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", i,
                                frame.xAt(spread->median), frame.bottom(), frame.top());

@@ -54,8 +54,9 @@ std::string classCells(const ClassRow& row, std::span<const DatasetStatistics> d
     for (const ClassColumn& column : kClassColumns) {
         std::vector<std::optional<double>> values;
         for (std::size_t i = 0; i < datasets.size(); ++i) {
-            const ClassStatistics* one = row.datasets[i];
-            values.emplace_back(one != nullptr ? static_cast<double>(one->*column.field) : 0.0);
+            const ClassStatistics* counted = row.datasets[i];
+            values.emplace_back(counted != nullptr ? static_cast<double>(counted->*column.field)
+                                                   : 0.0);
             if (column.of_boxes && !datasets[i].has_boxes) values.back().reset();
         }
         text += cells(values, 1.0);
@@ -65,25 +66,17 @@ std::string classCells(const ClassRow& row, std::span<const DatasetStatistics> d
 
 }  // namespace
 
-std::string overviewTiles(const DatasetStatistics& dataset) {
-    std::string text = "<dl>";
-    for (const OverviewRow& row : overviewOf({&dataset, 1})) {
-        if (!row.values[0]) continue;
-        text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", batch::asMarkup(row.label),
-                            numberText(*row.values[0] * row.factor));
-    }
-    return text + "</dl>\n";
-}
-
 std::string overviewTable(std::span<const DatasetStatistics> datasets) {
     std::string text = "<div class=\"table\"><table class=\"overview\"><thead><tr><th></th>" +
                        datasetHeads(datasets, 40) + "</tr></thead><tbody>\n";
-    for (const OverviewRow& row : overviewOf(datasets)) {
-        if (std::ranges::none_of(row.values, [](const auto& value) { return value.has_value(); })) {
+    for (const OverviewRow& row : overview()) {
+        std::vector<std::optional<double>> values;
+        for (const DatasetStatistics& dataset : datasets) values.push_back(row.value(dataset));
+        if (std::ranges::none_of(values, [](const auto& value) { return value.has_value(); })) {
             continue;
         }
         text += fmt::format("<tr><th>{}</th>{}</tr>\n", batch::asMarkup(row.label),
-                            cells(row.values, row.factor));
+                            cells(values, row.factor));
     }
     return text + "</tbody></table></div>\n";
 }

@@ -11,9 +11,6 @@ namespace dollytrack::statistics {
 // Tables as HTML, with a column per dataset. Columns after the first also show the difference from
 // the first dataset.
 
-/// The overview of a single dataset, not as a table but as tiles.
-[[nodiscard]] std::string overviewTiles(const DatasetStatistics& dataset);
-
 [[nodiscard]] std::string overviewTable(std::span<const DatasetStatistics> datasets);
 
 /// At most 100 classes.

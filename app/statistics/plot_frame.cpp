@@ -101,7 +101,7 @@ std::vector<PlotTick> powerTicks(double low, double high, double factor, double 
 std::string numberText(double value) {
     const double size = std::abs(value);
     std::string text = "0";
-    if (size >= 1000.0) {
+    if (size >= 999.5) {  // rounded to 1,000
         text = grouped(size);
     } else if (size > 0.0) {
         const int digits = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 0, 6);

@@ -40,9 +40,6 @@ constexpr std::array<QuantityInfo, kQuantities> kTable = {{
      "pixels with a surface", AxisKind::FromZero, "depth in --modalities", ""},
     {Quantity::Luma, "luma", "Brightness", "mean luma of an image, 0 to 255", "", 1.0, "images",
      AxisKind::Byte, "rgb in --modalities", ""},
-    {Quantity::Colorfulness, "colorfulness", "Colourfulness", "colourfulness of an image", "", 1.0,
-     "images", AxisKind::FromZero, "rgb in --modalities",
-     "Measure of Hasler and Süsstrunk (2003): 0 is grey, 33 moderately, 82 highly colourful."},
 }};
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace dollytrack::statistics {
 
-/// What the page shows as a histogram.
+/// A quantity with a histogram.
 enum class Quantity : std::uint8_t {
     BoxShare,
     MaskShare,
@@ -23,9 +23,8 @@ enum class Quantity : std::uint8_t {
     TurnRate,
     Depth,
     Luma,
-    Colorfulness,
 };
-inline constexpr std::size_t kQuantities = 15;
+inline constexpr std::size_t kQuantities = 14;
 
 /// The bins of a histogram.
 enum class AxisKind : std::uint8_t {
@@ -57,9 +56,5 @@ struct QuantityInfo {
 [[nodiscard]] inline const QuantityInfo& infoOf(Quantity quantity) {
     return quantities()[static_cast<std::size_t>(quantity)];
 }
-
-/// The quantities that are also shown along the trajectory.
-inline constexpr std::array<Quantity, 4> kAlongTrajectory = {
-    Quantity::CameraHeight, Quantity::CameraPitch, Quantity::Speed, Quantity::TurnRate};
 
 }  // namespace dollytrack::statistics

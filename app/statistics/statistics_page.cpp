@@ -2,7 +2,6 @@
 
 #include "app/batch/markup.h"
 #include "app/statistics/charts.h"
-#include "app/statistics/page_style.h"
 #include "app/statistics/page_tables.h"
 #include "app/statistics/page_text.h"
 #include "app/statistics/plot_frame.h"
@@ -12,6 +11,12 @@
 
 #include <algorithm>
 #include <initializer_list>
+
+namespace dollytrack {
+
+extern const char* const kStatisticsStyle;  // assets/statistics/page.css
+
+}  // namespace dollytrack
 
 namespace dollytrack::statistics {
 namespace {
@@ -31,14 +36,14 @@ std::string figure(std::string_view key, std::string_view title, std::string_vie
 std::string spreadText(const QuantityInfo& info, Datasets datasets) {
     std::string text;
     for (std::size_t i = 0; i < datasets.size(); ++i) {
-        const std::optional<Spread> spread = spreadOf(datasets[i].of(info.quantity));
+        const std::optional<Spread> spread = spreadOf(datasets[i].valuesOf(info.quantity));
         const auto number = [&](double value) { return numberText(value * info.factor); };
-        const std::string words =
+        const std::string spread_text =
             spread ? fmt::format("median {}{}, 80 % between {} and {}{}", number(spread->median),
                                  info.unit, number(spread->p10), number(spread->p90), info.unit)
                    : "no values";
         text += fmt::format("<p class=\"quiet{}\">{}</p>",
-                            datasets.size() == 1 ? "" : fmt::format(" key s{}", i), words);
+                            datasets.size() == 1 ? "" : fmt::format(" key s{}", i), spread_text);
     }
     return text;
 }
@@ -47,8 +52,8 @@ std::string spreadText(const QuantityInfo& info, Datasets datasets) {
 std::string noteOf(const QuantityInfo& info, const Bins& bins, Datasets datasets) {
     std::string note = batch::asMarkup(info.note);
     double most = 0.0;
-    for (const DatasetStatistics& one : datasets) {
-        const Histogram histogram = histogramOf(bins, one.of(info.quantity));
+    for (const DatasetStatistics& dataset : datasets) {
+        const Histogram histogram = histogramOf(bins, dataset.valuesOf(info.quantity));
         if (histogram.total == 0) continue;
         most = std::max(
             most, static_cast<double>(histogram.beyond) / static_cast<double>(histogram.total));
@@ -79,10 +84,11 @@ std::string section(std::string_view title, std::string_view charts) {
 }
 
 /// Scene, number of frames and size of the images.
-std::string summaryOf(const DatasetStatistics& one) {
+std::string summaryOf(const DatasetStatistics& dataset) {
     return fmt::format("<span class=\"quiet\">{}{}{} frames of {} × {} px</span>",
-                       shownName(one.scene), one.scene.empty() ? "" : ", ",
-                       numberText(static_cast<double>(one.frames)), one.width_px, one.height_px);
+                       shownName(dataset.scene), dataset.scene.empty() ? "" : ", ",
+                       numberText(static_cast<double>(dataset.frames)), dataset.width_px,
+                       dataset.height_px);
 }
 
 std::string header(Datasets datasets) {
@@ -99,7 +105,7 @@ std::string header(Datasets datasets) {
     return text + "</div>\n";
 }
 
-std::string exampleFigure(const DatasetStatistics& one, std::size_t dataset,
+std::string exampleFigure(const DatasetStatistics& dataset, std::size_t number,
                           const ExampleFrame& example, bool name_dataset) {
     std::string boxes;
     for (const ExampleBox& box : example.shown_boxes) {
@@ -110,16 +116,16 @@ std::string exampleFigure(const DatasetStatistics& one, std::size_t dataset,
             box.color[2], shownName(box.object), shownName(box.class_name));
     }
     const std::string count =
-        one.has_boxes ? fmt::format(", {} box{}", example.boxes, example.boxes == 1 ? "" : "es")
-                      : "";
+        dataset.has_boxes ? fmt::format(", {} box{}", example.boxes, example.boxes == 1 ? "" : "es")
+                          : "";
     return fmt::format(
         "<figure class=\"example\"><svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Frame "
         "{}\"><image width=\"{}\" height=\"{}\" href=\"data:image/jpeg;base64,{}\"/>{}</svg>"
         "<figcaption>{}frame {}{}</figcaption></figure>\n",
-        one.width_px, one.height_px, example.frame, one.width_px, one.height_px,
+        dataset.width_px, dataset.height_px, example.frame, dataset.width_px, dataset.height_px,
         view::base64(example.jpeg), boxes,
         name_dataset
-            ? fmt::format("<span class=\"key s{}\">{}</span>, ", dataset, shownName(one.name))
+            ? fmt::format("<span class=\"key s{}\">{}</span>, ", number, shownName(dataset.name))
             : "",
         example.frame, count);
 }
@@ -140,11 +146,11 @@ std::string examples(Datasets datasets) {
         text);
 }
 
-/// The same for all heat maps.
+/// The share of boxes that has the full colour in all heat maps.
 double fullShare(Datasets datasets) {
     double share = 0.0;
-    for (const DatasetStatistics& one : datasets) {
-        share = std::max(share, fullShareOf(one.heat_map));
+    for (const DatasetStatistics& dataset : datasets) {
+        share = std::max(share, fullShareOf(dataset.heat_map));
     }
     return share;
 }
@@ -152,7 +158,8 @@ double fullShare(Datasets datasets) {
 std::string heatMaps(Datasets datasets) {
     const double full_share = fullShare(datasets);
     std::string text;
-    for (std::size_t i = 0; i < datasets.size() && full_share > 0.0; ++i) {
+    for (std::size_t i = 0; i < datasets.size(); ++i) {
+        if (fullShareOf(datasets[i].heat_map) == 0.0) continue;
         const std::string name =
             datasets.size() == 1
                 ? ""
@@ -163,47 +170,42 @@ std::string heatMaps(Datasets datasets) {
     return text;
 }
 
-std::string classSection(Datasets datasets) {
-    const std::vector<ClassRow> rows = classRowsOf(datasets);
+using ClassChart = std::string (*)(std::span<const ClassRow> rows);
+
+/// The classes with the largest `number`; nothing if it is 0 everywhere.
+std::string classFigure(Datasets datasets, std::size_t ClassStatistics::*number,
+                        std::string_view counted, std::string_view key, std::string_view title,
+                        std::string_view values, ClassChart chart) {
+    std::vector<ClassRow> rows = classRowsOf(datasets, number);
+    std::erase_if(rows, [&](const ClassRow& row) { return row.sum(number) == 0; });
     if (rows.empty()) return {};
     const std::size_t shown = chartClassesOf(rows);
-    const std::string note =
-        rows.size() > shown ? fmt::format("The {} classes with the most boxes.", shown) : "";
-    std::string charts;
-    if (fullShare(datasets) > 0.0) {
-        charts += figure("boxes_by_class", "Boxes by class", "", boxesByClassChart(rows), note);
-    }
-    charts += figure("captured_by_class", "Captured objects by class",
-                     "<p class=\"quiet\">filled: captured, outlined: all target objects</p>",
-                     capturedByClassChart(rows), note);
-    // One heat map fills the row; several stand side by side in the next section.
-    const bool single = datasets.size() == 1;
-    return section(single ? "Classes and places in the image" : "Classes",
-                   charts + (single ? heatMaps(datasets) : "")) +
-           classTable(rows, datasets);
+    return figure(
+        key, title, values, chart(rows),
+        rows.size() > shown ? fmt::format("The {} classes with the most {}.", shown, counted) : "");
+}
+
+std::string classSection(Datasets datasets) {
+    const std::vector<ClassRow> rows = classRowsOf(datasets, &ClassStatistics::boxes);
+    if (rows.empty()) return {};
+    const std::string charts =
+        classFigure(datasets, &ClassStatistics::boxes, "boxes", "boxes_by_class", "Boxes by class",
+                    "", boxesByClassChart) +
+        classFigure(datasets, &ClassStatistics::targets, "target objects", "captured_by_class",
+                    "Captured objects by class",
+                    "<p class=\"quiet\">filled: captured, outlined: all target objects</p>",
+                    capturedByClassChart);
+    return section("Classes", charts) + classTable(rows, datasets);
 }
 
 std::string boxSection(Datasets datasets, const SharedBins& bins) {
-    const bool single = datasets.size() == 1;
     return section(
-        single ? "Sizes, distances and visibility" : "Sizes, distances, visibility and places",
+        "Sizes, distances, visibility and places",
         histograms(datasets, bins,
                    {Quantity::BoxShare, Quantity::MaskShare, Quantity::AspectRatio,
                     Quantity::BoxesPerFrame, Quantity::Distance, Quantity::VisibleFraction,
                     Quantity::Truncation, Quantity::BestVisibleFraction}) +
-            (single ? "" : heatMaps(datasets)));
-}
-
-std::string lines(Datasets datasets, const SharedBins& bins) {
-    std::string text;
-    for (std::size_t i = 0; i < kAlongTrajectory.size(); ++i) {
-        const QuantityInfo& info = infoOf(kAlongTrajectory[i]);
-        if (!bins[static_cast<std::size_t>(info.quantity)]) continue;
-        text += figure(fmt::format("{}_over_time", info.key),
-                       fmt::format("{} along the trajectory", info.title), "",
-                       lineChart(i, datasets), "");
-    }
-    return text;
+            heatMaps(datasets));
 }
 
 /// Which charts are missing, and how to get them.
@@ -215,19 +217,22 @@ std::string missingCharts(const SharedBins& bins) {
     }
     if (text.empty()) return {};
     return fmt::format(
-        "<p class=\"note\">Not shown, because no dataset has values: {}. The brackets name what "
-        "<code>dollytrack export</code> needs to write them.</p>\n",
+        "<p class=\"note\">Not shown, because no dataset has values: {}. The option of "
+        "<code>dollytrack export</code> is in brackets.</p>\n",
         text);
 }
 
 std::string imageNote(Datasets datasets) {
     std::size_t most = 0;
-    for (const DatasetStatistics& one : datasets) most = std::max(most, one.images.frames);
+    bool depth = false;
+    for (const DatasetStatistics& dataset : datasets) {
+        most = std::max(most, dataset.image_frames);
+        depth = depth || !dataset.valuesOf(Quantity::Depth).empty();
+    }
     if (most == 0) return {};
-    return fmt::format(
-        "<p class=\"note\">Measured in {} evenly spaced frames{}; depth at about "
-        "4,800 pixels of each.</p>\n",
-        most, datasets.size() == 1 ? "" : " or fewer of each dataset");
+    return fmt::format("<p class=\"note\">Measured in {} evenly spaced frames{}{}.</p>\n", most,
+                       datasets.size() == 1 ? "" : " or fewer of each dataset",
+                       depth ? "; depth at a grid of pixels" : "");
 }
 
 }  // namespace
@@ -237,21 +242,17 @@ std::string statisticsPage(Datasets datasets) {
     const bool single = datasets.size() == 1;
     std::string body = header(datasets);
     body += "<h2>Overview</h2>\n";
-    if (single) {
-        body += overviewTiles(datasets[0]);
-    } else {
-        body += overviewTable(datasets);
+    body += overviewTable(datasets);
+    if (!single) {
         body += "<p class=\"note\">Small numbers are differences from the first dataset.</p>\n";
     }
     body += examples(datasets);
     body += classSection(datasets) + boxSection(datasets, bins);
     body += section("Camera", histograms(datasets, bins,
                                          {Quantity::CameraHeight, Quantity::CameraPitch,
-                                          Quantity::Speed, Quantity::TurnRate}) +
-                                  lines(datasets, bins));
-    const std::string images = section(
-        "Images",
-        histograms(datasets, bins, {Quantity::Depth, Quantity::Luma, Quantity::Colorfulness}));
+                                          Quantity::Speed, Quantity::TurnRate}));
+    const std::string images =
+        section("Images", histograms(datasets, bins, {Quantity::Depth, Quantity::Luma}));
     if (!images.empty()) body += images + imageNote(datasets);
     body += missingCharts(bins);
     return fmt::format(
@@ -260,9 +261,9 @@ std::string statisticsPage(Datasets datasets) {
         "style-src 'unsafe-inline'\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>Statistics of {}</title>\n"
-        "<style>{}</style></head>\n<body class=\"{}\">\n{}</body></html>\n",
+        "<style>{}</style></head>\n<body>\n{}</body></html>\n",
         single ? shownName(datasets[0].name) : fmt::format("{} datasets", datasets.size()),
-        kPageStyle, single ? "single" : "compared", body);
+        kStatisticsStyle, body);
 }
 
 }  // namespace dollytrack::statistics

@@ -3,7 +3,6 @@
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/terminal/output_file.h"
 #include "app/statistics/dataset_statistics.h"
-#include "app/statistics/statistics_json.h"
 #include "app/statistics/statistics_page.h"
 #include "engine/core/log.h"
 
@@ -38,13 +37,16 @@ Status checkLayout(const fs::path& folder) {
     return refuseRooms(folder);
 }
 
-/// Datasets whose folders have the same name are called by their paths as given.
-void makeNamesUnique(const std::vector<std::string>& folders,
-                     std::vector<DatasetStatistics>& datasets) {
+/// Later datasets of a name are called "name (2)", "name (3)" and so on: paths would differ between
+/// machines and reveal where the datasets lie.
+void makeNamesUnique(std::vector<DatasetStatistics>& datasets) {
     std::set<std::string> names;
-    for (const DatasetStatistics& one : datasets) names.insert(one.name);
-    if (names.size() == datasets.size()) return;
-    for (std::size_t i = 0; i < datasets.size(); ++i) datasets[i].name = folders[i];
+    for (DatasetStatistics& dataset : datasets) {
+        const std::string name = dataset.name;
+        for (int number = 2; !names.insert(dataset.name).second; ++number) {
+            dataset.name = fmt::format("{} ({})", name, number);
+        }
+    }
 }
 
 Result<std::vector<DatasetStatistics>> collectAll(const std::vector<std::string>& folders,
@@ -60,15 +62,15 @@ Result<std::vector<DatasetStatistics>> collectAll(const std::vector<std::string>
         auto collected = statistics::collectStatistics(
             *dataset, examples, job.stage(share(i), share(i + 1), "reading"));
         if (!collected) return tl::unexpected(collected.error());
-        if (collected->images.unreadable > 0) {
+        if (collected->images_unreadable > 0) {
             log::warn("statistics",
                       fmt::format("{}: missing or damaged images: {}; 'dollytrack verify' names "
                                   "them.",
-                                  folders[i], collected->images.unreadable));
+                                  folders[i], collected->images_unreadable));
         }
         datasets.push_back(std::move(*collected));
     }
-    makeNamesUnique(folders, datasets);
+    makeNamesUnique(datasets);
     return datasets;
 }
 
@@ -100,9 +102,9 @@ Result<ExitCode> runStatistics(const StatisticsArguments& arguments, const Sessi
     }
     std::size_t frames = 0;
     std::size_t boxes = 0;
-    for (const DatasetStatistics& one : *datasets) {
-        frames += one.frames;
-        boxes += one.boxes;
+    for (const DatasetStatistics& dataset : *datasets) {
+        frames += dataset.frames;
+        boxes += dataset.boxes;
     }
     fmt::print("{}: {:.2f} MB, {} dataset{}, {} frames, {} boxes\n", file.string(),
                static_cast<double>(page.size()) / 1e6, datasets->size(),
@@ -116,7 +118,9 @@ void addStatisticsCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
         "statistics", "Make one web page of the numbers of a dataset, or compare several");
     auto arguments = std::make_shared<StatisticsArguments>();
-    command->add_option("datasets", arguments->folders, "Folders of datasets, at most 6")
+    command
+        ->add_option("datasets", arguments->folders,
+                     fmt::format("Folders of datasets, at most {}", statistics::kMostDatasets))
         ->required()
         ->type_name("DIR");
     command

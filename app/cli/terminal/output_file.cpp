@@ -7,11 +7,8 @@
 #include <cerrno>
 
 namespace dollytrack::cli {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 Status checkWritable(const std::string& path) {
     if (path.empty()) return {};

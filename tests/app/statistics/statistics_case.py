@@ -50,14 +50,6 @@ def height_above_floor(position, objects):
     return position[2] - max(tops, default=0)
 
 
-def colorfulness(image):
-    """Hasler and Süsstrunk (2003), of an image in OpenCV's order."""
-    blue, green, red = np.moveaxis(image.astype(float), 2, 0)
-    red_green, yellow_blue = red - green, (red + green) / 2 - blue
-    return math.hypot(red_green.std(), yellow_blue.std()) + \
-        0.3 * math.hypot(red_green.mean(), yellow_blue.mean())
-
-
 def samples_of(dataset):
     """The values of every quantity, from the files of a dataset."""
     card = card_of(dataset)
@@ -93,12 +85,11 @@ def samples_of(dataset):
     for name in ("visible_fraction", "truncation"):
         file = dataset / "instances.csv"
         values[name] = [float(row[name]) for row in rows_of(file)] if file.exists() else []
-    values.update(luma=[], colorfulness=[], depth_m=[])
+    values.update(luma=[], depth_m=[])
     step = int(math.sqrt(width * height / 4800))
     for i in range(len(card["frames"])):
         image = cv2.imread(str(dataset / "rgb" / f"{i:06d}.png"))
         values["luma"].append((image @ np.array([19, 183, 54])).mean() / 256)
-        values["colorfulness"].append(colorfulness(image))
         depth = cv2.imread(str(dataset / "depth" / f"{i:06d}.png"), cv2.IMREAD_UNCHANGED)
         depth = depth[step // 2::step, step // 2::step]
         values["depth_m"].extend(depth[depth > 0] / 1000)

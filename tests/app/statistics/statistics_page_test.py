@@ -13,9 +13,8 @@ from support import browser
 
 QUANTITIES = ["box_share", "mask_share", "aspect_ratio", "boxes_per_frame", "distance_m",
               "visible_fraction", "truncation", "best_visible_fraction", "camera_height_m",
-              "camera_pitch_deg", "speed_mps", "turn_dps", "depth_m", "luma", "colorfulness"]
-OVER_TIME = [f"{name}_over_time" for name in QUANTITIES[8:12]]
-CHARTS = sorted([*QUANTITIES, *OVER_TIME, "boxes_by_class", "captured_by_class", "box_centers"])
+              "camera_pitch_deg", "speed_mps", "turn_dps", "depth_m", "luma"]
+CHARTS = sorted([*QUANTITIES, "boxes_by_class", "captured_by_class", "box_centers"])
 
 
 class Page(StatisticsCase):

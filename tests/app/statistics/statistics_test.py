@@ -36,15 +36,15 @@ class Numbers(StatisticsCase):
             for number, name in classes.items():
                 boxes = [one for one in annotations if one["category_id"] == number]
                 # In NYU40, boxes of objects of unknown class are "otherprop" (40).
-                own = [one["id"] for one in targets if (one["nyu40"] or 40) == number]
-                if number and (boxes or own):
+                in_class = [one["id"] for one in targets if (one["nyu40"] or 40) == number]
+                if number and (boxes or in_class):
                     expected.append({
                         "id": number, "name": name, "boxes": len(boxes),
                         "frames": len({one["image_id"] for one in boxes}),
                         "objects": len({one["object_id"] for one in boxes}),
-                        "targets": len(own),
-                        "captured": sum(captured[one]["captured"] for one in own),
-                        "well_captured": sum(captured[one]["well_captured"] for one in own)})
+                        "targets": len(in_class),
+                        "captured": sum(captured[one]["captured"] for one in in_class),
+                        "well_captured": sum(captured[one]["well_captured"] for one in in_class)})
             self.assertGreater(len(expected), 2)
             self.assertEqual(shown["classes"], expected)
 
@@ -115,17 +115,6 @@ class Numbers(StatisticsCase):
             self.assertEqual(set(overview), set(expected))
             for name, value in expected.items():
                 self.assertAlmostEqual(overview[name], value, places=9, msg=name)
-
-    def test_values_along_the_trajectory(self):
-        for dataset, shown, samples in zip((self.whole, self.part), self.numbers["datasets"],
-                                           self.samples):
-            along = shown["along_trajectory"]
-            self.assertEqual(along["time_s"], [f["time_s"] for f in card_of(dataset)["frames"]])
-            for name in ("camera_height_m", "camera_pitch_deg"):
-                np.testing.assert_allclose(along[name], samples[name], atol=1e-9)
-            for name in ("speed_mps", "turn_dps"):
-                self.assertEqual(along[name], [float(row[name]) if row[name] else None
-                                               for row in rows_of(dataset / "frames.csv")])
 
     def test_one_box_less_is_one_box_less(self):
         copy = self.changed_copy(self.part, "less", lambda card: None)
@@ -203,15 +192,73 @@ class Command(StatisticsCase):
         text = page.read_text()
         self.assertNotIn("<script", text)
         self.assertNotIn("\u202e", text)
-        self.assertNotIn("<b>mug", text)
+        self.assertNotIn("sofa<b>", text)
+        self.assertIn("sofa&lt;b&gt;", text)
         self.assertIn("&lt;script&gt;", text)
         self.assertEqual(text.count("</title>"), text.count("<title>"))
 
-    def test_datasets_of_one_name_are_called_by_their_paths(self):
-        other = self.folder / "other" / "part"
+    def test_datasets_of_one_name_are_numbered(self):
+        other, third = (self.folder / name / "part" for name in ("other", "third"))
         shutil.copytree(self.part, other)
-        names = [one["name"] for one in self.numbers_of(self.part, other)["datasets"]]
-        self.assertEqual(names, [str(self.part), str(other)])
+        shutil.copytree(self.part, third)
+        page = self.folder / "named.html"
+        made = self.page_of(self.part, other, f"{third}/", "-o", page, "--json")
+        self.assertEqual([one["name"] for one in json.loads(made.stdout)["datasets"]],
+                         ["part", "part (2)", "part (3)"])
+        self.assertNotIn(str(self.folder), page.read_text() + made.stdout)
+
+    def test_equal_pitch_is_one_bar(self):
+        """The pitch of turned cameras differs by rounding only."""
+        def change(card):
+            x, y, z, w = card["frames"][0]["quaternion_xyzw"]
+            for i, frame in enumerate(card["frames"]):
+                c, s = np.cos(0.37 * i), np.sin(0.37 * i)
+                frame["quaternion_xyzw"] = [c * x - s * y, c * y + s * x, c * z + s * w,
+                                            c * w - s * z]
+                frame["time_s"] = 999.7 * i / 5
+        copy = self.changed_copy(self.part, "equal", change)
+        pitch = samples_of(copy)["camera_pitch_deg"]
+        self.assertLess(0, np.ptp(pitch))
+        self.assertLess(np.ptp(pitch), 1e-9)
+        numbers = self.numbers_of(copy)
+        edges = np.array(numbers["bin_edges"]["camera_pitch_deg"])
+        self.assertGreater(np.diff(edges).min(), 1e-6)
+        counts = numbers["datasets"][0]["histograms"]["camera_pitch_deg"]["counts"]
+        self.assertEqual(sum(counts), 6)
+        self.assertLessEqual(np.count_nonzero(counts), 2)  # rounding may meet an edge
+        page = (self.folder / "numbers.html").read_text()
+        chart = re.search(r'data-chart="camera_pitch_deg".*?</figure>', page, re.S)[0]
+        ticks = re.findall(r'class="x">(.*?)</text>', chart)
+        self.assertGreater(len(ticks), 2)
+        self.assertEqual(len(ticks), len(set(ticks)))
+        # 999.7 s, with three digits.
+        self.assertIn("<tr><th>duration, s</th><td class=\"first\">1,000</td></tr>", page)
+
+    def test_classes_with_few_boxes_keep_their_captures(self):
+        """20 classes have boxes, another one the only target."""
+        def change(card):
+            names = [f"many{i}" for i in range(1, 21)] + ["rare"]
+            card["labels"] = {"classes": [{"id": i, "name": name, "matches": [name]}
+                                          for i, name in enumerate(names, 1)]}
+            sample = card["objects"][-1]
+            card["objects"] = [{**sample, "id": i, "name": name, "class_id": i,
+                                "role": "target" if name == "rare" else "context"}
+                               for i, name in enumerate(names, 1)]
+            card["metrics"]["counted"]["per_object"] = []
+            card["formats"], card["modalities"] = ["coco"], []
+            for frame in card["frames"]:
+                frame.pop("moving", None)
+        copy = self.changed_copy(self.part, "rare", change)
+        (copy / "annotations.json").write_text(json.dumps({"annotations": [
+            {"image_id": 1, "category_id": i, "object_id": i, "bbox": [0, 0, 5, 5], "area": 9}
+            for i in range(1, 21)]}))
+        page = self.folder / "rare.html"
+        self.page_of(copy, "-o", page)
+        charts = dict(re.findall(r'data-chart="(\w+)">(.*?)</figure>', page.read_text(), re.S))
+        self.assertIn(">rare<", charts["captured_by_class"])
+        self.assertNotIn("many", charts["captured_by_class"])
+        self.assertNotIn(">rare<", charts["boxes_by_class"])
+        self.assertIn("The 15 classes with the most boxes.", charts["boxes_by_class"])
 
     def test_without_tables_their_numbers_are_missing(self):
         copy = self.changed_copy(self.part, "few", lambda card: card.update(
@@ -227,6 +274,27 @@ class Command(StatisticsCase):
         for words in ("coco in --formats", "frames in --formats", "instances in --formats",
                       "rgb in --modalities", "depth in --modalities"):
             self.assertIn(words, page.read_text())
+        # Beside a whole dataset, there is no heat map of nothing.
+        self.page_of(copy, self.part, "-o", page, "--overwrite")
+        self.assertEqual(page.read_text().count('data-chart="box_centers"'), 1)
+        self.assertIn("depth at a grid", page.read_text())
+        card = card_of(copy)
+        card.update(modalities=["rgb"])
+        (copy / "dataset.json").write_text(json.dumps(card))
+        shutil.copytree(self.part / "rgb", copy / "rgb")
+        self.page_of(copy, "-o", page, "--overwrite")
+        self.assertIn("Measured in 6 evenly spaced frames.", page.read_text())
+
+    def test_without_speeds_there_is_no_path_length(self):
+        copy = self.changed_copy(self.part, "still", lambda card: None)
+        head, *rows = (copy / "frames.csv").read_text().splitlines()
+        columns = [head.split(",").index(name) for name in ("speed_mps", "turn_dps")]
+        rows = [",".join("" if i in columns else field for i, field in enumerate(row.split(",")))
+                for row in rows]
+        (copy / "frames.csv").write_text("\n".join([head, *rows]) + "\n")
+        before, after = self.numbers_of(self.part, copy)["datasets"]
+        self.assertGreater(before["overview"]["path_length_m"], 0)
+        self.assertIsNone(after["overview"]["path_length_m"])
 
     def test_damaged_images_are_told(self):
         copy = self.changed_copy(self.part, "images", lambda card: None)
@@ -300,8 +368,13 @@ class Command(StatisticsCase):
         refuses("frames.csv", text[:text.rindex("\n", 0, -1) + 1], f"{FRAMES - 1} rows")
         rows = text.splitlines()
         fields = rows[3].split(",")
-        fields[rows[0].split(",").index("speed_mps")] = "1e300"
-        refuses("frames.csv", "\n".join([*rows[:3], ",".join(fields), *rows[4:]]) + "\n", "speed_mps")
+        for column in ("speed_mps", "turn_dps"):
+            for value in ("1e300", "-1", "abc", ""):
+                changed = list(fields)
+                changed[rows[0].split(",").index(column)] = value
+                refuses("frames.csv", "\n".join([*rows[:3], ",".join(changed), *rows[4:]]) + "\n",
+                        column, "frames.csv:4")
+            refuses("frames.csv", text.replace(column, "other", 1), f'no column "{column}"')
         text = (copy / "instances.csv").read_text()
         refuses("instances.csv", text.replace("visible_fraction", "other", 1), "visible_fraction")
         refuses("instances.csv", text.splitlines()[0] + "\n1,2\n", "values for")
