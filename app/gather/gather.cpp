@@ -101,6 +101,22 @@ void chooseModalities(const GatherOrder& order, Gathered& all) {
     }
 }
 
+/// Names the modalities that the layout has no place for.
+void tellWhatIsLeftOut(const GatherOrder& order, const Gathered& all) {
+    std::set<std::string> left_out;
+    for (const Source& one : all.sources) left_out.insert(one.others.begin(), one.others.end());
+    std::erase_if(left_out, [&](const std::string& name) {
+        const auto isHeld = [&](std::string_view folder) {
+            return folder == name || folder.starts_with(name + "/");
+        };
+        return std::ranges::any_of(all.modalities, isHeld) ||
+               std::ranges::any_of(order.layout->copied, isHeld);
+    });
+    if (left_out.empty()) return;
+    log::info(kSubsystem, fmt::format("left out, because the layout {} has no place for them: {}",
+                                      order.layout->name, fmt::join(left_out, ", ")));
+}
+
 void warnOfCopies(const std::vector<Source>& sources) {
     std::map<std::string, const Source*> known;  // by the hash of dataset.json
     for (const Source& one : sources) {
@@ -183,6 +199,7 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     const std::vector<std::size_t> scenes = scenesOf(all.sources);
     for (std::size_t i = 0; i < scenes.size(); ++i) all.sources[i].scene_number = scenes[i];
     chooseModalities(order, all);
+    tellWhatIsLeftOut(order, all);
     all.conventions = reader.conventions();
     for (const char* modality : {kDepth, kInstance}) {
         if (!all.modalities.contains(modality)) all.conventions.erase(modality);

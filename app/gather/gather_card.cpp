@@ -87,6 +87,10 @@ std::string partTable(const GatherCard& card) {
     return text;
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string classTable(const GatherCard& card) {
     const std::vector<PartIndex> parts = partsOf(card.part_of);
     std::string text = "| number | id | name |";
@@ -97,7 +101,17 @@ std::string classTable(const GatherCard& card) {
     }
     text += "\n" + line + "\n";
     std::size_t number = 0;
+    std::size_t unused = 0;
     for (const GatheredClass& one : card.classes.classes()) {
+        const bool is_used = std::ranges::any_of(parts, [&](PartIndex part) {
+            const std::vector<std::size_t>& boxes = card.summary.parts[part].boxes_of_class;
+            return number < boxes.size() && boxes[number] > 0;
+        });
+        if (!is_used) {
+            ++unused;
+            ++number;
+            continue;
+        }
         std::string name;
         for (const char c : one.name) name += c == '|' ? std::string("\\|") : std::string(1, c);
         text += fmt::format("| {} | {} | {} |", number, one.id, name);
@@ -107,6 +121,11 @@ std::string classTable(const GatherCard& card) {
         }
         text += "\n";
         ++number;
+    }
+    if (unused > 0) {
+        text += fmt::format("\n{} without boxes {} in `gather.json` only.\n",
+                            unused == 1 ? "1 class" : fmt::format("{} classes", unused),
+                            unused == 1 ? "is" : "are");
     }
     return text;
 }
@@ -128,10 +147,6 @@ Json partJson(const GatherCard& card, PartIndex part) {
             {"annotations", one.annotations},
             {"scenes", one.scenes},
             {"datasets", one.datasets}};
-}
-
-std::string counted(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// Names of the image kinds and of the copied folders.

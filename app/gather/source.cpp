@@ -144,6 +144,9 @@ Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
     for (const char* modality : kModalities) {
         if (dataset.has(modality)) source.modalities.insert(modality);
     }
+    for (const std::string& modality : dataset.modalities) {
+        if (!isModality(modality)) source.others.insert(modality);
+    }
     try {
         const Json& scene = dataset.card.at("scene");
         source.scene = scene.at("name").get<std::string>();

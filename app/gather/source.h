@@ -48,6 +48,7 @@ struct Source {
     int width = 0;                                  // px
     int height = 0;                                 // px
     std::set<std::string> modalities;               // of those that can be gathered
+    std::set<std::string> others;                   // modalities that only some layouts hold
     std::size_t scene_number = 0;                   // as scenesOf() numbers them
     std::shared_ptr<const ClassTable> own_classes;  // null: NYU40
 

@@ -30,7 +30,8 @@ Status checkLayout(const fs::path& folder) {
     std::error_code error;
     if (!fs::exists(folder / "dataset.json", error) && fs::exists(folder / "gather.json", error)) {
         return fail(ErrorCode::BadInput,
-                    "The folder contains a gathered dataset, which has no poses; give the datasets "
+                    "The folder contains a gathered dataset; statistics reads exported ones: give "
+                    "the datasets "
                     "that it was gathered from.",
                     folder.string());
     }

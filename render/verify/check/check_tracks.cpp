@@ -80,7 +80,9 @@ class TracksInFrame {
             checkPoint(i, projected[i], findings);
             checkPlace(i, findings);
             checkObject(i, projected[i], subject_.rays ? findings : unlikely);
-            if (!subject_.rays) checkDepth(i, projected[i], unlikely);
+            // The depth image shows the point at its query for certain.
+            const bool is_query = tracks_.queries.at(0, i) == static_cast<float>(column_);
+            if (!subject_.rays) checkDepth(i, projected[i], is_query ? findings : unlikely);
             visibilities.push_back(visibilityOf(i, projected[i]));
         }
         // A point may be visible through a slit narrower than a pixel, or on an object thinner than

@@ -123,7 +123,7 @@ class Interruption(GatherCase):
         before = hashes(out)
         again = ["-q", "gather", self.datasets / "room_1", "--out", out, "--format", "coco"]
         self.assertFails(run(*again), 2, "complete", "--overwrite", "--resume")
-        self.assertFails(run(*again, "--resume"), 2, "another unfinished result")
+        self.assertFails(run(*again, "--resume"), 2, "another complete dataset")
         self.assertEqual(hashes(out), before)
         (out / "images" / "train" / "mine.png").write_bytes(b"mine")
         done = run(*again, "--overwrite")
@@ -215,7 +215,7 @@ class Interruption(GatherCase):
                 pictures = sorted(staged.rglob(f"*.{ending}"))
                 self.assertGreater(len(pictures), 3)
                 self.assertFails(run(*command, "--resume", "--title", "Others"), 2,
-                                 "another complete dataset",
+                                 "another unfinished result",
                                  "the title")
                 # An image lost in a power cut is written again; complete files stay.
                 lost, kept = pictures[:2]
