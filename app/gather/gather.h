@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/gather/class_map.h"
-#include "app/gather/layout.h"
-#include "app/gather/scene_split.h"
+#include "app/gather/layouts/layout.h"
+#include "app/gather/sources/class_map.h"
+#include "app/gather/sources/scene_split.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
 

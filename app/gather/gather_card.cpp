@@ -1,6 +1,6 @@
 #include "app/gather/gather_card.h"
 
-#include "app/gather/output_folder.h"
+#include "app/gather/output/output_folder.h"
 #include "engine/core/clean_text.h"
 
 #include <fmt/format.h>

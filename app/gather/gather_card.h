@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/gather/class_union.h"
 #include "app/gather/gather.h"
-#include "app/gather/source.h"
+#include "app/gather/sources/class_union.h"
+#include "app/gather/sources/source.h"
 #include "render/dataset/folder/dataset_journal.h"
 
 #include <nlohmann/json.hpp>

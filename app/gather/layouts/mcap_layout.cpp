@@ -1,0 +1,86 @@
+#include "app/gather/layouts/layout.h"
+#include "app/gather/layouts/mcap_recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace dollytrack::gather {
+namespace {
+
+class McapLayout : public Layout {
+  public:
+    explicit McapLayout(LayoutInput input) : input_(std::move(input)) {}
+
+    Status beginPart(PartIndex part) override {
+        part_ = kParts[part];
+        return {};
+    }
+
+    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
+        const std::string name = fmt::format("{}/{}.mcap", part_, source.source.name);
+        if (begin == 0) {
+            if (Status status = beginFile(source, name); !status) return status;
+        }
+        if (!recording_) return {};  // finished by an earlier run
+        Status status = recording_->add(begin, end, input_.job);
+        if (!status || end < source.source.frames || input_.job.cancelled()) return status;
+        Result<std::string> sha256 = recording_->finish();
+        if (!sha256) return tl::unexpected(sha256.error());
+        recording_.reset();
+        if (Status listed = input_.files.list(name, *sha256); !listed) return listed;
+        return input_.on_shard({name, end, std::move(*sha256)});
+    }
+
+    Status endPart() override { return {}; }
+
+  private:
+    /// Keeps the file of an earlier run if it is complete and undamaged.
+    Status beginFile(const OpenedSource& source, const std::string& name) {
+        const auto done = std::ranges::find(input_.finished, name, &FinishedShard::name);
+        if (done != input_.finished.end() &&
+            sha256Within(input_.files.folder(), name, input_.job) == done->sha256) {
+            return input_.files.list(name, done->sha256);
+        }
+        Result<McapRecording> recording = McapRecording::begin(
+            source, input_.classes, input_.modalities, input_.files.folder(), name);
+        if (!recording) return tl::unexpected(recording.error());
+        recording_.emplace(std::move(*recording));
+        return {};
+    }
+
+    LayoutInput input_;
+    std::string part_;
+    std::optional<McapRecording> recording_;  // of the current dataset
+};
+
+constexpr std::array kMcapTasks = {"robotics"};
+
+}  // namespace
+
+const LayoutKind kMcapLayout = {
+    .name = "mcap",
+    .text = "an MCAP file of ROS 2 messages per dataset, for Foxglove, Rerun and ROS 2",
+    .content = LayoutContent::Everything,
+    .tasks = kMcapTasks,
+    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
+        return std::make_unique<McapLayout>(std::move(input));
+    },
+    .labels = "the oriented boxes of all objects",
+    .how_to_read =
+        "Foxglove and Rerun open the files; `ros2 bag play -s mcap NAME.mcap` publishes the "
+        "messages. "
+        "`/tf` has the camera's poses in the frame `map`, `/objects` and `/moving_objects` the "
+        "objects' oriented boxes; "
+        "images are below `/camera`.",
+    .data_files = nullptr,
+    .check = [](const verify::StoredDataset& dataset) -> Status {
+        const Result<RecordedSensors> sensors = readSensors(dataset);
+        return sensors ? Status() : tl::unexpected(sensors.error());
+    },
+};
+
+}  // namespace dollytrack::gather

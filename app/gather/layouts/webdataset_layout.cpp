@@ -1,0 +1,125 @@
+#include "app/gather/layouts/shard_layout.h"
+#include "app/gather/layouts/tar_header.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace dollytrack::gather {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kTarEnd = 2 * kTarBlock;  // an archive ends with two empty blocks
+
+/// The contents of a frame's files by extension: "png", "depth.png", "json".
+using FrameMembers = std::vector<std::pair<std::string, std::string>>;
+
+/// A frame's JSON. Masks are already JSON and are inserted unchanged.
+std::string describeFrame(const OpenedSource& source, std::size_t frame,
+                          const ClassUnion& classes) {
+    const verify::StoredFrame& stored = source.dataset.frames[frame];
+    const Intrinsics& lens = source.dataset.lens;
+    const Eigen::Vector3d& p = stored.pose.position;
+    const Eigen::Quaterniond& q = stored.pose.rotation;
+    std::string text =
+        Json({{"source", source.source.name},
+              {"frame", frame},
+              {"width", lens.width},
+              {"height", lens.height},
+              {"intrinsics", {{"fx", lens.fx}, {"fy", lens.fy}, {"cx", lens.cx}, {"cy", lens.cy}}},
+              {"time_s", stored.time_s},
+              {"position", {p.x(), p.y(), p.z()}},
+              {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}})
+            .dump();
+    text.pop_back();  // removes the closing bracket, because the objects follow
+    std::string objects;
+    for (const Annotation& one : source.annotations[frame]) {
+        const GatheredClass& of = classes.classes()[one.class_index];
+        objects += fmt::format(
+            R"({}{{"bbox":[{},{},{},{}],"category":{},"category_id":{},"name":{},"area":{},)"
+            R"("object_id":{},"segmentation":{}}})",
+            objects.empty() ? "" : ",", one.box[0], one.box[1], one.box[2], one.box[3],
+            one.class_index, of.id, nlohmann::json(of.name).dump(), one.area, one.object_id,
+            one.segmentation);
+    }
+    return text + fmt::format(R"(,"objects":[{}]}})", objects);
+}
+
+/// A frame's key and files.
+struct WebDatasetSample {
+    std::string key;
+    FrameMembers members;
+};
+
+class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
+  public:
+    explicit WebDatasetLayout(LayoutInput input) : ShardLayout(std::move(input)) {}
+
+  private:
+    [[nodiscard]] std::string shardName(std::size_t shard) const override {
+        return fmt::format("{}-{:06}.tar", part(), shard);
+    }
+
+    [[nodiscard]] Result<WebDatasetSample> read(const OpenedSource& source,
+                                                std::size_t frame) const override {
+        WebDatasetSample sample{source.frameName(frame), {}};
+        for (const std::string& modality : input().modalities) {
+            Result<std::string> bytes =
+                readProven(source.file(frameFileOf(source.dataset, modality, frame)));
+            if (!bytes) return tl::unexpected(bytes.error());
+            sample.members.emplace_back(modality == kPicture ? "png" : modality + ".png",
+                                        std::move(*bytes));
+        }
+        sample.members.emplace_back("json", describeFrame(source, frame, input().classes));
+        return sample;
+    }
+
+    [[nodiscard]] std::uint64_t bytesWith(const WebDatasetSample& sample) const override {
+        std::uint64_t bytes = file().size() + kTarEnd;
+        for (const auto& [ending, content] : sample.members) bytes += tarBytes(content.size());
+        return bytes;
+    }
+
+    [[nodiscard]] Status append(const WebDatasetSample& sample) override {
+        Status status;
+        for (const auto& [ending, content] : sample.members) {
+            const auto header = tarHeader(sample.key + "." + ending, content.size());
+            if (status) status = file().write(std::string_view(header.data(), header.size()));
+            if (status) status = file().write(content);
+            const std::size_t padding = tarBytes(content.size()) - kTarBlock - content.size();
+            if (status) status = file().write(std::string(padding, '\0'));
+        }
+        return status;
+    }
+
+    [[nodiscard]] Status endFile() override { return file().write(std::string(kTarEnd, '\0')); }
+};
+
+}  // namespace
+
+const LayoutKind kWebDatasetLayout = {
+    .name = "webdataset",
+    .text =
+        "tar files of similar size, in which each frame is KEY.png, KEY.depth.png ..., KEY.json",
+    .content = LayoutContent::Shared,
+    .tasks = kMaskTasks,
+    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
+        return std::make_unique<WebDatasetLayout>(std::move(input));
+    },
+    .labels = kBoxesAndMasks,
+    .how_to_read =
+        "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\", only=[\"png\", \"json\"])` "
+        "reads "
+        "a tar file; `datasets.load_dataset(\".\", streaming=True)` all of them. `png` is the "
+        "colour "
+        "image; `depth.png`, `instance.png` and `semantic.png` have the same pixels; `json` has "
+        "boxes, masks, camera and pose. Without `only`, webdataset would turn the 16-bit images "
+        "into 8-bit colours; `cv2.imdecode(np.frombuffer(sample[\"depth.png\"], np.uint8), -1)` "
+        "decodes them.",
+    .data_files = "{}-*.tar",
+};
+
+}  // namespace dollytrack::gather
