@@ -33,7 +33,7 @@ class HashingFileWriter {
         : path_(std::move(path)), file_(std::move(file)) {}
     [[nodiscard]] Status flush();
 
-    /// What the hashing thread uses; it stays where it is when the writer is moved.
+    /// The hashing thread's data; its address stays the same when the writer is moved.
     struct Hashed {
         Sha256 hash;
         std::string bytes;  // handed to the system

@@ -30,7 +30,7 @@ std::size_t frameOfKey(const std::string& key, std::size_t frames) {
     return is_number ? std::min(frame, frames) : frames;
 }
 
-/// Each dataset becomes a scene of BOP. Object ids are given anew: an object of a scene has one id
+/// Each dataset becomes a scene of BOP. Objects are numbered anew: an object of a scene has one id
 /// in all datasets of that scene, and those of different scenes have different ids.
 class BopLayout : public Layout {
   public:
@@ -137,7 +137,7 @@ class BopLayout : public Layout {
         return result + "\n}\n";
     }
 
-    /// Returns false if an object is none of the dataset's.
+    /// Replaces the object ids. Returns false if one is not in dataset.json.
     bool renumber(nlohmann::json& objects, const OpenedSource& source) {
         for (nlohmann::json& one : objects) {
             if (!one.is_object() || !one.contains("obj_id")) return false;

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = ParquetField::Kind;
 
-/// What a row of the table is written from.
+/// Contents of one row of the table, read but not yet written.
 struct ParquetRow {
     std::string name;
     std::string source;
