@@ -2,13 +2,12 @@
 
 #include <fcntl.h>
 
-#include <system_error>
 #include <utility>
 
 namespace dollytrack::gather {
 namespace {
 
-constexpr std::size_t kPending = std::size_t{4} << 20U;  // bytes
+constexpr std::size_t kPending = std::size_t{1} << 20U;  // bytes
 
 }  // namespace
 
@@ -34,22 +33,9 @@ Status HashingFileWriter::write(std::string_view bytes) {
 }
 
 Status HashingFileWriter::flush() {
-    if (hashing_.valid()) hashing_.get();
-    hashed_->bytes.swap(pending_);
+    hash_.add(std::string_view(pending_));
+    const int error = writeAll(file_.get(), pending_);
     pending_.clear();
-    const auto hash = [hashed = hashed_.get()] {
-        hashed->hash.add(std::string_view(hashed->bytes));
-    };
-    bool is_hashing = false;
-    if (hashed_->bytes.size() >= kPending) {
-        try {
-            hashing_ = std::async(std::launch::async, hash);
-            is_hashing = true;
-        } catch (const std::system_error&) {  // no more threads can be started
-        }
-    }
-    if (!is_hashing) hash();
-    const int error = writeAll(file_.get(), hashed_->bytes);
     return error == 0 ? Status() : tl::unexpected(writeError(error, path_));
 }
 
@@ -58,8 +44,7 @@ Result<std::string> HashingFileWriter::finish() {
     if (const int error = file_.close()) {
         return tl::unexpected(writeError(error, path_));
     }
-    if (hashing_.valid()) hashing_.get();
-    return hashed_->hash.finish();
+    return hash_.finish();
 }
 
 }  // namespace dollytrack::gather

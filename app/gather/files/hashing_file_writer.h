@@ -7,15 +7,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <future>
-#include <memory>
 #include <string>
 #include <string_view>
 
 namespace dollytrack::gather {
 
-/// A new file that is written from its beginning to its end and hashed on the way, on a thread of
-/// its own while the bytes go to the disk. Errors are CannotWrite.
+/// A new file that is written from its beginning to its end and hashed on the way. Errors are
+/// CannotWrite.
 class HashingFileWriter {
   public:
     /// Creates the file; an existing one of this name is removed at once.
@@ -33,17 +31,10 @@ class HashingFileWriter {
         : path_(std::move(path)), file_(std::move(file)) {}
     [[nodiscard]] Status flush();
 
-    /// The hashing thread's data; its address stays the same when the writer is moved.
-    struct Hashed {
-        Sha256 hash;
-        std::string bytes;  // handed to the system
-    };
-
     std::filesystem::path path_;
     FileDescriptor file_;
-    std::unique_ptr<Hashed> hashed_ = std::make_unique<Hashed>();
-    std::future<void> hashing_;  // destroyed first, because that waits for the thread
-    std::string pending_;        // not yet handed to the system
+    Sha256 hash_;
+    std::string pending_;  // not yet handed to the system
     std::uint64_t size_ = 0;
 };
 

@@ -191,9 +191,7 @@ const LayoutKind kBopLayout = {
     .text = "scenes of the BOP benchmark: PART/000000/ with rgb, depth, masks and object poses",
     .content = LayoutContent::Colour,
     .tasks = kMaskTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<BopLayout>(std::move(input));
-    },
+    .make = makeLayout<BopLayout>,
     .labels = kBoxesAndMasks,
     .how_to_read =
         "Readers of the BOP benchmark, such as bop_toolkit, take each `PART/000000/` as a scene, "

@@ -123,9 +123,7 @@ const LayoutKind kCocoLayout = {
         "one folder of images per part, and annotations/instances_PART.json with boxes and masks",
     .content = LayoutContent::Colour,
     .tasks = kMaskTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<CocoLayout>(std::move(input));
-    },
+    .make = makeLayout<CocoLayout>,
     .labels = kBoxesAndMasks,
     .how_to_read =
         "`pycocotools.coco.COCO(\"annotations/instances_train.json\")` reads boxes and masks "

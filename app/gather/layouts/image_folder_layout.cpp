@@ -75,9 +75,7 @@ const LayoutKind kImageFolderLayout = {
     .text = "one folder of images per part with metadata.jsonl, for Hugging Face's imagefolder",
     .content = LayoutContent::Colour,
     .tasks = kBoxTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<ImageFolderLayout>(std::move(input));
-    },
+    .make = makeLayout<ImageFolderLayout>,
     .labels = kBoxes,
     .how_to_read =
         "`datasets.load_dataset(\"imagefolder\", data_dir=\".\")` reads it. `objects` "

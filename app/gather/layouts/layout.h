@@ -14,6 +14,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack::gather {
@@ -48,6 +49,12 @@ class Layout {
     /// After the last part.
     [[nodiscard]] virtual Status finish(std::span<const PartIndex> /*parts*/) { return {}; }
 };
+
+/// For LayoutKind::make.
+template <class Kind>
+std::unique_ptr<Layout> makeLayout(LayoutInput input) {
+    return std::make_unique<Kind>(std::move(input));
+}
 
 /// Which files of the datasets a layout holds.
 enum class LayoutContent {

@@ -66,9 +66,7 @@ const LayoutKind kMcapLayout = {
     .text = "an MCAP file of ROS 2 messages per dataset, for Foxglove, Rerun and ROS 2",
     .content = LayoutContent::Everything,
     .tasks = kMcapTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<McapLayout>(std::move(input));
-    },
+    .make = makeLayout<McapLayout>,
     .labels = "the oriented boxes of all objects",
     .how_to_read =
         "Foxglove and Rerun open the files; `ros2 bag play -s mcap NAME.mcap` publishes the "

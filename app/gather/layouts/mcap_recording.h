@@ -50,9 +50,9 @@ struct RecordedSensors {
 /// the other cameras, all with x right, y down, z forward. Times are those of dataset.json in ns.
 class McapRecording {
   public:
-    /// Creates the file and writes what does not depend on the frame. `images`: the folders of
-    /// images to write, where the dataset has them. `source` must outlive the recording. Errors:
-    /// BadInput where a file of the dataset is damaged; CannotWrite.
+    /// Creates the file and writes what does not depend on the frame. `images`: names of the
+    /// folders whose images are written; those that the dataset lacks are skipped. `source` must
+    /// outlive the recording. Errors: BadInput where a file of the dataset is damaged; CannotWrite.
     [[nodiscard]] static Result<McapRecording> begin(const OpenedSource& source,
                                                      const ClassUnion& classes,
                                                      const std::set<std::string>& images,
@@ -66,8 +66,8 @@ class McapRecording {
     [[nodiscard]] Result<std::string> finish();
 
   private:
-    /// Whether nodes that start later get a topic's last message from `ros2 bag play`.
-    enum class Durability { TransientLocal, Volatile };  // they do; they do not
+    /// TransientLocal: nodes that subscribe later get the topic's last message from `ros2 bag play`.
+    enum class Durability { TransientLocal, Volatile };
     /// The images of one folder.
     struct ImageTopic {
         std::string folder;

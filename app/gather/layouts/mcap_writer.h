@@ -30,8 +30,8 @@ struct McapSchema {
 /// their times. Times are in ns. Errors are CannotWrite.
 class McapWriter {
   public:
-    /// Creates the file, also where one of this name exists. `profile`: conventions of the
-    /// messages, "ros2"; `library`: the program that writes.
+    /// Creates the file and replaces one of this name. `profile`: the conventions that the messages
+    /// follow, "ros2"; `library`: name and version of the program that writes the file.
     [[nodiscard]] static Result<McapWriter> create(const GuardedFolder& folder,
                                                    const std::string& name,
                                                    std::string_view profile,

@@ -288,9 +288,7 @@ const LayoutKind kParquetLayout = {
     .text = "Parquet files for the Hugging Face Hub: a table of frames with images and objects",
     .content = LayoutContent::Shared,
     .tasks = kMaskTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<ParquetLayout>(std::move(input));
-    },
+    .make = makeLayout<ParquetLayout>,
     .labels = kBoxesAndMasks,
     .how_to_read =
         "`datasets.load_dataset(\".\")` reads it. `image` is the colour image; `depth`, `instance` "

@@ -83,9 +83,7 @@ const LayoutKind kTartanAirLayout = {
     .text = "TartanAir's folders PART/ENV/Easy/P000/ with images, depth, classes, flow and poses",
     .content = LayoutContent::Copied,
     .tasks = kTartanAirTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<TartanAirLayout>(std::move(input));
-    },
+    .make = makeLayout<TartanAirLayout>,
     .labels = "depth, classes, optical flow and poses",
     .how_to_read =
         "Readers of TartanAir take `train/` as the folder of environments. An environment is a "

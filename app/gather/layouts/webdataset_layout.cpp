@@ -106,9 +106,7 @@ const LayoutKind kWebDatasetLayout = {
         "tar files of similar size, in which each frame is KEY.png, KEY.depth.png ..., KEY.json",
     .content = LayoutContent::Shared,
     .tasks = kMaskTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<WebDatasetLayout>(std::move(input));
-    },
+    .make = makeLayout<WebDatasetLayout>,
     .labels = kBoxesAndMasks,
     .how_to_read =
         "`webdataset.WebDataset(\"train-000000.tar\").decode(\"pil\", only=[\"png\", \"json\"])` "

@@ -69,9 +69,7 @@ const LayoutKind kYoloLayout = {
     .text = "images in images/, boxes in labels/, and data.yaml, for Ultralytics",
     .content = LayoutContent::Colour,
     .tasks = kBoxTasks,
-    .make = [](LayoutInput input) -> std::unique_ptr<Layout> {
-        return std::make_unique<YoloLayout>(std::move(input));
-    },
+    .make = makeLayout<YoloLayout>,
     .labels = kBoxes,
     .how_to_read =
         "Train YOLO with `data.yaml`: `yolo detect train data=data.yaml`. Each line of a file in "

@@ -97,13 +97,9 @@ class TracksInFrame {
     }
 
   private:
-    [[nodiscard]] std::string file(const char* array) const {
-        return fmt::format("tracks/{:06}_{}.npy", first_frame_, array);
-    }
-
     void add(int track, const char* array, std::string found, std::string expected,
              Findings& findings) const {
-        findings.add({file(array),
+        findings.add({trackFile(first_frame_, array),
                       images_.frame(),
                       {},
                       fmt::format("track {}: {}", track, found),

@@ -13,10 +13,6 @@ namespace {
 constexpr std::array kTrackArrays = {"points", "points_3d", "occluded", "query_points",
                                      "object_ids"};
 
-std::string trackFile(int first_frame, const char* array) {
-    return fmt::format("tracks/{:06}_{}.npy", first_frame, array);
-}
-
 /// Reads one array into `into`; returns the problem, naming the file, or nothing.
 template <class Read, class Values>
 Status take(const StoredDataset& dataset, const std::string& name, Read&& read, int rows,
@@ -35,6 +31,10 @@ Status take(const StoredDataset& dataset, const std::string& name, Read&& read, 
 }
 
 }  // namespace
+
+std::string trackFile(int first_frame, const char* array) {
+    return fmt::format("tracks/{:06}_{}.npy", first_frame, array);
+}
 
 int clipFrames(const StoredDataset& dataset) {
     const auto convention = dataset.convention("tracks");

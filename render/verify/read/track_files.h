@@ -23,6 +23,9 @@ struct StoredTracks {
 /// Number of frames in a clip by dataset.json; 0 if it is missing or invalid.
 int clipFrames(const StoredDataset& dataset);
 
+/// Name of an array of the clip that begins at a frame, for example "tracks/000300_points.npy".
+std::string trackFile(int first_frame, const char* array);
+
 /// The files of the clip that begins at a frame; none if none begins there or the dataset has no
 /// tracks.
 std::vector<std::string> trackFiles(const StoredDataset& dataset, int frame);
