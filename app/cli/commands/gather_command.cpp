@@ -5,7 +5,6 @@
 #include "engine/core/name_pattern.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -139,7 +138,7 @@ void addGatherOptions(CLI::App& command, GatherArguments& arguments) {
     command.add_option("--format", arguments.layout, "Layout of the files")
         ->required()
         ->transform(CLI::IsMember(names, CLI::ignore_case))
-        ->type_name(fmt::format("{}", fmt::join(names, "|")));
+        ->type_name("NAME");
     command
         .add_option("--split", arguments.split,
                     "'none' (default), or 'by-room' with the shares of train, val and test in % "
