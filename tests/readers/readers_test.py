@@ -13,7 +13,7 @@ import exports
 exports.PROGRAM, exports.APARTMENT = sys.argv.pop(1), sys.argv.pop(1)
 exports.OPENCV_KITTI = pathlib.Path(exports.PROGRAM).with_name("opencv_kitti")
 READERS = ["array_reader", "blender_reader", "colmap_reader", "gltf_validator_reader", "kitti_reader", "label_reader",
-           "mcap_reader", "open3d_reader", "opencv_reader", "video_reader"]
+           "mcap_reader", "open3d_reader", "opencv_reader", "rosbag_reader", "video_reader"]
 
 
 if __name__ == "__main__":

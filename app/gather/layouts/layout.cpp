@@ -5,7 +5,7 @@ namespace dollytrack::gather {
 std::span<const LayoutKind* const> layouts() {
     static constexpr std::array kAll = {&kYoloLayout,       &kCocoLayout,    &kImageFolderLayout,
                                         &kWebDatasetLayout, &kParquetLayout, &kBopLayout,
-                                        &kTartanAirLayout,  &kMcapLayout};
+                                        &kTartanAirLayout,  &kMcapLayout,    &kRosbagLayout};
     return kAll;
 }
 

@@ -99,6 +99,7 @@ extern const LayoutKind kParquetLayout;
 extern const LayoutKind kBopLayout;
 extern const LayoutKind kTartanAirLayout;
 extern const LayoutKind kMcapLayout;
+extern const LayoutKind kRosbagLayout;
 
 [[nodiscard]] std::span<const LayoutKind* const> layouts();
 

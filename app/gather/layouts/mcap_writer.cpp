@@ -1,10 +1,10 @@
 #include "app/gather/layouts/mcap_writer.h"
 
+#include "app/gather/layouts/record_bytes.h"
+
 #include <zlib.h>
 
 #include <array>
-#include <bit>
-#include <type_traits>
 
 namespace dollytrack::gather {
 namespace {
@@ -33,18 +33,6 @@ enum class Opcode : std::uint8_t {
 std::uint32_t crcOf(std::string_view bytes, std::uint32_t before = 0) {
     return static_cast<std::uint32_t>(
         crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
-template <class Number>
-void put(std::string& bytes, Number value) {
-    static_assert(std::is_integral_v<Number> && std::endian::native == std::endian::little);
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
-}
-
-/// A text, or the pairs of an array or map, after its length in bytes.
-void putSized(std::string& bytes, std::string_view value) {
-    put(bytes, static_cast<std::uint32_t>(value.size()));
-    bytes += value;
 }
 
 void putMap(std::string& bytes, const McapMap& map) {

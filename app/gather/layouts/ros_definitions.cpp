@@ -12,6 +12,7 @@ struct Definition {
     std::string_view parts;  // types of its fields, separated by blanks
 };
 
+// Constants precede the other fields.
 constexpr std::array kDefinitions = {
     Definition{"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n", ""},
     Definition{"builtin_interfaces/Duration", "int32 sec\nuint32 nanosec\n", ""},
@@ -76,37 +77,79 @@ constexpr std::array kDefinitions = {
                "visualization_msgs/Marker"},
 };
 
-const Definition& find(std::string_view type) {
+/// Types that differ in ROS 1 or that only ROS 1 needs.
+constexpr std::array kRos1Definitions = {
+    Definition{"std_msgs/Header", "uint32 seq\ntime stamp\nstring frame_id\n", ""},
+    Definition{"std_msgs/String", "string data\n", ""},
+    Definition{"geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n", ""},
+    Definition{"sensor_msgs/CameraInfo",
+               "std_msgs/Header header\nuint32 height\nuint32 width\nstring distortion_model\n"
+               "float64[] D\nfloat64[9] K\nfloat64[9] R\nfloat64[12] P\nuint32 binning_x\n"
+               "uint32 binning_y\nsensor_msgs/RegionOfInterest roi\n",
+               "std_msgs/Header sensor_msgs/RegionOfInterest"},
+    Definition{"visualization_msgs/Marker",
+               "uint8 ARROW=0\nuint8 CUBE=1\nuint8 SPHERE=2\nuint8 CYLINDER=3\n"
+               "uint8 LINE_STRIP=4\nuint8 LINE_LIST=5\nuint8 CUBE_LIST=6\nuint8 SPHERE_LIST=7\n"
+               "uint8 POINTS=8\nuint8 TEXT_VIEW_FACING=9\nuint8 MESH_RESOURCE=10\n"
+               "uint8 TRIANGLE_LIST=11\nuint8 ADD=0\nuint8 MODIFY=0\nuint8 DELETE=2\n"
+               "uint8 DELETEALL=3\nstd_msgs/Header header\nstring ns\nint32 id\nint32 type\n"
+               "int32 action\ngeometry_msgs/Pose pose\ngeometry_msgs/Vector3 scale\n"
+               "std_msgs/ColorRGBA color\nduration lifetime\nbool frame_locked\n"
+               "geometry_msgs/Point[] points\nstd_msgs/ColorRGBA[] colors\nstring text\n"
+               "string mesh_resource\nbool mesh_use_embedded_materials\n",
+               "std_msgs/Header geometry_msgs/Pose geometry_msgs/Vector3 std_msgs/ColorRGBA "
+               "geometry_msgs/Point"},
+};
+
+struct Md5Sum {
+    std::string_view type;
+    std::string_view sum;
+};
+
+constexpr std::array kMd5Sums = {
+    Md5Sum{"nav_msgs/Path", "6227e2b7e9cce15051f669a5e197bbf7"},
+    Md5Sum{"sensor_msgs/CameraInfo", "c9a58c1b0b154e0e6da7578cb991d214"},
+    Md5Sum{"sensor_msgs/CompressedImage", "8f7a12909da2c9d3332d540a0977563f"},
+    Md5Sum{"sensor_msgs/Imu", "6a62c6daae103f4ff57a132d6f95cec2"},
+    Md5Sum{"std_msgs/String", "992ce8a1687cec8c8bd883ec73ca41d1"},
+    Md5Sum{"tf2_msgs/TFMessage", "94810edda583a504dfda3829e70d7eec"},
+    Md5Sum{"visualization_msgs/MarkerArray", "d155b9ce5188fbaf89745847fd5882d7"},
+};
+
+const Definition& find(Version version, std::string_view type) {
+    const auto own = std::ranges::find(kRos1Definitions, type, &Definition::type);
+    if (version == Version::Ros1 && own != kRos1Definitions.end()) return *own;
     return *std::ranges::find(kDefinitions, type, &Definition::type);
 }
 
 /// Adds the parts of a type that the list lacks, then their parts.
-void listParts(std::string_view type, std::vector<std::string_view>& types) {
-    for (std::string_view left = find(type).parts; !left.empty();) {
+void listParts(Version version, std::string_view type, std::vector<std::string_view>& types) {
+    for (std::string_view left = find(version, type).parts; !left.empty();) {
         const std::string_view part = left.substr(0, left.find(' '));
         left.remove_prefix(std::min(part.size() + 1, left.size()));
         if (std::ranges::find(types, part) != types.end()) continue;
         types.push_back(part);
-        listParts(part, types);
+        listParts(version, part, types);
     }
 }
 
 }  // namespace
 
-std::string definitionOf(std::string_view type) {
-    // Definitions name a type without "/msg".
-    std::string root(type);
-    root.erase(root.find("/msg"), std::string_view("/msg").size());
+std::string definitionOf(Version version, std::string_view type) {
     std::vector<std::string_view> types;
-    listParts(root, types);
-    std::string text(find(root).fields);
+    listParts(version, type, types);
+    std::string text(find(version, type).fields);
     for (const std::string_view one : types) {
         text += std::string(80, '=') + "\nMSG: ";
         text += one;
         text += '\n';
-        text += find(one).fields;
+        text += find(version, one).fields;
     }
     return text;
+}
+
+std::string_view md5Of(std::string_view type) {
+    return std::ranges::find(kMd5Sums, type, &Md5Sum::type)->sum;
 }
 
 }  // namespace dollytrack::gather::ros

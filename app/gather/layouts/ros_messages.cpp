@@ -1,6 +1,6 @@
 #include "app/gather/layouts/ros_messages.h"
 
-#include "app/gather/layouts/cdr_writer.h"
+#include "app/gather/layouts/message_writer.h"
 
 #include <utility>
 
@@ -9,22 +9,23 @@ namespace {
 
 constexpr std::size_t kCovariance = 9;
 
-void add(CdrWriter& cdr, const Header& header) {
+void add(MessageWriter& out, const Header& header) {
     constexpr std::uint64_t kSecond_ns = 1'000'000'000;
-    cdr.number(static_cast<std::int32_t>(header.time_ns / kSecond_ns));
-    cdr.number(static_cast<std::uint32_t>(header.time_ns % kSecond_ns));
-    cdr.text(header.frame);
+    if (out.version() == Version::Ros1) out.number(static_cast<std::uint32_t>(header.sequence));
+    out.number(static_cast<std::uint32_t>(header.time_ns / kSecond_ns));
+    out.number(static_cast<std::uint32_t>(header.time_ns % kSecond_ns));
+    out.text(header.frame);
 }
 
-void add(CdrWriter& cdr, const Eigen::Vector3d& v) {
-    for (const double value : {v.x(), v.y(), v.z()}) cdr.number(value);
+void add(MessageWriter& out, const Eigen::Vector3d& v) {
+    for (const double value : {v.x(), v.y(), v.z()}) out.number(value);
 }
 
 /// Position and orientation, of a Pose and of a Transform.
-void add(CdrWriter& cdr, const Pose& pose) {
+void add(MessageWriter& out, const Pose& pose) {
     const Eigen::Quaterniond& q = pose.rotation;
-    add(cdr, pose.position);
-    for (const double value : {q.x(), q.y(), q.z(), q.w()}) cdr.number(value);
+    add(out, pose.position);
+    for (const double value : {q.x(), q.y(), q.z(), q.w()}) out.number(value);
 }
 
 /// The image's encoding and file format, as image_transport writes and reads it. Images of 8 bits
@@ -39,104 +40,115 @@ std::string formatOf(std::string_view file, bool is_depth) {
 
 }  // namespace
 
-std::string compressedImage(const Header& header, std::string_view file, bool is_depth) {
-    CdrWriter cdr;
-    add(cdr, header);
-    cdr.text(formatOf(file, is_depth));
+std::string compressedImage(Version version, const Header& header, std::string_view file,
+                            bool is_depth) {
+    MessageWriter out(version);
+    add(out, header);
+    out.text(formatOf(file, is_depth));
     // The transport's header: a format and two parameters of inverse depth, which 16UC1 lacks.
     const std::string depth_header(is_depth ? sizeof(std::int32_t) + 2 * sizeof(float) : 0, '\0');
-    cdr.bytes(depth_header, file);
-    return std::move(cdr).take();
+    out.bytes(depth_header, file);
+    return std::move(out).take();
 }
 
-std::string cameraInfo(const Header& header, const CameraInfo& camera) {
+std::string cameraInfo(Version version, const Header& header, const CameraInfo& camera) {
     const double fx = camera.fx, fy = camera.fy, cx = camera.cx, cy = camera.cy;
-    CdrWriter cdr;
-    add(cdr, header);
-    cdr.number(static_cast<std::uint32_t>(camera.height));
-    cdr.number(static_cast<std::uint32_t>(camera.width));
-    cdr.text(camera.distortion_model);
-    cdr.count(camera.distortion.size());
-    cdr.numbers(camera.distortion);
-    cdr.numbers(std::array{fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0});
-    cdr.numbers(std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
-    cdr.numbers(std::array{fx, 0.0, cx, 0.0 - fx * camera.baseline_m, 0.0, fy, cy, 0.0, 0.0, 0.0,
+    MessageWriter out(version);
+    add(out, header);
+    out.number(static_cast<std::uint32_t>(camera.height));
+    out.number(static_cast<std::uint32_t>(camera.width));
+    out.text(camera.distortion_model);
+    out.count(camera.distortion.size());
+    out.numbers(camera.distortion);
+    out.numbers(std::array{fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0});
+    out.numbers(std::array{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0});
+    out.numbers(std::array{fx, 0.0, cx, 0.0 - fx * camera.baseline_m, 0.0, fy, cy, 0.0, 0.0, 0.0,
                            1.0, 0.0});
-    for (int i = 0; i < 6; ++i) cdr.number(std::uint32_t{0});  // binning, region: the whole image
-    cdr.number(false);
-    return std::move(cdr).take();
+    for (int i = 0; i < 6; ++i) out.number(std::uint32_t{0});  // binning, region: the whole image
+    out.number(false);
+    return std::move(out).take();
 }
 
-std::string transforms(std::uint64_t time_ns, std::span<const Transform> all) {
-    CdrWriter cdr;
-    cdr.count(all.size());
+std::string transforms(Version version, std::uint64_t time_ns, std::span<const Transform> all) {
+    MessageWriter out(version);
+    out.count(all.size());
     for (const Transform& one : all) {
-        add(cdr, Header{time_ns, one.frame});
-        cdr.text(one.child_frame);
-        add(cdr, one.pose);
+        add(out, Header{time_ns, one.frame});
+        out.text(one.child_frame);
+        add(out, one.pose);
     }
-    return std::move(cdr).take();
+    return std::move(out).take();
 }
 
-std::string imu(const Header& header, const std::array<double, 3>& rate_rps,
+std::string imu(Version version, const Header& header, const std::array<double, 3>& rate_rps,
                 const std::array<double, 3>& force_mps2) {
     constexpr std::array<double, kCovariance> kUnknown = {};
     std::array<double, kCovariance> no_orientation = {};
     no_orientation[0] = -1.0;
-    CdrWriter cdr;
-    add(cdr, header);
-    cdr.numbers(std::array{0.0, 0.0, 0.0, 1.0});
-    cdr.numbers(no_orientation);
-    cdr.numbers(rate_rps);
-    cdr.numbers(kUnknown);
-    cdr.numbers(force_mps2);
-    cdr.numbers(kUnknown);
-    return std::move(cdr).take();
+    MessageWriter out(version);
+    add(out, header);
+    out.numbers(std::array{0.0, 0.0, 0.0, 1.0});
+    out.numbers(no_orientation);
+    out.numbers(rate_rps);
+    out.numbers(kUnknown);
+    out.numbers(force_mps2);
+    out.numbers(kUnknown);
+    return std::move(out).take();
 }
 
-std::string boxMarkers(const Header& header, std::span<const BoxMarker> boxes) {
+std::string boxMarkers(Version version, const Header& header, std::span<const BoxMarker> boxes) {
     constexpr std::int32_t kCube = 1;
     constexpr std::int32_t kAddOrReplace = 0;
     const Header none;
-    CdrWriter cdr;
-    cdr.count(boxes.size());
+    MessageWriter out(version);
+    out.count(boxes.size());
     for (const BoxMarker& box : boxes) {
-        add(cdr, header);
-        cdr.text(box.group);
-        cdr.number(static_cast<std::int32_t>(box.id));
-        cdr.number(kCube);
-        cdr.number(kAddOrReplace);
-        add(cdr, box.pose);
-        add(cdr, box.size);
-        for (const float value : box.color) cdr.number(value);
-        cdr.number(std::int32_t{0});  // lifetime: for ever
-        cdr.number(std::uint32_t{0});
-        cdr.number(false);  // frame_locked
-        cdr.count(0);       // points
-        cdr.count(0);       // colors
-        cdr.text("");       // texture_resource
-        add(cdr, none);     // texture
-        cdr.text("");
-        cdr.bytes("");
-        cdr.count(0);  // uv_coordinates
-        cdr.text(box.text);
-        cdr.text("");  // mesh_resource
-        cdr.text("");  // mesh_file
-        cdr.bytes("");
-        cdr.number(false);  // mesh_use_embedded_materials
+        add(out, header);
+        out.text(box.group);
+        out.number(static_cast<std::int32_t>(box.id));
+        out.number(kCube);
+        out.number(kAddOrReplace);
+        add(out, box.pose);
+        add(out, box.size);
+        for (const float value : box.color) out.number(value);
+        out.number(std::int32_t{0});  // lifetime: for ever
+        out.number(std::uint32_t{0});
+        out.number(false);  // frame_locked
+        out.count(0);       // points
+        out.count(0);       // colors
+        if (version == Version::Ros2) {
+            out.text("");    // texture_resource
+            add(out, none);  // texture
+            out.text("");
+            out.bytes("");
+            out.count(0);  // uv_coordinates
+        }
+        out.text(box.text);
+        out.text("");  // mesh_resource
+        if (version == Version::Ros2) {
+            out.text("");  // mesh_file
+            out.bytes("");
+        }
+        out.number(false);  // mesh_use_embedded_materials
     }
-    return std::move(cdr).take();
+    return std::move(out).take();
 }
 
-std::string path(const Header& header, std::span<const TimedPose> poses) {
-    CdrWriter cdr;
-    add(cdr, header);
-    cdr.count(poses.size());
+std::string path(Version version, const Header& header, std::span<const TimedPose> poses) {
+    MessageWriter out(version);
+    add(out, header);
+    out.count(poses.size());
     for (const TimedPose& one : poses) {
-        add(cdr, Header{one.time_ns, header.frame});
-        add(cdr, one.pose);
+        add(out, Header{one.time_ns, header.frame});
+        add(out, one.pose);
     }
-    return std::move(cdr).take();
+    return std::move(out).take();
+}
+
+std::string text(Version version, std::string_view value) {
+    MessageWriter out(version);
+    out.text(value);
+    return std::move(out).take();
 }
 
 }  // namespace dollytrack::gather::ros

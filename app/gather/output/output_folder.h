@@ -21,7 +21,7 @@ inline constexpr const char* kSumsFile = "SHA256SUMS";
 /// What gather.json calls itself, under `format`.
 inline constexpr const char* kGatherFormat = "dollytrack gather";
 
-/// A shard, a tar, Parquet or MCAP file, that an earlier run finished.
+/// A shard, a tar, Parquet, MCAP or bag file, that an earlier run finished.
 struct FinishedShard {
     std::string name;
     std::size_t frames = 0;

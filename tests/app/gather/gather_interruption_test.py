@@ -201,7 +201,7 @@ class Interruption(GatherCase):
             self.copy_as(self.datasets / "room_1", around / f"copy_{number}", 100 + number)
         picture = around / "copy_4" / "rgb" / "000003.png"
         right = picture.read_bytes()
-        for layout in ["yolo", "coco", "imagefolder", "webdataset", "mcap"]:
+        for layout in ["yolo", "coco", "imagefolder", "webdataset", "mcap", "rosbag"]:
             with self.subTest(layout):
                 arguments = ["--format", layout, "--shard-frames", 5]
                 whole = self.gather(*arguments, datasets=[around])
@@ -211,7 +211,7 @@ class Interruption(GatherCase):
                 self.assertFails(run(*command), 4, str(picture))
                 picture.write_bytes(right)
                 staged = out / ".dollytrack-new"
-                ending = {"webdataset": "tar", "mcap": "mcap"}.get(layout, "png")
+                ending = {"webdataset": "tar", "mcap": "mcap", "rosbag": "bag"}.get(layout, "png")
                 pictures = sorted(staged.rglob(f"*.{ending}"))
                 self.assertGreater(len(pictures), 3)
                 self.assertFails(run(*command, "--resume", "--title", "Others"), 2,
@@ -243,7 +243,8 @@ class Interruption(GatherCase):
         self.assertEqual(hashes(out), hashes(whole))
 
     def test_an_interrupted_run_goes_on_to_the_same_bytes(self):
-        for layout, more in [("coco", []), ("webdataset", ["--shard-frames", 5]), ("mcap", [])]:
+        for layout, more in [("coco", []), ("webdataset", ["--shard-frames", 5]), ("mcap", []),
+                             ("rosbag", [])]:
             with self.subTest(layout):
                 arguments = ["--format", layout, "--split", "by-room", "80/10/10", *more]
                 whole = self.gather(*arguments, datasets=[self.many()])
@@ -283,7 +284,7 @@ class Interruption(GatherCase):
         self.assertEqual(hashes(out), hashes(new))
 
     def test_memory_does_not_grow_with_frames(self):
-        for layout in ["webdataset", "parquet", "mcap"]:
+        for layout in ["webdataset", "parquet", "mcap", "rosbag"]:
             with self.subTest(layout):
                 out = self.new_folder()
                 done = subprocess.run(["/usr/bin/env", "python3", "-c", (

@@ -148,26 +148,31 @@ class Gather(GatherCase):
         self.assertLessEqual(max(sizes), 100_000)
         self.assertGreater(min(sizes[:-1]), 50_000)
 
-    def test_mcap_has_a_recording_of_each_dataset_in_its_part(self):
-        """tests/readers/mcap_reader.py decodes what is in them."""
-        arguments = ["--format", "mcap", "--split", "by-room", "60/20/20"]
-        out = self.gather(*arguments)
-        part_of = {one["name"]: one["part"] for one in self.card(out)["sources"]}
-        self.assertEqual({path.relative_to(out) for path in out.rglob("*.mcap")},
-                         {pathlib.Path(part, name + ".mcap") for name, part in part_of.items()})
-        for name, folder, index in self.frames():
-            source = name.rpartition("_")[0]
-            data = (out / part_of[source] / f"{source}.mcap").read_bytes()
-            self.assertEqual((data[:8], data[-8:]), (b"\x89MCAP0\r\n", b"\x89MCAP0\r\n"))
-            for kind in ["rgb", "depth", "instance", "semantic"]:
-                self.assertIn((folder / kind / f"{index:06}.png").read_bytes(), data)
-            self.assertNotIn(str(self.folder).encode(), data)
-        header = yaml.safe_load((out / "README.md").read_text().split("---\n")[1])
-        self.assertNotIn("configs", header)
-        again = self.new_folder()
-        done = run("-q", "--threads", 1, "gather", self.datasets, "--out", again, *arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(hashes(again), hashes(out))
+    def test_recordings_are_of_each_dataset_in_its_part(self):
+        """tests/readers/mcap_reader.py and rosbag_reader.py decode what is in them."""
+        magic = b"\x89MCAP0\r\n"
+        for layout, ending, start, end in [("mcap", ".mcap", magic, magic),
+                                           ("rosbag", ".bag", b"#ROSBAG V2.0\n", b"")]:
+            with self.subTest(layout):
+                arguments = ["--format", layout, "--split", "by-room", "60/20/20"]
+                out = self.gather(*arguments)
+                part_of = {one["name"]: one["part"] for one in self.card(out)["sources"]}
+                self.assertEqual({path.relative_to(out) for path in out.rglob("*" + ending)},
+                                 {pathlib.Path(part, name + ending)
+                                  for name, part in part_of.items()})
+                for name, folder, index in self.frames():
+                    source = name.rpartition("_")[0]
+                    data = (out / part_of[source] / (source + ending)).read_bytes()
+                    self.assertTrue(data.startswith(start) and data.endswith(end))
+                    for kind in ["rgb", "depth", "instance", "semantic"]:
+                        self.assertIn((folder / kind / f"{index:06}.png").read_bytes(), data)
+                    self.assertNotIn(str(self.folder).encode(), data)
+                header = yaml.safe_load((out / "README.md").read_text().split("---\n")[1])
+                self.assertNotIn("configs", header)
+                again = self.new_folder()
+                done = run("-q", "--threads", 1, "gather", self.datasets, "--out", again, *arguments)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(hashes(again), hashes(out))
 
     def test_a_jpeg_file_does_not_replace_a_colour_image(self):
         for layout in ["imagefolder", "mcap"]:

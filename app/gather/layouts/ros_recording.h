@@ -1,17 +1,16 @@
 #pragma once
 
-#include "app/gather/layouts/mcap_writer.h"
+#include "app/gather/layouts/ros_file.h"
 #include "app/gather/layouts/ros_messages.h"
 #include "app/gather/sources/class_union.h"
 #include "app/gather/sources/opened_source.h"
 #include "engine/core/result.h"
-#include "engine/io/files/guarded_folder.h"
 #include "render/verify/read/stored_rig.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,29 +44,26 @@ struct RecordedSensors {
 /// Takes them from dataset.json and imu.csv. Error: BadInput where they cannot be recorded.
 [[nodiscard]] Result<RecordedSensors> readSensors(const verify::StoredDataset& dataset);
 
-/// A dataset as one MCAP file of ROS 2 messages: its images, cameras, poses, inertial measurements
+/// A dataset as one file of ROS messages: its images, cameras, poses, inertial measurements
 /// and boxes. Frames are "map" (the dataset's world: z up, m), "camera_optical_frame" and those of
 /// the other cameras, all with x right, y down, z forward. Times are those of dataset.json in ns.
-class McapRecording {
+class RosRecording {
   public:
-    /// Creates the file and writes what does not depend on the frame. `images`: names of the
-    /// folders whose images are written; those that the dataset lacks are skipped. `source` must
-    /// outlive the recording. Errors: BadInput where a file of the dataset is damaged; CannotWrite.
-    [[nodiscard]] static Result<McapRecording> begin(const OpenedSource& source,
-                                                     const ClassUnion& classes,
-                                                     const std::set<std::string>& images,
-                                                     const GuardedFolder& folder,
-                                                     const std::string& name);
+    /// Creates the file by `create` and writes what does not depend on the frame. `images`: names
+    /// of the folders whose images are written; those that the dataset lacks are skipped. `source`
+    /// must outlive the recording. Errors: BadInput where a file of the dataset is damaged;
+    /// CannotWrite.
+    [[nodiscard]] static Result<RosRecording> begin(
+        const OpenedSource& source, const ClassUnion& classes, const std::set<std::string>& images,
+        CreateRosFile* create, const GuardedFolder& folder, const std::string& name);
 
     /// Writes frames `begin` to `end` (not included), which follow those written before.
     [[nodiscard]] Status add(std::size_t begin, std::size_t end, const JobContext& job);
 
-    /// After the last frame; returns the file's SHA-256.
-    [[nodiscard]] Result<std::string> finish();
+    /// After the last frame; returns the file's SHA-256, or an error if the job is cancelled.
+    [[nodiscard]] Result<std::string> finish(const JobContext& job);
 
   private:
-    /// TransientLocal: nodes that subscribe later get the topic's last message from `ros2 bag play`.
-    enum class Durability { TransientLocal, Volatile };
     /// The images of one folder.
     struct ImageTopic {
         std::string folder;
@@ -76,7 +72,8 @@ class McapRecording {
         std::uint16_t channel = 0;
     };
 
-    McapRecording(const OpenedSource& source, RecordedSensors sensors, McapWriter file);
+    RosRecording(const OpenedSource& source, RecordedSensors sensors,
+                 std::unique_ptr<RosFile> file);
     [[nodiscard]] Status addSensorTopics();
     [[nodiscard]] Status addImages(const verify::StoredDataset& dataset,
                                    const std::set<std::string>& images);
@@ -86,14 +83,11 @@ class McapRecording {
     [[nodiscard]] Status describe(verify::StoredDataset& dataset, const ClassUnion& classes);
     [[nodiscard]] Status addImuBefore(std::uint64_t time_ns);
     [[nodiscard]] Status addPoses(std::size_t frame);
-    [[nodiscard]] Result<std::uint16_t> addTopic(const std::string& topic, const std::string& type,
-                                                 Durability durability = Durability::Volatile,
-                                                 McapMap metadata = {});
 
     const OpenedSource& source_;
     RecordedSensors sensors_;
-    McapWriter file_;
-    std::map<std::string, std::uint16_t> schemas_;  // by type
+    std::unique_ptr<RosFile> file_;
+    ros::Version version_;
     std::vector<ImageTopic> images_;
     std::vector<ros::BoxMarker> moving_boxes_;  // of objects that move in any frame, at rest
     std::size_t next_imu_ = 0;

@@ -1,4 +1,4 @@
-#include "app/gather/layouts/mcap_recording.h"
+#include "app/gather/layouts/ros_recording.h"
 
 #include "engine/core/clean_text.h"
 #include "engine/io/files/number_lines.h"
@@ -22,18 +22,10 @@ constexpr const char* kImuFrame = "imu_frame";
 constexpr const char* kRightCamera = "/right_camera";
 constexpr const char* kSensorCamera = "/sensor_camera";
 
-constexpr const char* kImageType = "sensor_msgs/msg/CompressedImage";
-constexpr const char* kInfoType = "sensor_msgs/msg/CameraInfo";
-constexpr const char* kTransformType = "tf2_msgs/msg/TFMessage";
-constexpr const char* kBoxType = "visualization_msgs/msg/MarkerArray";
-
-/// What rosbag2 needs to publish a topic as it was; the values are those of rmw's enumerations.
-constexpr const char* kQos =
-    "- history: 1\n  depth: {}\n  reliability: 1\n  durability: {}\n"
-    "  deadline:\n    sec: 9223372036\n    nsec: 854775807\n"
-    "  lifespan:\n    sec: 9223372036\n    nsec: 854775807\n"
-    "  liveliness: 1\n  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n"
-    "  avoid_ros_namespace_conventions: false";
+constexpr const char* kImageType = "sensor_msgs/CompressedImage";
+constexpr const char* kInfoType = "sensor_msgs/CameraInfo";
+constexpr const char* kTransformType = "tf2_msgs/TFMessage";
+constexpr const char* kBoxType = "visualization_msgs/MarkerArray";
 
 tl::unexpected<Error> damaged(const std::string& what, const std::string& where) {
     return fail(ErrorCode::BadInput, what + "; export the dataset again.", where);
@@ -189,23 +181,27 @@ Result<RecordedSensors> readSensors(const verify::StoredDataset& dataset) {
     return sensors;
 }
 
-McapRecording::McapRecording(const OpenedSource& source, RecordedSensors sensors, McapWriter file)
-    : source_(source), sensors_(std::move(sensors)), file_(std::move(file)) {
+RosRecording::RosRecording(const OpenedSource& source, RecordedSensors sensors,
+                           std::unique_ptr<RosFile> file)
+    : source_(source),
+      sensors_(std::move(sensors)),
+      file_(std::move(file)),
+      version_(file_->version()) {
     start_ns_ = sensors_.times_ns.front();
     if (!sensors_.imu.empty()) start_ns_ = std::min(start_ns_, sensors_.imu.front().time_ns);
 }
 
-Result<McapRecording> McapRecording::begin(const OpenedSource& source, const ClassUnion& classes,
-                                           const std::set<std::string>& images,
-                                           const GuardedFolder& folder, const std::string& name) {
+Result<RosRecording> RosRecording::begin(const OpenedSource& source, const ClassUnion& classes,
+                                         const std::set<std::string>& images, CreateRosFile* create,
+                                         const GuardedFolder& folder, const std::string& name) {
     Result<verify::StoredDataset> dataset = readDescription(source.source);
     if (!dataset) return tl::unexpected(dataset.error());
     Result<RecordedSensors> sensors = readSensors(*dataset);
     if (!sensors) return tl::unexpected(sensors.error());
-    Result<McapWriter> file = McapWriter::create(
-        folder, name, "ros2", "dollytrack " + cleanText(source.source.product_version));
+    Result<std::unique_ptr<RosFile>> file =
+        create(folder, name, "dollytrack " + cleanText(source.source.product_version));
     if (!file) return tl::unexpected(file.error());
-    McapRecording recording(source, std::move(*sensors), std::move(*file));
+    RosRecording recording(source, std::move(*sensors), std::move(*file));
     Status status = recording.addSensorTopics();
     if (status) status = recording.addImages(*dataset, images);
     if (status) status = recording.describe(*dataset, classes);
@@ -216,31 +212,16 @@ Result<McapRecording> McapRecording::begin(const OpenedSource& source, const Cla
     return recording;
 }
 
-Result<std::uint16_t> McapRecording::addTopic(const std::string& topic, const std::string& type,
-                                              Durability durability, McapMap metadata) {
-    auto known = schemas_.find(type);
-    if (known == schemas_.end()) {
-        const Result<std::uint16_t> schema =
-            file_.addSchema({type, "ros2msg", ros::definitionOf(type)});
-        if (!schema) return schema;
-        known = schemas_.emplace(type, *schema).first;
-    }
-    const bool is_latched = durability == Durability::TransientLocal;
-    metadata["offered_qos_profiles"] =
-        is_latched ? fmt::format(kQos, 1, 1) : fmt::format(kQos, 10, 2);
-    return file_.addChannel(known->second, topic, "cdr", metadata);
-}
-
 /// The topics of poses, measurements and lenses.
-Status McapRecording::addSensorTopics() {
+Status RosRecording::addSensorTopics() {
     Status status;
     const auto add = [&](const std::string& topic, const char* type) -> std::uint16_t {
         if (!status) return 0;
-        const Result<std::uint16_t> channel = addTopic(topic, type);
+        const Result<std::uint16_t> channel = file_->addTopic({topic, type});
         if (!channel) status = tl::unexpected(channel.error());
         return channel.value_or(0);
     };
-    if (!sensors_.imu.empty()) imu_channel_ = add("/imu", "sensor_msgs/msg/Imu");
+    if (!sensors_.imu.empty()) imu_channel_ = add("/imu", "sensor_msgs/Imu");
     for (const RecordedCamera& camera : sensors_.cameras) {
         info_channels_.push_back(camera.info ? add(camera.name + "/camera_info", kInfoType) : 0);
     }
@@ -248,8 +229,8 @@ Status McapRecording::addSensorTopics() {
     return status;
 }
 
-Status McapRecording::addImages(const verify::StoredDataset& dataset,
-                                const std::set<std::string>& images) {
+Status RosRecording::addImages(const verify::StoredDataset& dataset,
+                               const std::set<std::string>& images) {
     for (const std::string& folder : source_.source.modalities) {
         if (!images.contains(folder)) continue;
         const auto [camera, image] = topicOf(folder);
@@ -260,15 +241,14 @@ Status McapRecording::addImages(const verify::StoredDataset& dataset,
         topic.is_depth = image.starts_with(kDepth) && !(rig && sensors_.rig[*rig].range);
         const Json convention =
             rig ? dataset.card["cameras"][*rig].value(image, Json()) : dataset.convention(folder);
-        McapMap metadata = {{"folder", folder}};
+        RosNotes notes = {{"folder", folder}};
         if (!convention.is_null()) {
-            metadata["convention"] =
-                convention.dump(-1, ' ', false, Json::error_handler_t::replace);
+            notes["convention"] = convention.dump(-1, ' ', false, Json::error_handler_t::replace);
         }
         const char* transport = topic.is_depth ? "compressedDepth" : "compressed";
         const Result<std::uint16_t> channel =
-            addTopic(fmt::format("{}/{}/{}", camera, image, transport), kImageType,
-                     Durability::Volatile, std::move(metadata));
+            file_->addTopic({fmt::format("{}/{}/{}", camera, image, transport), kImageType, false,
+                             std::move(notes)});
         if (!channel) return tl::unexpected(channel.error());
         topic.channel = *channel;
         images_.push_back(std::move(topic));
@@ -276,21 +256,19 @@ Status McapRecording::addImages(const verify::StoredDataset& dataset,
     return {};
 }
 
-Status McapRecording::describe(verify::StoredDataset& dataset, const ClassUnion& classes) {
+Status RosRecording::describe(verify::StoredDataset& dataset, const ClassUnion& classes) {
     Json& card = dataset.card;
     card.erase("files");          // the recording holds their content
     card["scene"].erase("path");  // on the machine that exported it
-    McapMap names;
+    RosNotes names;
     for (const GatheredClass& one : classes.classes()) {
         names[std::to_string(one.id)] = one.name;
     }
-    const Status added =
-        file_.addAttachment(start_ns_, "dataset.json", "application/json",
-                            card.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
-    return added ? file_.addMetadata("classes", names) : added;
+    return file_->describe(start_ns_,
+                           card.dump(1, ' ', false, Json::error_handler_t::replace) + "\n", names);
 }
 
-Status McapRecording::addStaticTransforms() {
+Status RosRecording::addStaticTransforms() {
     const std::string& planned = sensors_.cameras[0].frame;
     std::vector<ros::Transform> fixed;
     if (!sensors_.imu.empty()) fixed.push_back({planned, kImuFrame, Pose{}});
@@ -304,15 +282,14 @@ Status McapRecording::addStaticTransforms() {
         fixed.push_back({planned, camera.frame, stored.carrier_from_camera});
     }
     if (fixed.empty()) return {};
-    const Result<std::uint16_t> channel =
-        addTopic("/tf_static", kTransformType, Durability::TransientLocal);
+    const Result<std::uint16_t> channel = file_->addTopic({"/tf_static", kTransformType, true});
     if (!channel) return tl::unexpected(channel.error());
-    return file_.addMessage(*channel, start_ns_, ros::transforms(start_ns_, fixed));
+    return file_->addMessage(*channel, start_ns_, ros::transforms(version_, start_ns_, fixed));
 }
 
 /// Objects that move are on a topic of their own: a node that starts later gets only the last
 /// message of a topic, which must hold all of the topic's boxes.
-Status McapRecording::addBoxes(const ClassUnion& classes) {
+Status RosRecording::addBoxes(const ClassUnion& classes) {
     constexpr float kOpacity = 0.3F;
     std::set<int> moving;
     for (const verify::StoredFrame& frame : source_.dataset.frames) {
@@ -336,43 +313,42 @@ Status McapRecording::addBoxes(const ClassUnion& classes) {
                          {share(0), share(1), share(2), kOpacity},
                          object.name});
     }
-    const Result<std::uint16_t> channel =
-        addTopic("/objects", kBoxType, Durability::TransientLocal);
+    const Result<std::uint16_t> channel = file_->addTopic({"/objects", kBoxType, true});
     if (!channel) return tl::unexpected(channel.error());
     if (!moving_boxes_.empty()) {
-        const Result<std::uint16_t> moving_objects = addTopic("/moving_objects", kBoxType);
+        const Result<std::uint16_t> moving_objects = file_->addTopic({"/moving_objects", kBoxType});
         if (!moving_objects) return tl::unexpected(moving_objects.error());
         moving_objects_ = *moving_objects;
     }
-    return file_.addMessage(*channel, start_ns_,
-                            ros::boxMarkers({start_ns_, kWorldFrame}, static_boxes));
+    return file_->addMessage(*channel, start_ns_,
+                             ros::boxMarkers(version_, {start_ns_, kWorldFrame}, static_boxes));
 }
 
-Status McapRecording::addPath() {
+Status RosRecording::addPath() {
     std::vector<ros::TimedPose> poses;
     for (std::size_t i = 0; i < sensors_.times_ns.size(); ++i) {
         poses.push_back({sensors_.times_ns[i], source_.dataset.frames[i].pose});
     }
-    const Result<std::uint16_t> channel =
-        addTopic("/trajectory", "nav_msgs/msg/Path", Durability::TransientLocal);
+    const Result<std::uint16_t> channel = file_->addTopic({"/trajectory", "nav_msgs/Path", true});
     if (!channel) return tl::unexpected(channel.error());
-    return file_.addMessage(*channel, start_ns_, ros::path({start_ns_, kWorldFrame}, poses));
+    return file_->addMessage(*channel, start_ns_,
+                             ros::path(version_, {start_ns_, kWorldFrame}, poses));
 }
 
-Status McapRecording::addImuBefore(std::uint64_t time_ns) {
+Status RosRecording::addImuBefore(std::uint64_t time_ns) {
     for (; next_imu_ < sensors_.imu.size() && sensors_.imu[next_imu_].time_ns < time_ns;
          ++next_imu_) {
         const ImuSample& one = sensors_.imu[next_imu_];
         const std::string message =
-            ros::imu({one.time_ns, kImuFrame}, one.rate_rps, one.force_mps2);
-        Status added = file_.addMessage(imu_channel_, one.time_ns, message);
+            ros::imu(version_, {one.time_ns, kImuFrame, next_imu_}, one.rate_rps, one.force_mps2);
+        Status added = file_->addMessage(imu_channel_, one.time_ns, message);
         if (!added) return added;
     }
     return {};
 }
 
 /// Poses of the planned camera and of level cameras, and boxes of the objects that move.
-Status McapRecording::addPoses(std::size_t frame) {
+Status RosRecording::addPoses(std::size_t frame) {
     const verify::StoredFrame& stored = source_.dataset.frames[frame];
     const std::uint64_t time_ns = sensors_.times_ns[frame];
     std::vector<ros::Transform> poses = {{kWorldFrame, sensors_.cameras[0].frame, stored.pose}};
@@ -380,7 +356,7 @@ Status McapRecording::addPoses(std::size_t frame) {
         if (!camera.rig_index || !sensors_.rig[*camera.rig_index].level) continue;
         poses.push_back({kWorldFrame, camera.frame, sensors_.rig[*camera.rig_index].poses[frame]});
     }
-    Status status = file_.addMessage(poses_, time_ns, ros::transforms(time_ns, poses));
+    Status status = file_->addMessage(poses_, time_ns, ros::transforms(version_, time_ns, poses));
     if (!status || moving_boxes_.empty()) return status;
     std::vector<ros::BoxMarker> boxes = moving_boxes_;
     for (ros::BoxMarker& box : boxes) {
@@ -389,11 +365,11 @@ Status McapRecording::addPoses(std::size_t frame) {
         box.pose = {*motion * box.pose.position,
                     Eigen::Quaterniond(motion->linear()) * box.pose.rotation};
     }
-    return file_.addMessage(moving_objects_, time_ns,
-                            ros::boxMarkers({time_ns, kWorldFrame}, boxes));
+    return file_->addMessage(moving_objects_, time_ns,
+                             ros::boxMarkers(version_, {time_ns, kWorldFrame}, boxes));
 }
 
-Status McapRecording::add(std::size_t begin, std::size_t end, const JobContext& job) {
+Status RosRecording::add(std::size_t begin, std::size_t end, const JobContext& job) {
     std::vector<Result<std::string>> messages((end - begin) * images_.size(), std::string());
     parallelFor(messages.size(), [&](std::size_t i) {
         const ImageTopic& topic = images_[i % images_.size()];
@@ -404,8 +380,8 @@ Status McapRecording::add(std::size_t begin, std::size_t end, const JobContext& 
         if (file && topic.is_depth && !file->starts_with("\x89PNG\r\n\x1A\n")) {
             messages[i] = damaged("The depth image is not a PNG file", source.path.string());
         } else if (file) {
-            messages[i] = ros::compressedImage({sensors_.times_ns[frame], topic.frame}, *file,
-                                               topic.is_depth);
+            messages[i] = ros::compressedImage(
+                version_, {sensors_.times_ns[frame], topic.frame, frame}, *file, topic.is_depth);
         } else {
             messages[i] = tl::unexpected(file.error());
         }
@@ -417,23 +393,24 @@ Status McapRecording::add(std::size_t begin, std::size_t end, const JobContext& 
         for (std::size_t i = 0; i < info_channels_.size(); ++i) {
             const RecordedCamera& camera = sensors_.cameras[i];
             if (!status || !camera.info) continue;
-            status = file_.addMessage(info_channels_[i], time_ns,
-                                      ros::cameraInfo({time_ns, camera.frame}, *camera.info));
+            status = file_->addMessage(
+                info_channels_[i], time_ns,
+                ros::cameraInfo(version_, {time_ns, camera.frame, frame}, *camera.info));
         }
         for (std::size_t i = 0; status && i < images_.size(); ++i) {
             const Result<std::string>& message = messages[(frame - begin) * images_.size() + i];
             if (!message) return tl::unexpected(message.error());
-            status = file_.addMessage(images_[i].channel, time_ns, *message);
+            status = file_->addMessage(images_[i].channel, time_ns, *message);
         }
         if (!status) return status;
     }
     return {};
 }
 
-Result<std::string> McapRecording::finish() {
+Result<std::string> RosRecording::finish(const JobContext& job) {
     constexpr std::uint64_t kEnd = ~std::uint64_t{0};
     if (Status added = addImuBefore(kEnd); !added) return tl::unexpected(added.error());
-    return file_.finish();
+    return file_->finish(job);
 }
 
 }  // namespace dollytrack::gather
