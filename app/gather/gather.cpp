@@ -113,8 +113,16 @@ void tellWhatIsLeftOut(const GatherOrder& order, const Gathered& all) {
                std::ranges::any_of(order.layout->copied, isHeld);
     });
     if (left_out.empty()) return;
-    log::info(kSubsystem, fmt::format("left out, because the layout {} has no place for them: {}",
-                                      order.layout->name, fmt::join(left_out, ", ")));
+    std::string hint;
+    if (left_out.contains("cameras")) {
+        for (const LayoutKind* one : layouts()) {
+            if (one->content != LayoutContent::Everything) continue;
+            hint += fmt::format("{}'--format {}'", hint.empty() ? "; " : " and ", one->name);
+        }
+        hint += " keep the cameras of a rig";
+    }
+    log::info(kSubsystem, fmt::format("left out, because the layout {} has no place for them: {}{}",
+                                      order.layout->name, fmt::join(left_out, ", "), hint));
 }
 
 void warnOfCopies(const std::vector<Source>& sources) {

@@ -54,6 +54,20 @@ class Sources(GatherCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(self.card(out)["sources"]), 2)
 
+    # --- cameras
+
+    def test_layouts_without_rig_cameras_name_those_that_keep_them(self):
+        rig = self.folder / "rig"
+        self.export(self.folder / "0.dolly", rig, "--range", "0:2", "--camera",
+                    "side:width_px=80,height_px=60", "--modalities", "rgb,depth,instance,cameras")
+        for layout, is_told in [("yolo", True), ("webdataset", True), ("mcap", False),
+                                ("rosbag", False)]:
+            done = run("gather", rig, "--out", self.new_folder(), "--format", layout)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            hint = "'--format mcap' and '--format rosbag' keep the cameras of a rig"
+            self.assertEqual(f"cameras; {hint}" in done.stderr, is_told, done.stderr)
+            self.assertEqual(hint in done.stderr, is_told)
+
     # --- names
 
     def test_equal_names_are_told_apart(self):
