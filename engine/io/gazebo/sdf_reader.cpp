@@ -48,14 +48,14 @@ class SdfReader {
         }
         scene_.node = world ? world : sdf;
         if (Status opened = openChildren(scene_, !world); !opened) return opened;
-        if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
-        if (Status joined = joinLinks(scene_); !joined) return joined;
-        if (world.child("state").child("model")) {
-            warnings_.emplace_back(
-                "the world's <state> is ignored, and models are placed by their own <pose>; copy "
-                "poses you need from <state> to the models");
+        if (const pugi::xml_node state = world.child("state")) {
+            const Eigen::Affine3d world_frame = Eigen::Affine3d::Identity();
+            if (Status set = setState(scene_, state, world_frame, Eigen::Vector3d::Ones()); !set) {
+                return set;
+            }
         }
-        return {};
+        if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
+        return joinLinks(scene_);
     }
 
     /// The objects: one per link, or per group of links connected by joints.
@@ -91,7 +91,6 @@ class SdfReader {
     [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
     [[nodiscard]] const UnknownShapes& unknownShapes() const { return unknown_shapes_; }
     [[nodiscard]] const std::vector<std::string>& doubts() const { return doubts_; }
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
     static std::string nameOf(const pugi::xml_node& node) {
@@ -210,6 +209,38 @@ class SdfReader {
         return fail(ErrorCode::BadInput,
                     "the included file has no <model> element; include a file that has one",
                     file->string());
+    }
+
+    /// Places models and links where a saved world's <state> has them, as Gazebo Classic does when
+    /// it opens the world. All poses in it are relative to the world. `scale` is that of the model
+    /// around the links.
+    Status setState(Scope& scope, const pugi::xml_node& state,
+                    const Eigen::Affine3d& world_from_scope, const Eigen::Vector3d& scale) {
+        for (const pugi::xml_node& entry : state.children()) {
+            const std::string name = entry.attribute("name").value();
+            const auto at = scope.by_name.find(name);
+            if (at == scope.by_name.end() || !entry.child("pose")) continue;
+            Frame& frame = scope.frames[at->second];
+            const bool is_model = entry.name() == std::string_view("model") && frame.model;
+            if (!is_model && !(entry.name() == std::string_view("link") && frame.is("link"))) {
+                continue;
+            }
+            const auto pose = poseIn(entry, "the state of '" + cleanText(name) + "'", scene_);
+            if (!pose) return tl::unexpected(pose.error());
+            Eigen::Vector3d own_scale = scale;
+            if (is_model) {
+                own_scale = vectorOf(entry.child_value("scale")).value_or(Eigen::Vector3d::Ones());
+                if (!(std::abs(own_scale.prod()) > 0.0)) own_scale.setOnes();
+            }
+            const Eigen::Affine3d world_from_frame = *pose * Eigen::Scaling(own_scale);
+            frame.scope_from_frame = world_from_scope.inverse() * world_from_frame;
+            frame.state = Frame::State::Known;
+            if (!is_model) continue;
+            if (Status inner = setState(*frame.model, entry, world_from_frame, own_scale); !inner) {
+                return inner;
+            }
+        }
+        return {};
     }
 
     Status placeLinks(Scope& scope, const Eigen::Affine3d& scene_from_scope) {
@@ -388,7 +419,6 @@ class SdfReader {
     std::vector<std::string> missing_;
     UnknownShapes unknown_shapes_;
     std::vector<std::string> doubts_;
-    std::vector<std::string> warnings_;
     std::map<fs::path, std::unique_ptr<XmlFile>> documents_;
     /// Files of included models by the including file's folder and the <uri>.
     std::map<std::pair<fs::path, std::string>, std::optional<fs::path>> found_models_;
@@ -417,14 +447,9 @@ Result<RawScene> readSdf(const fs::path& path, const ImportOptions& options,
     if (Status read = reader.read(sdf, absoluteNormal(path), *xml); !read) {
         return tl::unexpected(read.error());
     }
-    Result<RawScene> scene = sceneOfLinks(
-        reader.objects(), files, {reader.missing(), reader.unknownShapes(), reader.doubts()},
-        path.string(), job);
-    if (scene) {
-        scene->warnings.insert(scene->warnings.end(), reader.warnings().begin(),
-                               reader.warnings().end());
-    }
-    return scene;
+    return sceneOfLinks(reader.objects(), files,
+                        {reader.missing(), reader.unknownShapes(), reader.doubts()}, path.string(),
+                        job);
 }
 
 }  // namespace dollytrack::gazebo

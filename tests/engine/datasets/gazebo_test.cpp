@@ -97,9 +97,7 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
  <include><uri>model://sofa</uri><name>couch</name><placement_frame>link</placement_frame>
   <pose>0 30 0 0 0 0</pose></include>
  <model name="cup"><pose relative_to="couch::link">0 0 4 0 0 0</pose><link name="l">)" +
-                                                                  box +
-                                                                  R"(</link></model>
- <state world_name="w"><model name="cup"><pose>9 9 9 0 0 0</pose></model></state>)")));
+                                                                  box + R"(</link></model>)")));
     // The joint `wrist` connects the base with the palm, which is rotated, at x = 10.
     expectBox(scene, "arm::base", {-0.5, -0.5, 4.5}, {10.5, 0.5, 5.5});
     EXPECT_EQ(find(scene, "palm"), nullptr);
@@ -108,7 +106,50 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
     expectBox(scene, "shelf", {-0.5, 19.5, 3.5}, {0.5, 20.5, 4.5});
     expectBox(scene, "couch", {-1, 30, -0.5}, {1, 31, 1.5});
     expectBox(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
-    EXPECT_TRUE(says(scene.report.warnings, "<state>"));
+}
+
+// Gazebo Classic saves where models and links were in <state>, relative to the world; the poses
+// that they started from stay beside it.
+TEST(Gazebo, ASavedWorldIsInItsState) {
+    const TempFolder folder;
+    writeSofa(folder, "models");
+    const std::string box =
+        R"(<visual name="v"><geometry><box><size>1 1 1</size></box></geometry></visual>)";
+    const std::string models = R"(
+ <include><uri>model://sofa</uri><name>couch</name><pose>0 30 0 0 0 0</pose></include>
+ <model name="cabinet"><pose>1 0 0 0 0 0</pose><link name="body">)" +
+                               box + R"(</link>
+  <link name="door"><pose>0 1 0 0 0 0</pose>)" +
+                               box + R"(</link></model>
+ <model name="cup"><pose>3 0 0 0 0 0</pose><link name="l">)" +
+                               box + R"(</link></model>
+ <model name="nest"><model name="egg"><link name="l">)" +
+                               box + R"(</link></model></model>)";
+    const std::string state = R"(<state world_name="w"><sim_time>1 0</sim_time>
+ <model name="couch"><pose frame=''>0 40 0 0 0 0</pose><scale>1 1 1</scale></model>
+ <model name="cabinet"><pose>0 0 10 0 0 0</pose><scale>2 1 1</scale>
+  <link name="body"><pose>0 0 10 0 0 0</pose></link>
+  <link name="door"><pose>0 5 10 0 0 1.5707963267948966</pose></link></model>
+ <model name="nest"><pose>0 0 20 0 0 0</pose><model name="egg"><pose>0 0 21 0 0 0</pose></model>
+ </model>
+ <model name="gone"><pose>9 9 9 0 0 0</pose></model></state>)";
+    const Scene scene = imported(folder.write("saved.world", world(models + state)));
+    expectBox(scene, "couch", {-1, 40, 0.5}, {1, 41, 2.5});
+    expectBox(scene, "cabinet::body", {-1, -0.5, 9.5}, {1, 0.5, 10.5});
+    expectBox(scene, "door", {-0.5, 4, 9.5}, {0.5, 6, 10.5});
+    expectBox(scene, "cup", {2.5, -0.5, -0.5}, {3.5, 0.5, 0.5});  // not in the state
+    expectBox(scene, "nest", {-0.5, -0.5, 20.5}, {0.5, 0.5, 21.5});
+    // Without <state>, everything is where it started.
+    const Scene started = imported(folder.write("started.world", world(models)));
+    expectBox(started, "couch", {-1, 30, 0.5}, {1, 31, 2.5});
+    expectBox(started, "door", {0.5, 0.5, -0.5}, {1.5, 1.5, 0.5});
+    // A pose that is none is named with its line.
+    const auto bad = importScene(folder.write(
+        "bad.world",
+        world(models + R"(<state><model name="cup"><pose>1 2</pose></model></state>)")));
+    ASSERT_FALSE(bad);
+    EXPECT_NE(bad.error().message.find("the state of 'cup'"), std::string::npos)
+        << bad.error().message;
 }
 
 TEST(Gazebo, NestedModelsKeepTheirNames) {
