@@ -85,20 +85,6 @@ Status applyArguments(const SceneArguments& arguments, planning::PlanParams& par
     return {};
 }
 
-/// Names of the planning parameters that differ, for a message: "fill, width_px".
-std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other) {
-    planning::PlanParams a = planning::onlyOfThePlan(one);
-    planning::PlanParams b = planning::onlyOfThePlan(other);
-    const FieldList fields_a = planning::listFields(a);
-    const FieldList fields_b = planning::listFields(b);
-    std::string names;
-    for (std::size_t i = 0; i < fields_a.size(); ++i) {
-        if (fields_a[i].valueText() == fields_b[i].valueText()) continue;
-        names += (names.empty() ? "" : ", ") + fields_a[i].name;
-    }
-    return names;
-}
-
 /// The operation for --start or --end: "bed" names a pinned point, "1,2,1.5,0,0,1" is a position
 /// and a target.
 Result<nlohmann::json> endOperation(const std::string& option, const std::string& text) {
@@ -263,6 +249,19 @@ void warnOfAll(std::string_view subsystem, const std::vector<std::string>& warni
 
 }  // namespace
 
+std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other) {
+    planning::PlanParams a = planning::onlyOfThePlan(one);
+    planning::PlanParams b = planning::onlyOfThePlan(other);
+    const FieldList fields_a = planning::listFields(a);
+    const FieldList fields_b = planning::listFields(b);
+    std::string names;
+    for (std::size_t i = 0; i < fields_a.size(); ++i) {
+        if (fields_a[i].valueText() == fields_b[i].valueText()) continue;
+        names += (names.empty() ? "" : ", ") + fields_a[i].name;
+    }
+    return names;
+}
+
 Status applyEdits(OpenedScene& opened, Edits edits) {
     opened.edits = std::move(edits);
     opened.scene = opened.imported;
@@ -383,12 +382,16 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
         ->allow_extra_args(false);
 }
 
-void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
+void addSetArgument(CLI::App& command, SceneArguments& arguments) {
     command
         .add_option("--set", arguments.assignments,
                     "Set a parameter (see 'dollytrack params'); repeatable")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+}
+
+void addParameterArguments(CLI::App& command, SceneArguments& arguments) {
+    addSetArgument(command, arguments);
     command.add_option("--seed", arguments.seed, "Same as --set seed=N")->type_name("N");
     command.add_option("--max-frames", arguments.max_frames, "Same as --set max_frames=N")
         ->type_name("N");

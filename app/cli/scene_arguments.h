@@ -50,6 +50,8 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments);
 /// Adds --unit, --up, --labels, --models, --annotations, --keep-meshes and --cloud: the part of
 /// addSceneArguments() for commands that take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
+/// Adds --set.
+void addSetArgument(CLI::App& command, SceneArguments& arguments);
 /// Adds --set, --seed, --max-frames, --max-length, --fps, --duration, --ignore, --only, --start,
 /// --end and --loop.
 void addParameterArguments(CLI::App& command, SceneArguments& arguments);
@@ -75,6 +77,9 @@ Status applyEdits(OpenedScene& opened, Edits edits);
 
 /// The project to save, with the stored result.
 ProjectFile projectOf(const OpenedScene& opened);
+
+/// Names of the planning parameters that differ, for a message: "fill, width_px".
+std::string changedNames(const planning::PlanParams& one, const planning::PlanParams& other);
 
 /// Checks that do not need the scene: the file exists, and the parameters are valid. Errors:
 /// BadInput, Usage.

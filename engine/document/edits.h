@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/document/given_motion.h"
 #include "engine/document/split_limits.h"
 #include "engine/math/pose.h"
 #include "engine/scene/object.h"
@@ -119,8 +120,9 @@ struct PlanEdits {
     std::vector<RemovedPoint> removed;
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;
-    std::string start;  // name of the pinned point where the trajectory begins; empty: anywhere
-    std::string end;    // and where it ends
+    std::string start;    // name of the pinned point where the trajectory begins; empty: anywhere
+    std::string end;      // and where it ends
+    SharedMotion motion;  // if given, the trajectory: nothing is planned
     bool operator==(const PlanEdits&) const = default;
 };
 

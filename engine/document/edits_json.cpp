@@ -286,6 +286,8 @@ json editsJson(const Edits& edits, const json& loaded) {
     section["regions"] = list(edits.plan.regions, regionJson);
     section["ignore"] = edits.scene.ignore;
     section["only"] = edits.scene.only;
+    section.erase("motion");
+    if (edits.plan.motion) section["motion"] = motionJson(*edits.plan.motion);
     for (const auto& [key, point] :
          {std::pair{"start", edits.plan.start}, {"end", edits.plan.end}}) {
         section.erase(key);
@@ -317,6 +319,9 @@ Result<Edits> editsFromJson(const json& section) {
     edits.scene.only = readList<std::string>(from.at("only"), readPattern);
     edits.plan.start = readPinName(from.at("start"), edits.plan.pinned);
     edits.plan.end = readPinName(from.at("end"), edits.plan.pinned);
+    if (const JsonReader motion = from.at("motion"); !motion.absent()) {
+        edits.plan.motion = readMotion(motion);
+    }
     if (!status) return tl::unexpected(std::move(status.error()));
     return edits;
 }

@@ -1,6 +1,7 @@
 #include "engine/document/history_json.h"
 
 #include "engine/document/edits_json.h"
+#include "engine/document/json_reader.h"
 #include "engine/io/files/bounded_json.h"
 
 #include <nlohmann/json.hpp>
@@ -12,8 +13,11 @@
 namespace dollytrack {
 namespace {
 
+/// All of a state except its given motion.
 nlohmann::json stateJson(const ProjectState& state) {
-    return {{"parameters", state.parameters}, {"edits", editsJson(state.edits)}};
+    Edits edits = state.edits;
+    edits.plan.motion = {};
+    return {{"parameters", state.parameters}, {"edits", editsJson(edits)}};
 }
 
 tl::unexpected<Error> badStep(std::size_t step, const std::string& why) {
@@ -29,11 +33,17 @@ nlohmann::json historyJson(const CommandStack::History& history, std::size_t mos
     const std::size_t first = std::min(history.position, newest);
     nlohmann::json steps = nlohmann::json::array();
     nlohmann::json before = nlohmann::json::object();
+    SharedMotion motion;
     for (std::size_t i = first; i < count; ++i) {
         nlohmann::json now = stateJson(*history.steps[i].state);
-        steps.push_back(
-            {{"name", history.steps[i].name}, {"changes", nlohmann::json::diff(before, now)}});
+        nlohmann::json& step = steps.emplace_back(nlohmann::json{
+            {"name", history.steps[i].name}, {"changes", nlohmann::json::diff(before, now)}});
         before = std::move(now);
+        // Motions are long: they are stored in full, at the steps that change them.
+        const SharedMotion& next = history.steps[i].state->edits.plan.motion;
+        if (next == motion) continue;
+        step["motion"] = next ? motionJson(*next) : nlohmann::json();
+        motion = next;
     }
     return {{"position", history.position - first}, {"steps", std::move(steps)}};
 }
@@ -41,6 +51,7 @@ nlohmann::json historyJson(const CommandStack::History& history, std::size_t mos
 Result<CommandStack::History> historyFromJson(const nlohmann::json& json) {
     CommandStack::History history;
     nlohmann::json state = nlohmann::json::object();
+    SharedMotion motion;
     try {
         for (const nlohmann::json& step : json.at("steps")) {
             state = state.patch(step.at("changes"));
@@ -52,6 +63,13 @@ Result<CommandStack::History> historyFromJson(const nlohmann::json& json) {
             Result<Edits> edits = editsFromJson(state.at("edits"));
             if (!edits) return badStep(history.steps.size(), describe(edits.error()));
             read.edits = std::move(*edits);
+            if (const auto given = step.find("motion"); given != step.end()) {
+                Status status;
+                motion = given->is_null() ? SharedMotion()
+                                          : readMotion(JsonReader(*given, "motion", status));
+                if (!status) return badStep(history.steps.size(), describe(status.error()));
+            }
+            read.edits.plan.motion = motion;
             history.steps.push_back({step.at("name").get<std::string>(),
                                      std::make_shared<const ProjectState>(std::move(read))});
         }

@@ -153,6 +153,16 @@ const std::vector<OperationInfo>& infos() {
          setEnd,
          "Ends the trajectory at a pinned point or a pose; without fields, anywhere.",
          {optional(kPoint), optional(kPosition), kTarget, kYaw, kPitch, kTurn}},
+        {"set_motion",
+         setMotion,
+         "Makes a given camera motion the trajectory, instead of a planned one.",
+         {{"frames", "list", true,
+           "[time_s, x, y, z, qx, qy, qz, qw] of each frame, world from camera (x right, y down), "
+           "as "
+           "in TUM files; after a jump of the camera, a ninth number differs: the path"},
+          {"frame_interval_s", "number", false, "s; default: between the first two frames"},
+          {"name", "text", false, "a name for people"}}},
+        {"clear_motion", clearMotion, "Removes the given camera motion; the planner plans.", {}},
         {"add_no_go",
          addNoGo,
          "Adds an upright box that no part of the camera's sphere may enter.",

@@ -147,6 +147,10 @@ SplitLimits OperationReader::splitLimits() const {
     return readSplitLimits(fields_);
 }
 
+GivenMotion OperationReader::motion() const {
+    return readMotion(fields_);
+}
+
 int OperationReader::nyu40(const std::string& name) const {
     const JsonReader from = field(name);
     if (from.json().is_number()) return from.integer(1, kNyu40Count);

@@ -45,6 +45,8 @@ class OperationReader {
     [[nodiscard]] OrientedBox box(const std::optional<OrientedBox>& before) const;
     /// The fields of visitSplitLimits(). A missing one means no limit.
     [[nodiscard]] SplitLimits splitLimits() const;
+    /// The fields that readMotion() reads.
+    [[nodiscard]] GivenMotion motion() const;
 
   private:
     [[nodiscard]] ObjectRef readObject(const JsonReader& from) const;

@@ -36,6 +36,8 @@ std::string removePoint(ProjectState&, const OperationContext&, const OperationR
 std::string restorePoint(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setStart(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setEnd(ProjectState&, const OperationContext&, const OperationReader&);
+std::string setMotion(ProjectState&, const OperationContext&, const OperationReader&);
+std::string clearMotion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string addRegion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string changeRegion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string removeRegion(ProjectState&, const OperationContext&, const OperationReader&);

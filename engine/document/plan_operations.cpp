@@ -190,6 +190,24 @@ std::string setEnd(ProjectState& state, const OperationContext&, const Operation
     return plan.end.empty() ? "End anywhere" : "End at " + plan.end;
 }
 
+std::string setMotion(ProjectState& state, const OperationContext&, const OperationReader& fields) {
+    GivenMotion motion = fields.motion();
+    if (!fields.good()) return {};
+    const std::string done =
+        motion.name.empty() ? fmt::format("Set a camera motion of {} frames", motion.frames.size())
+                            : fmt::format("Set the camera motion {}", motion.name);
+    state.edits.plan.motion = std::move(motion);
+    return done;
+}
+
+std::string clearMotion(ProjectState& state, const OperationContext&,
+                        const OperationReader& fields) {
+    SharedMotion& motion = state.edits.plan.motion;
+    if (!motion) fields.refuse("There is no given camera motion.");
+    motion = {};
+    return "Remove the camera motion";
+}
+
 std::string addNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {
     std::vector<NoGoBox>& boxes = state.edits.plan.no_go;
     const std::string name = freeName(boxes, fields, "no-go box", "no-go boxes");

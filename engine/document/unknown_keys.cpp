@@ -99,6 +99,10 @@ void copyEntry(const json& from, const Entry& entry, json& into) {
 }  // namespace
 
 void keepUnknownKeys(const json& earlier, json& section) {
+    if (section.contains("motion") && sameEntry(section["motion"], at(earlier, "motion"))) {
+        copyUnknown(at(earlier, "motion"), {"name", "frame_interval_s", "frames"},
+                    section["motion"]);
+    }
     for (const Entry& entry : entries()) {
         const json& old_list = at(earlier, entry.list);
         if (!old_list.is_array() || !at(section, entry.list).is_array()) continue;

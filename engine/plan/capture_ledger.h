@@ -23,6 +23,7 @@ enum class Loss {
     DroppedByScore,   // on the path, but its frame was taken out
     ByHand,           // its position point was removed, or a pinned one stands in that misses it
     SearchMissed,     // a denser search found a view that the search had not
+    NotInMotion,      // a view was found, but the given camera motion has none
     OverBudget,       // its key frame was dropped to keep to max_frames
 };
 

@@ -72,6 +72,8 @@ std::string_view name(Loss loss) {
             return "by_hand";
         case Loss::SearchMissed:
             return "search_missed";
+        case Loss::NotInMotion:
+            return "not_in_motion";
         case Loss::OverBudget:
             return "over_budget";
     }

@@ -46,6 +46,12 @@ std::set<int> frameBudgets(const PlanParams& params, const Plan& plan) {
 Result<CoverageCurves> coverageCurves(Pipeline& pipeline, const PlanParams& params,
                                       const PlanEdits& edits, const Plan& plan,
                                       const JobContext& job) {
+    if (edits.motion) {
+        return fail(ErrorCode::Usage,
+                    "The project has a given camera motion, to which budgets do not apply; remove "
+                    "it with the operation clear_motion.",
+                    "coverage");
+    }
     CoverageCurves curves;
     const auto planWithin = [&](int max_frames, double max_length_m, const JobContext& part) {
         PlanParams within = params;

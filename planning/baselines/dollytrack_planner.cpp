@@ -58,7 +58,9 @@ Result<std::shared_ptr<const Plan>> runPipeline(const BaselineScene& scene, Plan
                                                 int seed, const JobContext& job) {
     params.seed = seed;
     params.timing.max_frames = frameBudget(params);
-    return Pipeline(scene.scene).run(params, scene.edits, job);
+    PlanEdits edits = scene.edits;
+    edits.motion = {};
+    return Pipeline(scene.scene).run(params, edits, job);
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ class RowMaker {
         row_.captured = capture_.captured;
         row_.well_captured = capture_.well_captured;
         takeFrame(capture_.best_well.frame >= 0 ? capture_.best_well : capture_.best);
-        if (!row_.well_captured && !lostOnTheWay() && !lostByHand()) lostInSearch();
+        if (!row_.well_captured && !lostOnTheWay() && (reasons_.given_motion || !lostByHand()))
+            lostInSearch();
         return std::move(row_);
     }
 
@@ -90,6 +91,13 @@ class RowMaker {
             how_far = now;
         }
         if (furthest < 0) return false;
+        if (reasons_.given_motion) {
+            lose(Loss::NotInMotion,
+                 fmt::format("No frame of the given camera motion captures it{}; the search found "
+                             "a view that does.",
+                             row_.captured ? " well" : ""));
+            return true;
+        }
         switch (how_far) {
             case Reached::Found:
                 // Key frames of objects are chosen to keep every capture; only a budget drops some.

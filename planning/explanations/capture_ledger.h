@@ -11,6 +11,7 @@ namespace dollytrack::planning {
 struct ExclusionReasons {
     std::string path = "because no collision-free path to it was found";  // not on a path
     std::string key_frames = "to keep within max_frames";                 // no key frame
+    bool given_motion = false;  // the trajectory was given, so no view was chosen for it
 };
 
 /// One row per target of a measured plan: how it is captured or, if not captured well, the stage at

@@ -47,11 +47,11 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.observation_points = points().viewpoints.observation_points;
     plan.searches = points().viewpoints.searches;
     plan.position_points = points().viewpoints.position_points;
-    plan.key_frames = *key_frames;
-    plan.roadmap = paths->roadmap;
-    plan.paths = repair->paths;
-    plan.smooth_paths = repair->smooth_paths;
-    plan.trajectory = repair->trajectory;
+    if (!follows_motion) plan.key_frames = *key_frames;
+    if (!follows_motion) plan.roadmap = paths->roadmap;
+    plan.paths = made().paths;
+    plan.smooth_paths = made().smooth_paths;
+    plan.trajectory = made().trajectory;
     if (has_constraints) plan.tour_rooms = constraints->tour_rooms;
     if (has_constraints) plan.anchors = countAnchors(*constraints, plan.smooth_paths);
     plan.refused_pins = points().refused;
@@ -76,7 +76,7 @@ Plan Pipeline::Stages::collect(const PlanEdits& edits) const {
     plan.repair = metrics->repair;
     plan.must_see = metrics->shown.must_see;
     plan.surface = metrics->shown.surface;
-    refusePinsOverBudget(edits, plan);
+    if (!follows_motion) refusePinsOverBudget(edits, plan);
     plan.ledger = captureLedger(*scene, plan, exclusion_reasons);
     return plan;
 }
@@ -108,16 +108,18 @@ Result<std::shared_ptr<const Plan>> Pipeline::run(const PlanParams& params, cons
     if (Status status = validate(params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    if (params.constraints.loop && !edits.end.empty() && edits.end != edits.start) {
+    if (!edits.motion && params.constraints.loop && !edits.end.empty() &&
+        edits.end != edits.start) {
         return fail(ErrorCode::Usage,
                     "A loop ends where it starts; remove the end point, or set loop=false.",
                     "loop");
     }
-    if (Status status = validateClip(params); !status) {
+    if (Status status = edits.motion ? Status() : validateClip(params); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     stages_->times.clear();
-    stages_->exclusion_reasons = {leftOutOfPathFor(params), notChosenFor(params)};
+    stages_->exclusion_reasons = {leftOutOfPathFor(params), notChosenFor(params),
+                                  static_cast<bool>(edits.motion)};
     return stages_->map(params, edits, job)
         .and_then([&] { return stages_->plan(params, edits, job, on_trajectory); })
         .map([&] { return std::make_shared<const Plan>(stages_->collect(edits)); });

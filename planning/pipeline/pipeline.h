@@ -38,12 +38,13 @@ class Pipeline {
     /// everything is cleared. The plan equals one made from scratch.
     void setScene(std::shared_ptr<const Scene> scene, bool same_geometry);
 
-    /// Plans with these parameters and edits. Edits refer to objects by their ids in this scene
-    /// (findObjects() updates them). A scene without capturable targets gives an empty trajectory.
-    /// `on_trajectory` is called before the metrics are measured, unless they are cached, with a
-    /// plan that is complete up to its trajectory. Errors: Cancelled; Usage if parameters
-    /// contradict each other; BadInput if the scene has no room for the camera; Failed if a clip or
-    /// budget of frames is too small.
+    /// Plans with these parameters and edits. A given motion in the edits is the trajectory; only
+    /// its metrics are computed, and parameters that paramsForMotion() resets do not apply. Edits
+    /// refer to objects by their ids in this scene (findObjects() updates them). A scene without
+    /// capturable targets gives an empty trajectory. `on_trajectory` is called before the metrics
+    /// are measured, unless they are cached, with a plan that is complete up to its trajectory.
+    /// Errors: Cancelled; Usage if parameters contradict each other; BadInput if the scene has no
+    /// room for the camera; Failed if a clip or budget of frames is too small.
     Result<std::shared_ptr<const Plan>> run(const PlanParams& params, const PlanEdits& edits,
                                             const JobContext& job,
                                             const OnTrajectory& on_trajectory = {});

@@ -68,6 +68,7 @@ struct Pipeline::Stages {
     Stage<GazeInputs, std::vector<SmoothPath>> gaze;
     Stage<TimingInputs, Trajectory> timing;
     Stage<RepairInputs, RepairedTrajectory> repair;
+    Stage<MotionInputs, RepairedTrajectory> motion;  // instead of the stages from key frames on
     Stage<MetricInputs, Metrics> metrics;
 
     // Whether the last run needed constraint viewpoints, so that `constraints` is valid.
@@ -78,6 +79,17 @@ struct Pipeline::Stages {
     /// Version of points(); differs whenever the points do.
     [[nodiscard]] StageVersion pointsVersion() const {
         return has_constraints ? 2 * constraints.version() + 1 : 2 * placed.version();
+    }
+
+    // Whether the last run had a given motion, so that `motion` is valid and the stages from key
+    // frames to repair are not.
+    bool follows_motion = false;
+    [[nodiscard]] const RepairedTrajectory& made() const {
+        return follows_motion ? *motion : *repair;
+    }
+    /// Version of made(); differs whenever the trajectory or what it is measured by does.
+    [[nodiscard]] StageVersion madeVersion() const {
+        return follows_motion ? 2 * motion.version() + 1 : 2 * repair.version();
     }
 
     PlanCache cache;

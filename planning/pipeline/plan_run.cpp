@@ -5,6 +5,7 @@
 #include "planning/linking/link_groups.h"
 #include "planning/path/frame_budget.h"
 #include "planning/path/path_search.h"
+#include "planning/pipeline/follow_motion.h"
 #include "planning/pipeline/pipeline_stages.h"
 #include "planning/pipeline/trajectory_builder.h"
 #include "planning/repair/low_runs.h"
@@ -57,18 +58,23 @@ class Pipeline::Stages::PlanRun {
             .and_then([&] { return placePointsByHand(); })
             .and_then([&] { return divideIntoRooms(); })
             .and_then([&] { return addConstraints(); })
-            .and_then([&] { return selectKeyFrames(); })
+            .and_then([&] { return edits_.motion ? takeMotion() : planTrajectory(); })
+            .and_then([&] { return measure(); });
+    }
+
+  private:
+    Status planTrajectory() {
+        stages_.follows_motion = false;
+        return selectKeyFrames()
             .and_then([&] { return growRoadmap(); })
             .and_then([&] { return linkRoadmap(); })
             .and_then([&] { return findPaths(); })
             .and_then([&] { return smoothPaths(); })
             .and_then([&] { return addContextViews(); })
             .and_then([&] { return timePaths(); })
-            .and_then([&] { return repairFrames(); })
-            .and_then([&] { return measure(); });
+            .and_then([&] { return repairFrames(); });
     }
 
-  private:
     Status setTargets();
     Status searchForViewpoints();
     Status placePointsByHand();
@@ -82,6 +88,7 @@ class Pipeline::Stages::PlanRun {
     Status addContextViews();
     Status timePaths();
     Status repairFrames();
+    Status takeMotion();
     Status measure();
 
     [[nodiscard]] PathEnds pathEnds() const;
@@ -386,8 +393,19 @@ Status Pipeline::Stages::PlanRun::repairFrames() {
                        });
 }
 
+Status Pipeline::Stages::PlanRun::takeMotion() {
+    stages_.follows_motion = true;
+    const MotionInputs inputs{edits_.motion, stages_.region.version(), stages_.views.version(),
+                              stages_.pointsVersion(),
+                              asksForTrackability(params_.gaze, params_.timing)};
+    const JobContext job = job_.stage(0.7, 0.92, "motion");
+    return stages_.run("motion", stages_.motion, inputs, job, [&] {
+        return followMotion(*edits_.motion, *stages_.free_space, environment_.sphere, job);
+    });
+}
+
 Status Pipeline::Stages::PlanRun::measure() {
-    const MetricInputs inputs{stages_.repair.version(), params_.repair};
+    const MetricInputs inputs{stages_.madeVersion(), params_.repair};
     if (on_trajectory_ && !stages_.metrics.holds(inputs)) {
         on_trajectory_(std::make_shared<const Plan>(stages_.collectMoves()));
     }
@@ -396,13 +414,13 @@ Status Pipeline::Stages::PlanRun::measure() {
 }
 
 Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const JobContext& job) {
-    const Trajectory& trajectory = stages_.repair->trajectory;
+    const Trajectory& trajectory = stages_.made().trajectory;
     auto estimate = estimateCaptures(*stages_.views, trajectory, job, &stages_.cache.frame_views);
     if (!estimate) return tl::unexpected(std::move(estimate.error()));
     FrameSeries series = measureFrames(
         trajectory, estimate->frame_views, estimate->captures,
         imageScores(trajectory, estimate->frame_boxes, params_.repair.score), *stages_.rays);
-    RepairReport report = stages_.repair->report;
+    RepairReport report = stages_.made().report;
     if (!asksForRepair(params_.repair)) {
         report.threshold = lowThreshold(series.score, params_.repair.score_threshold);
         report.before = report.after = tally(series.score, report.threshold);
@@ -413,7 +431,7 @@ Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const 
         if (!corners) return tl::unexpected(std::move(corners.error()));
         series.image_corners = std::move(*corners);
     }
-    return measureTrajectory(*stages_.views, stages_.repair->smooth_paths, trajectory,
+    return measureTrajectory(*stages_.views, stages_.made().smooth_paths, trajectory,
                              movementEnvironment().sphere, *stages_.rays, job)
         .and_then([&](TrajectoryMetrics&& measured) {
             measured.trackable_rate = trackableRate(series.image_corners);
@@ -427,7 +445,7 @@ Result<Pipeline::Stages::Metrics> Pipeline::Stages::PlanRun::measureFound(const 
 Result<Pipeline::Stages::Coverages> Pipeline::Stages::PlanRun::measureCoverages(
     const JobContext& job) const {
     if (!stages_.has_constraints) return Coverages{};
-    const Trajectory& trajectory = stages_.repair->trajectory;
+    const Trajectory& trajectory = stages_.made().trajectory;
     return measureCoverage(stages_.constraints->must_see, *stages_.views, trajectory, job)
         .and_then([&](std::vector<RegionCoverage>&& must_see) -> Result<Coverages> {
             if (!stages_.constraints->surface) return Coverages{std::move(must_see), {}};
@@ -440,7 +458,7 @@ Result<Pipeline::Stages::Coverages> Pipeline::Stages::PlanRun::measureCoverages(
 
 Status Pipeline::Stages::plan(const PlanParams& params, const PlanEdits& edits,
                               const JobContext& job, const OnTrajectory& on_trajectory) {
-    PlanParams used = params;
+    PlanParams used = edits.motion ? paramsForMotion(params) : params;
     used.viewpoints.fill = usedFill(params);
     return PlanRun(*this, used, edits, job, on_trajectory).run();
 }

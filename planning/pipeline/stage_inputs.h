@@ -169,8 +169,18 @@ struct RepairInputs {
     bool operator==(const RepairInputs&) const = default;
 };
 
+/// The trajectory is the given motion; the other inputs affect its metrics.
+struct MotionInputs {
+    SharedMotion motion;
+    StageVersion region = 0;
+    StageVersion views = 0;
+    StageVersion points = 0;
+    bool trackability = false;
+    bool operator==(const MotionInputs&) const = default;
+};
+
 struct MetricInputs {
-    StageVersion repair = 0;
+    StageVersion trajectory = 0;
     RepairParams params;
     bool operator==(const MetricInputs&) const = default;
 };

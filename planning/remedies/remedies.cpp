@@ -417,7 +417,7 @@ Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& 
     for (LedgerRow& row : rows) {
         if (row.loss) lost.push_back(&row);
     }
-    if (lost.empty()) return rows;
+    if (lost.empty() || edits.motion) return rows;  // a given motion would not change
     PlanTrials trials(scene);
     Pipeline& pipeline = trials.pipeline();
     const auto as_it_is = pipeline.run(params, edits, job.stage(0.0, 0.1, "planning again"));

@@ -18,8 +18,8 @@ namespace dollytrack::planning {
 /// a legal view that the search missed; a looser pitch band; removing a no-go box or widening the
 /// height band; a smaller camera; another lens; moving an object (tried by planning without it).
 /// Also corrects a row's reason if the dense search knows better. `plan` must be the result of
-/// these parameters and edits. Plans several times, so it takes seconds. Errors: Cancelled, and
-/// those of Pipeline::run().
+/// these parameters and edits. A given camera motion has no remedies. Plans several times, so it
+/// takes seconds. Errors: Cancelled, and those of Pipeline::run().
 Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& scene,
                                             const PlanParams& params, const PlanEdits& edits,
                                             const Plan& plan, std::vector<LedgerRow> rows,

@@ -10,7 +10,8 @@ namespace {
 
 const Eigen::Vector4f kLargeTarget(0.98F, 0.80F, 0.10F, 1.0F);
 const Eigen::Vector4f kSmallTarget(0.90F, 0.12F, 0.12F, 1.0F);
-constexpr double kStep = 0.05;  // m between points of a drawn curve
+constexpr double kStep = 0.05;          // m between points of a drawn curve
+constexpr double kMostSteps = 100'000;  // fewer, longer ones on a path of many kilometres
 
 void addTargets(Overlay& overlay, const Scene& scene, const Plan& plan) {
     for (const ObservationPoint& point : plan.observation_points) {
@@ -24,8 +25,8 @@ void addTargets(Overlay& overlay, const Scene& scene, const Plan& plan) {
 void addPath(Overlay& overlay, const SmoothPath& path, const Plan& plan,
              const CameraParams& camera) {
     const auto share = [&](double arc) { return path.length_m > 0.0 ? arc / path.length_m : 0.0; };
-    const int steps = static_cast<int>(std::ceil(path.length_m / kStep));
-    Eigen::Vector3d last = path.keys.empty() ? Eigen::Vector3d::Zero() : path.at(0.0);
+    const int steps = static_cast<int>(std::ceil(std::min(kMostSteps, path.length_m / kStep)));
+    Eigen::Vector3d last = path.at(0.0);
     for (int i = 1; i <= steps; ++i) {
         const double arc = path.length_m * i / steps;
         const Eigen::Vector3d point = path.at(arc);

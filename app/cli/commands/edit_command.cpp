@@ -176,6 +176,11 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
     if (!edits.plan.end.empty()) {
         rows.push_back({"end", edits.plan.end, "the trajectory ends there"});
     }
+    if (const SharedMotion& motion = edits.plan.motion) {
+        rows.push_back({"motion", motion->name,
+                        fmt::format("the trajectory, {} frames in {:.1f} s", motion->frames.size(),
+                                    motion->frames.back().time_s - motion->frames.front().time_s)});
+    }
     for (const RemovedPoint& one : edits.plan.removed) {
         rows.push_back({"removed", wordsOf(one.objects), "gets no position point"});
     }

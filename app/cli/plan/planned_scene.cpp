@@ -5,6 +5,7 @@
 #include "engine/plan/plan_json.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/free_space/free_space.h"
+#include "planning/pipeline/follow_motion.h"
 #include "planning/timing/clip.h"
 
 #include <fmt/format.h>
@@ -100,6 +101,24 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
                                           : ""));
 }
 
+/// Warns about collisions of a given motion, and about parameters that do not apply to it.
+void warnOfMotion(const Plan& plan, const planning::PlanParams& params) {
+    const int moves = plan.trajectory_metrics.straight_lines_that_hit;
+    const double frames = plan.trajectory_metrics.frame_collision_rate *
+                          static_cast<double>(plan.trajectory.frames.size());
+    if (moves > 0 || frames > 0.0) {
+        log::warn("planning", fmt::format("the given camera motion collides in {:.0f} frames and "
+                                          "on the way to the next frame {} times",
+                                          frames, moves));
+    }
+    planning::PlanParams set = params;
+    planning::PlanParams used = planning::paramsForMotion(params);
+    used.gaze = set.gaze;  // its default already plans views that a motion does without
+    const std::string names = changedNames(set, used);
+    if (names.empty()) return;
+    log::warn("planning", "not applied to the given camera motion: " + names);
+}
+
 /// The user setting that leaves no free space; empty if some is free.
 std::string whyNothingIsFree(const planning::Pipeline& pipeline,
                              const planning::FreeSpaceParams& band) {
@@ -167,11 +186,15 @@ Result<PlannedScene> planScene(const OpenedScene& opened, planning::Pipeline& pi
     for (const RefusedPin& pin : (*plan)->refused_pins) {
         log::warn("planning", "the pinned point \"" + pin.name + "\" is not used: " + pin.reason);
     }
-    warnOfAnchors(**plan);
-    warnOfFrameRate(**plan, opened.params.timing);
-    warnOfFewFrames(**plan, opened.params.timing);
     warnOfFewCorners(**plan);
-    warnOfSeparateMotions(**plan, opened.params.constraints);
+    if (opened.plan_edits.motion) {
+        warnOfMotion(**plan, opened.params);
+    } else {
+        warnOfAnchors(**plan);
+        warnOfFrameRate(**plan, opened.params.timing);
+        warnOfFewFrames(**plan, opened.params.timing);
+        warnOfSeparateMotions(**plan, opened.params.constraints);
+    }
     PlannedScene planned;
     planned.nothing_free = whyNothingIsFree(pipeline, opened.params.free_space);
     planned.scene = opened.scene;

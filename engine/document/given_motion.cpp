@@ -1,0 +1,136 @@
+#include "engine/document/given_motion.h"
+
+#include "engine/document/json_reader.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace dollytrack {
+namespace {
+
+constexpr double kFarthest_m = 1e6;
+constexpr double kLastTime_s = 1e6;
+constexpr double kUnitLength = 1e-6;  // largest deviation of a quaternion's length from 1
+
+/// What is wrong with a frame; empty if nothing is. Comparisons are false for NaN.
+std::string faultOf(const MotionFrame& frame, const MotionFrame* before) {
+    if (!(frame.time_s >= 0.0 && frame.time_s <= kLastTime_s)) {
+        return fmt::format("The time must be from 0 to {:g} s.", kLastTime_s);
+    }
+    if (before && !(frame.time_s > before->time_s)) {
+        return "The time is not later than the previous one.";
+    }
+    if (!frame.pose.position.allFinite() ||
+        !(frame.pose.position.cwiseAbs().maxCoeff() <= kFarthest_m)) {
+        return "The position is not a number or more than 1000 km away; check its unit.";
+    }
+    if (!(std::abs(frame.pose.rotation.norm() - 1.0) <= kUnitLength)) {
+        return "A quaternion must have length 1.";
+    }
+    return {};
+}
+
+double anyNumber(const JsonReader& from) {
+    using Limits = std::numeric_limits<double>;
+    return from.number(Limits::lowest(), Limits::max());
+}
+
+MotionFrame readMotionFrame(const JsonReader& from) {
+    constexpr int kLargestPath = 1'000'000;
+    const std::size_t size = from.size();
+    if (size != 8 && size != 9) {
+        from.refuse(
+            "A frame is a list: time, x, y, z, qx, qy, qz, qw, and the number of its path.");
+        return {};
+    }
+    const auto number = [&](std::size_t i) { return anyNumber(from.at(i)); };
+    MotionFrame frame;
+    frame.time_s = number(0);
+    frame.pose.position = {number(1), number(2), number(3)};
+    frame.pose.rotation = Eigen::Quaterniond(number(7), number(4), number(5), number(6));
+    if (size == 9) frame.path = from.at(8).integer(0, kLargestPath);
+    return frame;
+}
+
+}  // namespace
+
+std::optional<MotionFault> findFault(const GivenMotion& motion) {
+    const std::size_t count = motion.frames.size();
+    if (count == 0) return MotionFault{{}, "A camera motion needs at least one frame."};
+    if (count > kMostMotionFrames) {
+        return MotionFault{{},
+                           fmt::format("The camera motion has {} frames, but at most {} are "
+                                       "possible; leave out some.",
+                                       count, kMostMotionFrames)};
+    }
+    if (!(motion.frame_interval_s > 0.0 && motion.frame_interval_s <= kLastTime_s)) {
+        return MotionFault{{}, "The frame interval must be above 0 s."};
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string text = faultOf(motion.frames[i], i > 0 ? &motion.frames[i - 1] : nullptr);
+        if (!text.empty()) return MotionFault{i, std::move(text)};
+    }
+    return {};
+}
+
+GivenMotion givenMotion(std::string name, const Trajectory& trajectory) {
+    GivenMotion motion{std::move(name), trajectory.frame_interval_s, {}};
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        motion.frames.push_back(
+            {frame.time_s - trajectory.frames.front().time_s, frame.pose, frame.path});
+    }
+    return motion;
+}
+
+Trajectory trajectoryOf(const GivenMotion& motion) {
+    Trajectory trajectory{motion.frame_interval_s, {}};
+    int path = 0;
+    for (std::size_t i = 0; i < motion.frames.size(); ++i) {
+        const MotionFrame& given = motion.frames[i];
+        if (i > 0 && given.path != motion.frames[i - 1].path) ++path;
+        TrajectoryFrame frame;
+        frame.time_s = given.time_s;
+        frame.pose = given.pose;
+        frame.target_in_world = given.pose.position + given.pose.forward();
+        frame.path = path;
+        trajectory.frames.push_back(frame);
+    }
+    return trajectory;
+}
+
+nlohmann::json motionJson(const GivenMotion& motion) {
+    nlohmann::json frames = nlohmann::json::array();
+    for (const MotionFrame& frame : motion.frames) {
+        const Eigen::Vector3d& p = frame.pose.position;
+        const Eigen::Quaterniond& q = frame.pose.rotation;
+        frames.push_back(nlohmann::json::array(
+            {frame.time_s, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w(), frame.path}));
+    }
+    return {{"name", motion.name},
+            {"frame_interval_s", motion.frame_interval_s},
+            {"frames", std::move(frames)}};
+}
+
+GivenMotion readMotion(const JsonReader& from) {
+    GivenMotion motion;
+    const JsonReader frames = from.at("frames");
+    for (std::size_t i = 0; i < frames.size() && from.good(); ++i) {
+        motion.frames.push_back(readMotionFrame(frames.at(i)));
+    }
+    if (const JsonReader name = from.at("name"); !name.absent()) motion.name = name.text();
+    if (const JsonReader interval = from.at("frame_interval_s"); !interval.absent()) {
+        motion.frame_interval_s = anyNumber(interval);
+    } else if (motion.frames.size() > 1) {
+        motion.frame_interval_s = motion.frames[1].time_s - motion.frames[0].time_s;
+    }
+    if (!from.good()) return motion;
+    if (const auto fault = findFault(motion)) {
+        (fault->frame ? frames.at(*fault->frame) : frames).refuse(fault->text);
+    }
+    return motion;
+}
+
+}  // namespace dollytrack

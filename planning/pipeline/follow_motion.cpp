@@ -1,0 +1,74 @@
+#include "planning/pipeline/follow_motion.h"
+
+#include "engine/jobs/parallel.h"
+#include "planning/collision/swept_sphere.h"
+#include "planning/free_space/free_space.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dollytrack::planning {
+namespace {
+
+/// Tests the moves of a path that begins at `start` for collisions and clearance.
+void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere& sphere) {
+    path.min_clearance_m = sphere.clearance(start, std::numeric_limits<double>::infinity());
+    std::vector<SweepResult> sweeps(path.pieces.size());
+    parallelFor(sweeps.size(), [&](std::size_t i) {
+        sweeps[i] = sphere.segment(path.pieces[i].start, path.pieces[i].end);
+    });
+    for (const SweepResult& sweep : sweeps) {
+        path.collisions += sweep.free ? 0 : 1;
+        path.min_clearance_m = std::min(path.min_clearance_m, sweep.min_clearance_m);
+    }
+}
+
+}  // namespace
+
+PlanParams paramsForMotion(PlanParams params) {
+    const PlanParams usual;
+    params.timing.max_frames = usual.timing.max_frames;
+    params.timing.duration_s = usual.timing.duration_s;
+    params.timing.keep_frame_rate = usual.timing.keep_frame_rate;
+    params.path = usual.path;
+    params.constraints.loop = usual.constraints.loop;
+    params.constraints.anchors = usual.constraints.anchors;
+    params.constraints.rooms = usual.constraints.rooms;
+    params.gaze.view_mix = 0.0;
+    params.repair.repair_rounds = 0;
+    params.repair.drop_low_frames = false;
+    return params;
+}
+
+Result<RepairedTrajectory> followMotion(const GivenMotion& motion, const FreeSpace& free_space,
+                                        const SweptSphere& sphere, const JobContext& job) {
+    RepairedTrajectory made;
+    made.trajectory = trajectoryOf(motion);
+    int component = 0;  // outside of all rooms, that of the frame before
+    for (TrajectoryFrame& frame : made.trajectory.frames) {
+        const Eigen::Vector3d& position = frame.pose.position;
+        if (const int here = free_space.componentAt(position); here >= 0) component = here;
+        frame.component = component;
+        if (frame.path == static_cast<int>(made.paths.size())) {
+            made.paths.push_back({component, 0, {}});
+            made.smooth_paths.emplace_back().component = component;
+        }
+        SmoothPath& smooth = made.smooth_paths.back();
+        std::vector<PathVertex>& vertices = made.paths.back().vertices;
+        if (!vertices.empty()) {
+            const Eigen::Vector3d& from = vertices.back().position;
+            smooth.append(from, 0.5 * (from + position), position, false);
+        }
+        if (vertices.empty() || vertices.back().position != position) {
+            vertices.push_back({position, -1});
+        }
+        frame.arc_m = smooth.length_m;
+    }
+    for (std::size_t i = 0; i < made.paths.size(); ++i) {
+        if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
+        testMoves(made.smooth_paths[i], made.paths[i].vertices.front().position, sphere);
+    }
+    return made;
+}
+
+}  // namespace dollytrack::planning
