@@ -34,6 +34,7 @@ void addPlanCommand(CLI::App& app, Session& session);
 void addCompareCommand(CLI::App& app, Session& session);
 void addSweepCommand(CLI::App& app, Session& session);
 void addEditCommand(CLI::App& app, Session& session);
+void addRepairCommand(CLI::App& app, Session& session);
 void addExportCommand(CLI::App& app, Session& session);
 void addVerifyCommand(CLI::App& app, Session& session);
 void addViewCommand(CLI::App& app, Session& session);

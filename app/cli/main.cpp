@@ -150,6 +150,7 @@ int runProgram(dollytrack::cli::Session& session, int argc, char** argv) {
     cli::addInfoCommand(app, session);
     cli::addPlanCommand(app, session);
     cli::addEditCommand(app, session);
+    cli::addRepairCommand(app, session);
     cli::addExportCommand(app, session);
     cli::addVerifyCommand(app, session);
     cli::addViewCommand(app, session);

@@ -132,6 +132,7 @@ struct Plan {
     std::vector<CameraPath> paths;  // one a component of free space, largest room first
     std::vector<SmoothPath> smooth_paths;
     Trajectory trajectory;
+    bool given_motion = false;         // the trajectory is PlanEdits::motion, not planned
     std::vector<TourRoom> tour_rooms;  // by number; empty: one trajectory for all
 
     std::vector<ObjectCapture> captures;  // estimated by rays

@@ -158,6 +158,10 @@ json metricsJson(const Scene& scene, const Plan& plan) {
             result[name] = nullptr;
         }
     }
+    if (plan.given_motion) {
+        result["given_motion"] = true;
+        result["corner_collision_rate"] = nullptr;  // nothing was rounded
+    }
     if (!has_small) result["small_capture_rate"] = nullptr;
     if (motion.minimum_clearance.object_id == 0) result["min_clearance_m"] = nullptr;
     if (motion.minimum_clearance.object_id != 0) {

@@ -1,20 +1,18 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands/outcomes_command.h"
 #include "app/cli/compare/comparison.h"
+#include "app/cli/given_trajectory.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/scene_arguments.h"
 #include "app/cli/terminal/output_file.h"
 #include "engine/core/log.h"
 #include "engine/io/files/durable_file.h"
-#include "engine/io/trajectories/trajectory_file.h"
-#include "render/formats/poses/camera_json.h"
 #include "render/plots/figure.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace dollytrack::cli {
@@ -25,8 +23,7 @@ struct CompareArguments {
     std::vector<std::string> scenes;
     std::vector<std::string> planners = {"all"};
     std::vector<std::string> trajectories;
-    std::string trajectory_format;
-    std::string trajectory_world;
+    TrajectoryArguments reading;
     std::string csv;
     std::string picture;
     int seeds = 1;
@@ -104,26 +101,9 @@ Result<std::vector<ExternalTrajectory>> loadGiven(const CompareArguments& argume
     std::vector<ExternalTrajectory> given;
     const std::vector<std::string> names = givenNames(arguments.trajectories);
     for (const std::string& path : arguments.trajectories) {
-        TrajectoryReading reading;
-        reading.format = arguments.trajectory_format;
-        reading.world = arguments.trajectory_world;
-        reading.source_from_world = opened.scene->source_from_world;
-        reading.camera_json_from_world = render::cameraJsonFromWorld(*opened.scene);
-        reading.interval_s = 1.0 / opened.params.timing.frame_rate;
-        Result<LoadedTrajectory> loaded = loadTrajectory(path, reading);
+        Result<LoadedTrajectory> loaded =
+            loadGivenTrajectory(path, arguments.reading, opened, "compare");
         if (!loaded) return tl::unexpected(std::move(loaded.error()));
-        log::info("compare",
-                  fmt::format("{}: {} poses, format {}{}", path, loaded->trajectory.frames.size(),
-                              loaded->format,
-                              loaded->timed ? "" : ", without times: frame_rate is assumed"));
-        constexpr double kNoticeable = 0.5;  // larger differences are reported, degrees
-        const double hfov = opened.params.camera.hfov_deg;
-        if (loaded->hfov_deg && std::abs(*loaded->hfov_deg - hfov) > kNoticeable) {
-            log::warn("compare",
-                      fmt::format("{}: its horizontal field of view is {:.1f} degrees, but it is "
-                                  "measured with {:.1f}; pass --set hfov_deg={:.1f}",
-                                  path, *loaded->hfov_deg, hfov, *loaded->hfov_deg));
-        }
         given.push_back({names[given.size()], {std::move(loaded->trajectory), {}, {}, {}}});
     }
     return given;
@@ -332,16 +312,7 @@ void addCompareCommand(CLI::App& app, Session& session) {
                      "Also measure a trajectory from another program; repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
-    command
-        ->add_option(
-            "--trajectory-format", arguments->trajectory_format,
-            "Format of --trajectory; default: detected. One of: " + trajectoryFormatNames())
-        ->type_name("NAME");
-    command
-        ->add_option("--trajectory-world", arguments->trajectory_world,
-                     "World axes and unit of its positions: scene (those of the scene file), y-up, "
-                     "z-up, ned, camera; default: the format's convention")
-        ->type_name("NAME");
+    addTrajectoryArguments(*command, arguments->reading);
     addOutcomeArguments(*command, arguments->outcomes);
     command->footer(
         "Rates are in %. In 'hit frames' a surface is inside the camera's sphere; in 'hit moves' "

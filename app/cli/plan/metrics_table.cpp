@@ -73,10 +73,14 @@ std::string captureRows(const nlohmann::json& m) {
 /// Rows for collisions and the minimum clearance.
 std::string collisionRows(const nlohmann::json& m) {
     std::string text;
-    text += row("collisions",
-                fmt::format("{} of corners, {} of frames", percent(m, "corner_collision_rate"),
-                            percent(m, "frame_collision_rate")));
-    if (const int lines = m.value("straight_lines_that_hit", 0); lines > 0) {
+    const int lines = m.value("straight_lines_that_hit", 0);
+    const bool given = m.value("given_motion", false);
+    text += row("collisions", given ? fmt::format("{} of frames, {} moves between frames",
+                                                  percent(m, "frame_collision_rate"), lines)
+                                    : fmt::format("{} of corners, {} of frames",
+                                                  percent(m, "corner_collision_rate"),
+                                                  percent(m, "frame_collision_rate")));
+    if (lines > 0 && !given) {
         text += row("  between frames",
                     fmt::format("none on the path; {} on straight lines between frames", lines));
     }

@@ -23,8 +23,8 @@ from support.program import PROGRAM, FolderCase, run
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
 MODULE = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else ""
 LIBRARY = pathlib.Path("/usr/share/sweethome3d/furniture")
-SUBCOMMANDS = ["info", "plan", "edit", "export", "verify", "view", "statistics", "evaluate",
-               "compare", "sweep", "batch", "gather", "generate", "params"]
+SUBCOMMANDS = ["info", "plan", "edit", "repair", "export", "verify", "view", "statistics",
+               "evaluate", "compare", "sweep", "batch", "gather", "generate", "params"]
 # Parts of commands that cannot run in a test.
 ELSEWHERE = ["3D-FRONT/", "scenes/0/", "ai_001_001", "replica_cad", "worlds/", "/opt/", "apt install",
              "/usr/share/", "app/demo", "app/setup", "app/package", "editor", "generate --rooms 20"]

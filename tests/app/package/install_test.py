@@ -20,8 +20,8 @@ import xml.etree.ElementTree as ElementTree
 
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
-SUBCOMMANDS = ["info", "plan", "edit", "export", "verify", "view", "statistics", "evaluate",
-               "compare", "sweep", "batch", "gather", "generate", "params"]
+SUBCOMMANDS = ["info", "plan", "edit", "repair", "export", "verify", "view", "statistics",
+               "evaluate", "compare", "sweep", "batch", "gather", "generate", "params"]
 
 
 def run(*command, **options):

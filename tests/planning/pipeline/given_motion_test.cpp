@@ -53,6 +53,8 @@ TEST(GivenMotion, APlannedTrajectoryGivenBackIsMeasuredAlike) {
     const GivenMotion motion = dollytrack::givenMotion("planned", planned->trajectory);
     const auto plan = planOf(scene, with(motion));
     expectFollowed(*plan, motion);
+    EXPECT_TRUE(plan->given_motion);
+    EXPECT_FALSE(planned->given_motion);
     EXPECT_EQ(plan->capture_metrics.captured, planned->capture_metrics.captured);
     EXPECT_EQ(plan->capture_metrics.well_captured, planned->capture_metrics.well_captured);
     EXPECT_EQ(plan->trajectory_metrics.repeat_rate, planned->trajectory_metrics.repeat_rate);

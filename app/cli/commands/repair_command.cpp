@@ -1,0 +1,247 @@
+#include "app/cli/command_line.h"
+#include "app/cli/given_trajectory.h"
+#include "app/cli/plan/metrics_table.h"
+#include "app/cli/scene_arguments.h"
+#include "app/cli/terminal/output_file.h"
+#include "app/project/read_project.h"
+#include "engine/core/clean_text.h"
+#include "engine/core/log.h"
+#include "engine/io/settings/project_file.h"
+#include "planning/baselines/baseline_scene.h"
+#include "planning/free_space/free_space.h"
+#include "planning/motions/camera_moves.h"
+#include "planning/motions/repair_motion.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+
+namespace dollytrack::cli {
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+struct RepairArguments {
+    SceneArguments scene;
+    std::string trajectory;
+    TrajectoryArguments reading;
+    std::string move;
+    std::string out;
+    bool no_repair = false;
+    bool as_json = false;
+
+    /// The project to write.
+    [[nodiscard]] const std::string& project() const { return out.empty() ? scene.path : out; }
+};
+
+/// A motion to store, and what was changed to make it; empty if it was stored as it is.
+struct ImportedMotion {
+    GivenMotion motion;
+    std::optional<planning::MotionChange> change;
+};
+
+Status checkUsage(const RepairArguments& arguments) {
+    if (arguments.trajectory.empty() == arguments.move.empty()) {
+        return fail(ErrorCode::Usage, "Give either a --trajectory or a --move.");
+    }
+    if (arguments.no_repair && arguments.trajectory.empty()) {
+        return fail(ErrorCode::Usage, "It is for a --trajectory; a --move is always free.",
+                    "--no-repair");
+    }
+    if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
+        return fail(ErrorCode::Usage, "A scene file is never changed; give a new project with -o.",
+                    arguments.scene.path);
+    }
+    if (!isProjectFile(arguments.project())) {
+        return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
+    }
+    return checkWritable(arguments.project());
+}
+
+/// Refuses a trajectory that passes none of the rooms, and warns if hardly any frame is in one.
+Status checkPlace(const std::string& file, const Trajectory& trajectory,
+                  const planning::FreeSpace& free_space) {
+    constexpr double kNear_m = 0.5;
+    constexpr double kNearlyAll = 0.9;
+    const auto& frames = trajectory.frames;
+    const auto isNear = [&](const TrajectoryFrame& frame) {
+        return std::ranges::any_of(free_space.rooms(), [&](const planning::Room& room) {
+            return room.box.exteriorDistance(frame.pose.position) <= kNear_m;
+        });
+    };
+    if (std::ranges::none_of(frames, isNear)) {
+        const Eigen::Vector3d& at = frames.front().pose.position;
+        return fail(
+            ErrorCode::BadInput,
+            fmt::format("None of its poses is in a room of the scene (the first is at {:.2f}, "
+                        "{:.2f}, {:.2f} m); check its unit and --trajectory-world.",
+                        at.x(), at.y(), at.z()),
+            file);
+    }
+    const auto outside = std::ranges::count_if(frames, [&](const TrajectoryFrame& frame) {
+        return free_space.componentAt(frame.pose.position) < 0;
+    });
+    if (static_cast<double>(outside) >= kNearlyAll * static_cast<double>(frames.size())) {
+        log::warn("repair", file +
+                                ": nearly all of its poses are outside the rooms; check that it "
+                                "belongs to this scene, and --trajectory-world");
+    }
+    return {};
+}
+
+Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const OpenedScene& opened,
+                                        const planning::BaselineScene& map, const JobContext& job) {
+    const std::string& file = arguments.trajectory;
+    const auto loaded = loadGivenTrajectory(file, arguments.reading, opened, "repair");
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (loaded->trajectory.frames.empty()) {
+        return fail(ErrorCode::BadInput, "The trajectory has no poses.", file);
+    }
+    if (Status status = checkPlace(file, loaded->trajectory, *map.free_space); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    const std::string name = cleanText(std::filesystem::path(file).filename().string());
+    if (arguments.no_repair) return ImportedMotion{givenMotion(name, loaded->trajectory), {}};
+    return planning::repairMotion(map, opened.params, loaded->trajectory, job)
+        .map([&](const planning::RepairedMotion& repaired) {
+            return ImportedMotion{givenMotion(name, repaired.trajectory), repaired.change};
+        });
+}
+
+Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const OpenedScene& opened,
+                                  const JobContext& job) {
+    std::optional<planning::MoveRequest> request;
+    if (!arguments.move.empty()) {
+        auto parsed = planning::parseMove(arguments.move);
+        if (!parsed) return tl::unexpected(std::move(parsed.error()));
+        request = std::move(*parsed);
+    }
+    const auto map = planning::mapBaselineScene(opened.scene, opened.plan_edits, opened.params,
+                                                job.stage(0.0, 0.3, "free space"));
+    if (!map) return tl::unexpected(map.error());
+    const JobContext part = job.stage(0.3, 1.0, "repairing");
+    Result<ImportedMotion> made =
+        request ? planning::makeMove(*map, opened.params, *request, part)
+                      .map([&](const planning::RepairedMotion& move) {
+                          return ImportedMotion{
+                              givenMotion(cleanText(arguments.move), move.trajectory), move.change};
+                      })
+                : importTrajectory(arguments, opened, *map, part);
+    if (!made) return made;
+    if (const auto fault = findFault(made->motion)) {
+        return fail(ErrorCode::BadInput, fault->text,
+                    fault->frame ? fmt::format("frame {}", *fault->frame) : made->motion.name);
+    }
+    return made;
+}
+
+nlohmann::json changeJson(const planning::MotionChange& change) {
+    return {{"frames_in_collision", change.frames_in_collision},
+            {"moves_in_collision", change.moves_in_collision},
+            {"moves_over_limits", change.moves_over_limits},
+            {"frames_moved", change.frames_moved},
+            {"paths_cut", change.paths_cut},
+            {"mean_shift_m", change.mean_shift_m},
+            {"largest_shift_m", change.largest_shift_m},
+            {"mean_turn_deg", change.mean_turn_rad * kDegreesPerRadian},
+            {"largest_turn_deg", change.largest_turn_rad * kDegreesPerRadian},
+            {"time_added_s", change.time_added_s}};
+}
+
+nlohmann::json reportJson(const RepairArguments& arguments, const ImportedMotion& made) {
+    const auto& frames = made.motion.frames;
+    nlohmann::json json = {{"name", made.motion.name},
+                           {"frames", frames.size()},
+                           {"duration_s", frames.back().time_s},
+                           {"out", arguments.project()}};
+    if (made.change) json["change"] = changeJson(*made.change);
+    return json;
+}
+
+std::string reportText(const RepairArguments& arguments, const ImportedMotion& made) {
+    std::string text = fmt::format("{}: {} frames, {:.1f} s, stored in {}\n", made.motion.name,
+                                   made.motion.frames.size(), made.motion.frames.back().time_s,
+                                   arguments.project());
+    if (!made.change) return text;
+    const planning::MotionChange& change = *made.change;
+    const auto row = [&](const char* title, const std::string& value) {
+        text += fmt::format("  {:<22} {}\n", title, value);
+    };
+    row("frames in collision", std::to_string(change.frames_in_collision));
+    row("moves in collision", std::to_string(change.moves_in_collision));
+    row("moves over the limits", std::to_string(change.moves_over_limits));
+    row("frames moved", std::to_string(change.frames_moved));
+    row("shift", fmt::format("{:.3f} m on average, {:.3f} m at most", change.mean_shift_m,
+                             change.largest_shift_m));
+    row("turn", fmt::format("{:.2f} deg on average, {:.2f} deg at most",
+                            change.mean_turn_rad * kDegreesPerRadian,
+                            change.largest_turn_rad * kDegreesPerRadian));
+    row("time added", fmt::format("{:.2f} s", change.time_added_s));
+    return text;
+}
+
+Result<ExitCode> runRepair(const RepairArguments& arguments, const Session& session) {
+    if (Status status = checkUsage(arguments); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    const JobContext job = session.job();
+    Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    if (!opened) return tl::unexpected(std::move(opened.error()));
+    const auto made = makeMotion(arguments, *opened, job.stage(0.3, 1.0, "motion"));
+    if (!made) return tl::unexpected(made.error());
+    if (made->change && made->change->paths_cut > 0) {
+        log::warn(
+            "repair",
+            fmt::format("no collision-free way leads on at {} places: the motion is cut there",
+                        made->change->paths_cut));
+    }
+    opened->edits.plan.motion = made->motion;
+    opened->stored_result = nullptr;
+    if (Status status = saveProject(projectOf(*opened), arguments.project()); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    if (arguments.as_json) {
+        fmt::print("{}\n", jsonText(reportJson(arguments, *made)));
+    } else {
+        fmt::print("{}", reportText(arguments, *made));
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void addRepairCommand(CLI::App& app, Session& session) {
+    CLI::App* command = app.add_subcommand(
+        "repair", "Import a camera trajectory, or make a camera move, without collisions");
+    auto arguments = std::make_shared<RepairArguments>();
+    addSceneArguments(*command, arguments->scene);
+    addSetArgument(*command, arguments->scene);
+    command
+        ->add_option("--trajectory", arguments->trajectory,
+                     "Trajectory from another program; it is changed only where the camera would "
+                     "collide or exceed the motion limits")
+        ->type_name("FILE");
+    addTrajectoryArguments(*command, arguments->reading);
+    command
+        ->add_option("--move", arguments->move,
+                     "Instead of a trajectory: a camera move with its options")
+        ->type_name("KIND:NAME=VALUE,...");
+    command->add_flag("--no-repair", arguments->no_repair,
+                      "Take the trajectory as it is, also where it collides");
+    command
+        ->add_option("-o,--out", arguments->out,
+                     "Project to write, with the motion; default: the given project")
+        ->type_name("FILE.dolly");
+    command->add_flag("--json", arguments->as_json, "Print what was changed as JSON");
+    command->footer(planning::moveHelp() +
+                    "\nExample: dollytrack repair room.glb --trajectory drone.txt -o room.dolly");
+    command->callback([&session, arguments] {
+        session.action = [&session, arguments] { return runRepair(*arguments, session); };
+    });
+}
+
+}  // namespace dollytrack::cli
