@@ -25,30 +25,6 @@ constexpr double kShortestStep = 0.0005;
 // Clearance beyond which a step may be as long as the free distance.
 constexpr double kFar = 10.0;
 
-/// Minimum clearance along a motion, to 1 cm where it is below kFar. Ends early when cancelled.
-/// Steps are at most as long as the free distance around the camera sphere, so only contacts
-/// shorter than kShortestStep can be missed. Deliberately independent of the planner's collision
-/// proof: it uses the triangles only.
-double smallestClearance(const RayCaster& rays, const std::vector<Eigen::Vector3d>& way,
-                         double radius, const JobContext& job) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const Eigen::Vector3d move = way[i + 1] - way[i];
-        const double length = move.norm();
-        double walked = 0.0;
-        while (!job.cancelled()) {
-            const double share = length > 0.0 ? walked / length : 0.0;
-            const double distance = clearanceAt(rays, way[i] + share * move);
-            smallest = std::min(smallest, distance);
-            if (walked >= length) break;
-            const double step = distance < radius ? kLongestStep : distance - radius;
-            const double longest = std::max(kLongestStep, distance - kFar);
-            walked = std::min(length, walked + std::clamp(step, kShortestStep, longest));
-        }
-    }
-    return smallest;
-}
-
 double lengthOf(const std::vector<Eigen::Vector3d>& way) {
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < way.size(); ++i) length += (way[i + 1] - way[i]).norm();
@@ -129,6 +105,26 @@ void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
 }
 
 }  // namespace
+
+double smallestClearance(const RayCaster& rays, const std::vector<Eigen::Vector3d>& way,
+                         double radius, const JobContext& job) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        const Eigen::Vector3d move = way[i + 1] - way[i];
+        const double length = move.norm();
+        double walked = 0.0;
+        while (!job.cancelled()) {
+            const double share = length > 0.0 ? walked / length : 0.0;
+            const double distance = clearanceAt(rays, way[i] + share * move);
+            smallest = std::min(smallest, distance);
+            if (walked >= length) break;
+            const double step = distance < radius ? kLongestStep : distance - radius;
+            const double longest = std::max(kLongestStep, distance - kFar);
+            walked = std::min(length, walked + std::clamp(step, kShortestStep, longest));
+        }
+    }
+    return smallest;
+}
 
 Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
                                             const JobContext& job) {

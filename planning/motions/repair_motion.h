@@ -38,4 +38,10 @@ struct RepairedMotion {
 Result<RepairedMotion> repairMotion(const BaselineScene& scene, const PlanParams& params,
                                     const Trajectory& given, const JobContext& job);
 
+struct PathTiming;
+
+/// The same with this timing instead of one found from parameters and trajectory.
+Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTiming& timing,
+                                     const Trajectory& given, const JobContext& job);
+
 }  // namespace dollytrack::planning

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/jobs/job.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace dollytrack::planning {
+
+struct BaselineScene;
+
+/// Where a way ends: at a free position, or at the free position that is nearest to one that need
+/// not be free, if the way to it is short enough.
+struct WayEnd {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    bool exact = true;
+};
+
+/// The collision-free polyline from a free position that stays nearest to the points `along`, by A*
+/// on a grid around `from`: it minimises the integral of a constant plus the squared distance to
+/// those points. All its moves are proven. Empty if none is found, or if cancelled.
+std::optional<std::vector<Eigen::Vector3d>> findFreeWay(const BaselineScene& scene,
+                                                        const Eigen::Vector3d& from,
+                                                        const WayEnd& end,
+                                                        const std::vector<Eigen::Vector3d>& along,
+                                                        const JobContext& job);
+
+}  // namespace dollytrack::planning

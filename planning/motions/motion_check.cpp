@@ -1,0 +1,44 @@
+#include "planning/motions/motion_check.h"
+
+#include "planning/baselines/baseline_scene.h"
+#include "planning/baselines/planner_metrics.h"
+#include "planning/free_space/free_space.h"
+
+namespace dollytrack::planning {
+namespace {
+
+// SweptSphere counts a clearance of less than this beyond the radius as contact.
+constexpr double kContactMargin = 0.001;
+
+}  // namespace
+
+MotionCheck::MotionCheck(const BaselineScene& scene)
+    : scene_(scene),
+      touching_(*scene.rays, *scene.free_space, scene.sphere->radius() - kContactMargin,
+                scene.region.get()) {}
+
+bool MotionCheck::isFree(const Eigen::Vector3d& position) const {
+    return isFree(position, position);
+}
+
+bool MotionCheck::isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    if (scene_.sphere->segment(from, to).free) return true;
+    const double radius = scene_.sphere->radius();
+    return touching_.segment(from, to).free &&
+           smallestClearance(*scene_.rays, {from, to}, radius, {}) >= radius;
+}
+
+int MotionCheck::componentOf(const Eigen::Vector3d& position) const {
+    const FreeSpace& free_space = *scene_.free_space;
+    const int here = free_space.componentAt(position);
+    if (here >= 0) return here;
+    for (int i = 0; i < 27; ++i) {
+        const Eigen::Vector3d step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const Eigen::Vector3d beside = position + free_space.resolution_m() * step;
+        const int component = free_space.componentAt(beside);
+        if (component >= 0 && scene_.sphere->segment(position, beside).free) return component;
+    }
+    return -1;
+}
+
+}  // namespace dollytrack::planning

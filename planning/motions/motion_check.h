@@ -1,0 +1,30 @@
+#pragma once
+
+#include "planning/collision/swept_sphere.h"
+
+#include <Eigen/Core>
+
+namespace dollytrack::planning {
+
+struct BaselineScene;
+
+/// Tests given positions and straight moves: free of surfaces for the camera sphere, in free space
+/// and in the allowed region. Unlike SweptSphere::fits() it asks for no margin, so that motion made
+/// by others is kept wherever it is free. Immutable; safe to call from many threads.
+class MotionCheck {
+  public:
+    explicit MotionCheck(const BaselineScene& scene);
+
+    [[nodiscard]] bool isFree(const Eigen::Vector3d& position) const;
+    [[nodiscard]] bool isFree(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
+    /// The component of free space that a free position belongs to, by its cell or a neighbouring
+    /// cell that the camera reaches; -1: none.
+    [[nodiscard]] int componentOf(const Eigen::Vector3d& position) const;
+
+  private:
+    const BaselineScene& scene_;
+    SweptSphere touching_;  // its margin of contact included, exactly as large as the camera
+};
+
+}  // namespace dollytrack::planning

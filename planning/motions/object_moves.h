@@ -1,0 +1,60 @@
+#pragma once
+
+#include "planning/visibility/framing.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace dollytrack {
+struct Object;
+}
+
+namespace dollytrack::planning {
+
+struct BaselineScene;
+
+/// Distances tried where an ideal one is not free, as factors of it, the best first.
+inline constexpr std::array<double, 8> kDistanceFactors = {1.0,  0.92, 1.08, 0.84,
+                                                           1.16, 0.76, 0.68, 0.6};
+
+/// Largest distance between the positions of a camera move, m.
+inline constexpr double kMoveSpacing = 0.05;
+
+/// Ideal positions of camera moves around one object. Keeps references to its arguments.
+class ObjectMoves {
+  public:
+    ObjectMoves(const BaselineScene& scene, const Object& object);
+
+    /// The point to look at.
+    [[nodiscard]] Eigen::Vector3d center() const { return subject_.center; }
+
+    /// Distance at which the object takes this share of the image, from in front of it, m.
+    [[nodiscard]] double distanceFor(double fill) const;
+
+    /// The longest part of an arc around the object, centred in front of it, where the camera fits
+    /// and sees it; at each angle with a radius near the one asked for. Empty if that is less than
+    /// 20 degrees.
+    [[nodiscard]] std::vector<Eigen::Vector3d> orbit(double radius_m, double z,
+                                                     double arc_rad) const;
+
+    /// Both ends of the straight move beside the object between two horizontal distances from its
+    /// centre and two heights z, in the direction nearest to its front where the move is free and
+    /// sees it; empty if there is none.
+    [[nodiscard]] std::vector<Eigen::Vector3d> straight(double from_m, double from_z, double to_m,
+                                                        double to_z) const;
+
+  private:
+    [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& out, double distance_m, double z) const;
+    [[nodiscard]] std::optional<Eigen::Vector3d> placeAt(const Eigen::Vector3d& out,
+                                                         double radius_m, double z) const;
+    [[nodiscard]] bool isSeen(const Eigen::Vector3d& place) const;
+
+    const BaselineScene& scene_;
+    const Object& object_;
+    Subject subject_;
+};
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,138 @@
+#include "planning/motions/camera_moves.h"
+
+#include "engine/plan/motion_metrics.h"
+#include "planning/timing/motion_limits.h"
+#include "tests/planning/support/slow_checker.h"
+#include "tests/support/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::planning::camera_moves_test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A stool in the middle of a room.
+Scene roomWithStool() {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {6, 6, 2.6});
+    builder.object("stool").box({3.0, 3.0, 0.3}, {0.4, 0.4, 0.6});
+    return builder.build();
+}
+
+BaselineScene mapped(Scene scene) {
+    auto made = mapBaselineScene(std::make_shared<const Scene>(std::move(scene)), {}, {}, {});
+    EXPECT_TRUE(made.has_value());
+    return std::move(*made);
+}
+
+Result<RepairedMotion> made(const BaselineScene& scene, const std::string& text) {
+    return parseMove(text).and_then(
+        [&](const MoveRequest& request) { return makeMove(scene, {}, request, {}); });
+}
+
+ErrorCode codeOf(const BaselineScene& scene, const std::string& text) {
+    const auto result = made(scene, text);
+    EXPECT_FALSE(result.has_value()) << text;
+    return result ? ErrorCode::Failed : result.error().code;
+}
+
+/// Checks what holds for every move: free, within the limits, from rest to rest.
+void expectSound(const BaselineScene& scene, const Trajectory& trajectory) {
+    const auto& frames = trajectory.frames;
+    ASSERT_GT(frames.size(), 10U);
+    const test_support::SlowChecker checker(*scene.scene);
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        EXPECT_NEAR(frames[i + 1].time_s - frames[i].time_s, trajectory.frame_interval_s, 1e-9);
+        const Vector3d move = frames[i + 1].pose.position - frames[i].pose.position;
+        for (int k = 0; k < 10; ++k) {
+            EXPECT_GE(checker.distance(frames[i].pose.position + 0.1 * k * move), 0.1 - 1e-6);
+        }
+    }
+    const MotionLimits limits = motionLimits({});
+    const MotionMetrics motion = measureMotion(trajectory);
+    EXPECT_LE(motion.speed_mps.max, 1.03 * limits.speed_mps);
+    EXPECT_LE(motion.turn_dps.max, 1.03 * limits.turn_rps * 180.0 / std::numbers::pi);
+    const double first = (frames[1].pose.position - frames[0].pose.position).norm();
+    EXPECT_LE(first, 0.5 * limits.speed_mps * trajectory.frame_interval_s);
+}
+
+/// Angle between the viewing direction and a point, at most, rad.
+double largestMiss(const Trajectory& trajectory, const Vector3d& point) {
+    double largest = 0.0;
+    for (const TrajectoryFrame& frame : trajectory.frames) {
+        largest =
+            std::max(largest, angleBetween(frame.pose.forward(), point - frame.pose.position));
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEST(CameraMoves, OrbitsAroundAnObject) {
+    const BaselineScene scene = mapped(roomWithStool());
+    const auto move = made(scene, "orbit:target=stool,radius=1.5,height=1");
+    ASSERT_TRUE(move) << describe(move.error());
+    expectSound(scene, move->trajectory);
+    for (const TrajectoryFrame& frame : move->trajectory.frames) {
+        const Vector3d& position = frame.pose.position;
+        EXPECT_NEAR(std::hypot(position.x() - 3.0, position.y() - 3.0), 1.5, 0.01);
+        EXPECT_NEAR(position.z(), 1.0, 1e-6);
+    }
+    EXPECT_LT(largestMiss(move->trajectory, {3.0, 3.0, 0.3}), 1e-6);
+    EXPECT_GE(move->trajectory.frames.back().time_s, 3.0 * std::numbers::pi / 0.5);
+    const auto& frames = move->trajectory.frames;
+    EXPECT_NEAR((frames.front().pose.position - frames.back().pose.position).norm(), 0.0, 0.06);
+}
+
+TEST(CameraMoves, MakesEveryKindWithDefaults) {
+    const BaselineScene scene = mapped(roomWithStool());
+    for (const char* text : {"orbit:target=stool", "arc:target=stool", "dolly:target=stool",
+                             "crane:target=stool,radius=1.2", "dolly:from=1;1;1,to=1;5;1",
+                             "walk:from=1;3;1.2,to=5;3;1.2", "arc:target=st*,arc=45,time=20"}) {
+        SCOPED_TRACE(text);
+        const auto move = made(scene, text);
+        ASSERT_TRUE(move) << describe(move.error());
+        expectSound(scene, move->trajectory);
+        if (std::string(text).find("stool") == std::string::npos) continue;
+        EXPECT_LT(largestMiss(move->trajectory, {3.0, 3.0, 0.3}), 1e-6);
+    }
+}
+
+TEST(CameraMoves, WalksThroughTheDoor) {
+    const BaselineScene scene = mapped(test::twoRoomsWithDoor(0.9));
+    const auto move = made(scene, "walk");
+    ASSERT_TRUE(move) << describe(move.error());
+    expectSound(scene, move->trajectory);
+    const auto& frames = move->trajectory.frames;
+    EXPECT_GT(std::abs(frames.back().pose.position.x() - frames.front().pose.position.x()), 2.0);
+}
+
+TEST(CameraMoves, RefusesWhatIsImpossible) {
+    const BaselineScene scene = mapped(roomWithStool());
+    EXPECT_EQ(codeOf(scene, "orbitt:target=stool"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:targets=stool"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=wide"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=-1"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:target="), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "dolly:from=1;1,to=1;5;1"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "dolly:from=1;1;1"), ErrorCode::Usage);
+    EXPECT_EQ(codeOf(scene, "orbit:target=sofa"), ErrorCode::BadInput);
+    EXPECT_EQ(codeOf(scene, "orbit:target=stool,radius=9"), ErrorCode::BadInput);
+    EXPECT_EQ(codeOf(scene, "walk"), ErrorCode::BadInput);
+    EXPECT_NE(parseMove("orbitt").error().message.find("'orbit'"), std::string::npos);
+}
+
+TEST(CameraMoves, HelpNamesEveryKindAndOption) {
+    const std::string help = moveHelp();
+    for (const char* word : {"orbit", "arc", "dolly", "crane", "walk", "target=", "radius="}) {
+        EXPECT_NE(help.find(word), std::string::npos) << word;
+    }
+}
+
+}  // namespace dollytrack::planning::camera_moves_test
