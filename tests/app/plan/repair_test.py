@@ -130,6 +130,20 @@ class Repair(FolderCase):
         self.assertIn("collides in", done.stderr)
         self.assertGreater(json.loads(done.stdout)["frame_collision_rate"], 0.1)
 
+    def test_a_move_is_made_named_and_free(self):
+        project = self.folder / "orbit.dolly"
+        done = run("repair", self.room, "--move", "orbit:target=sofa", "-o", project, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["name"], "orbit:target=sofa")
+        plan = json.loads(run("plan", project, "--json").stdout)
+        self.assertEqual((plan["frame_collision_rate"], plan["straight_lines_that_hit"]), (0, 0))
+        self.assertIn("sofa", [row["object"] for row in plan["ledger"] if row["captured"]])
+        self.assertFails(run("repair", self.room, "--move", "orbit:target=soffa", "-o", project), 4,
+                         "sofa")
+        self.assertFails(run("repair", self.room, "--move", "orbitt", "-o", project), 2, "orbit")
+        self.assertFails(run("repair", self.room, "--move", "walk", "--no-repair", "-o", project), 2,
+                         "--no-repair")
+
     def test_parameters_without_effect_are_named(self):
         _, _, _, project = self.repair(self.write("free.txt", self.free))
         done = run("plan", project, "--json", "--max-frames", 5, "--loop")
