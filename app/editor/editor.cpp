@@ -85,6 +85,9 @@ void Editor::refreshScene() {
         through_camera_ = false;
         scene_sync_.forget();
         remedies_.forget();
+        motions_.cancel();
+        motion_file_.clear();
+        changed_motion_ = {};
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
         // The autosave copy belongs to the previous project.
@@ -137,6 +140,7 @@ bool Editor::frame() {
     workspace_.poll();
     layers_.poll();
     refreshScene();
+    takeMotion();
     play();
     followTracks();
     // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing

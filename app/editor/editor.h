@@ -6,6 +6,7 @@
 #include "app/editor/objects/remedy_finder.h"
 #include "app/editor/objects/selection_tracker.h"
 #include "app/editor/project/autosave.h"
+#include "app/editor/project/motion_worker.h"
 #include "app/editor/project/parameter_draft.h"
 #include "app/editor/project/workspace.h"
 #include "app/editor/questions.h"
@@ -26,6 +27,7 @@
 #include "render/draw/storey_cutaway.h"
 #include "ui/edit_request.h"
 #include "ui/overlays/layers.h"
+#include "ui/panels/edits/motion_section.h"
 #include "ui/panels/export/export_panel.h"
 #include "ui/panels/plan/log_panel.h"
 #include "ui/viewport/render_thread.h"
@@ -152,6 +154,13 @@ class Editor {
     void drawTracks();
     [[nodiscard]] bool hasTracks() const;
 
+    // editor_motion.cpp: given camera motions
+    void addMotionCommands();
+    [[nodiscard]] ui::MotionView motionView() const;
+    void follow(const ui::MotionActions& actions);
+    void readMotion(const std::filesystem::path& file, int world);
+    void takeMotion();
+
     // editor_dialogs.cpp
     void drawDialogs();
     void askForFile(const std::string& id);
@@ -222,6 +231,11 @@ class Editor {
     GizmoSession gizmo_;
     std::size_t position_before_drag_ = 0;  // position in the history
     RemedyFinder remedies_{&Window::wake};
+    MotionWorker motions_{&Window::wake};
+    std::filesystem::path motion_file_;  // file of the given motion; empty: none is known
+    int motion_world_ = 0;               // its coordinate system, see ui::motionWorlds()
+    SharedMotion changed_motion_;        // result of the last repair or move
+    std::string motion_change_;          // what that changed
     PlanTimeline plan_timeline_;
     RenderSceneSync scene_sync_;
     ParameterDraft parameters_;

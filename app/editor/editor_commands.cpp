@@ -34,6 +34,7 @@ void Editor::addCommands() {
     addEditCommands();
     addTargetCommands();
     addPointCommands();
+    addMotionCommands();
     addViewCommands();
     addLayerCommands();
     addTimelineCommands();

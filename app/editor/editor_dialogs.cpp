@@ -60,6 +60,11 @@ void Editor::askForFile(const std::string& id) {
         request.filters = {{"PNG images", {".png"}}};
         request.name = fmt::format("frame_{:06}.png",
                                    picture_to_save_ ? picture_to_save_->frame : playback_.frame());
+    } else if (id == "camera path") {
+        request.title = "Import a camera path";
+        request.accept = "Import";
+        request.filters = {
+            {"Trajectories", {".txt", ".json", ".csv", ".tum", ".kitti", ".xml", ".sh3d"}}};
     } else if (id == "export folder") {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
         request.title = "Folder for the dataset";
@@ -102,6 +107,8 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         nlohmann::json import = workspace_.importSettings();
         import["labels"] = answer.path.string();
         workspace_.readAgain(import);
+    } else if (answer.id == "camera path") {
+        readMotion(answer.path, 0);
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
             pictures_.save(answer.path, std::move(*picture_to_save_));

@@ -103,8 +103,10 @@ void Editor::drawEdits() {
     }
     view.new_box = boxInView();
     view.around_selection = boxAroundSelection();
+    view.motion = motionView();
     const ui::EditsActions actions = ui::drawEditsPanel(view);
     applyRequest(actions.edit);
+    follow(actions.motion);
     if (actions.select) select(*actions.select);
     if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.frame) {

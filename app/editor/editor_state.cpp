@@ -66,11 +66,14 @@ void Editor::addSceneAndPlanTo(nlohmann::json& state) {
         }
     }
     if (shown.plan) {
+        int collisions = 0;
+        for (const SmoothPath& path : shown.plan->smooth_paths) collisions += path.collisions;
         state["plan"] = {
             {"excluded", std::ranges::count(shown.scene->objects, Role::Excluded, &Object::role)},
             {"steps", shown.plan->roadmap.steps.steps.size()},
             {"measured", shown.measured},
             {"frames", shown.plan->trajectory.frames.size()},
+            {"moves_in_collision", collisions},
             {"path_length_m", shown.plan->trajectory_metrics.path_length_m},
             {"key_frames", shown.plan->key_frames.size()},
             {"captured", shown.plan->capture_metrics.captured},

@@ -35,7 +35,8 @@ struct SmoothPath {
             end;  // control: the corner; for a straight piece the middle
         double length_m = 0.0;
         bool curved = false;
-        double begin_m = 0.0;  // length of the path before it
+        double begin_m = 0.0;   // length of the path before it
+        bool collides = false;  // could not be proven free; set for given motions only
 
         /// Point of the curve, by its own parameter 0..1.
         [[nodiscard]] Eigen::Vector3d at(double t) const;

@@ -17,9 +17,10 @@ void testMoves(SmoothPath& path, const Eigen::Vector3d& start, const SweptSphere
     parallelFor(sweeps.size(), [&](std::size_t i) {
         sweeps[i] = sphere.segment(path.pieces[i].start, path.pieces[i].end);
     });
-    for (const SweepResult& sweep : sweeps) {
-        path.collisions += sweep.free ? 0 : 1;
-        path.min_clearance_m = std::min(path.min_clearance_m, sweep.min_clearance_m);
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+        path.pieces[i].collides = !sweeps[i].free;
+        path.collisions += sweeps[i].free ? 0 : 1;
+        path.min_clearance_m = std::min(path.min_clearance_m, sweeps[i].min_clearance_m);
     }
 }
 

@@ -45,7 +45,13 @@ class EditsPanelTest : public testing::Test {
         const json heights = state.parameters.value("free_space", json::object());
         view.min_height_m = heights.value("min_height_m", 0.0);
         view.max_height_m = heights.value("max_height_m", 100.0);
+        view.motion = motion;
+        if (state.edits.plan.motion) view.motion.motion = &*state.edits.plan.motion;
+        view.motion.plan = &plan;
         const EditsActions now = drawEditsPanel(view);
+        if (now.motion.edit.asks()) apply(now.motion.edit.operation);
+        repairs = repairs || now.motion.repair;
+        if (!now.motion.make.empty()) made = now.motion.make;
         if (now.edit.asks()) {
             asked.push_back(now.edit);
             apply(now.edit.operation);
@@ -59,6 +65,9 @@ class EditsPanelTest : public testing::Test {
     Plan plan;
     ProjectState state;
     std::optional<OrientedBox> around;
+    MotionView motion;
+    bool repairs = false;
+    std::string made;
     std::vector<EditRequest> asked;
     bool drag_ended = false;
     std::optional<Selection> selected;
@@ -75,6 +84,29 @@ TEST_F(EditsPanelTest, ResetTakesBackWhatWasSaidOfAnObject) {
     ASSERT_TRUE(screen.click(name + ".reset"));
     EXPECT_TRUE(state.edits.scene.changes.empty());
     EXPECT_FALSE(screen.shows(name + ".reset"));
+}
+
+TEST_F(EditsPanelTest, AGivenMotionIsRepairedOrPlannedAgain) {
+    EXPECT_FALSE(screen.shows("edits.motion.repair"));
+    apply({{"op", "set_motion"},
+           {"frames", {{0.0, 1, 1, 1, 0, 0, 0, 1}, {0.1, 2, 1, 1, 0, 0, 0, 1}}}});
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("edits.motion.repair")) << screen.names();
+    EXPECT_TRUE(repairs);
+    ASSERT_TRUE(screen.click("edits.motion.clear"));
+    EXPECT_FALSE(state.edits.plan.motion);
+    EXPECT_FALSE(screen.shows("edits.motion.clear"));
+}
+
+TEST_F(EditsPanelTest, MovesNeedTheObjectThatTheyAreAbout) {
+    screen.click("edits.motion.orbit");
+    EXPECT_EQ(made, "") << "no object is selected";
+    ASSERT_TRUE(screen.click("edits.motion.walk"));
+    EXPECT_EQ(made, "walk");
+    motion.object = "sofa";
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("edits.motion.orbit"));
+    EXPECT_EQ(made, "orbit:target=sofa");
 }
 
 TEST_F(EditsPanelTest, PinsCanBeLookedThroughAndUnpinned) {

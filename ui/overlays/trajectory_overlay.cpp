@@ -96,6 +96,22 @@ void addArrows(render::Overlay& overlay, const Trajectory& trajectory) {
     }
 }
 
+/// Draws the moves of a given motion that collide over the others.
+void addCollisions(PlanLayer& layer, const Plan& plan) {
+    constexpr double kCollisionWidth = 6.0;  // px
+    int collisions = 0;
+    for (const SmoothPath& path : plan.smooth_paths) {
+        for (const SmoothPath::Piece& piece : path.pieces) {
+            if (!piece.collides) continue;
+            ++collisions;
+            layer.overlay.lines.push_back({piece.start, piece.end, kRefusedColor, kCollisionWidth});
+        }
+    }
+    if (collisions == 0) return;
+    layer.legend.entries.push_back(
+        {"Move in collision", LegendEntry::Shape::Line, kRefusedColor, collisions});
+}
+
 }  // namespace
 
 PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& options) {
@@ -138,6 +154,7 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
     } else {
         entries.push_back({"Frame", Shape::Line, scaleColor(0.5), static_cast<int>(frames.size())});
     }
+    addCollisions(layer, plan);
     if (values.scale.max > values.scale.min) layer.legend.scale = values.scale;
     const int selected = options.selected_frame;
     if (selected >= 0 && selected < static_cast<int>(frames.size())) {

@@ -52,6 +52,31 @@ Plan oneSearch() {
     return plan;
 }
 
+TEST(PlanLayers, MovesOfAGivenMotionThatCollideAreRed) {
+    Plan plan;
+    plan.smooth_paths.resize(1);
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d from(i, 0, 0);
+        const Eigen::Vector3d to(i + 1, 0, 0);
+        plan.smooth_paths[0].append(from, 0.5 * (from + to), to, false);
+    }
+    const auto red = [&] {
+        return std::ranges::count(trajectoryLayer(plan, {}).overlay.lines, kRefusedColor,
+                                  &render::OverlayLine::rgba);
+    };
+    EXPECT_EQ(red(), 0);
+    EXPECT_EQ(countOf(trajectoryLayer(plan, {}).legend, "Move in collision"), -1);
+    plan.smooth_paths[0].pieces[1].collides = true;
+    EXPECT_EQ(red(), 1);
+    const PlanLayer layer = trajectoryLayer(plan, {});
+    EXPECT_EQ(countOf(layer.legend, "Move in collision"), 1);
+    const auto line =
+        std::ranges::find(layer.overlay.lines, kRefusedColor, &render::OverlayLine::rgba);
+    ASSERT_NE(line, layer.overlay.lines.end());
+    EXPECT_EQ(line->a.x(), 1.0);
+    EXPECT_EQ(line->b.x(), 2.0);
+}
+
 TEST(PlanLayers, TheConeIsNotFilledForAnEyeInIt) {
     const Plan plan = oneSearch();
     CandidatesOverlayOptions options;

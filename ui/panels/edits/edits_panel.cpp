@@ -333,6 +333,7 @@ EditsActions drawEditsPanel(const EditsView& view) {
     drawDefinitions(view);
     drawPins(view, actions);
     drawRemoved(view, actions);
+    actions.motion = drawMotionSection(view.motion);
     drawBoxes(view, actions);
     drawRegions(view, actions);
     drawHeights(view, actions);

@@ -3,6 +3,7 @@
 #include "engine/document/edits.h"
 #include "engine/plan/plan.h"
 #include "ui/edit_request.h"
+#include "ui/panels/edits/motion_section.h"
 #include "ui/selection.h"
 
 #include <optional>
@@ -19,11 +20,13 @@ struct EditsView {
     double max_height_m = 100.0;
     OrientedBox new_box;                          // "Add box": at the centre of the view
     std::optional<OrientedBox> around_selection;  // around the selection; unset: none
+    MotionView motion;
 };
 
 /// User actions of this frame.
 struct EditsActions {
     EditRequest edit;
+    MotionActions motion;
     std::optional<Selection> select;
     std::optional<Pose> look_through;
     std::optional<OrientedBox> frame;  // move the viewport's camera to this box

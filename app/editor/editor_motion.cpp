@@ -1,0 +1,116 @@
+#include "app/editor/editor.h"
+
+#include "engine/core/log.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace dollytrack::editor {
+
+namespace {
+
+std::string changeText(const planning::MotionChange& change) {
+    if (change.frames_moved == 0 && change.time_added_s == 0.0 && change.paths_cut == 0) {
+        return "Nothing had to change.";
+    }
+    std::string text = fmt::format(
+        "{} frames moved, on average by {:.1f} cm, at most by {:.0f} cm and {:.0f}\u00b0",
+        change.frames_moved, 100.0 * change.mean_shift_m, 100.0 * change.largest_shift_m,
+        change.largest_turn_rad * 180.0 / std::numbers::pi);
+    if (change.time_added_s > 0.0) text += fmt::format("; {:.1f} s longer", change.time_added_s);
+    if (change.paths_cut > 0) {
+        text += fmt::format("; cut at {} places without a free way", change.paths_cut);
+    }
+    return text + ".";
+}
+
+}  // namespace
+
+void Editor::addMotionCommands() {
+    const auto needs_plan = [this]() -> std::string {
+        if (!workspace_.shown().scene) return "No scene is open.";
+        return motions_.state().busy ? "A camera path is being read or made." : "";
+    };
+    const auto needs_motion = [this, needs_plan]() -> std::string {
+        if (std::string why = needs_plan(); !why.empty()) return why;
+        return workspace_.state().edits.plan.motion ? "" : "Import a camera path first.";
+    };
+    commands_.add({"file.import_motion",
+                   "File",
+                   "Import a camera path…",
+                   {},
+                   [this] { askForFile("camera path"); },
+                   needs_plan});
+    commands_.add({"edit.repair_motion",
+                   "Edit",
+                   "Repair the camera path",
+                   {},
+                   [this] { motions_.repair(workspace_.shown()); },
+                   needs_motion});
+    commands_.add({"edit.clear_motion",
+                   "Edit",
+                   "Plan instead of following the camera path",
+                   {},
+                   [this] {
+                       apply({{"op", "clear_motion"}});
+                   },
+                   needs_motion});
+}
+
+ui::MotionView Editor::motionView() const {
+    ui::MotionView view;
+    if (!workspace_.isOpen()) return view;
+    const PlanOutcome& shown = workspace_.shown();
+    const SharedMotion& motion = workspace_.state().edits.plan.motion;
+    if (motion) view.motion = &*motion;
+    if (workspace_.planIsCurrent()) view.plan = shown.plan.get();
+    if (shown.scene && selected_.objects().size() == 1) {
+        view.object = shown.scene->object(selected_.objects().front()).name;
+    }
+    if (motion && motion == changed_motion_) view.change = motion_change_;
+    view.can_read_again = !motion_file_.empty();
+    view.world = motion_world_;
+    const BackgroundWorker::State job = motions_.state();
+    view.busy = job.busy;
+    view.fraction = job.fraction;
+    view.stage = job.stage;
+    return view;
+}
+
+void Editor::follow(const ui::MotionActions& actions) {
+    applyRequest(actions.edit);
+    if (actions.import) askForFile("camera path");
+    if (actions.repair) motions_.repair(workspace_.shown());
+    if (actions.cancel) motions_.cancel();
+    if (actions.read_in_world >= 0) readMotion(motion_file_, actions.read_in_world);
+    if (!actions.make.empty()) motions_.make(actions.make, workspace_.shown());
+}
+
+void Editor::readMotion(const std::filesystem::path& file, int world) {
+    motion_file_ = file;
+    motion_world_ = world;
+    focus_tab_ = "By hand";
+    motions_.read(file, ui::motionWorlds()[static_cast<std::size_t>(world)], workspace_.shown());
+}
+
+void Editor::takeMotion() {
+    std::optional<Result<MotionWorker::Outcome>> outcome = motions_.take();
+    if (!outcome || !workspace_.isOpen()) return;
+    if (!*outcome) {
+        const Error& error = outcome->error();
+        if (error.code == ErrorCode::Cancelled) return;
+        questions_.tell({true, "There is no new camera path", describe(error), {}});
+        return;
+    }
+    nlohmann::json operation = motionJson((*outcome)->motion);
+    operation["op"] = "set_motion";
+    apply(operation);
+    const auto& change = (*outcome)->change;
+    changed_motion_ = change ? workspace_.state().edits.plan.motion : SharedMotion();
+    motion_change_ = change ? changeText(*change) : std::string();
+    if (change) log::info("editor", "camera path: " + motion_change_);
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,76 @@
+#include "app/editor/project/motion_worker.h"
+
+#include "engine/io/trajectories/trajectory_file.h"
+#include "planning/motions/camera_moves.h"
+#include "render/formats/poses/camera_json.h"
+
+#include <exception>
+#include <utility>
+
+namespace dollytrack::editor {
+
+void MotionWorker::start(Work work) {
+    worker_.start(
+        [question = ++question_, work = std::move(work), latest = answers_](const JobContext& job) {
+            try {
+                latest->put({question, work(job)});
+            } catch (const std::exception& error) {
+                latest->put({question, fail(ErrorCode::Failed, error.what())});
+            }
+        });
+}
+
+void MotionWorker::cancel() {
+    ++question_;
+    worker_.cancel();
+}
+
+void MotionWorker::read(const std::filesystem::path& file, const std::string& world,
+                        const PlanOutcome& shown) {
+    start([file, world, scene = shown.scene, interval_s = 1.0 / shown.params.timing.frame_rate](
+              const JobContext&) -> Result<Outcome> {
+        TrajectoryReading reading;
+        reading.world = world;
+        reading.source_from_world = scene->source_from_world;
+        reading.camera_json_from_world = render::cameraJsonFromWorld(*scene);
+        reading.interval_s = interval_s;
+        reading.has_options = false;
+        Result<LoadedTrajectory> loaded = loadTrajectory(file, reading);
+        if (!loaded) return tl::unexpected(std::move(loaded.error()));
+        return Outcome{givenMotion(file.filename().string(), loaded->trajectory), {}};
+    });
+}
+
+void MotionWorker::repair(const PlanOutcome& shown) {
+    start([shown](const JobContext& job) -> Result<Outcome> {
+        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
+                                                    job.stage(0.0, 0.2, "free space"));
+        if (!map) return tl::unexpected(map.error());
+        const GivenMotion& given = *shown.edits.motion;
+        auto repaired = planning::repairMotion(*map, shown.params, trajectoryOf(given),
+                                               job.stage(0.2, 1.0, "repair"));
+        if (!repaired) return tl::unexpected(std::move(repaired.error()));
+        return Outcome{givenMotion(given.name, repaired->trajectory), repaired->change};
+    });
+}
+
+void MotionWorker::make(const std::string& move, const PlanOutcome& shown) {
+    start([move, shown](const JobContext& job) -> Result<Outcome> {
+        const auto request = planning::parseMove(move);
+        if (!request) return tl::unexpected(request.error());
+        const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
+                                                    job.stage(0.0, 0.2, "free space"));
+        if (!map) return tl::unexpected(map.error());
+        auto made = planning::makeMove(*map, shown.params, *request, job.stage(0.2, 1.0, "move"));
+        if (!made) return tl::unexpected(std::move(made.error()));
+        return Outcome{givenMotion(request->kind, made->trajectory), made->change};
+    });
+}
+
+std::optional<Result<MotionWorker::Outcome>> MotionWorker::take() {
+    std::optional<Answer> answer = answers_->take();
+    if (!answer || answer->question != question_) return std::nullopt;
+    return std::move(answer->outcome);
+}
+
+}  // namespace dollytrack::editor
