@@ -96,7 +96,7 @@ void Editor::refreshScene() {
         dropGizmo();
         noted_file_.clear();
         import_bar_dismissed_ = false;
-        if (!workspace_.isOpen()) drawing_.setScene({});
+        drawing_.setScene({});
     }
     const PlanOutcome& shown = workspace_.shown();
     selected_.follow(shown.objects);

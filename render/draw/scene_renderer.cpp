@@ -76,7 +76,11 @@ struct SceneRenderer::Impl {
         } else {
             surfaces.drawShading(scene, view, target);
         }
-        light.drawOcclusion(scene, view, target);
+        if (view.coarse) {
+            light.skipOcclusion(target);
+        } else {
+            light.drawOcclusion(scene, view, target);
+        }
         light.drawPicture(view, surfaces.shine(), target);
         light.smoothEdges(target);
     }

@@ -47,8 +47,8 @@ struct View {
     Antialias antialias = Antialias::Edges;
     /// Takes effect if the renderer has reflections; see SceneRenderer::setReflections().
     Reflections reflections = Reflections::Blurred;
-    /// Draws simplified meshes, if the renderer has them (Detail::FullAndCoarse); for a moving
-    /// view.
+    /// Draws simplified meshes, if the renderer has them (Detail::FullAndCoarse), and no ambient
+    /// occlusion; for a moving view and for the first image of a scene. Without antialiasing only.
     bool coarse = false;
     /// None: a pinhole camera.
     std::optional<Orthographic> orthographic;

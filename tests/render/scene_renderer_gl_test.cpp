@@ -4,6 +4,8 @@
 #include "tests/support/scene_builder.h"
 
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace dollytrack::render::scene_renderer_gl_test {
 namespace {
@@ -84,6 +86,38 @@ TEST_F(SceneRendererGl, AnOrthographicViewKeepsSizesAndMeasuresDepthAlongItsAxis
         ASSERT_TRUE(renderer->scene().startSilhouettes(view, std::vector<int>{2}));
         EXPECT_EQ(renderer->scene().finishSilhouettes().at(0), 40U * 20U);
     }
+}
+
+// The first image of a scene: no textures, no simplified meshes, no ambient occlusion, which only
+// darkens.
+TEST_F(SceneRendererGl, APlainSceneHasTheSameGeometryWithoutOcclusion) {
+    const Scene scene = furnishedRoom();
+    const CameraParams camera = smallCamera();
+    auto whole = makeRenderer(scene, camera);
+    ASSERT_TRUE(whole) << describe(whole.error());
+    View view = makeView(camera, lookAt({0.5, 0.5, 1.6}, {3, 2, 0.5}));
+    const auto expected = whole->render(view);
+    ASSERT_TRUE(expected) << describe(expected.error());
+
+    LightVolume light;
+    light.cells = {1, 1, 1};
+    light.ambient.assign(1, Eigen::Vector3f::Ones());
+    light.lamps.assign(1, Eigen::Vector3f::Zero());
+    auto plain = SceneRenderer::create(scene, light, Detail::Plain);
+    auto target = RenderTarget::create(camera.width_px, camera.height_px);
+    ASSERT_TRUE(plain && target);
+    view.coarse = true;
+    ASSERT_TRUE(plain->draw(view, *target));
+    std::vector<float> depth_m;
+    std::vector<std::uint16_t> ids;
+    std::vector<std::uint8_t> rgb;
+    target->readDepth(depth_m);
+    target->readIds(ids);
+    target->readRgb(rgb);
+    EXPECT_EQ(depth_m, expected->depth_m);
+    EXPECT_EQ(ids, expected->instance);
+    EXPECT_GT(std::accumulate(rgb.begin(), rgb.end(), 0L),
+              std::accumulate(expected->rgb.begin(), expected->rgb.end(), 0L));
 }
 
 TEST_F(SceneRendererGl, AnOrthographicViewMeetsTheRayOfEachPixel) {

@@ -22,6 +22,17 @@ TEST(AdaptiveResolution, IsCoarseWhileTheViewMovesAndWholeWhenItRests) {
     EXPECT_EQ(resolution.shrinkFor(false, now + milliseconds(500)), 1);
 }
 
+TEST(AdaptiveResolution, SlowScenesRestLater) {
+    AdaptiveResolution resolution;
+    const AdaptiveResolution::Time now{std::chrono::hours(1)};
+    resolution.drew(1, false, true, 400.0, now);
+    EXPECT_EQ(resolution.restsAt(), now + milliseconds(400));
+    resolution.drew(1, false, true, 9000.0, now);
+    EXPECT_LT(resolution.restsAt(), now + milliseconds(1000));
+    resolution.drew(1, false, true, 10.0, now);
+    EXPECT_EQ(resolution.restsAt(), now + AdaptiveResolution::kRest);
+}
+
 TEST(AdaptiveResolution, NewLayersOverTheSameViewNeitherMoveItNorTellWhatItTakes) {
     AdaptiveResolution resolution;
     AdaptiveResolution::Time now{std::chrono::hours(1)};

@@ -1,6 +1,18 @@
 #include "ui/viewport/adaptive_resolution.h"
 
+#include <algorithm>
+
 namespace dollytrack::ui {
+namespace {
+
+constexpr double kLongestRest_ms = 600.0;
+
+}  // namespace
+
+AdaptiveResolution::Time AdaptiveResolution::restsAt() const {
+    const std::chrono::milliseconds whole(static_cast<int>(std::min(whole_ms_, kLongestRest_ms)));
+    return moved_ + std::max(kRest, whole);
+}
 
 int AdaptiveResolution::shrinkFor(bool same, Time now) const {
     if (now >= restsAt() || whole_ms_ <= kFluent_ms) return 1;

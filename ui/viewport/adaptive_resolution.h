@@ -10,7 +10,8 @@ class AdaptiveResolution {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// After this time without a change the view rests and is drawn in full resolution.
+    /// After this time without a change the view rests and is drawn in full resolution; after as
+    /// long as a full image takes, if that is longer, so that an uneven drag does not wait for one.
     static constexpr std::chrono::milliseconds kRest{150};
     static constexpr double kFluent_ms = 50.0;  // full images that take no longer are not reduced
 
@@ -25,7 +26,7 @@ class AdaptiveResolution {
     void forget() { *this = {}; }
 
     /// The time at which the view counts as resting.
-    [[nodiscard]] Time restsAt() const { return moved_ + kRest; }
+    [[nodiscard]] Time restsAt() const;
 
   private:
     double whole_ms_ = 0.0;

@@ -157,6 +157,8 @@ struct RenderThread::Impl {
     std::shared_ptr<const RayCaster> rays;
     std::optional<render::TracedReflections> reflections;  // set if any surface reflects
     std::optional<render::SceneRenderer> renderer;
+    int anisotropy = 0;
+    bool plain = false;  // the renderer has no textures yet: they follow the first image
     ViewCanvas whole;
     ViewCanvas coarse;
     std::optional<render::RenderTarget> preview_target;
@@ -178,6 +180,9 @@ struct RenderThread::Impl {
     void loop();
     void release();
     Status loadScene(SceneRequest request);
+    Status createRenderer(render::Detail detail);
+    /// Adds the textures and simplified meshes to a plain scene.
+    Status completeScene();
     Status drawView(ViewRequest request);
     /// Returns whether the scene was drawn again, rather than only the overlays.
     Result<bool> drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
@@ -229,7 +234,13 @@ void RenderThread::Impl::loop() {
         lock.unlock();
         if (current) {
             if (scene_request) say(loadScene(std::move(*scene_request)));
-            if (view_request && renderer) say(drawView(std::move(*view_request)));
+            if (view_request && renderer) say(drawView(*view_request));
+            if (plain && (view_request || preview_request)) {
+                wake();
+                say(completeScene());
+                const std::lock_guard guard(mutex);
+                owed = std::move(view_request);
+            }
             if (preview_request && renderer) say(drawPreview(*preview_request));
         }
         wake();
@@ -267,32 +278,48 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     if (!scene) {
         renderer.reset();
         lit_by.reset();
+        plain = false;
         return {};
     }
-    const render::LightVolume plain = plainLight(*scene);
-    const render::LightVolume& light = request.light ? *request.light : plain;
-    if (same) {
-        if (request.light != lit_by) {
-            if (Status status = renderer->setLight(light); !status) {
-                return tl::unexpected(std::move(status.error()));
-            }
-        }
-    } else {
-        renderer.reset();  // released first: both may not fit into memory
-        Result<render::SceneRenderer> made =
-            render::SceneRenderer::create(*scene, light, render::Detail::FullAndCoarse);
-        if (!made) return tl::unexpected(std::move(made.error()));
-        renderer.emplace(std::move(*made));
-    }
+    const bool relit = request.light != lit_by;
     lit_by = request.light;
+    anisotropy = request.anisotropy;
+    Status status;
+    if (!same) {
+        plain = !renderer;  // an edited scene keeps its look
+        status = createRenderer(plain ? render::Detail::Plain : render::Detail::FullAndCoarse);
+    } else if (relit) {
+        status = renderer->setLight(lit_by ? *lit_by : plainLight(*scene));
+    }
+    if (!status) return status;
     if (rays && lit_by && render::TracedReflections::any(*scene, Reflections::All)) {
         reflections.emplace(*scene, *rays, *lit_by);
     }
     renderer->setReflections(reflections ? &*reflections : nullptr);
-    renderer->setAnisotropy(request.anisotropy);
+    renderer->setAnisotropy(anisotropy);
     const std::lock_guard lock(mutex);
     is_ready = true;
     final_light = request.light != nullptr;
+    return {};
+}
+
+Status RenderThread::Impl::createRenderer(render::Detail detail) {
+    renderer.reset();  // released first: both may not fit into memory
+    Result<render::SceneRenderer> made =
+        render::SceneRenderer::create(*scene, lit_by ? *lit_by : plainLight(*scene), detail);
+    if (!made) return tl::unexpected(std::move(made.error()));
+    renderer.emplace(std::move(*made));
+    return {};
+}
+
+Status RenderThread::Impl::completeScene() {
+    plain = false;
+    if (Status status = createRenderer(render::Detail::FullAndCoarse); !status) return status;
+    renderer->setReflections(reflections ? &*reflections : nullptr);
+    renderer->setAnisotropy(anisotropy);
+    whole.drawn.reset();
+    coarse.drawn.reset();
+    resolution.forget();
     return {};
 }
 
@@ -324,7 +351,7 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
 
 Result<bool> RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& request, int shrink) {
     render::View view = shrunk(request.view, shrink);
-    view.coarse = shrink > 1;
+    view.coarse = shrink > 1 || plain;
     const Intrinsics& size = view.intrinsics;
     const bool draws = !on.drawn || !samePicture(*on.drawn, view);
     if (draws) {

@@ -78,7 +78,8 @@ struct SceneRequest {
 };
 
 /// Renders the viewport and the preview on a thread with its own OpenGL context, so that large
-/// scenes and their uploads never block the window. If drawing is too slow to follow the mouse, the
+/// scenes and their uploads never block the window. The first image of a scene shows plain
+/// geometry; textures and simplified meshes follow. If drawing is too slow to follow the mouse, the
 /// view is drawn at lower resolution while it moves and at full resolution when it rests. The two
 /// contexts share no objects, because Mesa's software driver occasionally crashes when two contexts
 /// use the same object; images are passed as pixels.

@@ -30,17 +30,18 @@ struct LivePlanner::WorkerState {
     std::uint64_t objects_since = 0;
     std::optional<planning::Pipeline> pipeline;
 
-    Status prepareScene(const PlanRequest& request, const planning::PlanParams& params);
+    /// Returns whether this is the first scene made from an imported file.
+    Result<bool> prepareScene(const PlanRequest& request, const planning::PlanParams& params);
 };
 
-Status LivePlanner::WorkerState::prepareScene(const PlanRequest& request,
-                                              const planning::PlanParams& params) {
+Result<bool> LivePlanner::WorkerState::prepareScene(const PlanRequest& request,
+                                                    const planning::PlanParams& params) {
     const SceneEdits& edits = request.state->edits.scene;
     const bool same_file = imported == request.imported;
     const SizeRules rules{params.targets.small_volume_m3, params.targets.size_ratio};
     const bool same_rules = size_rules.small_volume_m3 == rules.small_volume_m3 &&
                             size_rules.size_ratio == rules.size_ratio;
-    if (same_file && scene && same_rules && scene_edits == edits) return {};
+    if (same_file && scene && same_rules && scene_edits == edits) return false;
     const bool goes_on = same_file && scene != nullptr;
     const bool same_geometry = goes_on && sameGeometry(scene_edits, edits);
     const bool same_objects = goes_on && scene_edits.definitions == edits.definitions;
@@ -67,7 +68,7 @@ Status LivePlanner::WorkerState::prepareScene(const PlanRequest& request,
     } else {
         pipeline.emplace(scene);
     }
-    return {};
+    return !goes_on;
 }
 
 LivePlanner::LivePlanner(std::function<void()> wake, BackgroundWorker::Clock clock)
@@ -102,9 +103,8 @@ void LivePlanner::start(PlanRequest request) {
                 !status) {
                 return refuse(std::move(status.error()));
             }
-            if (Status status = worker_state->prepareScene(request, outcome.params); !status) {
-                return refuse(std::move(status.error()));
-            }
+            const Result<bool> first = worker_state->prepareScene(request, outcome.params);
+            if (!first) return refuse(first.error());
             outcome.scene = worker_state->scene;
             outcome.objects = worker_state->objects;
             outcome.geometry = worker_state->geometry;
@@ -112,6 +112,8 @@ void LivePlanner::start(PlanRequest request) {
             outcome.warnings = worker_state->warnings;
             outcome.edits =
                 findObjects(request.state->edits.plan, *worker_state->scene, outcome.warnings);
+            // A new scene is shown before its plan.
+            if (*first) publish();
             const auto collect = [&](std::shared_ptr<const Plan> plan, bool measured) {
                 outcome.rays = worker_state->pipeline->rays();
                 outcome.free_space = worker_state->pipeline->freeSpace();

@@ -31,7 +31,8 @@ struct PlanRequest {
     std::uint64_t serial = 0;  // set by the caller to identify the outcome
 };
 
-/// The outcome of a request. After an error the scene may be set, without a plan.
+/// The outcome of a request. The scene is set without a plan while a newly imported scene is being
+/// planned, and possibly after an error.
 struct PlanOutcome {
     std::uint64_t serial = 0;
     std::shared_ptr<const ProjectState> state;
@@ -41,7 +42,7 @@ struct PlanOutcome {
     std::uint64_t objects_since = 0;             // since this geometry, objects have only moved
     std::shared_ptr<const RayCaster> rays;
     std::shared_ptr<const planning::FreeSpace> free_space;
-    std::shared_ptr<const Plan> plan;  // null after an error
+    std::shared_ptr<const Plan> plan;  // null before the first plan and after an error
     planning::PlanParams params;
     PlanEdits edits;        // plan edits with object ids of this scene
     bool measured = false;  // false: the trajectory is set, its metrics are still missing

@@ -380,7 +380,8 @@ void Workspace::take(PlanOutcome outcome) {
         log::warn("planning", describe(*outcome.error));
     }
     for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
-    if (shown_.serial != outcome.serial && outcome.serial == serial_) {
+    const bool answers = outcome.plan || outcome.error;  // not only the scene
+    if (answers && outcome.serial == serial_ && (shown_.serial != serial_ || !shown_.plan)) {
         latency_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();
     }
     const bool refused = outcome.error && outcome.error->code == ErrorCode::Usage;
@@ -400,7 +401,8 @@ void Workspace::take(PlanOutcome outcome) {
 /// on the screen; an error for an outdated request is not.
 bool Workspace::isWanted(const PlanOutcome& outcome) const {
     if (outcome.serial == serial_) return true;
-    return outcome.serial >= first_serial_ && outcome.plan != nullptr;
+    const bool first_scene = outcome.scene && !outcome.error && !shown_.scene;
+    return outcome.serial >= first_serial_ && (outcome.plan || first_scene);
 }
 
 void Workspace::poll() {

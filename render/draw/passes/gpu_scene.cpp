@@ -156,9 +156,14 @@ void describeLayout(GpuScene& scene) {
 /// Sorts the triangles into batches (surface kind, texture, maps) and, within these, by object.
 class SceneSorter {
   public:
-    explicit SceneSorter(const Scene& scene) : scene_(scene), outside_(showsOutside(scene)) {
+    SceneSorter(const Scene& scene, Detail detail) : scene_(scene), outside_(showsOutside(scene)) {
         const std::vector<Surface> kinds = surfaceKinds(scene);
         for (std::size_t i = 0; i < kinds.size(); ++i) {
+            if (detail == Detail::Plain) {
+                const bool glass = kinds[i] == Surface::Glass;
+                keys_.push_back({glass ? Surface::Glass : Surface::Opaque, -1, -1});
+                continue;
+            }
             const Material& material = scene.materials[i];
             const bool mapped =
                 hasMap(scene, material.normal_map) || hasMap(scene, material.roughness_map) ||
@@ -272,7 +277,7 @@ void addCoarse(const SceneSorter& sorter, Detail detail, std::vector<std::uint32
         for (Piece& piece : batch.pieces) {
             piece.coarse_first = piece.first_index;
             piece.coarse_count = piece.index_count;
-            if (detail == Detail::Full || batch.surface == Surface::Glass) continue;
+            if (detail != Detail::FullAndCoarse || batch.surface == Surface::Glass) continue;
             const std::uint32_t* first = &sorter.first_vertices[piece.object_id - 1];
             std::vector<std::uint32_t> corners(
                 indices.begin() + piece.first_index,
@@ -310,7 +315,7 @@ Result<GpuScene> uploadScene(const Scene& scene, Detail detail) {
                         "some of them",
                     scene.source.string());
     }
-    SceneSorter sorter(scene);
+    SceneSorter sorter(scene, detail);
     sorter.sort();
 
     GpuScene result;

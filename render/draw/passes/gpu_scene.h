@@ -84,8 +84,9 @@ void place(GpuScene& scene, const RestingObject& object, const Eigen::Isometry3d
 /// maximum. 0: 8 on a graphics card, 1 on the CPU.
 void setAnisotropy(const GpuScene& scene, int samples);
 
-/// Whether to upload the simplified meshes for View::coarse, too.
-enum class Detail { Full, FullAndCoarse };
+/// What to upload: the geometry with one colour per material, for a first image soon after loading;
+/// with all textures; or also with the simplified meshes for View::coarse.
+enum class Detail { Plain, Full, FullAndCoarse };
 
 /// Uploads the scene. Returns BadInput for more than 65535 objects, the limit of 16-bit labels, and
 /// Failed if the graphics memory does not suffice.

@@ -6,6 +6,7 @@
 
 #include <GL/glew.h>
 
+#include <array>
 #include <numbers>
 #include <vector>
 
@@ -175,6 +176,14 @@ void LightPass::drawOcclusion(const GpuScene& scene, const View& view,
     glBindTextureUnit(2, samples.depth_.get());
     setDepthSpan(program, 4, view);
     drawOcclusion(view, program, target);
+}
+
+void LightPass::skipOcclusion(RenderTarget& target) {
+    const std::array<float, 4> open = {1.0F, 1.0F, 1.0F, 1.0F};
+    glClearNamedFramebufferfv(target.soft_frame_.get(), GL_COLOR, 0, open.data());
+    glBindTextureUnit(1, target.normal_.get());
+    glBindTextureUnit(2, target.surface_.get());
+    glBindTextureUnit(3, target.soft_occlusion_.get());
 }
 
 void LightPass::drawOcclusion(const View& view, unsigned occlusion, RenderTarget& target) {

@@ -46,6 +46,8 @@ class LightPass {
     /// The same for the first sample of a multisampled surface buffer.
     void drawOcclusion(const GpuScene& scene, const View& view, const MultisampleBuffer& samples,
                        RenderTarget& target);
+    /// Instead of drawOcclusion(): nothing is occluded.
+    void skipOcclusion(RenderTarget& target);
 
     /// Shades the target's surface buffer. `shine` is SurfacePass::shine().
     void drawPicture(const View& view, float shine, RenderTarget& target);

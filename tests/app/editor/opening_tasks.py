@@ -2,6 +2,7 @@
 import json
 import subprocess
 
+from pictures import SCENE as APARTMENT
 from task import Programs, Task, plan
 from support import tiny_room
 
@@ -14,6 +15,16 @@ class Opening(Task):
         self.assertEqual(state["history"], ["Open"])
         project = plan(self.room, self.folder / "same.dolly")
         self.assertEqual(state["plan"]["frames"], len(project["result"]["trajectory"]["frames"]))
+
+    def test_the_scene_is_shown_before_its_plan(self):
+        self.start()
+        self.editor.drop(APARTMENT)
+        state = self.editor.wait(lambda state: state.get("objects"), "the scene", 60)
+        self.assertNotIn("plan", state)
+        self.assertTrue(state["busy"]["planning"])
+        self.editor.wait(lambda state: state["picture_serial"] > 0, "an image", 60)
+        state = self.editor.idle()
+        self.assertGreater(state["plan"]["captured"], 0)
 
     def test_exit_codes_of_arguments(self):
         for arguments, code in [(["--help"], 0), (["--version"], 0), (["--nosuch"], 2),
