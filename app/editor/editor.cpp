@@ -25,6 +25,8 @@ void beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more =
     ImGui::Begin(name, nullptr, kPart | more);
 }
 
+constexpr float kExportHeight = 310.0F;  // of the bottom panels, px at 96 dots per inch
+
 /// The pinned points used for the plan on the screen.
 const std::vector<PinnedPoint>& pinnedIn(const PlanOutcome& shown) {
     static const std::vector<PinnedPoint> kNone;
@@ -53,6 +55,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuff
     setTheme();
     panels_.timeline.strips = settings_.layout.strips;
     panels_.preview.open = settings_.layout.show_preview;
+    panels_.preview.docked = settings_.layout.dock_preview;
     layer_settings_ = settings_.layout.layers;
     left_tabs_.restore(settings_.layout.left_tab);
     right_tabs_.restore(settings_.layout.right_tab);
@@ -164,6 +167,33 @@ bool Editor::frame() {
     return !quitting_;
 }
 
+float Editor::bottomHeight(float window_height, float most) const {
+    const float scale = ui::scaled(1.0F);
+    // The export form is taller than the other panels and leaves less to the viewport.
+    const bool exports = bottom_tabs_.open() == "Export";
+    const float least = exports ? std::min(kExportHeight, 0.56F * window_height / scale) : 110.0F;
+    const float height =
+        std::min(std::max(settings_.layout.bottom, least), exports ? most + 80.0F : most);
+    // The row for track times adds to the height, so that the last strip stays visible.
+    return scale * height + (hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
+}
+
+void Editor::drawBottomRow(ImVec2 low, ImVec2 size) {
+    // The export form needs the whole width.
+    const bool beside = previewIsDocked() && bottom_tabs_.open() != "Export";
+    const float dock = beside ? previewWidth(size.y, size.x) : 0.0F;
+    beginPart("bottom", low, {size.x - dock, size.y});
+    drawBottom();
+    ImGui::End();
+    if (!beside) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    beginPart("preview", {low.x + size.x - dock, low.y}, {dock, size.y},
+              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    drawPreview();
+    ImGui::End();
+}
+
 void Editor::arrange() {
     const ImGuiViewport* screen = ImGui::GetMainViewport();
     const ImVec2 low = screen->WorkPos;
@@ -174,14 +204,11 @@ void Editor::arrange() {
     // The viewport keeps a minimum size in small windows.
     const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
     const float most_bottom = std::max(size.y / scale - 300.0F, 120.0F);
-    layout.left = std::clamp(layout.left, 180.0F, most_side);
-    layout.right = std::clamp(layout.right, 180.0F, most_side);
-    layout.bottom = std::clamp(layout.bottom, 110.0F, most_bottom);
-    const float left = layout.show_left ? scale * layout.left : 0.0F;
-    const float right = layout.show_right ? scale * layout.right : 0.0F;
-    // The row for track times adds to the height, so that the last strip stays visible.
-    const float more = hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
-    const float bottom = layout.show_bottom ? scale * layout.bottom + more : 0.0F;
+    // In a small window the panels are smaller than their settings, which hold for a larger one.
+    const float left = layout.show_left ? scale * std::clamp(layout.left, 180.0F, most_side) : 0.0F;
+    const float right =
+        layout.show_right ? scale * std::clamp(layout.right, 180.0F, most_side) : 0.0F;
+    const float bottom = layout.show_bottom ? bottomHeight(size.y, most_bottom) : 0.0F;
     const float middle = size.y - status - bottom;
     if (layout.show_left) {
         beginPart("left", low, {left, middle});
@@ -195,9 +222,7 @@ void Editor::arrange() {
     }
     if (!layout.show_bottom) step_playback_.show(false);
     if (layout.show_bottom) {
-        beginPart("bottom", {low.x, low.y + middle}, {size.x, bottom});
-        drawBottom();
-        ImGui::End();
+        drawBottomRow({low.x, low.y + middle}, {size.x, bottom});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     beginPart("centre", {low.x + left, low.y}, {size.x - left - right, middle},
@@ -212,9 +237,10 @@ void Editor::arrange() {
     const float grip = ui::scaled(3);
     const auto drag = [&](const char* name, ImVec2 from, ImVec2 to, bool vertical, float sign,
                           float& length, float least, float most) {
-        float px = scale * length;
-        ui::splitter(name, from, to, vertical, sign, px, scale * least, scale * most);
-        length = px / scale;
+        float px = scale * std::clamp(length, least, most);
+        if (ui::splitter(name, from, to, vertical, sign, px, scale * least, scale * most)) {
+            length = px / scale;
+        }
     };
     if (layout.show_left) {
         drag("splitter.left", {low.x + left - grip, low.y}, {low.x + left + grip, low.y + middle},
@@ -242,6 +268,7 @@ void Editor::rememberSettings() {
     settings_.window = window_.settings();
     settings_.layout.strips = panels_.timeline.strips;
     settings_.layout.show_preview = panels_.preview.open;
+    settings_.layout.dock_preview = panels_.preview.docked;
     settings_.layout.layers = layer_settings_;
     settings_.layout.left_tab = left_tabs_.open();
     settings_.layout.right_tab = right_tabs_.open();

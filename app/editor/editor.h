@@ -67,6 +67,10 @@ class Editor {
   private:
     // editor.cpp: the frame
     void arrange();
+    /// Height of the bottom panels, px; `most` in px at 96 dots per inch.
+    [[nodiscard]] float bottomHeight(float window_height, float most) const;
+    /// The bottom panels, with the docked preview beside them.
+    void drawBottomRow(ImVec2 low, ImVec2 size);
     void refreshScene();
     void autosave();
     void rememberSettings();
@@ -124,6 +128,10 @@ class Editor {
     // editor_viewport.cpp
     void drawCentre();
     void drawPreview();
+    /// Whether the preview is drawn beside the bottom panels instead of over the viewport.
+    [[nodiscard]] bool previewIsDocked() const;
+    /// Width of the docked preview beside bottom panels of this height, px.
+    [[nodiscard]] float previewWidth(float height, float window_width) const;
     void drawLegend();
     void editWithGizmo();
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();

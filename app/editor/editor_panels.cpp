@@ -10,6 +10,7 @@
 #include "ui/panels/plan/parameters_panel.h"
 #include "ui/panels/scene/layers_panel.h"
 #include "ui/theme.h"
+#include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ namespace dollytrack::editor {
 using ui::Selection;
 
 void Editor::drawLeft() {
-    if (!ImGui::BeginTabBar("left tabs")) return;
+    if (!left_tabs_.beginRow("left tabs")) return;
     if (left_tabs_.begin("Objects", focus_tab_)) {
         drawObjects();
         ImGui::EndTabItem();
@@ -192,7 +193,7 @@ void Editor::drawSelection() {
 }
 
 void Editor::drawRight() {
-    if (!ImGui::BeginTabBar("right tabs")) return;
+    if (!right_tabs_.beginRow("right tabs")) return;
     if (right_tabs_.begin("Parameters", focus_tab_)) {
         drawParameters();
         ImGui::EndTabItem();
@@ -258,7 +259,7 @@ void Editor::drawSteps() {
 }
 
 void Editor::drawBottom() {
-    if (!ImGui::BeginTabBar("bottom tabs")) return;
+    if (!bottom_tabs_.beginRow("bottom tabs")) return;
     // The steps are shown while their tab is open.
     step_playback_.show(false);
     if (bottom_tabs_.begin("Timeline", focus_tab_)) {
@@ -308,15 +309,18 @@ void Editor::drawStatus() {
     } else {
         ImGui::TextDisabled("%s", workspace_.isOpen() ? "" : "No scene is open.");
     }
-    std::string right;
+    std::string right = fmt::format("window {:.0f} ms, image {:.0f} ms", window_.lastFrame_ms(),
+                                    drawing_.view().milliseconds);
+    ImGui::SameLine();
+    const float room = ImGui::GetContentRegionAvail().x;
     if (shown.scene) {
-        right = fmt::format("{:L} triangles, {} objects   ", shown.scene->triangles.size(),
-                            shown.scene->objects.size());
+        const std::string size =
+            fmt::format("{:L} triangles, {} objects   ", shown.scene->triangles.size(),
+                        shown.scene->objects.size());
+        if (ImGui::CalcTextSize((size + right).c_str()).x < room) right = size + right;
     }
-    right += fmt::format("window {:.0f} ms, image {:.0f} ms", window_.lastFrame_ms(),
-                         drawing_.view().milliseconds);
-    const float width = ImGui::CalcTextSize(right.c_str()).x;
-    ImGui::SameLine(std::max(ImGui::GetWindowWidth() - width - ui::scaled(12), 0.0F));
+    right = ui::cutToWidth(right, room);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - ImGui::CalcTextSize(right.c_str()).x);
     ImGui::TextDisabled("%s", right.c_str());
     std::string more;
     if (shown.scene) {

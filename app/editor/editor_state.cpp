@@ -147,6 +147,8 @@ nlohmann::json Editor::stateJson() {
         {"preview",
          {{"frame", drawing_.preview().frame},
           {"serial", drawing_.preview().serial},
+          {"open", panels_.preview.open},
+          {"docked", previewIsDocked()},
           {"modality", static_cast<int>(drawing_.preview().modality)},
           {"final_light", drawing_.finalLight()}}},
         {"exports", exportsJson()},

@@ -319,6 +319,21 @@ void Editor::editWithGizmo() {
     }
 }
 
+bool Editor::previewIsDocked() const {
+    const ui::PreviewState& preview = panels_.preview;
+    return workspace_.isOpen() && preview.docked && preview.open && !preview.full &&
+           settings_.layout.show_bottom;
+}
+
+float Editor::previewWidth(float height, float window_width) const {
+    const CameraParams& camera = workspace_.shown().params.camera;
+    const float picture = height - ImGui::GetFrameHeight() - ui::scaled(10);
+    const float aspect =
+        static_cast<float>(camera.width_px) / static_cast<float>(std::max(camera.height_px, 1));
+    // At least its title bar, and at most a third of the window.
+    return std::max(std::min(picture * aspect, window_width / 3.0F), ui::scaled(312));
+}
+
 void Editor::drawPreview() {
     const bool has = plan() != nullptr && frameCount() > 0;
     ui::PreviewView view;
@@ -326,8 +341,9 @@ void Editor::drawPreview() {
     view.scene = workspace_.shown().scene.get();
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
+    view.docked = previewIsDocked();
     // The full preview covers the whole viewport.
-    const float margin = panels_.preview.full ? 0.0F : ui::scaled(8);
+    const float margin = view.docked || panels_.preview.full ? 0.0F : ui::scaled(8);
     view.low = {low.x + margin, low.y + margin};
     view.high = {low.x + size.x - margin, low.y + size.y - margin};
     view.busy = drawing_.busy();
@@ -337,7 +353,7 @@ void Editor::drawPreview() {
                     : fmt::format("frame {}", playback_.frame());
     if (!has) view.why_not = "There is no trajectory.";
     const ui::PreviewActions actions = ui::drawPreviewPanel(view, panels_.preview);
-    preview_hovered_ = actions.hovered;
+    preview_hovered_ = actions.hovered && !view.docked;
     if (actions.save_png) {
         picture_to_save_ = drawing_.preview();
         askForFile("preview.png");
@@ -444,7 +460,8 @@ void Editor::drawCentre() {
     }
     editWithGizmo();
     if (!panels_.preview.full) drawLegend();
-    drawPreview();
+    preview_hovered_ = false;
+    if (!previewIsDocked()) drawPreview();
 }
 
 }  // namespace dollytrack::editor

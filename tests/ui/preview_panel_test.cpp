@@ -62,6 +62,27 @@ TEST(PreviewPanel, APortraitFitsIntoTheViewport) {
     }
 }
 
+TEST(PreviewPanel, FillsItsDockUntilItFloats) {
+    Preview preview;
+    test::Screen screen(
+        [&] {
+            preview.view.docked = preview.state.docked;
+            preview.draw();
+        },
+        360, 240);
+    screen.frame(2);
+    const auto docked = screen.find("preview.picture");
+    ASSERT_TRUE(docked) << screen.names();
+    EXPECT_NEAR(docked->bottom, 240.0F, 2.0F);
+    EXPECT_NEAR((docked->right - docked->left) / (docked->bottom - docked->top), 4.0 / 3.0, 0.02);
+    EXPECT_FALSE(screen.shows("preview.grip"));
+    screen.click("preview.dock");
+    EXPECT_FALSE(preview.state.docked);
+    EXPECT_TRUE(screen.shows("preview.grip"));
+    screen.click("preview.dock");
+    EXPECT_TRUE(preview.state.docked);
+}
+
 TEST(PreviewPanel, GrowsFoldsAndMoves) {
     Preview preview;
     test::Screen screen([&] { preview.draw(); }, 900, 560);

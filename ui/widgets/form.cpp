@@ -9,6 +9,12 @@
 namespace dollytrack::ui {
 namespace {
 
+/// Not during a drag, when a tooltip would cover what changes.
+bool wantsTooltip() {
+    return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) &&
+           !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+}
+
 void drawTooltip(const std::string& text) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(scaled(340));
@@ -74,7 +80,7 @@ void paragraph(const std::string& text) {
 }
 
 void tooltip(const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (text.empty() || !wantsTooltip()) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float top = ImGui::GetItemRectMin().y;
     if (top > 0.6F * window.y) {
@@ -86,7 +92,7 @@ void tooltip(const std::string& text) {
 }
 
 void tooltipBeside(const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (text.empty() || !wantsTooltip()) return;
     const float left = ImGui::GetWindowPos().x;
     const float right = left + ImGui::GetWindowWidth();
     const bool has_room = right + scaled(200) < ImGui::GetIO().DisplaySize.x;

@@ -101,8 +101,12 @@ void drawIcon(Icon icon, const IconPen& pen) {
             pen.line(-0.8F, 0.1F, -0.8F, 0.8F);
             pen.line(-0.8F, 0.8F, -0.1F, 0.8F);
             break;
-        case Icon::Shrink:
-            pen.line(-0.7F, 0.6F, 0.7F, 0.6F);
+        case Icon::Float:
+            pen.line(-0.9F, -0.8F, 0.9F, -0.8F);
+            pen.line(0.9F, -0.8F, 0.9F, 0.8F);
+            pen.line(0.9F, 0.8F, -0.9F, 0.8F);
+            pen.line(-0.9F, 0.8F, -0.9F, -0.8F);
+            pen.bar(0.0F, 0.0F, 0.65F, 0.55F);
             break;
         case Icon::Save:
             pen.line(0, -0.9F, 0, 0.3F);

@@ -18,7 +18,7 @@ enum class Icon {
     Loop,
     Pin,
     Grow,
-    Shrink,
+    Float,
     Save,
     Up,
     Down,

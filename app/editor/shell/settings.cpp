@@ -66,6 +66,7 @@ EditorSettings loadSettings() {
         settings.layout.show_right = layout.value("show_right", true);
         settings.layout.show_bottom = layout.value("show_bottom", true);
         settings.layout.show_preview = layout.value("show_preview", true);
+        settings.layout.dock_preview = layout.value("dock_preview", true);
         settings.layout.left_tab = layout.value("left_tab", "");
         settings.layout.right_tab = layout.value("right_tab", "");
         settings.layout.bottom_tab = layout.value("bottom_tab", "");
@@ -106,6 +107,7 @@ Status saveSettings(const EditorSettings& settings) {
                              {"show_right", settings.layout.show_right},
                              {"show_bottom", settings.layout.show_bottom},
                              {"show_preview", settings.layout.show_preview},
+                             {"dock_preview", settings.layout.dock_preview},
                              {"left_tab", settings.layout.left_tab},
                              {"right_tab", settings.layout.right_tab},
                              {"bottom_tab", settings.layout.bottom_tab}}},

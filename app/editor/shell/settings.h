@@ -40,6 +40,7 @@ struct Layout {
     bool show_bottom = true;
     std::optional<bool> show_legend;  // unset: shown if the viewport has room for it
     bool show_preview = true;         // false: only its title bar
+    bool dock_preview = true;         // beside the timeline; false: over the viewport
     std::array<bool, ui::kTimelineStrips> strips = ui::TimelineState().strips;
     // Names of the selected tabs; empty: the first.
     std::string left_tab;

@@ -1,5 +1,6 @@
 #include "app/editor/shell/tab_row.h"
 
+#include "ui/theme.h"
 #include "ui/widgets/item_map.h"
 
 #include <imgui.h>
@@ -10,13 +11,32 @@
 
 namespace dollytrack::editor {
 
+namespace {
+
+/// Little padding, so that narrow panels show the names of their tabs in full.
+void pushPadding() {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ui::scaled(4), ImGui::GetStyle().FramePadding.y});
+}
+
+}  // namespace
+
+bool TabRow::beginRow(const char* id) {
+    pushPadding();
+    const bool shown = ImGui::BeginTabBar(id);
+    ImGui::PopStyleVar();
+    return shown;
+}
+
 bool TabRow::begin(const char* name, std::string& focus) {
     const bool focused = focus == name;
     if (focused) focus.clear();
     const bool restored = wanted_ == name;
     met_wanted_ |= restored;
+    pushPadding();
     const bool shown =
         ImGui::BeginTabItem(name, nullptr, focused || restored ? ImGuiTabItemFlags_SetSelected : 0);
+    ImGui::PopStyleVar();
     // A requested tab is selected in the next frame; until then another one is.
     if (focused || restored) {
         wanted_ = shown ? "" : name;

@@ -14,7 +14,9 @@ class TabRow {
     /// The selected tab, or the one that will be.
     [[nodiscard]] const std::string& open() const { return open_; }
 
-    /// To be called within ImGui's tab bar. Selects the tab if `focus` names it, and clears
+    /// Begins the row; if it returns true, ImGui::EndTabBar() follows the last tab.
+    bool beginRow(const char* id);
+    /// To be called within the row. Selects the tab if `focus` names it, and clears
     /// `focus`. Returns whether the tab's content is to be drawn, followed by ImGui::EndTabItem().
     bool begin(const char* name, std::string& focus);
 

@@ -146,9 +146,9 @@ class Task(unittest.TestCase):
         self.assertFalse(state["layers"]["points"] or state["layers"]["trajectory"])
 
     def show_preview(self, wanted):
-        if ("preview.grip" in self.editor.items()) != wanted:
+        if self.editor.state()["preview"]["open"] != wanted:
             self.editor.click("preview.fold")
-        self.assertEqual("preview.grip" in self.editor.items(), wanted)
+        self.assertEqual(self.editor.state()["preview"]["open"], wanted)
 
     def wait_picture(self):
         """Waits until the viewport's image is up to date."""

@@ -31,6 +31,30 @@ class Window(Task):
             large = large or items
         self.assertGreater(large["viewport"][2] - large["viewport"][0], 1000)
 
+    def test_the_preview_covers_the_viewport_only_when_it_floats(self):
+        self.start_room(size=(1280, 720))
+
+        def covers(items):
+            left, top, right, bottom = items["viewport"][:4]
+            picture = items["preview.picture"][:4]
+            return (picture[0] < right and picture[2] > left and
+                    picture[1] < bottom and picture[3] > top)
+        self.editor.item("preview.picture")
+        self.assertFalse(covers(self.assertInside((1280, 720))))
+        self.editor.click("preview.dock")
+        self.assertTrue(covers(self.editor.items()))
+        time.sleep(1.0)  # the settings are stored
+        self.editor.kill()
+        state = self.start_room(size=(1280, 720))
+        self.editor.item("preview.picture")
+        self.assertFalse(state["preview"]["docked"], "it still floats")
+        self.editor.click("preview.dock")
+        self.assertFalse(covers(self.editor.items()))
+        # The export form needs the width.
+        state = self.editor.click("tab.export")
+        self.assertNotIn("preview.picture", state["items"])
+        self.assertIn("export.modality.rgb", state["items"])
+
     def test_dialogs_fit_into_a_small_window(self):
         self.start_room(size=(800, 500))
         self.editor.key("ctrl+o")
@@ -63,7 +87,7 @@ class Window(Task):
         self.assertEqual(strips, {name for name in state["items"]
                                   if name.startswith("timeline.strip.")})
         self.assertEqual(layers, {key: state["layers"][key] for key in layers})
-        self.assertNotIn("preview.grip", state["items"])
+        self.assertFalse(state["preview"]["open"])
         for name in ("layers.grid", "log.copy"):
             self.assertIn(name, state["items"], "the tab that was in front")
         self.assertNotIn("parameters.filter", state["items"], "the metrics are in front")

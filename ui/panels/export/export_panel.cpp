@@ -244,10 +244,16 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
     endForm();
 }
 
-void drawContents(const ExportView& view, ExportDraft& draft) {
-    // A narrow label column leaves room for the check boxes.
-    if (!beginForm("contents", 0.2F)) return;
+// Narrow label columns leave room for the check boxes.
+
+void drawModalities(const ExportView& view, ExportDraft& draft) {
+    if (!beginForm("modalities", 0.2F)) return;
     drawChoices("Modalities", "modality", view.modalities, draft.turned_modalities);
+    endForm();
+}
+
+void drawFormats(const ExportView& view, ExportDraft& draft) {
+    if (!beginForm("contents", 0.2F)) return;
     drawChoices("Formats", "format", view.formats, draft.turned_formats);
     if (wantsFlow(view, draft)) {
         formLabel("Flow to frames", "Distances in frames, later and earlier, separated by commas");
@@ -311,27 +317,43 @@ ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     // A panel below the viewport is wide and short, at a side narrow and tall.
-    const bool wide = room.x >= scaled(900);
+    const bool queue = !view.jobs.empty();
+    const bool wide = room.x >= scaled(queue ? 900 : 780);
     const float footer =
         (wide ? 1.0F : 2.0F) * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
     const float height = std::max(room.y - footer, ImGui::GetFrameHeight());
     if (wide) {
-        const float all = room.x - 2 * style.ItemSpacing.x;
-        // The check boxes need more width than a short queue.
+        // An empty queue needs no column, and in a wide panel the formats have one of their own.
+        const bool apart = room.x >= scaled(queue ? 1500 : 1000);
+        const std::array<float, 4> shares = queue ? (apart ? std::array{0.25F, 0.31F, 0.24F, 0.2F}
+                                                           : std::array{0.33F, 0.41F, 0.0F, 0.26F})
+                                                  : (apart ? std::array{0.32F, 0.37F, 0.31F, 0.0F}
+                                                           : std::array{0.42F, 0.58F, 0.0F, 0.0F});
+        const float all = room.x - 3 * style.ItemSpacing.x;
         const auto column = [&](const char* id, float share, const auto& draw) {
             ImGui::BeginChild(id, {std::floor(share * all), height});
             draw();
             ImGui::EndChild();
         };
-        column("place", 0.33F, [&] { drawPlace(view, draft, actions); });
+        column("place", shares[0], [&] { drawPlace(view, draft, actions); });
         ImGui::SameLine();
-        column("contents", 0.41F, [&] { drawContents(view, draft); });
-        ImGui::SameLine();
-        column("queue", 0.26F, [&] { drawExportJobs(view, actions); });
+        column("contents", shares[1], [&] {
+            drawModalities(view, draft);
+            if (!apart) drawFormats(view, draft);
+        });
+        if (apart) {
+            ImGui::SameLine();
+            column("formats", shares[2], [&] { drawFormats(view, draft); });
+        }
+        if (queue) {
+            ImGui::SameLine();
+            column("queue", shares[3], [&] { drawExportJobs(view, actions); });
+        }
     } else {
         ImGui::BeginChild("export", {0, height});
         drawPlace(view, draft, actions);
-        drawContents(view, draft);
+        drawModalities(view, draft);
+        drawFormats(view, draft);
         drawExportJobs(view, actions);
         ImGui::EndChild();
     }

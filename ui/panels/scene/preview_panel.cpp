@@ -21,6 +21,7 @@ constexpr std::array kModalities = {Modality::Rgb, Modality::Depth, Modality::In
                                     Modality::Semantic, Modality::Normal};
 constexpr float kMargin = 10.0F;
 constexpr float kNarrowest = 290.0F;
+constexpr float kNarrowestTitle = 312.0F;
 constexpr float kListWidth = 86.0F;
 constexpr float kTitleMargin = 10.0F;
 
@@ -52,7 +53,7 @@ Frame layOut(const PreviewView& view, const PreviewState& state, float title) {
     const ImVec2 pane(view.high.x - view.low.x, view.high.y - view.low.y);
     const auto aspect = static_cast<float>(aspectOf(view));
     Frame frame;
-    if (state.full) {
+    if (state.full || view.docked) {
         frame.low = view.low;
         frame.size = pane;
         const float height = std::min(pane.y - title, pane.x / aspect);
@@ -67,7 +68,7 @@ Frame layOut(const PreviewView& view, const PreviewState& state, float title) {
     const float width = std::max(std::min(side * std::min(aspect, 1.0F), room * aspect), 1.0F);
     frame.picture = {std::floor(width), std::floor(width / aspect)};
     // The title bar keeps a minimum width, even above a narrow image.
-    frame.size = {std::max(frame.picture.x, std::min(scaled(kNarrowest), pane.x - 2 * margin)),
+    frame.size = {std::max(frame.picture.x, std::min(scaled(kNarrowestTitle), pane.x - 2 * margin)),
                   title + (state.open ? frame.picture.y : 0.0F)};
     frame.low.x = isLeft(state.corner) ? view.low.x + margin : view.high.x - margin - frame.size.x;
     frame.low.y = isTop(state.corner) ? view.low.y + margin : view.high.y - margin - frame.size.y;
@@ -98,8 +99,10 @@ void drawHandle(const PreviewView& view, PreviewState& state, float width) {
     ImGui::InvisibleButton("handle", {std::max(width, 1.0F), height});
     nameItem("preview.title");
     if (!state.full) {
-        tooltip(view.what + "\nDrag to another corner; double click to fold.");
-        if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
+        tooltip(view.what + (view.docked ? "\nDouble click to fold."
+                                         : "\nDrag to another corner; double click to fold."));
+        if (!view.docked && ImGui::IsItemActive() &&
+            ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
             const ImVec2 mouse = ImGui::GetIO().MousePos;
             state.corner = cornerOf(mouse.x < (view.low.x + view.high.x) / 2,
                                     mouse.y < (view.low.y + view.high.y) / 2);
@@ -121,7 +124,7 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
     const float gap = scaled(3);
     const float icon = ImGui::GetFrameHeight();
     const float tools =
-        scaled(kListWidth) + (state.full ? 3.0F : 4.0F) * icon + 5 * gap + scaled(8);
+        scaled(kListWidth) + (state.full ? 3.0F : 5.0F) * icon + 6 * gap + scaled(8);
     drawHandle(view, state, ImGui::GetContentRegionAvail().x - tools);
     ImGui::SameLine(0, gap);
     drawModality(state, actions);
@@ -143,11 +146,18 @@ void drawTitle(const PreviewView& view, PreviewState& state, PreviewActions& act
     ImGui::SameLine(0, gap);
     if (iconButton(
             Icon::Grow, "preview.full",
-            {state.full ? "Back to the corner" : "Over the whole viewport", {}, state.full})) {
+            {state.full ? "Back to its place" : "Over the whole viewport", {}, state.full})) {
         state.full = !state.full;
         state.open = true;
     }
     if (state.full) return;
+    ImGui::SameLine(0, gap);
+    if (iconButton(Icon::Float, "preview.dock",
+                   {state.docked ? "Float over the viewport" : "Dock beside the timeline",
+                    {},
+                    !state.docked})) {
+        state.docked = !state.docked;
+    }
     ImGui::SameLine(0, gap);
     const bool folded = !state.open;
     if (iconButton(folded ? Icon::Up : Icon::Down, "preview.fold", {folded ? "Unfold" : "Fold"})) {
@@ -285,9 +295,9 @@ PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state) {
     const Frame frame = layOut(view, state, ImGui::GetFrameHeight() + 2 * pad);
     ImGui::SetCursorScreenPos(frame.low);
     ImVec4 back = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
-    back.w = state.full ? 1.0F : 0.94F;
+    back.w = state.full || view.docked ? 1.0F : 0.94F;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, back);
-    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, state.full ? 0.0F : scaled(5));
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, state.full || view.docked ? 0.0F : scaled(5));
     // The viewport's window has no padding; combo lists and tooltips need some.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(10), scaled(8)});
     ImGui::BeginChild("preview", frame.size, false,
@@ -306,8 +316,8 @@ PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state) {
             {frame.low.x + std::floor((frame.size.x - frame.picture.x) / 2), frame.low.y + title});
         drawPicture(view, frame.picture);
     }
-    if (state.open && !state.full) drawGrip(state, frame);
-    if (!state.full) {
+    if (state.open && !state.full && !view.docked) drawGrip(state, frame);
+    if (!state.full && !view.docked) {
         ImGui::GetWindowDrawList()->AddRect(
             frame.low, {frame.low.x + frame.size.x, frame.low.y + frame.size.y},
             ImGui::GetColorU32(palette().panel_line), scaled(5));

@@ -14,7 +14,8 @@ namespace dollytrack::ui {
 struct PreviewView {
     const PreviewImage* image = nullptr;  // null or without a texture: not drawn yet
     const Scene* scene = nullptr;         // scene of the image, for object names
-    ImVec2 low, high;                     // corners of the viewport, px on the screen
+    ImVec2 low, high;                     // corners of the area, px on the screen
+    bool docked = false;                  // fills the area; otherwise it floats in a corner
     bool busy = false;                    // a newer image is being rendered
     std::string what;                     // name of the camera pose: "frame 12", "window_seat"
     std::string why_not;                  // why there is no image; empty: there is one
@@ -28,6 +29,7 @@ struct PreviewState {
     Modality modality = Modality::Rgb;
     bool open = true;  // false: only the title bar
     bool full = false;
+    bool docked = true;            // beside the timeline, not over the viewport
     bool shows_selection = false;  // the selected position point, not the timeline's frame
     float width = 250.0F;          // length of the longer side, px at 96 dots per inch
     PaneCorner corner = PaneCorner::BottomRight;
@@ -39,8 +41,9 @@ struct PreviewActions {
     bool hovered = false;  // the mouse is over the panel and not for the viewport
 };
 
-/// Draws the image of the plan's camera in a corner of the viewport, or over all of it. To be
-/// called inside the viewport's ImGui window, after drawViewport().
+/// Draws the image of the plan's camera in a corner of the viewport, over all of it, or docked in
+/// an area of its own. To be called inside the ImGui window of that area; in the viewport's after
+/// drawViewport().
 PreviewActions drawPreviewPanel(const PreviewView& view, PreviewState& state);
 
 /// A pixel of an image.

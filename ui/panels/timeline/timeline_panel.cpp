@@ -113,6 +113,7 @@ void drawRightEnd(const TimelineView& view, TimelineState& state) {
     const float all = buttons + widthOf(counter.c_str());
     ImGui::SameLine();
     const float room = ImGui::GetContentRegionAvail().x;
+    if (room < buttons) ImGui::NewLine();
     if (room > buttons) {
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
                              std::max(0.0F, room - (room > all ? all : buttons)));
