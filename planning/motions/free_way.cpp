@@ -25,11 +25,14 @@ constexpr double kEndCost = 1.0;
 // Spacing of the points that distances from the given motion are measured to, m.
 constexpr double kAlongSpacing = 0.1;
 // Grids tried, in cells of the free-space map, with the number of nodes after which one gives up.
+// In a narrow passage a legal position need not have room for the margin of SweptSphere::fits().
 struct Grid {
     double cells;
     std::size_t most_nodes;
+    bool with_margin;
 };
-constexpr std::array<Grid, 2> kGrids = {{{2.0, 600'000}, {1.0, 1'500'000}}};
+constexpr std::array<Grid, 3> kGrids = {
+    {{2.0, 600'000, true}, {1.0, 1'500'000, false}, {0.5, 1'500'000, false}}};
 
 using Index = std::array<int, 3>;
 
@@ -56,12 +59,13 @@ struct Entry {
 class WaySearch {
   public:
     WaySearch(const BaselineScene& scene, const Eigen::Vector3d& from, const WayEnd& end,
-              std::vector<Eigen::Vector3d> along, double step)
+              std::vector<Eigen::Vector3d> along, const Grid& grid)
         : scene_(scene),
           from_(from),
           end_(end),
           along_(std::move(along)),
-          step_(step),
+          step_(grid.cells * scene.free_space->resolution_m()),
+          with_margin_(grid.with_margin),
           flat_(scene.region->restricts() && scene.region->hasLevels()) {
         nodes_.emplace_back();
         nodes_.back().position = from;
@@ -163,7 +167,8 @@ class WaySearch {
         if (!is_new) return found->second;
         Node node;
         node.position = from_ + step_ * Eigen::Vector3d(index[0], index[1], index[2]);
-        node.fits = scene_.sphere->fits(node.position);
+        node.fits = with_margin_ ? scene_.sphere->fits(node.position)
+                                 : scene_.sphere->segment(node.position, node.position).free;
         node.index = index;
         nodes_.push_back(node);
         costs_.resize(nodes_.size());
@@ -176,6 +181,7 @@ class WaySearch {
     WayEnd end_;
     std::vector<Eigen::Vector3d> along_;
     double step_;
+    bool with_margin_;
     bool flat_;  // the camera stays at one height
     std::vector<Node> nodes_;
     std::vector<double> costs_;  // by node: of a metre there
@@ -202,8 +208,7 @@ std::optional<std::vector<Eigen::Vector3d>> findFreeWay(const BaselineScene& sce
                                                         const std::vector<Eigen::Vector3d>& along,
                                                         const JobContext& job) {
     for (const Grid& grid : kGrids) {
-        WaySearch search(scene, from, end, thinned(along),
-                         grid.cells * scene.free_space->resolution_m());
+        WaySearch search(scene, from, end, thinned(along), grid);
         if (auto way = search.run(grid.most_nodes, job)) return way;
         if (job.cancelled()) break;
     }

@@ -20,7 +20,7 @@ constexpr double kMostParts = 1e6;
 constexpr double kMostFrames = 1e6;  // that a path may need
 // Factor of the speed where moves between frames would collide, and how often it is applied.
 constexpr double kSlower = 0.6;
-constexpr int kSlowdowns = 5;
+constexpr int kSlowdowns = 8;
 constexpr double kShortest_s = 0.001;  // between frames
 constexpr double kSmallest = 1e-9;     // m, rad or s
 
@@ -83,8 +83,7 @@ class PathTimer {
         frames_.push_back(given_[first]);
         frames_.back().pose = poseAt(points_.front());
         for (std::size_t i = 0; i < pieces_.size();) {
-            std::size_t end = i;
-            while (end < pieces_.size() && pieces_[end].changed) ++end;
+            const std::size_t end = changedUntil(i);
             if (end > i) {
                 placeFrames(i, end);
                 i = end;
@@ -248,25 +247,48 @@ class PathTimer {
                sphere_.segment(from.point.position, to.point.position).free;
     }
 
-    /// Slows down the pieces over which the straight move of a frame interval would collide.
+    /// The end of the pieces from `begin` on whose time is changed.
+    [[nodiscard]] std::size_t changedUntil(std::size_t begin) const {
+        std::size_t end = begin;
+        while (end < pieces_.size() && pieces_[end].changed) ++end;
+        return end;
+    }
+
+    /// Time between frames on the pieces begin to end - 1: the frame interval or a little less.
+    [[nodiscard]] double stepOn(std::size_t begin, std::size_t end) const {
+        double total = 0.0;
+        for (std::size_t i = begin; i < end; ++i) total += pieces_[i].time_s;
+        return total / std::max(1.0, std::ceil(total / timing_.frame_interval_s - 1e-6));
+    }
+
+    /// Slows down the pieces where the straight move from one frame to the next would collide.
     /// Returns false if there are none.
     bool slowWhereBlocked() {
         bool any = false;
-        for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            if (!pieces_[i].changed) continue;
-            Sample last{points_[i], i};
-            double rest = timing_.frame_interval_s;
-            std::size_t end = i;
-            while (end < pieces_.size() && pieces_[end].changed && rest >= pieces_[end].time_s) {
-                rest -= pieces_[end++].time_s;
+        for (std::size_t begin = 0; begin < pieces_.size(); ++begin) {
+            const std::size_t end = changedUntil(begin);
+            if (end == begin) continue;
+            const double step = stepOn(begin, end);
+            Sample last{points_[begin], begin};
+            double rest = 0.0;  // of a step, after the pieces before `piece`
+            std::size_t piece = begin;
+            while (piece < end) {
+                rest += step;
+                while (piece < end && rest >= pieces_[piece].time_s) {
+                    rest -= pieces_[piece++].time_s;
+                }
+                Sample next{points_[end], end - 1};
+                if (piece < end) next = sampleAt(piece, piece + 1, rest);
+                if (!isMoveFree(last, next)) {
+                    any = true;
+                    for (std::size_t k = last.piece; k <= next.piece; ++k) {
+                        pieces_[k].slowdown *= kSlower;
+                    }
+                }
+                last = next;
+                if (step <= 0.0) break;
             }
-            if (end == pieces_.size() || !pieces_[end].changed) continue;
-            if (isMoveFree(last, sampleAt(end, end + 1, rest))) continue;
-            for (std::size_t k = i; k <= end; ++k) {
-                pieces_[k].slowdown = std::min(pieces_[k].slowdown, pieces_[i].slowdown * kSlower);
-            }
-            any = true;
-            i = end;
+            begin = end;
         }
         return any;
     }
@@ -278,7 +300,7 @@ class PathTimer {
         std::vector<double> ends;  // by piece: its end in time
         for (std::size_t i = begin; i < end; ++i) ends.push_back(total += pieces_[i].time_s);
         const double interval = timing_.frame_interval_s;
-        const double step = total / std::max(1.0, std::ceil(total / interval - 1e-6));
+        const double step = stepOn(begin, end);
         Sample last{points_[begin], begin};
         double time = 0.0;
         for (bool done = false; !done;) {
