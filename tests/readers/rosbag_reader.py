@@ -147,8 +147,8 @@ class Rosbag(recording_case.Recording, unittest.TestCase):
         out = self.file.parents[1]
         check = ["sha256sum", "-c", "SHA256SUMS"]
         exports.call(*check, cwd=out)
+        self.addCleanup(self.file.write_bytes, data)
         self.file.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1:])
         changed = subprocess.run(check, cwd=out, capture_output=True, text=True)
         self.assertIn("train/recorded.bag: FAILED", changed.stdout)
         self.assertNotEqual(self.read(self.file), self.all)
-        self.file.write_bytes(data)

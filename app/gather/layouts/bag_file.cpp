@@ -1,16 +1,17 @@
 #include "app/gather/files/hashing_file_writer.h"
-#include "app/gather/files/source_file.h"
 #include "app/gather/layouts/record_bytes.h"
 #include "app/gather/layouts/ros_file.h"
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/file_descriptor.h"
+#include "engine/io/files/input_file.h"
+#include "engine/io/files/sha256.h"
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <concepts>
-#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,10 @@ namespace dollytrack::gather {
 namespace {
 
 constexpr std::string_view kBagMagic = "#ROSBAG V2.0\n";
-constexpr std::size_t kBagHeaderBytes = 4096;                  // of the first record
-constexpr std::size_t kBagChunkBytes = std::size_t{1} << 20U;  // from which on a chunk is ended
+constexpr std::size_t kBagHeaderBytes = 4096;  // header and padding of the first record,
+                                               // as rosbag writes it
+constexpr std::size_t kBagChunkBytes = std::size_t{1} << 20U;  // a chunk ends when it has
+                                                               // at least this size
 constexpr std::uint32_t kIndexVersion = 1;
 
 enum class BagOp : std::uint8_t {
@@ -49,7 +52,7 @@ std::string field(std::string_view name, Number value) {
     return field(name, std::string_view(bytes));
 }
 
-/// The first field of a record.
+/// The field `op`, the type of a record.
 std::string opField(BagOp op) {
     return field("op", static_cast<std::uint8_t>(op));
 }
@@ -59,15 +62,15 @@ void putRecord(std::string& bytes, std::string_view header, std::string_view dat
     putSized(bytes, data);
 }
 
-/// Seconds in the lower 32 bits, nanoseconds in the upper ones. Messages at 0 become those of 1 ns:
-/// rosbag in C++, `rosbag play` as well, drops messages at 0 as invalid.
+/// Seconds in the lower 32 bits, nanoseconds in the upper ones. Time 0 becomes 1 ns
+/// (ros::TIME_MIN): rosbag's C++ reader, and so `rosbag play`, skips earlier messages.
 std::uint64_t bagTime(std::uint64_t time_ns) {
     constexpr std::uint64_t kSecond_ns = 1'000'000'000;
-    const std::uint64_t from_first_ns = std::max<std::uint64_t>(time_ns, 1);
-    return from_first_ns / kSecond_ns | from_first_ns % kSecond_ns << 32U;
+    const std::uint64_t valid_ns = std::max<std::uint64_t>(time_ns, 1);
+    return valid_ns / kSecond_ns | valid_ns % kSecond_ns << 32U;
 }
 
-/// The beginning of the file; its length does not depend on the values.
+/// The magic and the bag header record. The length is constant, so that finish() can overwrite it.
 std::string bagStart(std::uint64_t index, std::uint32_t connections, std::uint32_t chunks) {
     const std::string header = opField(BagOp::BagHeader) + field("index_pos", index) +
                                field("conn_count", connections) + field("chunk_count", chunks);
@@ -77,7 +80,7 @@ std::string bagStart(std::uint64_t index, std::uint32_t connections, std::uint32
 }
 
 /// Messages are in uncompressed chunks with their indexes; memory holds one chunk, and a summary of
-/// each. A topic's channel is a connection in rosbag's words.
+/// each. The bag format calls a channel a connection.
 class BagFile : public RosFile {
   public:
     BagFile(GuardedFolder folder, std::string name, HashingFileWriter file)
@@ -92,7 +95,7 @@ class BagFile : public RosFile {
                            field("md5sum", ros::md5Of(topic.type)) +
                            field("message_definition", ros::definitionOf(version(), topic.type));
         if (topic.is_latched) data += field("latching", "1");
-        for (const auto& [name, value] : topic.notes) data += field(name, value);
+        for (const auto& [name, value] : topic.metadata) data += field(name, value);
         std::string record;
         putRecord(record, headOf(BagOp::Connection, number) + field("topic", topic.name), data);
         connections_ += record;
@@ -111,9 +114,9 @@ class BagFile : public RosFile {
         return chunk_.size() < kBagChunkBytes ? Status() : endChunk();
     }
 
-    /// A bag has no attachments: they are messages.
+    /// A bag has no attachments, so both become std_msgs/String messages.
     Status describe(std::uint64_t time_ns, const std::string& dataset_json,
-                    const RosNotes& classes) override {
+                    const ClassNames& classes) override {
         const Status added = addText("/dataset", time_ns, dataset_json);
         const std::string names =
             nlohmann::json(classes).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -127,17 +130,16 @@ class BagFile : public RosFile {
         if (status) status = file_.write(connections_);
         if (status) status = file_.write(chunk_infos_);
         if (!status) return tl::unexpected(status.error());
-        // The file begins with the place of its index, so it is hashed when that is known.
-        if (Result<std::string> closed = file_.finish(); !closed) return closed;
+        // The bag header has the position of the index, known only now. It is overwritten, so the
+        // file is read again for its hash.
+        const Result<std::string> written = file_.finish();
+        if (!written) return written;
         Result<FileDescriptor> file = folder_.openFile(name_, O_WRONLY);
         if (!file) return tl::unexpected(file.error());
         int error = writeAll(file->get(), start);
         if (error == 0) error = file->close();
         if (error != 0) return tl::unexpected(writeError(error, folder_.path() / name_));
-        const std::optional<std::string> sha256 = sha256Within(folder_, name_, job);
-        if (sha256) return *sha256;
-        return fail(ErrorCode::CannotWrite, "the file cannot be read again for its hash",
-                    (folder_.path() / name_).string());
+        return hashAgain(*written, job);
     }
 
     Status begin() { return file_.write(bagStart(0, 0, 0)); }
@@ -147,15 +149,42 @@ class BagFile : public RosFile {
         return opField(op) + field("conn", std::uint32_t{channel});
     }
 
+    /// The SHA-256 of the file. Error: CannotWrite if it is not what was written, apart from the
+    /// bag header; `written` is the SHA-256 with the first header.
+    Result<std::string> hashAgain(const std::string& written, const JobContext& job) const {
+        const Result<InputFile> file = folder_.openInput(name_);
+        if (!file) return tl::unexpected(file.error());
+        const std::string first_start = bagStart(0, 0, 0);
+        Sha256 hash;
+        Sha256 with_first_start;
+        with_first_start.add(std::string_view(first_start));
+        std::vector<std::uint8_t> piece(kBagChunkBytes);
+        std::uint64_t at = 0;
+        while (const std::size_t got = file->read(at, piece.data(), piece.size())) {
+            if (job.cancelled()) return fail(ErrorCode::Cancelled, "gathering was cancelled");
+            const std::span<const std::uint8_t> bytes(piece.data(), got);
+            hash.add(bytes);
+            with_first_start.add(at == 0 ? bytes.subspan(std::min(first_start.size(), got))
+                                         : bytes);
+            at += got;
+        }
+        if (with_first_start.finish() == written) return hash.finish();
+        return fail(ErrorCode::CannotWrite,
+                    "the file differs from what was written; check the disk and run the command "
+                    "with --resume",
+                    (folder_.path() / name_).string());
+    }
+
     Status addText(const char* topic, std::uint64_t time_ns, const std::string& text) {
-        const Result<std::uint16_t> channel = addTopic({topic, "std_msgs/String", true});
+        const Result<std::uint16_t> channel =
+            addTopic({.name = topic, .type = "std_msgs/String", .is_latched = true});
         if (!channel) return tl::unexpected(channel.error());
         return addMessage(*channel, time_ns, ros::text(version(), text));
     }
 
     Status endChunk() {
         if (!has_messages_) return {};
-        const std::uint64_t place = file_.size();
+        const std::uint64_t chunk_pos = file_.size();
         std::string head;
         putSized(head, opField(BagOp::Chunk) + field("compression", "none") +
                            field("size", static_cast<std::uint32_t>(chunk_.size())));
@@ -163,7 +192,7 @@ class BagFile : public RosFile {
         Status status = file_.write(head);
         if (status) status = file_.write(chunk_);
 
-        std::string counts;  // of the chunk's messages, by channel
+        std::string counts;  // number of messages of each connection in the chunk
         std::uint32_t channels = 0;
         for (std::size_t i = 0; i < indexes_.size(); ++i) {
             if (indexes_[i].empty()) continue;
@@ -182,7 +211,7 @@ class BagFile : public RosFile {
         }
         putRecord(chunk_infos_,
                   opField(BagOp::ChunkInfo) + field("ver", kIndexVersion) +
-                      field("chunk_pos", place) + field("start_time", start_) +
+                      field("chunk_pos", chunk_pos) + field("start_time", start_) +
                       field("end_time", end_) + field("count", channels),
                   counts);
         ++chunks_;
@@ -208,7 +237,7 @@ class BagFile : public RosFile {
 }  // namespace
 
 Result<std::unique_ptr<RosFile>> createBagFile(const GuardedFolder& folder, const std::string& name,
-                                               const std::string& /*library*/) {
+                                               const std::string& /*program*/) {
     Result<HashingFileWriter> file = HashingFileWriter::create(folder, name);
     if (!file) return tl::unexpected(file.error());
     auto bag = std::make_unique<BagFile>(folder, name, std::move(*file));

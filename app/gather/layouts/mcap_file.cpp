@@ -32,7 +32,7 @@ class McapFile : public RosFile {
             if (!schema) return schema;
             known = schemas_.emplace(topic.type, *schema).first;
         }
-        McapMap metadata = topic.notes;
+        McapMap metadata = topic.metadata;
         metadata["offered_qos_profiles"] =
             topic.is_latched ? fmt::format(kQos, 1, 1) : fmt::format(kQos, 10, 2);
         return file_.addChannel(known->second, topic.name, "cdr", metadata);
@@ -44,7 +44,7 @@ class McapFile : public RosFile {
     }
 
     Status describe(std::uint64_t time_ns, const std::string& dataset_json,
-                    const RosNotes& classes) override {
+                    const ClassNames& classes) override {
         const Status added =
             file_.addAttachment(time_ns, "dataset.json", "application/json", dataset_json);
         return added ? file_.addMetadata("classes", classes) : added;
@@ -61,8 +61,8 @@ class McapFile : public RosFile {
 
 Result<std::unique_ptr<RosFile>> createMcapFile(const GuardedFolder& folder,
                                                 const std::string& name,
-                                                const std::string& library) {
-    Result<McapWriter> file = McapWriter::create(folder, name, "ros2", library);
+                                                const std::string& program) {
+    Result<McapWriter> file = McapWriter::create(folder, name, "ros2", program);
     if (!file) return tl::unexpected(file.error());
     return std::make_unique<McapFile>(std::move(*file));
 }

@@ -12,9 +12,10 @@
 
 namespace dollytrack::gather::ros {
 
-/// Serialises the fields of a message, one after the other, in little endian. ROS 1 leaves no gaps.
-/// ROS 2 uses OMG CDR (XCDR version 1), called "cdr": each number is aligned to its own size,
-/// counted from the end of the four bytes of the encapsulation header, and texts end with a zero.
+/// Serialises the fields of a message, one after the other, in little endian. ROS 1 packs the
+/// fields without padding. ROS 2 uses OMG CDR (XCDR version 1), called "cdr": each number is
+/// aligned to its own size, counted from the end of the four bytes of the encapsulation header, and
+/// strings end with a zero byte, which their length includes.
 class MessageWriter {
   public:
     explicit MessageWriter(Version version) : is_cdr_(version == Version::Ros2) {

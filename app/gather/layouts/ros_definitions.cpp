@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace dollytrack::gather::ros {
 namespace {
@@ -106,6 +107,7 @@ struct Md5Sum {
     std::string_view sum;
 };
 
+/// MD5 sums of the recorded types, as `rosmsg md5 TYPE` prints them.
 constexpr std::array kMd5Sums = {
     Md5Sum{"nav_msgs/Path", "6227e2b7e9cce15051f669a5e197bbf7"},
     Md5Sum{"sensor_msgs/CameraInfo", "c9a58c1b0b154e0e6da7578cb991d214"},
@@ -117,9 +119,11 @@ constexpr std::array kMd5Sums = {
 };
 
 const Definition& find(Version version, std::string_view type) {
-    const auto own = std::ranges::find(kRos1Definitions, type, &Definition::type);
-    if (version == Version::Ros1 && own != kRos1Definitions.end()) return *own;
-    return *std::ranges::find(kDefinitions, type, &Definition::type);
+    const auto ros1 = std::ranges::find(kRos1Definitions, type, &Definition::type);
+    if (version == Version::Ros1 && ros1 != kRos1Definitions.end()) return *ros1;
+    const auto found = std::ranges::find(kDefinitions, type, &Definition::type);
+    if (found != kDefinitions.end()) return *found;
+    throw std::logic_error("no definition of the message type " + std::string(type));
 }
 
 /// Adds the parts of a type that the list lacks, then their parts.
@@ -149,7 +153,9 @@ std::string definitionOf(Version version, std::string_view type) {
 }
 
 std::string_view md5Of(std::string_view type) {
-    return std::ranges::find(kMd5Sums, type, &Md5Sum::type)->sum;
+    const auto found = std::ranges::find(kMd5Sums, type, &Md5Sum::type);
+    if (found != kMd5Sums.end()) return found->sum;
+    throw std::logic_error("no MD5 sum of the message type " + std::string(type));
 }
 
 }  // namespace dollytrack::gather::ros

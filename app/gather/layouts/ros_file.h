@@ -13,15 +13,18 @@
 
 namespace dollytrack::gather {
 
-/// Names and values.
-using RosNotes = std::map<std::string, std::string>;
+/// Metadata of a topic: MCAP's channel metadata, or fields of a bag's connection header.
+using TopicMetadata = std::map<std::string, std::string>;
+
+/// Names of the classes by their ids, as text.
+using ClassNames = std::map<std::string, std::string>;
 
 /// A topic of a recording.
 struct RosTopic {
     std::string name;         // "/camera/camera_info"
-    std::string type;         // "sensor_msgs/CameraInfo", in ROS 2 as well
+    std::string type;         // "sensor_msgs/CameraInfo": without "/msg", also for ROS 2
     bool is_latched = false;  // nodes that subscribe later get the last message
-    RosNotes notes = {};      // stored with the topic
+    TopicMetadata metadata = {};
 };
 
 /// A file of ROS messages, written from its beginning to its end. Messages come in the order of
@@ -37,16 +40,16 @@ class RosFile {
                                             std::string_view data) = 0;
     /// Adds dataset.json and the names of the classes by their ids.
     [[nodiscard]] virtual Status describe(std::uint64_t time_ns, const std::string& dataset_json,
-                                          const RosNotes& classes) = 0;
-    /// Closes the file; returns its SHA-256, or an error if the job is cancelled.
+                                          const ClassNames& classes) = 0;
+    /// Closes the file; returns its SHA-256. Error also: Cancelled.
     [[nodiscard]] virtual Result<std::string> finish(const JobContext& job) = 0;
 };
 
-/// Creates the file and replaces one of this name. `library`: name and version of the program that
-/// writes the file. `folder` must outlive the file.
+/// Creates the file and replaces one of this name. `program`: name and version of the program that
+/// exported the dataset.
 using CreateRosFile = Result<std::unique_ptr<RosFile>>(const GuardedFolder& folder,
                                                        const std::string& name,
-                                                       const std::string& library);
+                                                       const std::string& program);
 CreateRosFile createMcapFile;  // ROS 2
 CreateRosFile createBagFile;   // ROS 1, bag format 2.0
 

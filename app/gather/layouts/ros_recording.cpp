@@ -241,14 +241,15 @@ Status RosRecording::addImages(const verify::StoredDataset& dataset,
         topic.is_depth = image.starts_with(kDepth) && !(rig && sensors_.rig[*rig].range);
         const Json convention =
             rig ? dataset.card["cameras"][*rig].value(image, Json()) : dataset.convention(folder);
-        RosNotes notes = {{"folder", folder}};
+        TopicMetadata metadata = {{"folder", folder}};
         if (!convention.is_null()) {
-            notes["convention"] = convention.dump(-1, ' ', false, Json::error_handler_t::replace);
+            metadata["convention"] =
+                convention.dump(-1, ' ', false, Json::error_handler_t::replace);
         }
         const char* transport = topic.is_depth ? "compressedDepth" : "compressed";
         const Result<std::uint16_t> channel =
             file_->addTopic({fmt::format("{}/{}/{}", camera, image, transport), kImageType, false,
-                             std::move(notes)});
+                             std::move(metadata)});
         if (!channel) return tl::unexpected(channel.error());
         topic.channel = *channel;
         images_.push_back(std::move(topic));
@@ -260,7 +261,7 @@ Status RosRecording::describe(verify::StoredDataset& dataset, const ClassUnion& 
     Json& card = dataset.card;
     card.erase("files");          // the recording holds their content
     card["scene"].erase("path");  // on the machine that exported it
-    RosNotes names;
+    ClassNames names;
     for (const GatheredClass& one : classes.classes()) {
         names[std::to_string(one.id)] = one.name;
     }
@@ -282,7 +283,8 @@ Status RosRecording::addStaticTransforms() {
         fixed.push_back({planned, camera.frame, stored.carrier_from_camera});
     }
     if (fixed.empty()) return {};
-    const Result<std::uint16_t> channel = file_->addTopic({"/tf_static", kTransformType, true});
+    const Result<std::uint16_t> channel =
+        file_->addTopic({.name = "/tf_static", .type = kTransformType, .is_latched = true});
     if (!channel) return tl::unexpected(channel.error());
     return file_->addMessage(*channel, start_ns_, ros::transforms(version_, start_ns_, fixed));
 }
@@ -313,7 +315,8 @@ Status RosRecording::addBoxes(const ClassUnion& classes) {
                          {share(0), share(1), share(2), kOpacity},
                          object.name});
     }
-    const Result<std::uint16_t> channel = file_->addTopic({"/objects", kBoxType, true});
+    const Result<std::uint16_t> channel =
+        file_->addTopic({.name = "/objects", .type = kBoxType, .is_latched = true});
     if (!channel) return tl::unexpected(channel.error());
     if (!moving_boxes_.empty()) {
         const Result<std::uint16_t> moving_objects = file_->addTopic({"/moving_objects", kBoxType});
@@ -329,7 +332,8 @@ Status RosRecording::addPath() {
     for (std::size_t i = 0; i < sensors_.times_ns.size(); ++i) {
         poses.push_back({sensors_.times_ns[i], source_.dataset.frames[i].pose});
     }
-    const Result<std::uint16_t> channel = file_->addTopic({"/trajectory", "nav_msgs/Path", true});
+    const Result<std::uint16_t> channel =
+        file_->addTopic({.name = "/trajectory", .type = "nav_msgs/Path", .is_latched = true});
     if (!channel) return tl::unexpected(channel.error());
     return file_->addMessage(*channel, start_ns_,
                              ros::path(version_, {start_ns_, kWorldFrame}, poses));

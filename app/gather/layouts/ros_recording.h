@@ -92,7 +92,7 @@ class RosRecording {
     std::vector<ros::BoxMarker> moving_boxes_;  // of objects that move in any frame, at rest
     std::size_t next_imu_ = 0;
     std::uint64_t start_ns_ = 0;                // of the first message
-    std::vector<std::uint16_t> info_channels_;  // of the cameras; 0: none
+    std::vector<std::uint16_t> info_channels_;  // of the cameras; unused where a camera has no info
     std::uint16_t poses_ = 0;                   // channel numbers
     std::uint16_t moving_objects_ = 0;
     std::uint16_t imu_channel_ = 0;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -48,13 +49,17 @@ class SdfReader {
         }
         scene_.node = world ? world : sdf;
         if (Status opened = openChildren(scene_, !world); !opened) return opened;
-        if (const pugi::xml_node state = world.child("state")) {
-            const Eigen::Affine3d world_frame = Eigen::Affine3d::Identity();
-            if (Status set = setState(scene_, state, world_frame, Eigen::Vector3d::Ones()); !set) {
-                return set;
+        if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
+        saved_from_loaded_.assign(links_.size(), Eigen::Affine3d::Identity());
+        const Eigen::Affine3d origin = Eigen::Affine3d::Identity();
+        if (Status saved = applySavedState(scene_, world.child("state"), origin); !saved) {
+            return saved;
+        }
+        for (std::size_t i = 0; i < links_.size(); ++i) {
+            for (Visual& visual : links_[i].visuals) {
+                visual.scene_from_visual = saved_from_loaded_[i] * visual.scene_from_visual;
             }
         }
-        if (Status placed = placeLinks(scene_, Eigen::Affine3d::Identity()); !placed) return placed;
         return joinLinks(scene_);
     }
 
@@ -95,6 +100,14 @@ class SdfReader {
   private:
     static std::string nameOf(const pugi::xml_node& node) {
         return cleanText(node.attribute("name").value());
+    }
+
+    /// The name by which others refer to a frame; empty for an include that was not found.
+    static std::string nameInScope(const Frame& frame) {
+        if (!frame.is("include")) return frame.node.attribute("name").value();
+        std::string name = textOf(frame.node.child("name"));
+        if (name.empty() && frame.model) name = frame.model->node.attribute("name").value();
+        return name;
     }
 
     /// Finds the frames of a world or model and opens its models. `first_only`: only the first
@@ -144,11 +157,7 @@ class SdfReader {
             for (std::size_t i = 0; i < scope.frames.size(); ++i) {
                 const Frame& frame = scope.frames[i];
                 if (!frame.is(kind)) continue;
-                std::string name = frame.node.attribute("name").value();
-                if (kind == "include") name = textOf(frame.node.child("name"));
-                if (kind == "include" && name.empty() && frame.model) {
-                    name = frame.model->node.attribute("name").value();
-                }
+                std::string name = nameInScope(frame);
                 if (!name.empty()) scope.by_name.try_emplace(std::move(name), i);
             }
         }
@@ -211,34 +220,43 @@ class SdfReader {
                     file->string());
     }
 
-    /// Places models and links where a saved world's <state> has them, as Gazebo Classic does when
-    /// it opens the world. All poses in it are relative to the world. `scale` is that of the model
-    /// around the links.
-    Status setState(Scope& scope, const pugi::xml_node& state,
-                    const Eigen::Affine3d& world_from_scope, const Eigen::Vector3d& scale) {
-        for (const pugi::xml_node& entry : state.children()) {
+    /// Calls `use` for each link of a model and of the models in it.
+    static void forEachLink(const Frame& frame, const std::function<void(std::size_t)>& use) {
+        if (frame.link) use(*frame.link);
+        if (!frame.model) return;
+        for (const Frame& inner : frame.model->frames) forEachLink(inner, use);
+    }
+
+    /// Reads the saved world poses of models and links, which Gazebo Classic applies after it has
+    /// loaded a world; what has none stays where it is in its model. `scene_from_scope`: as loaded.
+    Status applySavedState(Scope& scope, const pugi::xml_node& saved,
+                           const Eigen::Affine3d& scene_from_scope) {
+        for (const pugi::xml_node& entry : saved.children()) {
+            const bool is_model = entry.name() == std::string_view("model");
+            if (!is_model && entry.name() != std::string_view("link")) continue;
             const std::string name = entry.attribute("name").value();
-            const auto at = scope.by_name.find(name);
-            if (at == scope.by_name.end() || !entry.child("pose")) continue;
-            Frame& frame = scope.frames[at->second];
-            const bool is_model = entry.name() == std::string_view("model") && frame.model;
-            if (!is_model && !(entry.name() == std::string_view("link") && frame.is("link"))) {
-                continue;
+            const auto frame =
+                std::find_if(scope.frames.begin(), scope.frames.end(), [&](const Frame& candidate) {
+                    return (is_model ? candidate.model != nullptr : candidate.link.has_value()) &&
+                           nameInScope(candidate) == name;
+                });
+            if (frame == scope.frames.end()) continue;
+            const Eigen::Affine3d loaded = scene_from_scope * frame->scope_from_frame;
+            if (entry.child("pose")) {
+                const auto pose = poseIn(entry, "the state of '" + cleanText(name) + "'", scene_);
+                if (!pose) return tl::unexpected(pose.error());
+                forEachLink(*frame, [&](std::size_t link) {
+                    saved_from_loaded_[link] = *pose * loaded.inverse();
+                });
             }
-            const auto pose = poseIn(entry, "the state of '" + cleanText(name) + "'", scene_);
-            if (!pose) return tl::unexpected(pose.error());
-            Eigen::Vector3d own_scale = scale;
-            if (is_model) {
-                own_scale = vectorOf(entry.child_value("scale")).value_or(Eigen::Vector3d::Ones());
-                if (!(std::abs(own_scale.prod()) > 0.0)) own_scale.setOnes();
-            }
-            const Eigen::Affine3d world_from_frame = *pose * Eigen::Scaling(own_scale);
-            frame.scope_from_frame = world_from_scope.inverse() * world_from_frame;
-            frame.state = Frame::State::Known;
             if (!is_model) continue;
-            if (Status inner = setState(*frame.model, entry, world_from_frame, own_scale); !inner) {
-                return inner;
+            const auto scale = vectorOf(entry.child_value("scale"));
+            if (scale && *scale != Eigen::Vector3d::Ones()) {
+                doubts_.push_back(fmt::format(
+                    "{}: the saved scale of the model '{}' is ignored; scale its visuals instead",
+                    scene_.xml->placeOf(scene_.path.filename(), entry), cleanText(name)));
             }
+            if (Status inner = applySavedState(*frame->model, entry, loaded); !inner) return inner;
         }
         return {};
     }
@@ -415,6 +433,7 @@ class SdfReader {
     Scope scene_;
     std::vector<LinkObject> links_;
     std::vector<const Scope*> scope_of_link_;
+    std::vector<Eigen::Affine3d> saved_from_loaded_;  // of each link, in the scene
     std::vector<std::size_t> first_;  // disjoint sets of joined links: parent of each link
     std::vector<std::string> missing_;
     UnknownShapes unknown_shapes_;

@@ -148,7 +148,7 @@ class Gather(GatherCase):
         self.assertLessEqual(max(sizes), 100_000)
         self.assertGreater(min(sizes[:-1]), 50_000)
 
-    def test_recordings_are_of_each_dataset_in_its_part(self):
+    def test_each_dataset_has_a_recording_in_its_part(self):
         """tests/readers/mcap_reader.py and rosbag_reader.py decode what is in them."""
         magic = b"\x89MCAP0\r\n"
         for layout, ending, start, end in [("mcap", ".mcap", magic, magic),

@@ -108,9 +108,8 @@ TEST(Gazebo, PosesAreRelativeToNestedFrames) {
     expectBox(scene, "cup", {-0.5, 29.5, 3.5}, {0.5, 30.5, 4.5});
 }
 
-// Gazebo Classic saves where models and links were in <state>, relative to the world; the poses
-// that they started from stay beside it.
-TEST(Gazebo, ASavedWorldIsInItsState) {
+// <state> has the saved world poses of models and links; the initial poses stay in the models.
+TEST(Gazebo, SavedWorldUsesThePosesOfItsState) {
     const TempFolder folder;
     writeSofa(folder, "models");
     const std::string box =
@@ -121,7 +120,7 @@ TEST(Gazebo, ASavedWorldIsInItsState) {
                                box + R"(</link>
   <link name="door"><pose>0 1 0 0 0 0</pose>)" +
                                box + R"(</link></model>
- <model name="cup"><pose>3 0 0 0 0 0</pose><link name="l">)" +
+ <model name="cup"><pose relative_to="couch">3 0 0 0 0 0</pose><link name="l">)" +
                                box + R"(</link></model>
  <model name="nest"><model name="egg"><link name="l">)" +
                                box + R"(</link></model></model>)";
@@ -135,21 +134,24 @@ TEST(Gazebo, ASavedWorldIsInItsState) {
  <model name="gone"><pose>9 9 9 0 0 0</pose></model></state>)";
     const Scene scene = imported(folder.write("saved.world", world(models + state)));
     expectBox(scene, "couch", {-1, 40, 0.5}, {1, 41, 2.5});
-    expectBox(scene, "cabinet::body", {-1, -0.5, 9.5}, {1, 0.5, 10.5});
-    expectBox(scene, "door", {-0.5, 4, 9.5}, {0.5, 6, 10.5});
-    expectBox(scene, "cup", {2.5, -0.5, -0.5}, {3.5, 0.5, 0.5});  // not in the state
+    expectBox(scene, "cabinet::body", {-0.5, -0.5, 9.5}, {0.5, 0.5, 10.5});
+    EXPECT_TRUE(says(scene.report.warnings, "the saved scale of the model 'cabinet'"));
+    expectBox(scene, "door", {-0.5, 4.5, 9.5}, {0.5, 5.5, 10.5});
+    // Without a state of its own it stays where the loaded couch put it.
+    expectBox(scene, "cup", {2.5, 29.5, -0.5}, {3.5, 30.5, 0.5});
     expectBox(scene, "nest", {-0.5, -0.5, 20.5}, {0.5, 0.5, 21.5});
     // Without <state>, everything is where it started.
     const Scene started = imported(folder.write("started.world", world(models)));
     expectBox(started, "couch", {-1, 30, 0.5}, {1, 31, 2.5});
     expectBox(started, "door", {0.5, 0.5, -0.5}, {1.5, 1.5, 0.5});
-    // A pose that is none is named with its line.
+    // A malformed pose is an error with its line.
     const auto bad = importScene(folder.write(
         "bad.world",
         world(models + R"(<state><model name="cup"><pose>1 2</pose></model></state>)")));
     ASSERT_FALSE(bad);
     EXPECT_NE(bad.error().message.find("the state of 'cup'"), std::string::npos)
         << bad.error().message;
+    EXPECT_NE(bad.error().where.find("bad.world:"), std::string::npos) << bad.error().where;
 }
 
 TEST(Gazebo, NestedModelsKeepTheirNames) {
