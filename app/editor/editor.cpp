@@ -89,8 +89,8 @@ void Editor::refreshScene() {
         scene_sync_.forget();
         remedies_.forget();
         motions_.cancel();
-        motion_file_.clear();
-        changed_motion_ = {};
+        read_motion_ = {};
+        repaired_motion_ = {};
         questions_.forgetProject();
         panels_.export_draft.forgetProject();
         // The autosave copy belongs to the previous project.

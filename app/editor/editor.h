@@ -166,7 +166,7 @@ class Editor {
     void addMotionCommands();
     [[nodiscard]] ui::MotionView motionView() const;
     void follow(const ui::MotionActions& actions);
-    void readMotion(const std::filesystem::path& file, int world);
+    void readMotion(const MotionFile& file);
     void takeMotion();
 
     // editor_dialogs.cpp
@@ -240,10 +240,10 @@ class Editor {
     std::size_t position_before_drag_ = 0;  // position in the history
     RemedyFinder remedies_{&Window::wake};
     MotionWorker motions_{&Window::wake};
-    std::filesystem::path motion_file_;  // file of the given motion; empty: none is known
-    int motion_world_ = 0;               // its coordinate system, see ui::motionWorlds()
-    SharedMotion changed_motion_;        // result of the last repair or move
-    std::string motion_change_;          // what that changed
+    MotionFile motion_file_;        // file last read as a camera path
+    SharedMotion read_motion_;      // camera path from that file, perhaps repaired
+    SharedMotion repaired_motion_;  // result of the last repair
+    std::string motion_change_;     // what that changed
     PlanTimeline plan_timeline_;
     RenderSceneSync scene_sync_;
     ParameterDraft parameters_;

@@ -108,7 +108,7 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         import["labels"] = answer.path.string();
         workspace_.readAgain(import);
     } else if (answer.id == "camera path") {
-        readMotion(answer.path, 0);
+        readMotion({answer.path, {}});
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
             pictures_.save(answer.path, std::move(*picture_to_save_));

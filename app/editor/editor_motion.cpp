@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 namespace dollytrack::editor {
@@ -21,7 +22,8 @@ std::string changeText(const planning::MotionChange& change) {
         change.largest_turn_rad * 180.0 / std::numbers::pi);
     if (change.time_added_s > 0.0) text += fmt::format("; {:.1f} s longer", change.time_added_s);
     if (change.paths_cut > 0) {
-        text += fmt::format("; cut at {} places without a free way", change.paths_cut);
+        text +=
+            fmt::format("; cut at {} places where no collision-free path exists", change.paths_cut);
     }
     return text + ".";
 }
@@ -43,12 +45,13 @@ void Editor::addMotionCommands() {
                    {},
                    [this] { askForFile("camera path"); },
                    needs_plan});
-    commands_.add({"edit.repair_motion",
-                   "Edit",
-                   "Repair the camera path",
-                   {},
-                   [this] { motions_.repair(workspace_.shown()); },
-                   needs_motion});
+    commands_.add(
+        {"edit.repair_motion",
+         "Edit",
+         "Repair the camera path",
+         {},
+         [this] { motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown()); },
+         needs_motion});
     commands_.add({"edit.clear_motion",
                    "Edit",
                    "Plan instead of following the camera path",
@@ -66,12 +69,13 @@ ui::MotionView Editor::motionView() const {
     const SharedMotion& motion = workspace_.state().edits.plan.motion;
     if (motion) view.motion = &*motion;
     if (workspace_.planIsCurrent()) view.plan = shown.plan.get();
-    if (shown.scene && selected_.objects().size() == 1) {
-        view.object = shown.scene->object(selected_.objects().front()).name;
-    }
-    if (motion && motion == changed_motion_) view.change = motion_change_;
-    view.can_read_again = !motion_file_.empty();
-    view.world = motion_world_;
+    view.plan_error = workspace_.planError();
+    view.has_scene = shown.scene != nullptr;
+    view.has_object = view.has_scene && selected_.objects().size() == 1;
+    if (motion && motion == repaired_motion_) view.change = motion_change_;
+    view.can_read_again = motion && motion == read_motion_;
+    const auto worlds = ui::motionWorlds();
+    view.world = static_cast<int>(std::ranges::find(worlds, motion_file_.world) - worlds.begin());
     const BackgroundWorker::State job = motions_.state();
     view.busy = job.busy;
     view.fraction = job.fraction;
@@ -82,17 +86,26 @@ ui::MotionView Editor::motionView() const {
 void Editor::follow(const ui::MotionActions& actions) {
     applyRequest(actions.edit);
     if (actions.import) askForFile("camera path");
-    if (actions.repair) motions_.repair(workspace_.shown());
+    if (actions.repair) {
+        motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown());
+    }
     if (actions.cancel) motions_.cancel();
-    if (actions.read_in_world >= 0) readMotion(motion_file_, actions.read_in_world);
-    if (!actions.make.empty()) motions_.make(actions.make, workspace_.shown());
+    if (actions.read_in_world >= 0) {
+        const auto world = static_cast<std::size_t>(actions.read_in_world);
+        readMotion({motion_file_.path, ui::motionWorlds()[world]});
+    }
+    if (!actions.make.empty()) {
+        planning::MoveRequest move;
+        move.kind = actions.make;
+        if (selected_.objects().size() == 1) move.object_id = selected_.objects().front();
+        motions_.make(move, workspace_.shown());
+    }
 }
 
-void Editor::readMotion(const std::filesystem::path& file, int world) {
-    motion_file_ = file;
-    motion_world_ = world;
+void Editor::readMotion(const MotionFile& file) {
+    if (!workspace_.shown().scene) return;  // closed while the file was chosen
     focus_tab_ = "By hand";
-    motions_.read(file, ui::motionWorlds()[static_cast<std::size_t>(world)], workspace_.shown());
+    motions_.read(file, workspace_.shown());
 }
 
 void Editor::takeMotion() {
@@ -101,16 +114,24 @@ void Editor::takeMotion() {
     if (!*outcome) {
         const Error& error = outcome->error();
         if (error.code == ErrorCode::Cancelled) return;
-        questions_.tell({true, "There is no new camera path", describe(error), {}});
+        questions_.tell({true, "The camera path was not changed", describe(error), {}});
         return;
     }
+    const bool was_read = workspace_.state().edits.plan.motion == read_motion_;
     nlohmann::json operation = motionJson((*outcome)->motion);
     operation["op"] = "set_motion";
-    apply(operation);
-    const auto& change = (*outcome)->change;
-    changed_motion_ = change ? workspace_.state().edits.plan.motion : SharedMotion();
-    motion_change_ = change ? changeText(*change) : std::string();
-    if (change) log::info("editor", "camera path: " + motion_change_);
+    const Status done = workspace_.apply(operation);
+    tellRefusal(done);
+    if (!done) return;
+    const SharedMotion& motion = workspace_.state().edits.plan.motion;
+    const MotionWorker::Source source = (*outcome)->source;
+    const bool repaired = source == MotionWorker::Source::Repair;
+    if (source == MotionWorker::Source::File) motion_file_ = (*outcome)->file;
+    if (source == MotionWorker::Source::File || (repaired && was_read)) read_motion_ = motion;
+    if (!repaired) return;
+    repaired_motion_ = motion;
+    motion_change_ = changeText((*outcome)->change);
+    log::info("editor", "camera path: " + motion_change_);
 }
 
 }  // namespace dollytrack::editor

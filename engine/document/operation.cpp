@@ -161,8 +161,11 @@ const std::vector<OperationInfo>& infos() {
            "as "
            "in TUM files; after a jump of the camera, a ninth number differs: the path"},
           {"frame_interval_s", "number", false, "s; default: between the first two frames"},
-          {"name", "text", false, "a name for people"}}},
-        {"clear_motion", clearMotion, "Removes the given camera motion; the planner plans.", {}},
+          {"name", "text", false, "name shown in lists"}}},
+        {"clear_motion",
+         clearMotion,
+         "Removes the given camera motion; the trajectory is planned again.",
+         {}},
         {"add_no_go",
          addNoGo,
          "Adds an upright box that no part of the camera's sphere may enter.",

@@ -39,7 +39,7 @@ const std::array<MoveKind, 5>& kinds() {
          "around an object, as far as there is room; radius in m, height in m above the floor, arc "
          "in degrees, time in s",
          {"target", "radius", "height", "arc", "time"}},
-        {"arc", "the same over 90 degrees", {"target", "radius", "height", "arc", "time"}},
+        {"arc", "a quarter of an orbit (90 degrees by default)", {"target", "radius", "height", "arc", "time"}},
         {"dolly",
          "straight towards an object, by distance in m, or between two points x;y;z",
          {"target", "from", "to", "distance", "time"}},
@@ -80,21 +80,27 @@ Result<std::optional<Vector3d>> pointOf(const MoveRequest& request, const std::s
     Vector3d point;
     for (int i = 0; i < 3; ++i) {
         const std::size_t cut = rest.find(';');
+        if (cut == std::string::npos) {
+            return fail(ErrorCode::Usage,
+                        fmt::format("'{}' is not a point; write x;y;z.", found->second), name);
+        }
         parts.options[name] = rest.substr(0, cut);
-        rest = cut == std::string::npos ? "" : rest.substr(cut + 1);
+        rest = rest.substr(cut + 1);
         const auto value = numberOf(parts, name);
         if (!value) return tl::unexpected(value.error());
         point[i] = **value;
     }
     if (!rest.empty()) {
-        return fail(ErrorCode::Usage, fmt::format("'{}' is not a point x;y;z.", found->second),
-                    name);
+        return fail(ErrorCode::Usage,
+                    fmt::format("'{}' is not a point; write x;y;z.", found->second), name);
     }
     return std::optional<Vector3d>{point};
 }
 
-/// The largest object that the option `target` names.
+/// The object that the move is about: that of `object_id`, else the largest one that the option
+/// `target` names.
 Result<const Object*> targetOf(const Scene& scene, const MoveRequest& request) {
+    if (request.object_id) return &scene.object(*request.object_id);
     const auto named = request.options.find("target");
     if (named == request.options.end()) {
         return fail(ErrorCode::Usage, "The move needs the object that it looks at.", "target");
@@ -189,7 +195,8 @@ void lookAhead(Trajectory& trajectory) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
         std::size_t ahead = i;
         double walked = 0.0;
-        while (ahead + 1 < frames.size() && walked < kLookAhead) {
+        while (ahead + 1 < frames.size() && frames[ahead + 1].path == frames[i].path &&
+               walked < kLookAhead) {
             walked += (frames[ahead + 1].pose.position - frames[ahead].pose.position).norm();
             ++ahead;
         }

@@ -3,6 +3,7 @@
 #include "planning/motions/repair_motion.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace dollytrack::planning {
@@ -11,6 +12,7 @@ namespace dollytrack::planning {
 struct MoveRequest {
     std::string kind;
     std::map<std::string, std::string> options;
+    std::optional<int> object_id = {};  // object that the move is about, instead of `target`
 };
 
 /// Reads a request. Errors: Usage for an unknown kind or option, with the closest name.

@@ -24,7 +24,8 @@ class MotionCheck {
 
   private:
     const BaselineScene& scene_;
-    SweptSphere touching_;  // its margin of contact included, exactly as large as the camera
+    // Radius reduced by SweptSphere's contact margin, so that touching a surface is allowed.
+    SweptSphere touching_;
 };
 
 }  // namespace dollytrack::planning

@@ -1,5 +1,6 @@
 #include "planning/motions/repair_motion.h"
 
+#include "engine/document/given_motion.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/motions/free_runs.h"
@@ -51,7 +52,7 @@ double medianSpacing(const std::vector<Frames>& paths) {
     return *middle;
 }
 
-/// Whether most moves are over the limits: then the times of the file do not matter.
+/// Whether most moves are over the limits: then all frames are timed anew.
 bool areTimesWrong(const std::vector<Frames>& paths, const MotionLimits& limits) {
     int over = 0;
     int moves = 0;
@@ -104,11 +105,11 @@ class MotionRepair {
         for (const std::vector<PathPoint>& points : paths) {
             measure(points, frames);
             auto timed = timePath(*scene_.sphere, timing_, frames, points);
-            if (timed.empty()) {
-                return fail(
-                    ErrorCode::BadInput,
-                    "The repaired trajectory would have more than a million frames; correct "
-                    "its times, or raise the motion limits.");
+            if (timed.empty() || result_.frames.size() + timed.size() > kMostMotionFrames) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("The repaired trajectory would have more than {} frames; "
+                                        "correct its times, or raise the motion limits.",
+                                        kMostMotionFrames));
             }
             addPath(std::move(timed), frames[static_cast<std::size_t>(points.back().frame)]);
         }

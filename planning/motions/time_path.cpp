@@ -1,5 +1,6 @@
 #include "planning/motions/time_path.h"
 
+#include "engine/document/given_motion.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/motions/rate_profile.h"
 
@@ -17,7 +18,6 @@ constexpr double kFaster = 2.0;
 constexpr double kLongestPart_m = 0.05;
 constexpr double kLargestPart_rad = 0.05;
 constexpr double kMostParts = 1e6;
-constexpr double kMostFrames = 1e6;  // that a path may need
 // Factor of the speed where moves between frames would collide, and how often it is applied.
 constexpr double kSlower = 0.6;
 constexpr int kSlowdowns = 8;
@@ -73,12 +73,11 @@ class PathTimer {
         divideMoves();
         makePieces();
         setTimes(pieces_, usedLimits(), timing_.smooth_over_s);
+        if (needsTooManyFrames()) return {};
         for (int k = 0; k < kSlowdowns && timing_.fixed_rate && slowWhereBlocked(); ++k) {
             setTimes(pieces_, usedLimits(), timing_.smooth_over_s);
+            if (needsTooManyFrames()) return {};
         }
-        double seconds = 0.0;
-        for (const TimedPiece& piece : pieces_) seconds += piece.changed ? piece.time_s : 0.0;
-        if (!(seconds < kMostFrames * timing_.frame_interval_s)) return {};
         const auto first = static_cast<std::size_t>(points_.front().frame);
         frames_.push_back(given_[first]);
         frames_.back().pose = poseAt(points_.front());
@@ -96,6 +95,13 @@ class PathTimer {
     }
 
   private:
+    [[nodiscard]] bool needsTooManyFrames() const {
+        double seconds = 0.0;
+        for (const TimedPiece& piece : pieces_) seconds += piece.changed ? piece.time_s : 0.0;
+        const auto most = static_cast<double>(kMostMotionFrames);
+        return !(seconds < most * timing_.frame_interval_s);
+    }
+
     /// Leaves the points between frames out of those repaired stretches that can keep their frames
     /// and times.
     void keepFrames() {

@@ -99,14 +99,16 @@ TEST_F(EditsPanelTest, AGivenMotionIsRepairedOrPlannedAgain) {
 }
 
 TEST_F(EditsPanelTest, MovesNeedTheObjectThatTheyAreAbout) {
+    motion.has_scene = true;
+    screen.frame(2);
     screen.click("edits.motion.orbit");
     EXPECT_EQ(made, "") << "no object is selected";
     ASSERT_TRUE(screen.click("edits.motion.walk"));
     EXPECT_EQ(made, "walk");
-    motion.object = "sofa";
+    motion.has_object = true;
     screen.frame(2);
     ASSERT_TRUE(screen.click("edits.motion.orbit"));
-    EXPECT_EQ(made, "orbit:target=sofa");
+    EXPECT_EQ(made, "orbit");
 }
 
 TEST_F(EditsPanelTest, PinsCanBeLookedThroughAndUnpinned) {

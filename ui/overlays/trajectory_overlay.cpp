@@ -96,7 +96,7 @@ void addArrows(render::Overlay& overlay, const Trajectory& trajectory) {
     }
 }
 
-/// Draws the moves of a given motion that collide over the others.
+/// Draws the colliding segments of a given motion over the others.
 void addCollisions(PlanLayer& layer, const Plan& plan) {
     constexpr double kCollisionWidth = 6.0;  // px
     int collisions = 0;
@@ -109,7 +109,7 @@ void addCollisions(PlanLayer& layer, const Plan& plan) {
     }
     if (collisions == 0) return;
     layer.legend.entries.push_back(
-        {"Move in collision", LegendEntry::Shape::Line, kRefusedColor, collisions});
+        {"Colliding segment", LegendEntry::Shape::Line, kRefusedColor, collisions});
 }
 
 }  // namespace

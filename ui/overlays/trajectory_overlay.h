@@ -17,7 +17,7 @@ struct TrajectoryOverlayOptions {
 
 /// The smoothed trajectory as one line segment per frame, coloured by a value of that frame. For
 /// NewlyCaptured, frames that capture new objects also get a dot that grows with their number.
-/// Moves of a given motion that collide are red.
+/// Colliding segments of a given motion are red.
 [[nodiscard]] PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& options);
 
 }  // namespace dollytrack::ui

@@ -45,11 +45,12 @@ struct ImportedMotion {
 };
 
 Status checkUsage(const RepairArguments& arguments) {
-    if (arguments.trajectory.empty() == arguments.move.empty()) {
-        return fail(ErrorCode::Usage, "Give either a --trajectory or a --move.");
+    if (!arguments.trajectory.empty() && !arguments.move.empty()) {
+        return fail(ErrorCode::Usage, "Give either a --trajectory or a --move, not both.");
     }
     if (arguments.no_repair && arguments.trajectory.empty()) {
-        return fail(ErrorCode::Usage, "It is for a --trajectory; a --move is always free.",
+        return fail(ErrorCode::Usage,
+                    "It needs a --trajectory; what is repaired or made is always collision-free.",
                     "--no-repair");
     }
     if (arguments.out.empty() && !isProjectFile(arguments.scene.path)) {
@@ -93,6 +94,19 @@ Status checkPlace(const std::string& file, const Trajectory& trajectory,
     return {};
 }
 
+Error errorOf(const MotionFault& fault, const std::string& name) {
+    return {ErrorCode::BadInput, fault.text,
+            fault.frame ? fmt::format("{}, frame {}", name, *fault.frame) : name};
+}
+
+Result<ImportedMotion> repairGiven(const GivenMotion& given, const OpenedScene& opened,
+                                   const planning::BaselineScene& map, const JobContext& job) {
+    return planning::repairMotion(map, opened.params, trajectoryOf(given), job)
+        .map([&](const planning::RepairedMotion& repaired) {
+            return ImportedMotion{givenMotion(given.name, repaired.trajectory), repaired.change};
+        });
+}
+
 Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const OpenedScene& opened,
                                         const planning::BaselineScene& map, const JobContext& job) {
     const std::string& file = arguments.trajectory;
@@ -105,11 +119,10 @@ Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const 
         return tl::unexpected(std::move(status.error()));
     }
     const std::string name = cleanText(std::filesystem::path(file).filename().string());
-    if (arguments.no_repair) return ImportedMotion{givenMotion(name, loaded->trajectory), {}};
-    return planning::repairMotion(map, opened.params, loaded->trajectory, job)
-        .map([&](const planning::RepairedMotion& repaired) {
-            return ImportedMotion{givenMotion(name, repaired.trajectory), repaired.change};
-        });
+    GivenMotion given = givenMotion(name, loaded->trajectory);
+    if (const auto fault = findFault(given)) return tl::unexpected(errorOf(*fault, file));
+    if (arguments.no_repair) return ImportedMotion{std::move(given), {}};
+    return repairGiven(given, opened, map, job);
 }
 
 Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const OpenedScene& opened,
@@ -119,22 +132,29 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
         auto parsed = planning::parseMove(arguments.move);
         if (!parsed) return tl::unexpected(std::move(parsed.error()));
         request = std::move(*parsed);
+    } else if (arguments.trajectory.empty() && !opened.plan_edits.motion) {
+        return fail(ErrorCode::Usage,
+                    "Give a --trajectory or a --move; there is no camera motion to repair again.");
     }
     const auto map = planning::mapBaselineScene(opened.scene, opened.plan_edits, opened.params,
                                                 job.stage(0.0, 0.3, "free space"));
     if (!map) return tl::unexpected(map.error());
     const JobContext part = job.stage(0.3, 1.0, "repairing");
-    Result<ImportedMotion> made =
-        request ? planning::makeMove(*map, opened.params, *request, part)
-                      .map([&](const planning::RepairedMotion& move) {
-                          return ImportedMotion{
-                              givenMotion(cleanText(arguments.move), move.trajectory), move.change};
-                      })
-                : importTrajectory(arguments, opened, *map, part);
+    Result<ImportedMotion> made = ImportedMotion{};
+    if (request) {
+        made = planning::makeMove(*map, opened.params, *request, part)
+                   .map([&](const planning::RepairedMotion& move) {
+                       return ImportedMotion{
+                           givenMotion(cleanText(arguments.move), move.trajectory), move.change};
+                   });
+    } else if (!arguments.trajectory.empty()) {
+        made = importTrajectory(arguments, opened, *map, part);
+    } else {
+        made = repairGiven(*opened.plan_edits.motion, opened, *map, part);
+    }
     if (!made) return made;
     if (const auto fault = findFault(made->motion)) {
-        return fail(ErrorCode::BadInput, fault->text,
-                    fault->frame ? fmt::format("frame {}", *fault->frame) : made->motion.name);
+        return tl::unexpected(errorOf(*fault, made->motion.name));
     }
     return made;
 }
@@ -196,8 +216,10 @@ Result<ExitCode> runRepair(const RepairArguments& arguments, const Session& sess
     if (made->change && made->change->paths_cut > 0) {
         log::warn(
             "repair",
-            fmt::format("no collision-free way leads on at {} places: the motion is cut there",
-                        made->change->paths_cut));
+            fmt::format(
+                "the motion is cut at {} places, because no collision-free path leads across; "
+                "check for closed doors",
+                made->change->paths_cut));
     }
     opened->edits.plan.motion = made->motion;
     opened->stored_result = nullptr;
@@ -223,7 +245,7 @@ void addRepairCommand(CLI::App& app, Session& session) {
     command
         ->add_option("--trajectory", arguments->trajectory,
                      "Trajectory from another program; it is changed only where the camera would "
-                     "collide or exceed the motion limits")
+                     "collide or exceed the motion limits; default: the project's own motion")
         ->type_name("FILE");
     addTrajectoryArguments(*command, arguments->reading);
     command

@@ -1,7 +1,7 @@
 #include "app/editor/project/motion_worker.h"
 
 #include "engine/io/trajectories/trajectory_file.h"
-#include "planning/motions/camera_moves.h"
+#include "planning/motions/repair_motion.h"
 #include "render/formats/poses/camera_json.h"
 
 #include <exception>
@@ -25,45 +25,43 @@ void MotionWorker::cancel() {
     worker_.cancel();
 }
 
-void MotionWorker::read(const std::filesystem::path& file, const std::string& world,
-                        const PlanOutcome& shown) {
-    start([file, world, scene = shown.scene, interval_s = 1.0 / shown.params.timing.frame_rate](
+void MotionWorker::read(const MotionFile& file, const PlanOutcome& shown) {
+    start([file, scene = shown.scene, interval_s = 1.0 / shown.params.timing.frame_rate](
               const JobContext&) -> Result<Outcome> {
         TrajectoryReading reading;
-        reading.world = world;
+        reading.world = file.world;
         reading.source_from_world = scene->source_from_world;
         reading.camera_json_from_world = render::cameraJsonFromWorld(*scene);
         reading.interval_s = interval_s;
         reading.has_options = false;
-        Result<LoadedTrajectory> loaded = loadTrajectory(file, reading);
+        Result<LoadedTrajectory> loaded = loadTrajectory(file.path, reading);
         if (!loaded) return tl::unexpected(std::move(loaded.error()));
-        return Outcome{givenMotion(file.filename().string(), loaded->trajectory), {}};
+        return Outcome{
+            Source::File, givenMotion(file.path.filename().string(), loaded->trajectory), {}, file};
     });
 }
 
-void MotionWorker::repair(const PlanOutcome& shown) {
-    start([shown](const JobContext& job) -> Result<Outcome> {
+void MotionWorker::repair(const SharedMotion& motion, const PlanOutcome& shown) {
+    start([motion, shown](const JobContext& job) -> Result<Outcome> {
         const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
                                                     job.stage(0.0, 0.2, "free space"));
         if (!map) return tl::unexpected(map.error());
-        const GivenMotion& given = *shown.edits.motion;
-        auto repaired = planning::repairMotion(*map, shown.params, trajectoryOf(given),
+        auto repaired = planning::repairMotion(*map, shown.params, trajectoryOf(*motion),
                                                job.stage(0.2, 1.0, "repair"));
         if (!repaired) return tl::unexpected(std::move(repaired.error()));
-        return Outcome{givenMotion(given.name, repaired->trajectory), repaired->change};
+        return Outcome{Source::Repair, givenMotion(motion->name, repaired->trajectory),
+                       repaired->change};
     });
 }
 
-void MotionWorker::make(const std::string& move, const PlanOutcome& shown) {
+void MotionWorker::make(const planning::MoveRequest& move, const PlanOutcome& shown) {
     start([move, shown](const JobContext& job) -> Result<Outcome> {
-        const auto request = planning::parseMove(move);
-        if (!request) return tl::unexpected(request.error());
         const auto map = planning::mapBaselineScene(shown.scene, shown.edits, shown.params,
                                                     job.stage(0.0, 0.2, "free space"));
         if (!map) return tl::unexpected(map.error());
-        auto made = planning::makeMove(*map, shown.params, *request, job.stage(0.2, 1.0, "move"));
+        auto made = planning::makeMove(*map, shown.params, move, job.stage(0.2, 1.0, "move"));
         if (!made) return tl::unexpected(std::move(made.error()));
-        return Outcome{givenMotion(request->kind, made->trajectory), made->change};
+        return Outcome{Source::Move, givenMotion(move.kind, made->trajectory)};
     });
 }
 

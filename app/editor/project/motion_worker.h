@@ -3,7 +3,7 @@
 #include "app/editor/project/live_planner.h"
 #include "engine/document/given_motion.h"
 #include "engine/jobs/background_worker.h"
-#include "planning/motions/repair_motion.h"
+#include "planning/motions/camera_moves.h"
 
 #include <filesystem>
 #include <memory>
@@ -12,25 +12,32 @@
 
 namespace dollytrack::editor {
 
+/// A trajectory file, and the coordinate system of its positions (see TrajectoryReading; empty: the
+/// format's).
+struct MotionFile {
+    std::filesystem::path path;
+    std::string world;
+};
+
 /// Reads, repairs and makes camera motions in the background. A newer request replaces an older
 /// one.
 class MotionWorker {
   public:
+    enum class Source { File, Repair, Move };
     struct Outcome {
+        Source source = Source::File;
         GivenMotion motion;
-        std::optional<planning::MotionChange> change;  // unset: as the file has it
+        planning::MotionChange change = {};  // of a repair
+        MotionFile file = {};                // that it was read from
     };
 
     explicit MotionWorker(std::function<void()> wake) : worker_(std::move(wake)) {}
 
-    /// Reads a trajectory in any format of engine/io/trajectories. `world`: its coordinate system,
-    /// see TrajectoryReading; empty: the format's.
-    void read(const std::filesystem::path& file, const std::string& world,
-              const PlanOutcome& shown);
-    /// Repairs the motion of the displayed plan.
-    void repair(const PlanOutcome& shown);
-    /// Makes a move, given as on the command line: "orbit:target=sofa".
-    void make(const std::string& move, const PlanOutcome& shown);
+    /// Reads a trajectory in any format of engine/io/trajectories.
+    void read(const MotionFile& file, const PlanOutcome& shown);
+    /// Repairs a motion in the displayed scene.
+    void repair(const SharedMotion& motion, const PlanOutcome& shown);
+    void make(const planning::MoveRequest& move, const PlanOutcome& shown);
     /// Cancels the request and drops its result.
     void cancel();
 

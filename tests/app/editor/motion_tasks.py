@@ -64,6 +64,11 @@ class Motions(Task):
         turned = self.editor.idle()["edits"]["motion"]["frames"]
         # y up: the second coordinate of the file is the height.
         self.assertAlmostEqual(turned[0][3], -1.5, places=6)
+        self.select_row(SOFA)
+        self.editor.click("tab.by hand")
+        self.editor.click("edits.motion.orbit")
+        self.editor.wait(lambda now: now["edits"]["motion"]["frames"] != turned, "the orbit")
+        self.assertNotIn("edits.motion.world", self.editor.idle()["items"])
 
     def test_an_orbit_of_the_selected_object(self):
         self.start_room()
@@ -86,3 +91,14 @@ class Motions(Task):
         self.assertIn("note.txt", self.notice())
         self.dismiss("ok")
         self.assertEqual(self.editor.idle()["plan"]["frames"], before["plan"]["frames"])
+
+    def test_repair_does_not_wait_for_the_plan(self):
+        self.start_room()
+        path = self.folder / "sofa.txt"
+        write_path_through_the_sofa(path)
+        self.editor.run_command("import a camera path")
+        self.editor.choose_file(path)
+        self.editor.wait(lambda now: now["edits"].get("motion"), "the path")
+        self.editor.run_command("repair the camera path")
+        self.editor.wait(lambda now: len(now["edits"]["motion"]["frames"]) != FRAMES, "the repair")
+        self.assertEqual(self.editor.idle()["plan"]["moves_in_collision"], 0)

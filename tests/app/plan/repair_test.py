@@ -144,6 +144,30 @@ class Repair(FolderCase):
         self.assertFails(run("repair", self.room, "--move", "walk", "--no-repair", "-o", project), 2,
                          "--no-repair")
 
+    def test_a_project_is_repaired_again_after_an_object_has_moved(self):
+        _, _, motion, project = self.repair(self.write("free.txt", self.free))
+        moved = self.folder / "moved.dolly"
+        # The table stands in the way now.
+        done = run("edit", project, "-o", moved, "--op", json.dumps(
+            {"op": "move_object", "object": "table", "offset": [-0.9, -0.6, 0.9]}))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(run("repair", moved, "--json").stdout)
+        self.assertGreater(report["change"]["moves_in_collision"], 0)
+        self.assertNotEqual(json.loads(moved.read_text())["edits"]["motion"], motion)
+        again = json.loads(run("repair", moved, "--json").stdout)
+        self.assertEqual(again["change"]["moves_in_collision"], 0)
+        self.assertFails(run("repair", self.room, "-o", moved), 2, "--trajectory")
+
+    def test_times_far_apart_are_refused(self):
+        frames = line((0.5, -1.5, 0.4), (2.4, -1.5, 0.4), 20, 0)
+        for frame in frames[3:]:
+            frame[0] += 9e5
+        done = run("repair", self.room, "--trajectory", self.write("gap.txt", frames),
+                   "-o", self.folder / "gap.dolly")
+        self.assertIn(done.returncode, (0, 4), done.stderr)
+        if done.returncode == 4:
+            self.assertIn("correct its times", done.stderr)
+
     def test_parameters_without_effect_are_named(self):
         _, _, _, project = self.repair(self.write("free.txt", self.free))
         done = run("plan", project, "--json", "--max-frames", 5, "--loop")

@@ -52,7 +52,7 @@ Plan oneSearch() {
     return plan;
 }
 
-TEST(PlanLayers, MovesOfAGivenMotionThatCollideAreRed) {
+TEST(PlanLayers, CollidingSegmentsOfAGivenMotionAreRed) {
     Plan plan;
     plan.smooth_paths.resize(1);
     for (int i = 0; i < 3; ++i) {
@@ -65,11 +65,11 @@ TEST(PlanLayers, MovesOfAGivenMotionThatCollideAreRed) {
                                   &render::OverlayLine::rgba);
     };
     EXPECT_EQ(red(), 0);
-    EXPECT_EQ(countOf(trajectoryLayer(plan, {}).legend, "Move in collision"), -1);
+    EXPECT_EQ(countOf(trajectoryLayer(plan, {}).legend, "Colliding segment"), -1);
     plan.smooth_paths[0].pieces[1].collides = true;
     EXPECT_EQ(red(), 1);
     const PlanLayer layer = trajectoryLayer(plan, {});
-    EXPECT_EQ(countOf(layer.legend, "Move in collision"), 1);
+    EXPECT_EQ(countOf(layer.legend, "Colliding segment"), 1);
     const auto line =
         std::ranges::find(layer.overlay.lines, kRefusedColor, &render::OverlayLine::rgba);
     ASSERT_NE(line, layer.overlay.lines.end());

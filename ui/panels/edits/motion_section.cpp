@@ -34,26 +34,31 @@ constexpr std::array kMoves = {
 
 void drawState(const MotionView& view) {
     const GivenMotion& motion = *view.motion;
-    cutText(motion.name.empty() ? "Camera motion" : motion.name,
+    cutText(motion.name.empty() ? "Without a name" : motion.name,
             ImGui::GetStyleColorVec4(ImGuiCol_Text),
             fmt::format("{} frames, {:.1f} s", motion.frames.size(),
                         motion.frames.back().time_s - motion.frames.front().time_s),
             Cut::Middle);
     if (view.plan == nullptr) {
-        ImGui::TextColored(palette().text_dim, "being checked \u2026");
+        if (view.plan_error.empty()) {
+            ImGui::TextColored(palette().text_dim, "being checked \u2026");
+        } else {
+            paragraph("Not checked: planning failed.", palette().bad);
+        }
         return;
     }
     int collisions = 0;
-    std::size_t moves = 0;
+    std::size_t segments = 0;
     for (const SmoothPath& path : view.plan->smooth_paths) {
         collisions += path.collisions;
-        moves += path.pieces.size();
+        segments += path.pieces.size();
     }
     if (collisions == 0) {
         ImGui::TextColored(palette().good, "\u25cf free of collisions");
     } else {
-        paragraph(fmt::format("\u25cb {} of {} moves between frames collide", collisions, moves),
-                  palette().bad);
+        paragraph(
+            fmt::format("\u25cb {} of {} segments between frames collide", collisions, segments),
+            palette().bad);
     }
     if (!view.change.empty()) paragraph(view.change, palette().text_dim);
 }
@@ -67,16 +72,18 @@ void drawWorld(const MotionView& view, MotionActions& actions) {
 }
 
 void drawMoves(const MotionView& view, MotionActions& actions) {
-    ImGui::TextColored(palette().text_dim, "Make a move");
+    ImGui::TextColored(palette().text_dim, "Make a camera move");
     bool first = true;
     for (const Move& move : kMoves) {
         if (!first) flowTo(move.label);
         first = false;
-        const bool lacks_object = move.needs_object && view.object.empty();
+        const bool lacks_object = move.needs_object && !view.has_object;
+        const char* why_not = !view.has_scene ? "No scene is open."
+                              : lacks_object  ? "Select one object first."
+                                              : "";
         if (button(move.label, fmt::format("edits.motion.{}", move.kind),
-                   {.why_not = lacks_object ? "Select one object first." : "", .tip = move.tip})) {
+                   {.why_not = why_not, .tip = move.tip})) {
             actions.make = move.kind;
-            if (move.needs_object) actions.make += ":target=" + view.object;
         }
     }
 }
@@ -94,7 +101,7 @@ MotionActions drawMotionSection(const MotionView& view) {
         drawState(view);
         drawWorld(view, actions);
     } else {
-        paragraph("Planned. A trajectory of another program, or a move, can take its place.",
+        paragraph("Planned. A path from another program, or a camera move, can take its place.",
                   palette().text_dim);
     }
     if (view.busy) {
@@ -111,8 +118,9 @@ MotionActions drawMotionSection(const MotionView& view) {
     }
     if (view.motion != nullptr) {
         flowTo("Repair");
-        if (button("Repair", "edits.motion.repair",
-                   {.tip = "The nearest path without collisions and within the motion limits"})) {
+        if (button(
+                "Repair", "edits.motion.repair",
+                {.tip = "The nearest path that is collision-free and within the motion limits"})) {
             actions.repair = true;
         }
         flowTo("Plan instead");
