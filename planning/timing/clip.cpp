@@ -84,7 +84,7 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
     if (keepsFrameRate(params) && params.duration_s <= 0.0 && 2 * frames < params.max_frames) {
         return fmt::format(
             "only {} of max_frames={} frames are used: at frame_rate={:g} no further view fits "
-            "into the remaining frames; raise max_frames or lower --fps",
+            "into the remaining frames; raise max_frames or lower frame_rate",
             frames, params.max_frames, params.frame_rate);
     }
     const bool lowered = trajectory.frame_interval_s * params.frame_rate > 1.0 + kSame;
@@ -93,13 +93,12 @@ std::string frameRateNote(const Trajectory& trajectory, const TimingParams& para
     constexpr double kUsed = 0.95;
     const bool repeats = params.max_repeat_rate < 1.0 && frames < kUsed * params.max_frames;
     return fmt::format(
-        "frame_rate={:g} was lowered to {:.3g} ({} frames) for {}; --fps {:g} keeps the rate and "
-        "visits fewer objects",
+        "frame_rate={:g} was lowered to {:.3g} ({} frames) for {}; keep_frame_rate=true keeps the "
+        "rate and visits fewer objects",
         params.frame_rate, 1.0 / trajectory.frame_interval_s, frames,
         repeats ? fmt::format("max_repeat_rate={:g}, although max_frames={} allows more",
                               params.max_repeat_rate, params.max_frames)
-                : fmt::format("max_frames={}", params.max_frames),
-        params.frame_rate);
+                : fmt::format("max_frames={}", params.max_frames));
 }
 
 }  // namespace dollytrack::planning

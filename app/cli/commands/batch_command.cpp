@@ -214,7 +214,9 @@ void addBatchCommand(CLI::App& app, Session& session) {
     CLI::App* command = app.add_subcommand(
         "batch", "Export many scenes with many settings, each in its own process");
     auto arguments = std::make_shared<BatchArguments>();
-    command->add_option("jobs", arguments->file, "Jobs file (see the guide app/guides/batches.md)")
+    command
+        ->add_option("jobs", arguments->file,
+                     "Jobs file (TOML; the guide on batches has an example)")
         ->type_name("JOBS.toml");
     command->add_option("--out", arguments->out, "Folder of the batch; overrides 'out' in the file")
         ->type_name("DIR");

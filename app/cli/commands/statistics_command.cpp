@@ -25,19 +25,6 @@ struct StatisticsArguments {
     bool as_json = false;
 };
 
-/// Refuses folders that hold datasets in other layouts.
-Status checkLayout(const fs::path& folder) {
-    std::error_code error;
-    if (!fs::exists(folder / "dataset.json", error) && fs::exists(folder / "gather.json", error)) {
-        return fail(ErrorCode::BadInput,
-                    "The folder contains a gathered dataset; statistics reads exported ones: give "
-                    "the datasets "
-                    "that it was gathered from.",
-                    folder.string());
-    }
-    return refuseRooms(folder);
-}
-
 /// Later datasets of a name are called "name (2)", "name (3)" and so on: paths would differ between
 /// machines and reveal where the datasets lie.
 void makeNamesUnique(std::vector<DatasetStatistics>& datasets) {
@@ -83,7 +70,7 @@ Result<ExitCode> runStatistics(const StatisticsArguments& arguments, const Sessi
                     "datasets");
     }
     for (const std::string& folder : arguments.folders) {
-        if (const Status status = checkLayout(folder); !status) {
+        if (const Status status = refuseRooms(folder); !status) {
             return tl::unexpected(status.error());
         }
     }

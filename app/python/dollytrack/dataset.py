@@ -145,6 +145,23 @@ class Sample(_Images):
         return f"<Sample {self.index} of {self._dataset.folder}: {', '.join(self)}>"
 
 
+class _Splits(Dict[str, "Dataset"]):
+    def __missing__(self, name: str) -> "Dataset":
+        has = f"it has {', '.join(self)}" if self else "it has none; export it with folds=5"
+        raise KeyError(f"The dataset has no split '{name}': {has}.")
+
+
+def _why_no_dataset(folder: Path) -> str:
+    if (folder / "gather.json").exists():
+        return ("The folder contains a gathered dataset, whose files 'sha256sum -c SHA256SUMS' checks; "
+                "give the datasets that it was gathered from.")
+    within = sorted([*folder.glob("*/dataset.json"), *folder.glob("*/dataset/dataset.json")])
+    if within:
+        return f"The folder contains datasets; give one of them, such as {within[0].parent}."
+    return ("The folder has no dataset.json: it is not a dataset, or its export did not finish; "
+            "'dollytrack export --resume' finishes it.")
+
+
 class Dataset(_Samples):
     """A dataset in a folder, or some of its frames. Indexing gives a Sample; a slice or an array of
     indices or booleans gives a Dataset of those frames. Image files are read on access. It can be
@@ -164,8 +181,7 @@ class Dataset(_Samples):
             raise failure(BadInput, "The path is a file; give the folder of a dataset." if exists
                           else "The folder does not exist; check the path.", str(folder))
         if not file.exists():
-            raise failure(BadInput, "The folder has no dataset.json: it is not a dataset, or its export "
-                          "did not finish; 'dollytrack export --resume' finishes it.", str(folder))
+            raise failure(BadInput, _why_no_dataset(self.folder), str(folder))
         self._card = _read_json(file)
         if not isinstance(self._card, dict) or self._card.get("format") != "dollytrack dataset":
             raise failure(BadInput, "The file is not the dataset.json of a Dollytrack dataset.",
@@ -281,7 +297,8 @@ class Dataset(_Samples):
     @property
     def splits(self) -> Dict[str, "Dataset"]:
         """The dataset's splits by name: "train" and "val" (those of the first fold, or of YOLO), and
-        "fold_0_train", "fold_0_val" and so on of export(folds=n). Empty if it has none."""
+        "fold_0_train", "fold_0_val" and so on of export(folds=n). A name that the dataset lacks raises a KeyError with those that it
+        has."""
         files = {file.stem: file for file in (self.folder / "folds").glob("fold_*.txt")}
         for part in ("train", "val"):
             listed = self.folder / f"{part}.txt"
@@ -289,8 +306,8 @@ class Dataset(_Samples):
             if file is not None:
                 files[part] = file
         kept = set(self._indices.tolist())
-        return {name: self._part([i for i in self._listed(file) if i in kept])
-                for name, file in sorted(files.items())}
+        return _Splits({name: self._part([i for i in self._listed(file) if i in kept])
+                        for name, file in sorted(files.items())})
 
     def _listed(self, file: Path) -> List[int]:
         try:
@@ -318,7 +335,7 @@ class Dataset(_Samples):
             fractions of the image size); None: no boxes and labels.
         images: further images of the dataset to put into the target, such as "depth" and "semantic".
         pad: pad boxes with 0 and labels with -1 to the largest number in a frame, so that all targets
-            have one shape. If False, pass collate_fn=TorchDataset.collate to the loader.
+            have one shape. If False, pass collate_fn=data.torch(...).collate to the loader.
         transform: called with image and target; its result is returned instead of the pair.
         """
         from .torch_dataset import TorchDataset

@@ -1,5 +1,6 @@
 #include "render/verify/read/stored_dataset.h"
 
+#include "engine/core/clean_text.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/text_file.h"
 #include "engine/io/settings/class_table_file.h"
@@ -165,6 +166,32 @@ Status checkNumbers(const StoredDataset& dataset, const std::string& path) {
     return {};
 }
 
+/// What is wrong with a folder without dataset.json.
+std::string whyNoDataset(const std::filesystem::path& folder) {
+    std::error_code unknown;
+    if (std::filesystem::exists(folder / "gather.json", unknown)) {
+        return "The folder contains a gathered dataset, whose files 'sha256sum -c SHA256SUMS' "
+               "checks; "
+               "give the datasets that it was gathered from.";
+    }
+    std::string first;  // of the datasets within, by name
+    for (std::filesystem::directory_iterator it(folder, unknown), end; !unknown && it != end;
+         it.increment(unknown)) {
+        for (const char* inner : {"", "dataset"}) {
+            const std::filesystem::path name = it->path().filename() / inner;
+            if (!std::filesystem::exists(folder / name / "dataset.json", unknown)) continue;
+            if (first.empty() || name.string() < first) first = name.string();
+        }
+        unknown.clear();
+    }
+    if (!first.empty()) {
+        return fmt::format("The folder contains datasets; give one of them, such as {}.",
+                           cleanText((folder / first).lexically_normal().string()));
+    }
+    return "The folder has no dataset.json: it is not a dataset, or its export did not finish; "
+           "'dollytrack export --resume' finishes it.";
+}
+
 }  // namespace
 
 const Eigen::Isometry3d* StoredFrame::movement(int object_id) const {
@@ -222,10 +249,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
                     folder.string());
     }
     if (!std::filesystem::exists(path, unknown)) {
-        return fail(ErrorCode::BadInput,
-                    "The folder has no dataset.json: it is not a dataset, or its export did not "
-                    "finish; 'dollytrack export --resume' finishes it.",
-                    folder.string());
+        return fail(ErrorCode::BadInput, whyNoDataset(folder), folder.string());
     }
     const Result<std::string> text = readText(path);
     if (!text) return tl::unexpected(text.error());

@@ -147,9 +147,23 @@ class DatasetTest(FolderCase):
                 dt.Dataset(copy).tracks()
             self.assertIn("000000_points.npy", str(caught.exception))
 
+    def test_folders_around_datasets_are_told(self):
+        folder = self.folder / "around"
+        (folder / "kitchen" / "dataset").mkdir(parents=True)
+        (folder / "kitchen" / "dataset" / "dataset.json").write_text("{}")
+        with self.assertRaisesRegex(dt.BadInput, "such as .*kitchen/dataset"):
+            dt.Dataset(folder)
+        self.assertIn("kitchen/dataset", run("verify", folder).stderr)
+        (folder / "gather.json").write_text("{}")
+        with self.assertRaisesRegex(dt.BadInput, "gathered dataset"):
+            dt.Dataset(folder)
+        self.assertIn("gathered dataset", run("verify", folder).stderr)
+
     def test_splits_are_the_folds(self):
         splits = self.data.splits
         self.assertEqual({"train", "val", "fold_0_train", "fold_2_val"} - set(splits), set())
+        with self.assertRaisesRegex(KeyError, "no split 'test': it has fold_0_train, "):
+            splits["test"]
         held_back = sorted(s.index for i in range(3) for s in splits[f"fold_{i}_val"])
         self.assertEqual(held_back, list(range(10)))
         listed = (self.out / "folds" / "fold_0_val.txt").read_text().split()
