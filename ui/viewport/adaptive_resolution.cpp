@@ -1,6 +1,7 @@
 #include "ui/viewport/adaptive_resolution.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace dollytrack::ui {
 namespace {
@@ -25,6 +26,33 @@ void AdaptiveResolution::drew(int shrink, bool same, bool scene, double millisec
     shrink_ = shrink;
     if (!same) moved_ = now;
     if (shrink == 1 && scene) whole_ms_ = milliseconds;
+}
+
+bool samePicture(const render::View& a, const render::View& b) {
+    const auto lens = [](const render::View& view) {
+        const Intrinsics& i = view.intrinsics;
+        return std::tuple(i.width, i.height, i.fx, i.fy, i.cx, i.cy, view.near_m,
+                          view.orthographic ? view.orthographic->px_per_m : 0.0);
+    };
+    const auto cut = [](const render::View& view) {
+        const render::StructureCut c = view.structure_cut.value_or(render::StructureCut{});
+        return std::tuple(view.structure_cut.has_value(), c.plane.x(), c.plane.y(), c.plane.z(),
+                          c.plane.w(), c.keep_below_z, c.ceiling_z);
+    };
+    return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
+           a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
+           a.backdrop == b.backdrop && a.antialias == b.antialias && a.reflections == b.reflections;
+}
+
+render::View shrunk(render::View view, int by) {
+    Intrinsics& lens = view.intrinsics;
+    const int width = std::max(lens.width / by, 1);
+    const int height = std::max(lens.height / by, 1);
+    const double x = static_cast<double>(width) / lens.width;
+    const double y = static_cast<double>(height) / lens.height;
+    lens = {width, height, x * lens.fx, y * lens.fy, x * lens.cx, y * lens.cy};
+    if (view.orthographic) view.orthographic->px_per_m *= x;
+    return view;
 }
 
 }  // namespace dollytrack::ui

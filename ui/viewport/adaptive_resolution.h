@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/view/view.h"
+
 #include <chrono>
 
 namespace dollytrack::ui {
@@ -33,5 +35,11 @@ class AdaptiveResolution {
     int shrink_ = 1;
     Time moved_;  // when a new view was last drawn
 };
+
+/// Whether two views of an unchanged scene give the same image.
+[[nodiscard]] bool samePicture(const render::View& a, const render::View& b);
+
+/// The same view with its width and height divided by `by`.
+[[nodiscard]] render::View shrunk(render::View view, int by);
 
 }  // namespace dollytrack::ui

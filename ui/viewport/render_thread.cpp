@@ -65,35 +65,6 @@ struct Relay {
     [[nodiscard]] const Image& newest() const { return images[shown]; }
 };
 
-/// Whether two views of an unchanged scene give the same image.
-bool samePicture(const render::View& a, const render::View& b) {
-    const auto lens = [](const render::View& view) {
-        const Intrinsics& i = view.intrinsics;
-        return std::tuple(i.width, i.height, i.fx, i.fy, i.cx, i.cy, view.near_m,
-                          view.orthographic ? view.orthographic->px_per_m : 0.0);
-    };
-    const auto cut = [](const render::View& view) {
-        const render::StructureCut c = view.structure_cut.value_or(render::StructureCut{});
-        return std::tuple(view.structure_cut.has_value(), c.plane.x(), c.plane.y(), c.plane.z(),
-                          c.plane.w(), c.keep_below_z, c.ceiling_z);
-    };
-    return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
-           a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
-           a.backdrop == b.backdrop && a.antialias == b.antialias && a.reflections == b.reflections;
-}
-
-/// The same view with its width and height divided by `by`.
-render::View shrunk(render::View view, int by) {
-    Intrinsics& lens = view.intrinsics;
-    const int width = std::max(lens.width / by, 1);
-    const int height = std::max(lens.height / by, 1);
-    const double x = static_cast<double>(width) / lens.width;
-    const double y = static_cast<double>(height) / lens.height;
-    lens = {width, height, x * lens.fx, y * lens.fy, x * lens.cx, y * lens.cy};
-    if (view.orthographic) view.orthographic->px_per_m *= x;
-    return view;
-}
-
 /// Render targets of the viewport at one resolution.
 struct ViewCanvas {
     std::optional<render::RenderTarget> target;
@@ -147,7 +118,6 @@ struct RenderThread::Impl {
     std::string renderer_name;
     bool stopping = false;
     bool busy = false;
-    bool is_ready = false;
     bool final_light = false;
 
     // Used by the render thread only.
@@ -180,8 +150,12 @@ struct RenderThread::Impl {
     void loop();
     void release();
     Status loadScene(SceneRequest request);
+    /// After a failure there is no renderer.
     Status createRenderer(render::Detail detail);
-    /// Adds the textures and simplified meshes to a plain scene.
+    /// Gives a new renderer its reflections and texture filtering.
+    void finishRenderer();
+    /// Adds the textures and simplified meshes to a plain scene; without them if they do not fit
+    /// into memory. Does nothing if another scene or light is waiting.
     Status completeScene();
     Status drawView(ViewRequest request);
     /// Returns whether the scene was drawn again, rather than only the overlays.
@@ -264,7 +238,6 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     const bool same = renderer && request.scene && request.geometry == geometry;
     if (!same) {
         const std::lock_guard lock(mutex);
-        is_ready = false;
         final_light = false;
     }
     scene = request.scene;
@@ -286,7 +259,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     anisotropy = request.anisotropy;
     Status status;
     if (!same) {
-        plain = !renderer;  // an edited scene keeps its look
+        plain = plain || !renderer;  // an edited scene keeps its look
         status = createRenderer(plain ? render::Detail::Plain : render::Detail::FullAndCoarse);
     } else if (relit) {
         status = renderer->setLight(lit_by ? *lit_by : plainLight(*scene));
@@ -295,11 +268,9 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     if (rays && lit_by && render::TracedReflections::any(*scene, Reflections::All)) {
         reflections.emplace(*scene, *rays, *lit_by);
     }
-    renderer->setReflections(reflections ? &*reflections : nullptr);
-    renderer->setAnisotropy(anisotropy);
+    finishRenderer();
     const std::lock_guard lock(mutex);
-    is_ready = true;
-    final_light = request.light != nullptr;
+    final_light = lit_by != nullptr;
     return {};
 }
 
@@ -307,20 +278,39 @@ Status RenderThread::Impl::createRenderer(render::Detail detail) {
     renderer.reset();  // released first: both may not fit into memory
     Result<render::SceneRenderer> made =
         render::SceneRenderer::create(*scene, lit_by ? *lit_by : plainLight(*scene), detail);
-    if (!made) return tl::unexpected(std::move(made.error()));
+    if (!made) {
+        plain = false;
+        return tl::unexpected(std::move(made.error()));
+    }
     renderer.emplace(std::move(*made));
     return {};
 }
 
-Status RenderThread::Impl::completeScene() {
-    plain = false;
-    if (Status status = createRenderer(render::Detail::FullAndCoarse); !status) return status;
+void RenderThread::Impl::finishRenderer() {
     renderer->setReflections(reflections ? &*reflections : nullptr);
     renderer->setAnisotropy(anisotropy);
+}
+
+Status RenderThread::Impl::completeScene() {
+    {
+        const std::lock_guard lock(mutex);
+        if (next_scene) return {};
+    }
+    plain = false;
     whole.drawn.reset();
     coarse.drawn.reset();
     resolution.forget();
-    return {};
+    Status status = createRenderer(render::Detail::FullAndCoarse);
+    if (!status) {
+        if (!createRenderer(render::Detail::Plain)) {
+            const std::lock_guard lock(mutex);
+            final_light = false;
+            return status;
+        }
+        status.error().message += "; the viewport shows the scene without textures";
+    }
+    finishRenderer();
+    return status;
 }
 
 Status RenderThread::Impl::drawView(ViewRequest request) {
@@ -479,14 +469,9 @@ const PreviewImage& RenderThread::preview() const {
     return impl_->previews.newest();
 }
 
-bool RenderThread::ready() const {
-    const std::lock_guard lock(impl_->mutex);
-    return impl_->is_ready;
-}
-
 bool RenderThread::finalLight() const {
     const std::lock_guard lock(impl_->mutex);
-    return impl_->is_ready && impl_->final_light && !impl_->next_scene;
+    return impl_->final_light && !impl_->next_scene;
 }
 
 bool RenderThread::busy() const {

@@ -79,10 +79,10 @@ struct SceneRequest {
 
 /// Renders the viewport and the preview on a thread with its own OpenGL context, so that large
 /// scenes and their uploads never block the window. The first image of a scene shows plain
-/// geometry; textures and simplified meshes follow. If drawing is too slow to follow the mouse, the
-/// view is drawn at lower resolution while it moves and at full resolution when it rests. The two
-/// contexts share no objects, because Mesa's software driver occasionally crashes when two contexts
-/// use the same object; images are passed as pixels.
+/// geometry; textures and simplified meshes follow unless they do not fit into memory. If drawing
+/// is too slow to follow the mouse, the view is drawn at lower resolution while it moves and at
+/// full resolution when it rests. The two contexts share no objects, because Mesa's software driver
+/// occasionally crashes when two contexts use the same object; images are passed as pixels.
 class RenderThread {
   public:
     /// `context` must not be current on any thread. The render thread calls `wake` whenever a new
@@ -104,9 +104,7 @@ class RenderThread {
     [[nodiscard]] const ViewImage& view() const;
     [[nodiscard]] const PreviewImage& preview() const;
 
-    /// Whether a scene is on the GPU, with computed or with uniform light; just after setScene() it
-    /// may still be the previous one.
-    [[nodiscard]] bool ready() const;
+    /// Whether the scene is on the GPU with its computed light.
     [[nodiscard]] bool finalLight() const;
     /// Whether anything remains to be drawn, including the full-resolution image of a resting view.
     [[nodiscard]] bool busy() const;
