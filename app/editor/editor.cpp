@@ -25,7 +25,22 @@ void beginPart(const char* name, ImVec2 at, ImVec2 size, ImGuiWindowFlags more =
     ImGui::Begin(name, nullptr, kPart | more);
 }
 
-constexpr float kExportHeight = 310.0F;  // of the bottom panels, px at 96 dots per inch
+/// A part without padding and scrolling.
+void beginImagePart(const char* name, ImVec2 at, ImVec2 size) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    beginPart(name, at, size, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+}
+
+/// A part's border; dragging it changes the part's `length` (px at 96 dots per inch).
+void dragBorder(const char* name, ImVec2 from, ImVec2 to, bool vertical, float sign, float& length,
+                float least, float most) {
+    const float scale = ui::scaled(1.0F);
+    float px = scale * std::clamp(length, least, most);
+    if (ui::splitter(name, from, to, vertical, sign, px, scale * least, scale * most)) {
+        length = px / scale;
+    }
+}
 
 /// The pinned points used for the plan on the screen.
 const std::vector<PinnedPoint>& pinnedIn(const PlanOutcome& shown) {
@@ -167,17 +182,6 @@ bool Editor::frame() {
     return !quitting_;
 }
 
-float Editor::bottomHeight(float window_height, float most) const {
-    const float scale = ui::scaled(1.0F);
-    // The export form is taller than the other panels and leaves less to the viewport.
-    const bool exports = bottom_tabs_.open() == "Export";
-    const float least = exports ? std::min(kExportHeight, 0.56F * window_height / scale) : 110.0F;
-    const float height =
-        std::min(std::max(settings_.layout.bottom, least), exports ? most + 80.0F : most);
-    // The row for track times adds to the height, so that the last strip stays visible.
-    return scale * height + (hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F);
-}
-
 void Editor::drawBottomRow(ImVec2 low, ImVec2 size) {
     // The export form needs the whole width.
     const bool beside = previewIsDocked() && bottom_tabs_.open() != "Export";
@@ -186,29 +190,31 @@ void Editor::drawBottomRow(ImVec2 low, ImVec2 size) {
     drawBottom();
     ImGui::End();
     if (!beside) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    beginPart("preview", {low.x + size.x - dock, low.y}, {dock, size.y},
-              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
+    beginImagePart("preview", {low.x + size.x - dock, low.y}, {dock, size.y});
     drawPreview();
     ImGui::End();
 }
 
 void Editor::arrange() {
-    const ImGuiViewport* screen = ImGui::GetMainViewport();
-    const ImVec2 low = screen->WorkPos;
-    const ImVec2 size = screen->WorkSize;
+    const ImVec2 low = ImGui::GetMainViewport()->WorkPos;
+    const ImVec2 size = ImGui::GetMainViewport()->WorkSize;
     Layout& layout = settings_.layout;
     const float scale = ui::scaled(1.0F);
     const float status = ImGui::GetFrameHeight() + ui::scaled(6);
     // The viewport keeps a minimum size in small windows.
     const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
-    const float most_bottom = std::max(size.y / scale - 300.0F, 120.0F);
+    // The export form is taller than the other bottom panels and leaves less to the viewport.
+    const bool exports = bottom_tabs_.open() == "Export";
+    float& bottom_height = exports ? layout.bottom_export : layout.bottom;
+    const float most_bottom = std::max(size.y / scale - (exports ? 220.0F : 300.0F), 120.0F);
     // In a small window the panels are smaller than their settings, which hold for a larger one.
     const float left = layout.show_left ? scale * std::clamp(layout.left, 180.0F, most_side) : 0.0F;
     const float right =
         layout.show_right ? scale * std::clamp(layout.right, 180.0F, most_side) : 0.0F;
-    const float bottom = layout.show_bottom ? bottomHeight(size.y, most_bottom) : 0.0F;
+    // The row for track times adds to the height, so that the last strip stays visible.
+    const float tracks = hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
+    const float bottom =
+        layout.show_bottom ? scale * std::clamp(bottom_height, 110.0F, most_bottom) + tracks : 0.0F;
     const float middle = size.y - status - bottom;
     if (layout.show_left) {
         beginPart("left", low, {left, middle});
@@ -220,14 +226,12 @@ void Editor::arrange() {
         drawRight();
         ImGui::End();
     }
-    if (!layout.show_bottom) step_playback_.show(false);
     if (layout.show_bottom) {
         drawBottomRow({low.x, low.y + middle}, {size.x, bottom});
+    } else {
+        step_playback_.show(false);
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    beginPart("centre", {low.x + left, low.y}, {size.x - left - right, middle},
-              ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar();
+    beginImagePart("centre", {low.x + left, low.y}, {size.x - left - right, middle});
     drawCentre();
     ImGui::End();
     beginPart("status", {low.x, low.y + size.y - status}, {size.x, status},
@@ -235,26 +239,19 @@ void Editor::arrange() {
     drawStatus();
     ImGui::End();
     const float grip = ui::scaled(3);
-    const auto drag = [&](const char* name, ImVec2 from, ImVec2 to, bool vertical, float sign,
-                          float& length, float least, float most) {
-        float px = scale * std::clamp(length, least, most);
-        if (ui::splitter(name, from, to, vertical, sign, px, scale * least, scale * most)) {
-            length = px / scale;
-        }
-    };
     if (layout.show_left) {
-        drag("splitter.left", {low.x + left - grip, low.y}, {low.x + left + grip, low.y + middle},
-             true, 1.0F, layout.left, 180, most_side);
+        dragBorder("splitter.left", {low.x + left - grip, low.y},
+                   {low.x + left + grip, low.y + middle}, true, 1.0F, layout.left, 180, most_side);
     }
     if (layout.show_right) {
         const float at = low.x + size.x - right;
-        drag("splitter.right", {at - grip, low.y}, {at + grip, low.y + middle}, true, -1.0F,
-             layout.right, 180, most_side);
+        dragBorder("splitter.right", {at - grip, low.y}, {at + grip, low.y + middle}, true, -1.0F,
+                   layout.right, 180, most_side);
     }
     if (layout.show_bottom) {
-        drag("splitter.bottom", {low.x, low.y + middle - grip},
-             {low.x + size.x, low.y + middle + grip}, false, -1.0F, layout.bottom, 110,
-             most_bottom);
+        dragBorder("splitter.bottom", {low.x, low.y + middle - grip},
+                   {low.x + size.x, low.y + middle + grip}, false, -1.0F, bottom_height, 110,
+                   most_bottom);
     }
 }
 

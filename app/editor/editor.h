@@ -67,8 +67,6 @@ class Editor {
   private:
     // editor.cpp: the frame
     void arrange();
-    /// Height of the bottom panels, px; `most` in px at 96 dots per inch.
-    [[nodiscard]] float bottomHeight(float window_height, float most) const;
     /// The bottom panels, with the docked preview beside them.
     void drawBottomRow(ImVec2 low, ImVec2 size);
     void refreshScene();

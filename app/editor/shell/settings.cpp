@@ -62,6 +62,8 @@ EditorSettings loadSettings() {
         settings.layout.left = layout.value("left", settings.layout.left);
         settings.layout.right = layout.value("right", settings.layout.right);
         settings.layout.bottom = layout.value("bottom", settings.layout.bottom);
+        settings.layout.bottom_export =
+            layout.value("bottom_export", settings.layout.bottom_export);
         settings.layout.show_left = layout.value("show_left", true);
         settings.layout.show_right = layout.value("show_right", true);
         settings.layout.show_bottom = layout.value("show_bottom", true);
@@ -103,6 +105,7 @@ Status saveSettings(const EditorSettings& settings) {
                             {{"left", settings.layout.left},
                              {"right", settings.layout.right},
                              {"bottom", settings.layout.bottom},
+                             {"bottom_export", settings.layout.bottom_export},
                              {"show_left", settings.layout.show_left},
                              {"show_right", settings.layout.show_right},
                              {"show_bottom", settings.layout.show_bottom},

@@ -35,6 +35,7 @@ struct Layout {
     float left = 280;
     float right = 330;
     float bottom = 205;
+    float bottom_export = 310;  // instead of `bottom` while the export form is open
     bool show_left = true;
     bool show_right = true;
     bool show_bottom = true;

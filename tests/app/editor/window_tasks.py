@@ -180,3 +180,33 @@ class Window(Task):
         before = self.editor.item("viewport")[0]
         self.editor.drag((x, y), (x + 60, y))
         self.assertAlmostEqual(self.editor.item("viewport")[0], before + 60, delta=4)
+
+    def test_the_export_form_has_its_own_height(self):
+        self.start_room(size=(1280, 900))
+
+        def height():
+            return 900 - self.editor.middle("splitter.bottom")[1]
+
+        def drag(by):
+            x, y = self.editor.middle("splitter.bottom")
+            before = height()
+            self.editor.drag((x, y), (x, y - by))
+            self.assertAlmostEqual(height(), before + by, delta=4)
+        timeline = height()
+        self.editor.click("tab.export")
+        self.assertGreater(height(), timeline + 50)
+        drag(-60)
+        drag(90)
+        export = height()
+        self.editor.click("tab.timeline")
+        self.assertEqual(height(), timeline)
+        drag(40)
+        self.editor.click("tab.export")
+        self.assertEqual(height(), export)
+        time.sleep(1.0)  # the settings are stored
+        self.editor.kill()
+        self.start_room(size=(1280, 900))
+        self.editor.item("tab.export")
+        self.assertAlmostEqual(height(), export, delta=1)
+        self.editor.click("tab.timeline")
+        self.assertAlmostEqual(height(), timeline + 40, delta=5)
