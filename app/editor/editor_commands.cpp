@@ -97,6 +97,12 @@ void Editor::addFileCommands() {
                    {},
                    [this] { askForFile("annotations"); },
                    needs_project});
+    commands_.add({"file.import_motion",
+                   "File",
+                   "Import a camera path…",
+                   {},
+                   [this] { askForFile("camera path"); },
+                   needs_project});
     commands_.add(
         {"file.close", "File", "Close", ctrl(GLFW_KEY_W),
          [this] { questions_.afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },

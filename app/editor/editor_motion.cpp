@@ -20,7 +20,12 @@ std::string changeText(const planning::MotionChange& change) {
         "{} frames moved, on average by {:.1f} cm, at most by {:.0f} cm and {:.0f}\u00b0",
         change.frames_moved, 100.0 * change.mean_shift_m, 100.0 * change.largest_shift_m,
         change.largest_turn_rad * 180.0 / std::numbers::pi);
-    if (change.time_added_s > 0.0) text += fmt::format("; {:.1f} s longer", change.time_added_s);
+    text +=
+        fmt::format("; {:.1f} m long instead of {:.1f} m", change.length_m, change.given_length_m);
+    if (change.time_added_s > 0.0) {
+        text +=
+            fmt::format("; {:.1f} s longer, for the limits of motion_preset", change.time_added_s);
+    }
     if (change.paths_cut > 0) {
         text +=
             fmt::format("; cut at {} places where no collision-free path exists", change.paths_cut);
@@ -39,12 +44,6 @@ void Editor::addMotionCommands() {
         if (std::string why = needs_plan(); !why.empty()) return why;
         return workspace_.state().edits.plan.motion ? "" : "Import a camera path first.";
     };
-    commands_.add({"file.import_motion",
-                   "File",
-                   "Import a camera path…",
-                   {},
-                   [this] { askForFile("camera path"); },
-                   needs_plan});
     commands_.add(
         {"edit.repair_motion",
          "Edit",

@@ -39,7 +39,9 @@ const std::array<MoveKind, 5>& kinds() {
          "around an object, as far as there is room; radius in m, height in m above the floor, arc "
          "in degrees, time in s",
          {"target", "radius", "height", "arc", "time"}},
-        {"arc", "a quarter of an orbit (90 degrees by default)", {"target", "radius", "height", "arc", "time"}},
+        {"arc",
+         "a quarter of an orbit (90 degrees by default)",
+         {"target", "radius", "height", "arc", "time"}},
         {"dolly",
          "straight towards an object, by distance in m, or between two points x;y;z",
          {"target", "from", "to", "distance", "time"}},

@@ -65,6 +65,16 @@ bool areTimesWrong(const std::vector<Frames>& paths, const MotionLimits& limits)
     return 2 * over > moves;
 }
 
+double lengthOf(const Trajectory& trajectory) {
+    double length_m = 0.0;
+    for (const Frames& frames : pathsOf(trajectory)) {
+        for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+            length_m += (frames[i + 1].pose.position - frames[i].pose.position).norm();
+        }
+    }
+    return length_m;
+}
+
 PathTiming timingOf(const PlanParams& params, const Trajectory& given,
                     const std::vector<Frames>& paths) {
     PathTiming timing;
@@ -122,7 +132,9 @@ class MotionRepair {
         const auto frames = static_cast<double>(given.frames.size());
         change_.mean_shift_m /= frames;
         change_.mean_turn_rad /= frames;
+        change_.given_length_m = change_.length_m = lengthOf(given);
         if (!changed_) return {given, change_};
+        change_.length_m = lengthOf(result_);
         result_.frame_interval_s = timing_.frame_interval_s;
         change_.time_added_s = late_s_;
         return {std::move(result_), change_};

@@ -16,6 +16,8 @@ struct MotionChange {
     int moves_over_limits = 0;     // faster or turning faster than the motion limits allow
     int frames_moved = 0;          // frames with another position
     int paths_cut = 0;             // cuts where no collision-free path exists; each adds a path
+    double given_length_m = 0.0;   // of the paths
+    double length_m = 0.0;         // the same, repaired
     double mean_shift_m = 0.0;     // of positions, over all frames
     double largest_shift_m = 0.0;  // of positions
     double mean_turn_rad = 0.0;    // of orientations, over all frames

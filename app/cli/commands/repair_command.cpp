@@ -67,7 +67,7 @@ Status checkUsage(const RepairArguments& arguments) {
 Status checkPlace(const std::string& file, const Trajectory& trajectory,
                   const planning::FreeSpace& free_space) {
     constexpr double kNear_m = 0.5;
-    constexpr double kNearlyAll = 0.9;
+    constexpr double kMost = 0.5;
     const auto& frames = trajectory.frames;
     const auto isNear = [&](const TrajectoryFrame& frame) {
         return std::ranges::any_of(free_space.rooms(), [&](const planning::Room& room) {
@@ -79,17 +79,19 @@ Status checkPlace(const std::string& file, const Trajectory& trajectory,
         return fail(
             ErrorCode::BadInput,
             fmt::format("None of its poses is in a room of the scene (the first is at {:.2f}, "
-                        "{:.2f}, {:.2f} m); check its unit and --trajectory-world.",
+                        "{:.2f}, {:.2f} m); positions must be in metres, and the axes those of "
+                        "--trajectory-world.",
                         at.x(), at.y(), at.z()),
             file);
     }
     const auto outside = std::ranges::count_if(frames, [&](const TrajectoryFrame& frame) {
         return free_space.componentAt(frame.pose.position) < 0;
     });
-    if (static_cast<double>(outside) >= kNearlyAll * static_cast<double>(frames.size())) {
-        log::warn("repair", file +
-                                ": nearly all of its poses are outside the rooms; check that it "
-                                "belongs to this scene, and --trajectory-world");
+    if (static_cast<double>(outside) >= kMost * static_cast<double>(frames.size())) {
+        log::warn("repair", fmt::format("{}: {} of {} poses are in obstacles or outside the rooms; "
+                                        "check that it belongs to this scene, and its axes "
+                                        "(--trajectory-world)",
+                                        file, outside, frames.size()));
     }
     return {};
 }
@@ -169,6 +171,8 @@ nlohmann::json changeJson(const planning::MotionChange& change) {
             {"largest_shift_m", change.largest_shift_m},
             {"mean_turn_deg", change.mean_turn_rad * kDegreesPerRadian},
             {"largest_turn_deg", change.largest_turn_rad * kDegreesPerRadian},
+            {"given_length_m", change.given_length_m},
+            {"length_m", change.length_m},
             {"time_added_s", change.time_added_s}};
 }
 
@@ -186,7 +190,7 @@ std::string reportText(const RepairArguments& arguments, const ImportedMotion& m
     std::string text = fmt::format("{}: {} frames, {:.1f} s, stored in {}\n", made.motion.name,
                                    made.motion.frames.size(), made.motion.frames.back().time_s,
                                    arguments.project());
-    if (!made.change) return text;
+    if (!made.change || !arguments.move.empty()) return text;
     const planning::MotionChange& change = *made.change;
     const auto row = [&](const char* title, const std::string& value) {
         text += fmt::format("  {:<22} {}\n", title, value);
@@ -200,7 +204,10 @@ std::string reportText(const RepairArguments& arguments, const ImportedMotion& m
     row("turn", fmt::format("{:.2f} deg on average, {:.2f} deg at most",
                             change.mean_turn_rad * kDegreesPerRadian,
                             change.largest_turn_rad * kDegreesPerRadian));
-    row("time added", fmt::format("{:.2f} s", change.time_added_s));
+    row("length", fmt::format("{:.1f} m, given {:.1f} m", change.length_m, change.given_length_m));
+    row("time added",
+        fmt::format("{:.2f} s{}", change.time_added_s,
+                    change.time_added_s > 0.0 ? ", for the limits of --set motion_preset" : ""));
     return text;
 }
 

@@ -69,7 +69,9 @@ class Repair(FolderCase):
         _, report, motion, project = self.repair(path)
         self.assertEqual(report["name"], "free.txt")
         self.assertEqual(report["frames"], 41)
-        self.assertEqual({name: value for name, value in report["change"].items() if value}, {})
+        change = {name: value for name, value in report["change"].items() if value}
+        self.assertEqual(change.pop("given_length_m"), change.pop("length_m"))
+        self.assertEqual(change, {})
         for stored, given in zip(motion["frames"], self.free):
             for a, b in zip(stored[:4], given[:4]):
                 self.assertAlmostEqual(a, b, delta=1e-12)
@@ -225,8 +227,8 @@ class Repair(FolderCase):
                 ((self.room, "--trajectory", free), 2, ("-o",)),
                 ((self.room, "--trajectory", free, "-o", self.folder / "a.json"), 2, (".dolly",)),
                 ((self.room, *out, "--trajectory", in_mm), 4,
-                 ("mm.txt", "unit", "--trajectory-world")),
-                ((self.room, *out, "--trajectory", in_mm, "--no-repair"), 4, ("unit",)),
+                 ("mm.txt", "metres", "--trajectory-world")),
+                ((self.room, *out, "--trajectory", in_mm, "--no-repair"), 4, ("metres",)),
                 ((self.room, *out, "--trajectory", empty), 4, ("empty.txt",)),
                 ((self.room, *out, "--trajectory", self.folder / "none.txt"), 4, ("none.txt",)),
                 ((self.room, *out, "--trajectory", free, "--trajectory-format", "x"), 2, ("tum",)),
