@@ -379,7 +379,9 @@ void Workspace::take(PlanOutcome outcome) {
     if (outcome.error && outcome.error->code != ErrorCode::Cancelled) {
         log::warn("planning", describe(*outcome.error));
     }
-    for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
+    if (outcome.serial != shown_.serial) {  // later outcomes of a request repeat its warnings
+        for (const std::string& warning : outcome.warnings) log::warn("edits", warning);
+    }
     const bool answers = outcome.plan || outcome.error;  // not only the scene
     if (answers && outcome.serial == serial_ && (shown_.serial != serial_ || !shown_.plan)) {
         latency_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - changed_at_).count();

@@ -26,6 +26,21 @@ class Opening(Task):
         state = self.editor.idle()
         self.assertGreater(state["plan"]["captured"], 0)
 
+    def test_edits_of_missing_objects_are_reported_once(self):
+        project = self.folder / "room.dolly"
+        content = plan(self.room, project)
+        content.setdefault("edits", {"version": 1})["removed"] = [
+            {"objects": [{"name": name}]} for name in ("first lost", "second lost")]
+        project.write_text(json.dumps(content))
+        self.start(project)
+        self.editor.wait(lambda state: state.get("plan", {}).get("measured"), "the measures")
+        self.editor.click("tab.log")
+        self.editor.click("log.copy")
+        told = [line for line in self.editor.clipboard().splitlines() if "lost" in line]
+        self.assertEqual(len(told), 2)
+        for line in told:
+            self.assertNotIn("times)", line)
+
     def test_exit_codes_of_arguments(self):
         for arguments, code in [(["--help"], 0), (["--version"], 0), (["--nosuch"], 2),
                                 (["--size", "x"], 2)]:
