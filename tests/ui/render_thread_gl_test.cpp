@@ -109,9 +109,30 @@ TEST_F(RenderThreadGl, ASceneWhoseTexturesCannotBeUploadedStaysPlainAndMovable) 
     EXPECT_NEAR(drawing_->view().depth_m[kSize * kSize / 2], 3.0F, 1e-4F);
     EXPECT_EQ(drawing_->takeError(), "") << "it is said once";
 
-    setScene(texturedWall(), 2);
+    setScene(scene, 2);
     requestView();
-    EXPECT_TRUE(isGreen(settledColor())) << "the next scene has its textures";
+    settledColor();
+    EXPECT_EQ(drawing_->view().geometry, 2U) << "an edit of the scene";
+    EXPECT_EQ(drawing_->takeError(), "");
+
+    drawing_->setScene({});
+    settledColor();
+    setScene(texturedWall(), 3);
+    requestView();
+    EXPECT_TRUE(isGreen(settledColor())) << "another project has its textures";
+}
+
+TEST_F(RenderThreadGl, AnEditedSceneLosesItsTexturesIfTheyCannotBeUploaded) {
+    Scene scene = texturedWall();
+    setScene(scene, 1);
+    requestView();
+    EXPECT_TRUE(isGreen(settledColor()));
+    scene.textures[0].height = 0;
+    setScene(scene, 2);
+    requestView();
+    EXPECT_FALSE(isGreen(settledColor()));
+    EXPECT_EQ(drawing_->view().geometry, 2U);
+    EXPECT_NE(drawing_->takeError().find("without textures"), std::string::npos);
 }
 
 TEST_F(RenderThreadGl, NewLightOrGeometryWhileTheSceneIsPlainLeadsToTheNewestScene) {

@@ -23,10 +23,9 @@ namespace {
 /// Nearly uniform ambient light, used until the scene's own light is computed.
 render::LightVolume plainLight(const Scene& scene) {
     render::LightVolume light;
-    light.low = scene.room_bounds.isEmpty() ? Eigen::Vector3d::Zero().eval()
-                                            : scene.room_bounds.min().eval();
-    light.cell_m =
-        scene.room_bounds.isEmpty() ? 1.0 : std::max(scene.room_bounds.sizes().maxCoeff(), 1.0);
+    const Eigen::AlignedBox3d& room = scene.room_bounds;
+    light.low = room.isEmpty() ? Eigen::Vector3d::Zero().eval() : room.min().eval();
+    light.cell_m = room.isEmpty() ? 1.0 : std::max(room.sizes().maxCoeff(), 1.0);
     light.cells = {1, 1, 1};
     light.ambient = {Eigen::Vector3f::Constant(0.75F)};
     light.lamps = {Eigen::Vector3f(0.1F, -0.15F, 0.35F)};
@@ -128,7 +127,8 @@ struct RenderThread::Impl {
     std::optional<render::TracedReflections> reflections;  // set if any surface reflects
     std::optional<render::SceneRenderer> renderer;
     int anisotropy = 0;
-    bool plain = false;  // the renderer has no textures yet: they follow the first image
+    bool plain = false;        // the renderer has no textures yet: they follow the first image
+    bool stays_plain = false;  // they did not fit into memory
     ViewCanvas whole;
     ViewCanvas coarse;
     std::optional<render::RenderTarget> preview_target;
@@ -150,12 +150,12 @@ struct RenderThread::Impl {
     void loop();
     void release();
     Status loadScene(SceneRequest request);
-    /// After a failure there is no renderer.
+    /// Without textures if they do not fit into memory; this also returns an error.
     Status createRenderer(render::Detail detail);
     /// Gives a new renderer its reflections and texture filtering.
     void finishRenderer();
-    /// Adds the textures and simplified meshes to a plain scene; without them if they do not fit
-    /// into memory. Does nothing if another scene or light is waiting.
+    /// Adds the textures and simplified meshes to a plain scene, unless another scene or light is
+    /// waiting.
     Status completeScene();
     Status drawView(ViewRequest request);
     /// Returns whether the scene was drawn again, rather than only the overlays.
@@ -251,7 +251,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     if (!scene) {
         renderer.reset();
         lit_by.reset();
-        plain = false;
+        plain = stays_plain = false;
         return {};
     }
     const bool relit = request.light != lit_by;
@@ -259,31 +259,40 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
     anisotropy = request.anisotropy;
     Status status;
     if (!same) {
-        plain = plain || !renderer;  // an edited scene keeps its look
-        status = createRenderer(plain ? render::Detail::Plain : render::Detail::FullAndCoarse);
+        plain = !stays_plain && (plain || !renderer);  // an edited scene keeps its look
+        const bool textured = !plain && !stays_plain;
+        status = createRenderer(textured ? render::Detail::FullAndCoarse : render::Detail::Plain);
     } else if (relit) {
         status = renderer->setLight(lit_by ? *lit_by : plainLight(*scene));
     }
-    if (!status) return status;
+    if (!renderer || (same && !status)) return status;
     if (rays && lit_by && render::TracedReflections::any(*scene, Reflections::All)) {
         reflections.emplace(*scene, *rays, *lit_by);
     }
     finishRenderer();
     const std::lock_guard lock(mutex);
     final_light = lit_by != nullptr;
-    return {};
+    return status;
 }
 
 Status RenderThread::Impl::createRenderer(render::Detail detail) {
     renderer.reset();  // released first: both may not fit into memory
     Result<render::SceneRenderer> made =
         render::SceneRenderer::create(*scene, lit_by ? *lit_by : plainLight(*scene), detail);
-    if (!made) {
-        plain = false;
-        return tl::unexpected(std::move(made.error()));
+    if (made) {
+        renderer.emplace(std::move(*made));
+        return {};
     }
-    renderer.emplace(std::move(*made));
-    return {};
+    Error failure = std::move(made.error());
+    if (detail == render::Detail::Plain) {
+        plain = false;
+    } else {
+        stays_plain = true;
+        if (createRenderer(render::Detail::Plain)) {
+            failure.message += "; the viewport shows the scene without textures";
+        }
+    }
+    return tl::unexpected(std::move(failure));
 }
 
 void RenderThread::Impl::finishRenderer() {
@@ -301,13 +310,10 @@ Status RenderThread::Impl::completeScene() {
     coarse.drawn.reset();
     resolution.forget();
     Status status = createRenderer(render::Detail::FullAndCoarse);
-    if (!status) {
-        if (!createRenderer(render::Detail::Plain)) {
-            const std::lock_guard lock(mutex);
-            final_light = false;
-            return status;
-        }
-        status.error().message += "; the viewport shows the scene without textures";
+    if (!renderer) {
+        const std::lock_guard lock(mutex);
+        final_light = false;
+        return status;
     }
     finishRenderer();
     return status;
