@@ -40,7 +40,7 @@ class Clip(FolderCase):
         message = " ".join(done.stderr.split())
         self.assertIn("frame_rate=30 was lowered to", message)
         self.assertIn("max_frames=60", message)
-        self.assertIn("--fps 30 keeps the rate", message)
+        self.assertIn("keep_frame_rate=true keeps the rate", message)
 
     def test_what_lowered_the_rate_is_named(self):
         done, trajectory = self.plan("--max-frames", 600, "--set", "max_repeat_rate=0.2")
