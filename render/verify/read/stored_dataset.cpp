@@ -178,7 +178,8 @@ std::string whyNoDataset(const std::filesystem::path& folder) {
     for (std::filesystem::directory_iterator it(folder, unknown), end; !unknown && it != end;
          it.increment(unknown)) {
         for (const char* inner : {"", "dataset"}) {
-            const std::filesystem::path name = it->path().filename() / inner;
+            std::filesystem::path name = it->path().filename();
+            if (*inner != '\0') name /= inner;
             if (!std::filesystem::exists(folder / name / "dataset.json", unknown)) continue;
             if (first.empty() || name.string() < first) first = name.string();
         }

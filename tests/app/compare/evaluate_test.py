@@ -315,7 +315,8 @@ class EvaluateTest(FolderCase):
                          "broken.ply", "ends within")
         self.assertFails(run("-q", "evaluate", dataset, "--estimated", good, "--cloud", broken,
                              "--cloud", broken), 2, "--cloud")
-        self.assertFails(run("-q", "evaluate", self.folder, "--estimated", good), 4, "dataset.json")
+        self.assertFails(run("-q", "evaluate", self.folder, "--estimated", good), 4,
+                         "contains datasets", str(self.folder / "dataset") + ".")
 
 
 if __name__ == "__main__":
