@@ -58,7 +58,8 @@ struct MotionFault {
 /// numbers are read back to the last bit.
 nlohmann::json motionJson(const GivenMotion& motion);
 
-/// Reads what motionJson() writes. Name, frame interval and the numbers of paths may be missing.
+/// Reads what motionJson() writes. The name, the frame interval, and the path's number at the end
+/// of each frame may be left out.
 /// Records an error for a motion that findFault() rejects.
 GivenMotion readMotion(const JsonReader& from);
 

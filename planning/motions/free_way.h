@@ -11,8 +11,8 @@ namespace dollytrack::planning {
 
 struct BaselineScene;
 
-/// Where a way ends: at a free position, or at the free position that is nearest to one that need
-/// not be free, if the way to it is short enough.
+/// If `exact`, the path ends at `position`. Otherwise it ends at a reachable free position near it;
+/// a longer path must end closer.
 struct WayEnd {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     bool exact = true;

@@ -34,9 +34,9 @@ class ObjectMoves {
     /// Distance at which the object takes this share of the image, from in front of it, m.
     [[nodiscard]] double distanceFor(double fill) const;
 
-    /// The longest part of an arc around the object, centred in front of it, where the camera fits
-    /// and sees it; at each angle with a radius near the one asked for. Empty if that is less than
-    /// 20 degrees.
+    /// Positions on an arc around the object, whose middle is in front of it: the longest part in
+    /// which the camera fits and sees the object. Where it does not fit at `radius_m`, the radius
+    /// is a little smaller or larger. Empty if the part is shorter than 20 degrees.
     [[nodiscard]] std::vector<Eigen::Vector3d> orbit(double radius_m, double z,
                                                      double arc_rad) const;
 

@@ -8,7 +8,7 @@ namespace dollytrack::planning {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Shorter than this at the limits of speed, s, is no move.
+// Pieces that take less than this at full speed (s) count as standing still.
 constexpr double kNothing = 1e-9;
 // Changes of direction take at most this share of the limits of acceleration; sqrt(1 - 0.8^2) is
 // left for speeding up and braking.

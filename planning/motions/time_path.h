@@ -42,8 +42,9 @@ inline constexpr double kLimitTolerance = 1.02;
 /// stretches keep one frame for each given one if these are within the limits of speed, turning and
 /// acceleration, or no more accelerated than the rest of the given path. Other repaired stretches,
 /// and moves over the limits, take as much time as the limits ask, with ramps of speed to the rest,
-/// and get new frames at the frame interval. Straight moves between frames are proven. The first
-/// frame keeps its time. Empty if it would take more than kMostMotionFrames.
+/// and get new frames at the frame interval. The straight lines between frames are
+/// proven to be collision-free. The first frame keeps its time. Empty if it would take more than
+/// kMostMotionFrames.
 std::vector<TrajectoryFrame> timePath(const SweptSphere& sphere, const PathTiming& timing,
                                       std::span<const TrajectoryFrame> given,
                                       std::vector<PathPoint> points);
