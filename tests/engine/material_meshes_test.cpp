@@ -70,6 +70,13 @@ std::ptrdiff_t targetsOf(const Scene& scene, int nyu40) {
     });
 }
 
+/// Four closed boxes in the corners of a room of 5 x 4 x 2.6 m, and one in its middle.
+void addFiveBoxes(ObjWriter& obj) {
+    obj.box({0.2, 0.2, 0.0}, {1.2, 1.2, 0.5}).box({3.8, 0.2, 0.0}, {4.6, 1.0, 1.2});
+    obj.box({0.2, 3.0, 0.0}, {1.4, 3.7, 0.8}).box({3.9, 3.2, 0.0}, {4.7, 3.8, 0.9});
+    obj.box({2.3, 1.8, 0.0}, {2.8, 2.2, 0.4});
+}
+
 }  // namespace
 
 TEST(MaterialMeshes, AreRegroupedToTheObjectsTheyHoldPartsOf) {
@@ -93,6 +100,50 @@ TEST(MaterialMeshes, AreKeptAndDoubtfulWhereTheyAreToBeKept) {
     EXPECT_LT(targetsOf(scene, nyu40FromName("chair")), 10);
     EXPECT_TRUE(says(scene.report.warnings, "5 meshes contain parts of several objects"));
     EXPECT_TRUE(says(scene.report.warnings, "have unusual sizes for their classes"));
+}
+
+// An optimizer joins meshes of equal materials, and gives the result the name of the first.
+TEST(MaterialMeshes, AMeshOfAllObjectsIsNotWhatItsNameSays) {
+    ObjWriter obj;
+    obj.object("dresser").room({5.0, 4.0, 2.6}, false);
+    addFiveBoxes(obj);
+    for (int i = 0; i < 6; ++i) {
+        const double y = 0.5 + 0.5 * i;
+        obj.object("wall_strip_" + std::to_string(i)).box({0.0, y, 1.0}, {0.02, y + 0.1, 2.4});
+    }
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_EQ(targetsOf(scene, nyu40FromName("dresser")), 0);
+    EXPECT_EQ(test::countTargets(scene), 5);
+    // The same mesh in a file of its own may be what its name says.
+    ObjWriter alone;
+    alone.object("dresser").box({0.0, 0.0, 0.0}, {2.0, 1.6, 1.2});
+    EXPECT_EQ(targetsOf(importedWith(alone.text(), true), nyu40FromName("dresser")), 1);
+}
+
+// Shelves of different sizes, 0.4 m apart: their tops are one mesh, their sides another.
+TEST(MaterialMeshes, MeshesWithoutAClassAcrossTheRoomAreRegrouped) {
+    ObjWriter obj;
+    obj.room({5.0, 4.0, 2.6}, true);
+    const auto atEachShelf = [](const auto& draw) {
+        for (int i = 0; i < 12; ++i) {
+            const int column = i % 4;
+            draw(Vector3d(0.3 + 1.15 * column, 0.3 + 1.2 * static_cast<int>(i / 4), 0.15 * i),
+                 Vector3d(0.75, 0.8, 0.5 + 0.02 * i));
+        }
+    };
+    obj.object("xyz");
+    atEachShelf([&](const Vector3d& low, const Vector3d& size) {
+        obj.box(low + Vector3d(0.0, 0.0, size.z()), low + size + Vector3d(0.0, 0.0, 0.03));
+    });
+    obj.object("uvw");
+    atEachShelf([&](const Vector3d& low, const Vector3d& size) {
+        obj.box(low, low + Vector3d(0.04, 0.8, size.z()));
+        obj.box(low + Vector3d(0.71, 0.0, 0.0), low + size);
+    });
+    const Scene scene = importedWith(obj.text(), true);
+    EXPECT_EQ(test::countTargets(scene), 12);
+    EXPECT_EQ(find(scene, "xyz_1")->triangle_count, 3U * 12U);
+    EXPECT_LT(test::countTargets(importedWith(obj.text(), false)), 12);
 }
 
 TEST(MaterialMeshes, ObjectsOfSeveralPiecesStayWhole) {

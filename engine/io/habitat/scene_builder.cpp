@@ -14,6 +14,7 @@
 #include "engine/io/object_parts/object_grouping.h"
 #include "engine/io/raw_scene/model_placement.h"
 #include "engine/io/semantics/labelled_reader.h"
+#include "engine/scene/label_table.h"
 #include "engine/scene/labels.h"
 
 #include <fmt/format.h>
@@ -408,7 +409,9 @@ class SceneReader {
             object.name = draft.name;
             object.structure = draft.label.kind != LabelKind::Target;
             object.nyu40 = draft.label.nyu40;
-            if (object.structure && object.nyu40 == 0) object.nyu40 = kNyuOtherStructure;
+            if (object.structure && !isStructureClass(object.nyu40)) {
+                object.nyu40 = kNyuOtherStructure;
+            }
             object.parts = draft.parts;
             scene_.objects.push_back(std::move(object));
         }

@@ -114,6 +114,7 @@ void regroupMaterialSplit(const RawScene& raw, bool regroup, std::vector<ObjectD
 /// Splits, regroups and merges the drafts of nodes into drafts of objects.
 void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
                  std::vector<ObjectDraft>& drafts, ImportReport& report) {
+    dropNamesOfJoinedScenes(raw, drafts);
     MaterialMeshes meshes = regroupMaterialMeshes(raw, labels, drafts, regroup);
     const std::size_t scattered = splitScattered(raw, labels, drafts);
     if (scattered > 0) {

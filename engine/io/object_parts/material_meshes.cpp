@@ -31,6 +31,7 @@ constexpr float kCrumbGap_m = 0.1F;
 constexpr float kLeastObject_m = 0.3F;  // smaller objects are no evidence
 constexpr float kUnsized_m = 2.0F;      // longest side of objects of classes without a typical size
 constexpr float kRoom_m = 3.0F;  // smallest extent in two directions of a draft across a room
+constexpr float kAcross = 0.6F;  // the same for a draft without a class, as a share of the scene
 constexpr float kAir = 0.25F;    // largest share of such a draft's box that its objects fill
 constexpr std::size_t kLeastAlike = 3;            // number of equal objects that is no coincidence
 constexpr std::size_t kMostLoosePieces = 10'000;  // of all examined drafts; foliage has more
@@ -106,6 +107,7 @@ class MaterialMeshSearch {
         : drafts_(drafts), boxes_(drafts.size()), suspect_(drafts.size(), false) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
             boxes_[i] = boxOf(raw, drafts[i]);
+            scene_box_.extend(boxes_[i]);
             suspect_[i] = isLarge(raw, drafts[i]);
         }
         findPieces(raw);
@@ -354,7 +356,12 @@ class MaterialMeshSearch {
                    static_cast<double>(reach.maxCoeff()) > 1.5 * size->high &&
                    2 * evidence.fitting >= evidence.objects;
         }
-        return label.kind == LabelKind::Target && std::min(reach.x(), reach.y()) > kRoom_m &&
+        const float least =
+            label.kind == LabelKind::Target
+                ? kRoom_m
+                : kAcross * std::min(scene_box_.sizes().x(), scene_box_.sizes().y());
+        return (label.kind == LabelKind::Target || label.kind == LabelKind::None) &&
+               std::min(reach.x(), reach.y()) > least &&
                evidence.filled < kAir * static_cast<double>(boxes_[draft].volume());
     }
 
@@ -367,6 +374,7 @@ class MaterialMeshSearch {
 
     const std::vector<ObjectDraft>& drafts_;
     std::vector<Eigen::AlignedBox3f> boxes_;
+    Eigen::AlignedBox3f scene_box_;
     std::vector<bool> suspect_;
     std::vector<std::size_t> doubtful_;
     std::vector<LooseSurface> pieces_;

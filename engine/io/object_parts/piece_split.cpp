@@ -10,8 +10,8 @@
 namespace dollytrack {
 namespace {
 
-constexpr float kFarApart = 0.5F;      // m: smallest gap between separate objects
-constexpr std::size_t kFewOthers = 5;  // largest number of other objects beside a whole room
+constexpr float kFarApart = 0.5F;         // m: smallest gap between separate objects
+constexpr std::ptrdiff_t kFewOthers = 5;  // largest number of other objects beside a whole room
 
 std::vector<ObjectDraft> split(RawScene& raw, const LabelTable& labels, const ObjectDraft& draft,
                                std::size_t least) {
@@ -153,20 +153,35 @@ std::size_t splitScattered(RawScene& raw, const LabelTable& labels,
     return count;
 }
 
+void dropNamesOfJoinedScenes(const RawScene& raw, std::vector<ObjectDraft>& drafts) {
+    std::vector<Eigen::AlignedBox3f> boxes;
+    Eigen::AlignedBox3f all;
+    for (const ObjectDraft& draft : drafts) all.extend(boxes.emplace_back(boundsOf(raw, draft)));
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+        const Eigen::Vector3f share = boxes[i].sizes().cwiseQuotient(all.sizes().cwiseMax(1e-6F));
+        if (drafts[i].label.kind != LabelKind::Target || share.minCoeff() < 0.85F) continue;
+        const auto inside = std::ranges::count_if(
+            boxes, [&](const auto& box) { return boxes[i].contains(box.center()); });
+        if (inside <= kFewOthers) continue;
+        drafts[i].name.clear();
+        drafts[i].label = {};
+    }
+}
+
 std::size_t splitMergedScenes(RawScene& raw, const LabelTable& labels,
                               std::vector<ObjectDraft>& drafts) {
     Eigen::AlignedBox3f all;
     for (const ObjectDraft& draft : drafts) all.extend(boundsOf(raw, draft));
     std::vector<ObjectDraft> result;
     std::size_t count = 0;
-    const std::size_t targets = std::count_if(
-        drafts.begin(), drafts.end(),
-        [](const ObjectDraft& draft) { return draft.label.kind != LabelKind::Structure; });
+    const auto targets = std::count_if(drafts.begin(), drafts.end(), [](const ObjectDraft& draft) {
+        return draft.label.kind != LabelKind::Structure;
+    });
     for (ObjectDraft& draft : drafts) {
         const Eigen::Vector3f share =
             boundsOf(raw, draft).sizes().cwiseQuotient(all.sizes().cwiseMax(1e-6F));
         const Eigen::Vector3f size = boundsOf(raw, draft).sizes();
-        const bool spans = share.x() > 0.6F && share.y() > 0.6F && size.z() > 1.5F &&
+        const bool spans = share.x() > 0.6F && share.y() > 0.6F && size.z() > 1.0F &&
                            size.head<2>().minCoeff() > 1.5F;
         if (!spans || targets > kFewOthers || draft.label.kind == LabelKind::Target) {
             result.push_back(std::move(draft));

@@ -5,6 +5,11 @@
 
 namespace dollytrack {
 
+/// Removes the names of drafts that fill the whole scene and enclose most of its other objects: a
+/// mesh that was joined from all objects has the name of one of them. Parts must be in the world's
+/// frame.
+void dropNamesOfJoinedScenes(const RawScene& raw, std::vector<ObjectDraft>& drafts);
+
 /// Splits drafts that contain a whole room into connected pieces (surfaces that share vertices, to
 /// 0.1 mm): if one node is nearly the whole scene, or if an unnamed node spans a room with hardly
 /// any other object. Each piece becomes a draft, named after its material. Parts must be in the

@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 namespace dollytrack::habitat_test {
 namespace {
@@ -19,6 +22,13 @@ using test::imported;
 using test::says;
 using test::TempFolder;
 using test::writeDataset;
+
+std::vector<std::string> linesOf(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+}
 
 // The L is 2 x 0.5 x 2 with its centre at (0, 0.25, 0.5); the file's (x, y, z) is (x, -z, y) in the
 // world.
@@ -194,6 +204,23 @@ TEST(Habitat, AStageAloneTakesTheAxesAndScaleOfItsDataset) {
     const auto plain = habitat::scenesOfDataset(write(R"("friction_coefficient": 0.3)"));
     ASSERT_TRUE(plain);
     EXPECT_EQ(plain->size(), 1U);
+}
+
+// "stage" is also a piece of furniture; in a dataset it names the room.
+TEST(Habitat, AStageOfOneMeshIsTheBuilding) {
+    const TempFolder folder;
+    const auto scene_file = writeDataset(folder, R"({"stage_instance": {"template_name": "flat"},
+ "object_instances": [{"template_name": "sofa", "translation": [3, 1, -2]}]})");
+    std::string stage = "o stage\n";
+    for (const std::string& line : linesOf(folder.path() / "set/models/flat.obj")) {
+        if (!line.starts_with("o ") && !line.starts_with("g ")) stage += line + "\n";
+    }
+    static_cast<void>(folder.write("set/models/flat.obj", stage));
+    const Scene scene = imported(scene_file);
+    ASSERT_NE(find(scene, "stage"), nullptr);
+    EXPECT_EQ(find(scene, "stage")->role, Role::Structure);
+    EXPECT_EQ(find(scene, "stage")->nyu40, kNyuOtherStructure);
+    EXPECT_EQ(find(scene, "sofa")->role, Role::Target);
 }
 
 TEST(Habitat, NeverLooksOutsideOfTheDataset) {
