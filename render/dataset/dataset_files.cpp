@@ -66,6 +66,9 @@ Status writeDatasetFiles(const GuardedFolder& folder, const DatasetContents& con
     for (const DatasetFile& file : *folds) {
         if (Status status = put(file.path, bytesOf(file.bytes)); !status) return status;
     }
+    if (!card.licenses.empty()) {
+        if (Status status = put(kLicensesFile, bytesOf(card.licenses)); !status) return status;
+    }
     if (contents.pictureModality().is_picture) {
         const auto sheet = contactSheet(folder, contents, title);
         if (!sheet) return tl::unexpected(sheet.error());

@@ -106,6 +106,7 @@ DatasetIdentity identityOf(const DatasetOrder& order, const DatasetSettings& set
         {"the folds", fmt::format("{} {}", settings.folds.count, settings.folds.seed)},
         {"the parameters", hash(fmt::format("{} {}", origin.seed, origin.parameters_json))},
         {"the edits", hash(origin.edits_json)},
+        {"the scene's licences", hash(origin.licenses)},
         {"the planned metrics", hash(origin.planned_metrics_json)},
         {"the program's version", origin.product_version},
     };

@@ -46,8 +46,9 @@ Status DatasetJob::Impl::beginFolder(const DatasetIdentity& identity, JournalCon
     const std::uint64_t bytes =
         estimateBytes(contents, order.card.formats, pipeline->missingCount());
     if (Status status = folder->checkSpace(bytes, keep); !status) return status;
-    const DatasetNames names =
+    DatasetNames names =
         namesOf(contents.modalities, order.card.formats, frameCount(), rigFolders(contents.rig));
+    if (!order.card.licenses.empty()) names.files.insert(kLicensesFile);
     if (Status status = folder->begin(names, keep); !status) return status;
     order.contents.folder = folder->unfinished().path();
     Result<DatasetJournal> journal =

@@ -70,6 +70,7 @@ struct DatasetOrigin {
     /// Of the moving objects, by frame of the trajectory.
     std::vector<ObjectMotion> motions;
     std::vector<ObjectRelation> relations;
+    std::string licenses;  // of the scene's models, clean text of several lines; may be empty
 };
 
 struct DatasetSummary {

@@ -118,6 +118,7 @@ Result<DatasetOrder> describeOrder(const Scene& scene, const CameraParams& camer
     card.planned_metrics = std::move(*metrics);
     card.product_version = origin.product_version;
     card.relations = origin.relations;
+    card.licenses = origin.licenses;
     card.seed = origin.seed;
     card.geometry_sha256 = geometryHash(scene);
     card.appearance_sha256 = appearanceHash(scene);

@@ -87,6 +87,13 @@ Result<RecordedResults> checkComplete(const DatasetFolder& folder, const Dataset
             differing += (differing.empty() ? "" : ", ") + name;
         }
     }
+    const std::string licenses =
+        order.card.licenses.empty() ? "" : sha256Of(std::string_view(order.card.licenses));
+    const auto hashes = listed.find("files");
+    if (hashes != listed.end() && hashes->is_object() &&
+        hashes->value(kLicensesFile, nlohmann::json("")) != licenses) {
+        differing += (differing.empty() ? "" : ", ") + std::string(kLicensesFile);
+    }
     if (!differing.empty()) {
         return fail(
             ErrorCode::Usage,

@@ -301,6 +301,7 @@ void addExportCommand(CLI::App& app, Session& session) {
         "A stopped export keeps its finished frames; the same command with --resume continues\n"
         "and ends with the same files. Without --resume, an unfinished dataset is started anew;\n"
         "a complete one is replaced only with --overwrite.\n"
+        "The texts of LICENSE, COPYING and similar files beside the scene become LICENSES.\n"
         "With rooms=each, every room becomes a dataset in its own folder, like DIR/room_1.\n"
         "Example: dollytrack export room.dolly --out dataset --range ::5");
     command->callback([&session, arguments] {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -17,6 +18,10 @@ namespace dollytrack::render {
 /// Value of `format` in dataset.json.
 inline constexpr const char* kDatasetFormat = "dollytrack dataset";
 inline constexpr int kDatasetVersion = 1;
+
+/// The licences of the scene's models; only in datasets of scenes that have licence files.
+inline constexpr const char* kLicensesFile = "LICENSES";
+inline constexpr std::size_t kMostLicenseBytes = std::size_t{1} << 20U;
 
 /// Contents of dataset.json that are not in DatasetContents.
 struct DatasetCard {
@@ -30,6 +35,7 @@ struct DatasetCard {
     std::vector<ObjectCapture> captures;
     FormatSet formats;
     std::vector<ObjectRelation> relations;
+    std::string licenses;         // content of kLicensesFile; empty: the file is not written
     std::string geometry_sha256;  // see scene_hash.h
     std::string appearance_sha256;
     std::string whole_trajectory_sha256;         // see motion_hash.h

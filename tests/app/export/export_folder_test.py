@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Files that an export leaves in its folder, and folders that it refuses: export_folder_test.py
 PROGRAM."""
+import hashlib
 import json
+import os
 import pathlib
 import shutil
 import signal
@@ -174,6 +176,114 @@ class ExportFolder(FolderCase):
         self.assertEqual(sorted(hashes(out)),
                          ["camera.json", "contact_sheet.jpg", "dataset.json", "depth/000007.png",
                           "instance/000000.png", "instance/000001.png", "notes.txt"])
+
+    # --- licences beside the scene
+
+    def scene_with(self, **texts):
+        """A new folder with the scene and files of these names and contents."""
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        shutil.copy(self.room, folder)
+        for name, content in texts.items():
+            (folder / name.replace("_", ".")).write_bytes(content)
+        return folder
+
+    def export_scene(self, scene, out, *arguments):
+        result = run("export", scene / "room.obj", "--out", out, "--max-frames", 2, *SIZE,
+                     "--modalities", "depth", *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stderr
+
+    def test_licences_beside_the_scene_are_in_the_dataset(self):
+        mit, credits = "MIT\n\n© me\n".encode(), b"chair: by A"
+        scene = self.scene_with(Licence_TXT=mit, ATTRIBUTION_md=credits, licenses_json=b"{}",
+                                room_mtl=b"")
+        out = self.new_folder()
+        self.assertNotIn("left out", self.export_scene(scene, out))
+        text = (out / "LICENSES").read_bytes()
+        self.assertEqual(text, credits + b"\n\n" + mit)
+        card = json.loads((out / "dataset.json").read_text())
+        self.assertEqual(card["files"]["LICENSES"], hashlib.sha256(text).hexdigest())
+        verified = run("-q", "verify", out)
+        self.assertEqual(verified.returncode, 0, verified.stdout)
+        # Without licence files, nothing is written, and all other files are the same.
+        plain = self.new_folder()
+        self.export_scene(self.scene_with(room_mtl=b""), plain)
+        with_them, without = hashes(out), hashes(plain)
+        for files in (with_them, without):
+            del files["dataset.json"]
+        del with_them["LICENSES"]
+        self.assertEqual(with_them, without)
+
+    def test_other_licences_make_another_dataset(self):
+        scene = self.scene_with(LICENSE=b"first\n")
+        out = self.new_folder()
+        self.export_scene(scene, out)
+        before = hashes(out)
+        self.export_scene(scene, out, "--resume")
+        for change in ["second\n", ""]:
+            (scene / "LICENSE").write_text(change)
+            self.assertFails(run("-q", "export", scene / "room.obj", "--out", out, "--max-frames", 2,
+                                 *SIZE, "--modalities", "depth", "--resume"), 2,
+                             "different: LICENSES")
+        self.assertEqual(hashes(out), before)
+        self.export_scene(scene, out, "--overwrite")
+        self.assertFalse((out / "LICENSES").exists())
+
+    def test_an_unfinished_export_has_its_own_licences(self):
+        scene = self.scene_with(LICENSE=b"first\n")
+        out = self.new_folder()
+        command = ["-q", "export", scene / "room.obj", "--out", out, *MANY_FRAMES, *SIZE,
+                   "--modalities", "depth"]
+        process = start(*command)
+        self.assertTrue(wait_for(lambda: process.poll() is not None or
+                                 lines_in(out / ".dollytrack-export") > 3))
+        process.send_signal(signal.SIGINT)
+        process.communicate()
+        self.assertEqual(process.returncode, 130)
+        (scene / "LICENSE").write_text("second\n")
+        self.assertFails(run(*command, "--resume"), 2, "different: the scene's licences")
+        (scene / "LICENSE").write_text("first\n")
+        resumed = run(*command, "--resume")
+        self.assertEqual(resumed.returncode, 0, resumed.stderr)
+        self.assertEqual((out / "LICENSES").read_text(), "first\n")
+
+    def test_links_and_large_files_are_no_licences_of_a_dataset(self):
+        secret = self.folder / "secret"
+        secret.write_text("private\n")
+        most = 1 << 20
+        for name, make, expected in [
+            ("LICENSE", lambda path: path.symlink_to(secret), None),
+            ("COPYING", lambda path: path.write_bytes(b"a" * (most + 1)), None),
+            ("LICENSES", lambda path: path.mkdir(), None),
+            ("license.txt", os.mkfifo, None),
+            # Together with the other text it would be too large.
+            ("LICENSE.md", lambda path: path.write_bytes(b"b" * (most - 4)), b"kept\n"),
+        ]:
+            with self.subTest(name):
+                scene = self.scene_with(**({"COPYING": expected} if expected else {}))
+                make(scene / name)
+                out = self.new_folder()
+                said = self.export_scene(scene, out)
+                self.assertRegex(said, f"{name}: left out of the dataset")
+                self.assertEqual((out / "LICENSES").exists(), expected is not None)
+                if expected:
+                    self.assertEqual((out / "LICENSES").read_bytes(), expected)
+                self.assertFalse(any(b"private" in path.read_bytes()
+                                     for path in out.rglob("*") if path.is_file()))
+
+    def test_licences_are_clean_text(self):
+        out = self.new_folder()
+        said = self.export_scene(self.scene_with(COPYING=b"by Andr\xe9\x1b[31m\tX\r\n"), out)
+        self.assertIn("COPYING: some characters are not UTF-8", said)
+        self.assertEqual((out / "LICENSES").read_bytes().decode(), "by Andr\ufffd[31m\tX\n")
+
+    def test_a_licence_in_the_datasets_own_folder_stays_as_it_is(self):
+        scene = self.scene_with(LICENSES=b"mine \xe9")
+        said = self.export_scene(scene, scene, "--overwrite")
+        self.assertIn("LICENSES: left out of the dataset, whose folder contains it", said)
+        self.assertEqual((scene / "LICENSES").read_bytes(), b"mine \xe9")
+        card = json.loads((scene / "dataset.json").read_text())
+        self.assertNotIn("LICENSES", card["files"])
 
     # --- a dataset that is replaced
 

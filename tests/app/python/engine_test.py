@@ -195,6 +195,17 @@ class EngineTest(FolderCase):
                 np.testing.assert_allclose(frame[name][seen],
                                            read[name][:, :, ::-1][seen] / 65535 * 2 - 1, atol=2e-3)
 
+    def test_licences_beside_the_scene_are_exported(self):
+        scene, out = self.folder / "licensed", self.folder / "licensed_dataset"
+        scene.mkdir()
+        tiny_room.write(scene / "room.obj")
+        (scene / "LICENSE.md").write_text("CC-BY 4.0\n")
+        dt.load(scene / "room.obj").plan(max_frames=2, **SIZE).export(out, modalities=["depth"])
+        self.assertEqual((out / "LICENSES").read_bytes(), b"CC-BY 4.0\n")
+        listed = json.loads((out / "dataset.json").read_text())["files"]
+        self.assertEqual(listed, {name: sha256 for name, sha256 in hashes(out).items()
+                                  if name != "dataset.json"})
+
     def test_path_traced_frames_have_layers_of_light(self):
         names = ["hdr", "diffuse_reflectance", "diffuse_illumination", "residual"]
         frame = next(iter(self.plan.render(*names, range="0:1", render_mode="traced",

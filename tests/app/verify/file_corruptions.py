@@ -11,6 +11,18 @@ def hash_of_one_byte(copy):
 
 
 @found_by("files")
+def other_licences(copy):
+    copy.mended = False
+    copy.edit_bytes("LICENSES", lambda data: data.replace(b"CC-BY", b"CC-0"))
+
+
+@found_by("files")
+def missing_licences(copy):
+    copy.mended = False
+    (copy.folder / "LICENSES").unlink()
+
+
+@found_by("files")
 def missing_frame(copy):
     copy.remove("instance/000002.png")
 
