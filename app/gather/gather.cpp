@@ -360,6 +360,7 @@ Status writeDataset(const GatherOrder& order, OutputFolder& out,
                     const JobContext& job) {
     Result<OutputFiles> files = OutputFiles::begin(out.staged(), {order.resume, order.hard_links});
     if (!files) return tl::unexpected(files.error());
+    if (Status status = writeLicenses(all.sources, *files); !status) return status;
     const std::unique_ptr<Layout> layout =
         order.layout->make({*files, card.classes, all.modalities, order.shards, std::move(finished),
                             [&](const FinishedShard& shard) { return out.note(shard); }, job});

@@ -1,12 +1,15 @@
 #include "app/gather/gather_card.h"
 
 #include "app/gather/output/output_folder.h"
+#include "engine/core/clean_lines.h"
 #include "engine/core/clean_text.h"
+#include "render/formats/tables/dataset_card.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace dollytrack::gather {
@@ -140,6 +143,17 @@ std::string conventionList(const GatherCard& card) {
     return text;
 }
 
+/// The section about LICENSES; empty if no dataset has licences.
+std::string licensesSection(std::span<const Source> sources) {
+    const auto without = static_cast<std::size_t>(
+        std::ranges::count(sources, std::string(), &Source::licenses_sha256));
+    if (without == sources.size()) return {};
+    return fmt::format(
+        "## Licences of the scenes\n\n[{0}]({0}) has the licence files of the scenes of {1} of the "
+        "{2}. They apply besides the licence of this card, and may require attribution.\n\n",
+        render::kLicensesFile, sources.size() - without, counted(sources.size(), "source dataset"));
+}
+
 Json partJson(const GatherCard& card, PartIndex part) {
     const PartSummary& one = card.summary.parts[part];
     return {{"name", kParts[part]},
@@ -200,6 +214,7 @@ std::string gatherJson(const GatherCard& card) {
                            {"scene_number", one.scene_number},
                            {"scene_sha256", one.scene_sha256},
                            {"geometry_sha256", one.geometry_sha256},
+                           {"licenses_sha256", one.licenses_sha256},
                            {"dataset_json_sha256", one.card_sha256},
                            {"product_version", one.product_version},
                            {"missing_classes", card.classes.missingIn(one)}});
@@ -211,6 +226,32 @@ std::string gatherJson(const GatherCard& card) {
     root["files"] = {{"list", kSumsFile}, {"sha256", card.sums_sha256}};
     root["identity"] = card.identity;
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Status writeLicenses(std::span<const Source> sources, OutputFiles& files) {
+    std::map<std::string, std::vector<std::string>> names;  // of datasets, by the text's hash
+    for (const Source& one : sources) {
+        if (!one.licenses_sha256.empty()) names[one.licenses_sha256].push_back(one.name);
+    }
+    if (names.empty()) return {};
+    Result<HashingFileWriter> file =
+        HashingFileWriter::create(files.folder(), render::kLicensesFile);
+    if (!file) return tl::unexpected(file.error());
+    Status status = file->write("The licence files of the scenes of these datasets.\n");
+    for (const Source& one : sources) {
+        const auto datasets = names.extract(one.licenses_sha256);
+        if (!datasets) continue;  // none, or written already
+        const Result<std::string> text = readProven(
+            {one.folder / render::kLicensesFile, one.licenses_sha256}, render::kMostLicenseBytes);
+        if (!text) return tl::unexpected(text.error());
+        if (status) {
+            status = file->write(fmt::format(
+                "\n===== {} =====\n\n{}\n", fmt::join(datasets.mapped(), ", "), cleanLines(*text)));
+        }
+    }
+    const Result<std::string> sha256 = file->finish();
+    if (!status) return status;
+    return sha256 ? files.list(render::kLicensesFile, *sha256) : tl::unexpected(sha256.error());
 }
 
 std::string readmeText(const GatherCard& card) {
@@ -234,6 +275,7 @@ std::string readmeText(const GatherCard& card) {
     text += fmt::format("## Images\n\nImages of each frame: {}.\n\n", imageList(card));
     text += fmt::format("## Classes\n\n{}\n", classTable(card));
     text += fmt::format("## Conventions\n\n{}\n", conventionList(card));
+    text += licensesSection(card.sources);
     text +=
         "## Files\n\n`gather.json` names the source datasets, their scenes, parts and hashes. "
         "`sha256sum -c SHA256SUMS` checks all other files.\n";

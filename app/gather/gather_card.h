@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/gather/gather.h"
+#include "app/gather/output/output_files.h"
 #include "app/gather/sources/class_union.h"
 #include "app/gather/sources/source.h"
 #include "render/dataset/folder/dataset_journal.h"
@@ -28,6 +29,10 @@ struct GatherCard {
 };
 
 [[nodiscard]] std::string gatherJson(const GatherCard& card);
+
+/// Writes LICENSES: each text that datasets have in theirs, once, under the names of these
+/// datasets. Writes nothing if no dataset has licences. Errors: BadInput, CannotWrite.
+[[nodiscard]] Status writeLicenses(std::span<const Source> sources, OutputFiles& files);
 
 /// The dataset card, with the header in YAML that Hugging Face reads.
 [[nodiscard]] std::string readmeText(const GatherCard& card);

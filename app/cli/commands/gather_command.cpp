@@ -206,7 +206,8 @@ void addGatherCommand(CLI::App& app, Session& session) {
         "bop also needs the modality depth and the format bop, tartanair the format tartanair.\n"
         "Files are copied unchanged, and each copy is checked by its hash. The result has "
         "README.md\n"
-        "(a dataset card for Hugging Face), gather.json (sources, parts, classes) and SHA256SUMS.\n"
+        "(a dataset card for Hugging Face), gather.json (sources, parts, classes), SHA256SUMS\n"
+        "and, if datasets have licences, LICENSES.\n"
         "Datasets with other image sizes, conventions or contradicting class tables are refused.\n"
         "Example: dollytrack gather datasets --out published --format yolo --split by-room "
         "80/10/10");

@@ -3,7 +3,6 @@
 #include "app/gather/files/hashing_file_writer.h"
 #include "engine/io/files/input_file.h"
 #include "engine/io/files/sha256.h"
-#include "engine/io/files/text_file.h"
 
 #include <span>
 #include <vector>
@@ -37,8 +36,8 @@ std::string hashPieces(const InputFile& file, const Take& take) {
 
 }  // namespace
 
-Result<std::string> readProven(const SourceFile& file) {
-    Result<std::string> bytes = readNamedFile(file.path, kMostTextBytes);
+Result<std::string> readProven(const SourceFile& file, std::uint64_t most) {
+    Result<std::string> bytes = readNamedFile(file.path, most);
     if (bytes && sha256Of(std::string_view(*bytes)) != file.sha256) return damaged(file);
     return bytes;
 }

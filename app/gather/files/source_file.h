@@ -2,8 +2,10 @@
 
 #include "engine/core/result.h"
 #include "engine/io/files/guarded_folder.h"
+#include "engine/io/files/text_file.h"
 #include "engine/jobs/job.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,7 +21,9 @@ struct SourceFile {
     std::string sha256;
 };
 
-[[nodiscard]] Result<std::string> readProven(const SourceFile& file);
+/// Error also if it has more than `most` bytes.
+[[nodiscard]] Result<std::string> readProven(const SourceFile& file,
+                                             std::uint64_t most = kMostTextBytes);
 
 /// Copies its bytes to a new file. Error also: CannotWrite.
 [[nodiscard]] Status copyProven(const SourceFile& file, const GuardedFolder& to,

@@ -4,6 +4,7 @@
 #include "app/gather/sources/source_search.h"
 #include "engine/io/files/bounded_json.h"
 #include "engine/io/files/text_file.h"
+#include "render/formats/tables/dataset_card.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -35,8 +36,9 @@ constexpr int kMostFolderLevels = 16;
 // All folders that layouts create.
 constexpr std::array<const char*, 7> kLayoutFolders = {"images", "labels", "annotations", "data",
                                                        "train",  "val",    "test"};
-constexpr std::array<const char*, 6> kLayoutFiles = {"README.md",  "data.yaml", "camera.json",
-                                                     "index.json", kSumsFile,   kGatherCard};
+constexpr std::array<const char*, 7> kLayoutFiles = {
+    "README.md", "data.yaml", "camera.json",        "index.json",
+    kSumsFile,   kGatherCard, render::kLicensesFile};
 
 std::string below(const std::string& folder, const std::string& name) {
     return folder.empty() ? name : folder + "/" + name;

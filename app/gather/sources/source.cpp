@@ -3,6 +3,7 @@
 #include "engine/io/files/sha256.h"
 #include "engine/io/settings/class_table_file.h"
 #include "engine/jobs/parallel.h"
+#include "render/formats/tables/dataset_card.h"
 #include "render/verify/read/stored_rig.h"
 
 #include <fmt/format.h>
@@ -158,6 +159,10 @@ Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
                     "A field is missing or of the wrong type; export the dataset again.",
                     (dataset.folder / "dataset.json").string() + ": scene");
     }
+    if (const auto listed = dataset.sha256s.find(render::kLicensesFile);
+        listed != dataset.sha256s.end()) {
+        source.licenses_sha256 = listed->second;
+    }
     if (dataset.own_classes) {
         auto& known = tables_[classTableToJson(*dataset.own_classes).dump()];
         if (!known) known = dataset.own_classes;
@@ -188,6 +193,7 @@ Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& so
         return {};
     };
     Status status = add(kAnnotationFile);
+    if (status && !source.licenses_sha256.empty()) status = add(render::kLicensesFile);
     if (status && needs_.everything && dataset.has("imu")) status = add(kImuFile);
     for (const std::string& modality : source.modalities) {
         if (!needs_.everything && !needs_.modalities.contains(modality)) continue;

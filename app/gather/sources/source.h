@@ -43,6 +43,7 @@ struct Source {
     std::string scene;            // its name
     std::string scene_sha256;
     std::string geometry_sha256;
+    std::string licenses_sha256;  // of its file LICENSES; empty: it has none
     std::size_t frames = 0;
     std::uint64_t bytes = 0;                        // of the files that are copied
     int width = 0;                                  // px

@@ -4,11 +4,14 @@
 Usage: gather_sources_test.py PROGRAM [unittest arguments]
 """
 import collections
+import hashlib
 import json
+import pathlib
 import shutil
+import tempfile
 import unittest
 
-from gather_case import PARTS, GatherCase
+from gather_case import PARTS, GatherCase, sums_of
 from support.program import hashes, run
 
 
@@ -93,6 +96,57 @@ class Sources(GatherCase):
         shutil.rmtree(job)
         self.assertFails(run("-q", "gather", self.folder / "batch_out", "--out", self.new_folder(),
                              "--format", "coco"), 4, str(job))
+
+    # --- licences
+
+    def with_licences(self, *texts):
+        """Copies of a dataset with these texts as their licences."""
+        around = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        for number, text in enumerate(texts):
+            self.copy_as(self.datasets / "room_0", around / f"room_{number}", number)
+            if text is not None:
+                self.replace_listed(around / f"room_{number}", "LICENSES", text)
+        return around
+
+    def test_each_licence_is_written_once(self):
+        texts = [b"by A\n", None, b"by B\n\nmore", b"by A\n"]
+        around = self.with_licences(*texts)
+        for layout in ["yolo", "webdataset"]:
+            out = self.gather("--format", layout, "--license", "cc-by-4.0", datasets=[around])
+            written = (out / "LICENSES").read_text()
+            sections = written.split("\n===== ")[1:]
+            self.assertEqual([one.split(" =====\n\n") for one in sections],
+                             [["room_0, room_3", "by A\n\n"], ["room_2", "by B\n\nmore\n"]])
+            self.assertEqual(sums_of(out)["LICENSES"],
+                             hashlib.sha256(written.encode()).hexdigest())
+            self.assertEqual([one["licenses_sha256"] for one in self.card(out)["sources"]],
+                             [hashlib.sha256(text).hexdigest() if text else "" for text in texts])
+            self.assertIn("[LICENSES](LICENSES) has the licence files of the scenes of 3 of the "
+                          "4 source datasets", (out / "README.md").read_text())
+            again = run("-q", "gather", around, "--out", out, "--format", layout, "--license",
+                        "cc-by-4.0", "--resume")
+            self.assertEqual(again.returncode, 0, again.stderr)
+            (out / "LICENSES").write_text("none")
+            self.assertFails(run("-q", "gather", around, "--out", out, "--format", layout,
+                                 "--license", "cc-by-4.0", "--resume"), 4, "LICENSES", "damaged")
+
+    def test_datasets_without_licences_have_no_licence_file(self):
+        out = self.gather("--format", "yolo", datasets=[self.with_licences(None, None)])
+        self.assertFalse((out / "LICENSES").exists())
+        self.assertNotIn("LICENSES", (out / "README.md").read_text())
+
+    def test_damaged_licences_are_damage(self):
+        for damage in [lambda file: file.unlink(), lambda file: file.write_bytes(b"by C\n")]:
+            around = self.with_licences(b"by A\n", b"by B\n")
+            damage(around / "room_1" / "LICENSES")
+            command = ["-q", "gather", around, "--format", "yolo", "--out"]
+            self.assertFails(run(*command, self.new_folder()), 4, "LICENSES")
+            out = self.gather("--format", "yolo", "--skip-damaged", datasets=[around])
+            self.assertEqual(self.card(out)["skipped"], ["room_1"])
+            self.assertNotIn("room_1", (out / "LICENSES").read_text())
+        huge = self.with_licences(b"a" * ((1 << 20) + 1))
+        self.assertFails(run("-q", "gather", huge, "--format", "yolo", "--out", self.new_folder()),
+                         4, "LICENSES")
 
     # --- datasets that do not match
 

@@ -3,6 +3,7 @@
 
 Usage: generate_test.py PROGRAM [unittest arguments]
 """
+import hashlib
 import json
 import math
 import pathlib
@@ -104,6 +105,26 @@ class Generate(FolderCase):
             with zipfile.ZipFile(folder / (folder.name + ".sh3d")) as archive:
                 self.assertIsNone(archive.testzip())
                 self.assertEqual(archive.read("LICENSES").decode(), licences)
+
+    def test_licences_go_with_the_images(self):
+        """From two rooms through their datasets into one published folder."""
+        names = ["room_0000", "room_0001"]
+        for name in names:
+            made = run("-q", "export", self.rooms / name / f"{name}.sh3d", "--out",
+                       self.folder / "datasets" / name, "--max-frames", 2, "--set", "width_px=160",
+                       "--set", "height_px=120")
+            self.assertEqual(made.returncode, 0, made.stderr)
+        out = self.folder / "published"
+        made = run("-q", "gather", self.folder / "datasets", "--out", out, "--format", "coco")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        published = (out / "LICENSES").read_text()
+        for name in names:
+            licences = (self.rooms / name / "LICENSES").read_bytes()
+            dataset = self.folder / "datasets" / name
+            self.assertEqual((dataset / "LICENSES").read_bytes(), licences)
+            listed = json.loads((dataset / "dataset.json").read_text())["files"]["LICENSES"]
+            self.assertEqual(listed, hashlib.sha256(licences).hexdigest())
+            self.assertEqual(published.count(licences.decode()), 1)
 
     def test_the_same_seed_gives_the_same_bytes(self):
         again = self.folder / "again"
