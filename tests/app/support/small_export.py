@@ -15,6 +15,7 @@ def plan(folder, frames):
     """A project of the tiny room, where the mug moves, with a plan of the given number of
     frames."""
     tiny_room.write(folder / "room.obj")
+    (folder / "LICENSE").write_text("CC-BY 4.0\n")
     project = folder / "room.dolly"
     for command in [
         ["plan", folder / "room.obj", "--max-frames", frames, "-o", project, *SIZE],
