@@ -19,6 +19,7 @@ struct ExportRequest {
     std::filesystem::path rig;            // a camera rig file for additional cameras; empty: none
     bool still = false;                   // objects with a track stay at their planned poses
     bool overwrite = false;
+    int frames = 0;  // expected number of frames, for display; 0: unknown
 };
 
 enum class ExportState { Waiting, Running, Stopping, Done, Cancelled, Failed };

@@ -34,6 +34,7 @@ std::vector<std::string> argumentsOf(const BatchOrder& order, const ParameterSet
     const ExportOrder& exports = *order.exports;
     if (exports.max_frames) add({"--max-frames", std::to_string(*exports.max_frames)});
     if (!exports.range.empty()) add({"--range", exports.range});
+    if (!exports.preset.empty()) add({"--preset", exports.preset});
     if (!exports.modalities.empty()) add({"--modalities", joined(exports.modalities)});
     if (!exports.formats.empty()) add({"--formats", joined(exports.formats)});
     arguments.insert(arguments.end(), exports.arguments.begin(), exports.arguments.end());

@@ -8,6 +8,7 @@
 #include "engine/math/up_axis.h"
 #include "planning/baselines/planner.h"
 #include "planning/plan_params.h"
+#include "render/dataset/export_preset.h"
 #include "render/dataset/frame_range.h"
 #include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
@@ -173,6 +174,11 @@ class OrderReader {
                 reader.refuse(reader.placeOf("range"), range.error().message);
             }
         }
+        reader.read("preset", exports.preset);
+        render::DatasetSettings unused;
+        if (const Status known = render::applyPreset(exports.preset, unused); !known) {
+            reader.refuse(reader.placeOf("preset"), known.error().message);
+        }
         Texts modalities;
         Texts formats;
         Texts arguments;
@@ -188,9 +194,9 @@ class OrderReader {
             if (!chosen) reader.refuse(one.where, chosen.error().message);
         }
         for (const auto& one : arguments) {
-            for (const char* own :
-                 {"--out", "--json", "--resume", "--overwrite", "--planner", "--seed", "--progress",
-                  "--modalities", "--formats", "--range", "--max-frames", "--threads", "--list"}) {
+            for (const char* own : {"--out", "--json", "--resume", "--overwrite", "--planner",
+                                    "--seed", "--progress", "--modalities", "--formats", "--preset",
+                                    "--range", "--max-frames", "--threads", "--list"}) {
                 if (one.value != own && !one.value.starts_with(std::string(own) + "=")) continue;
                 reader.refuse(
                     one.where,

@@ -21,7 +21,8 @@ struct ParameterSet {
 struct ExportOrder {
     std::optional<int> max_frames;
     std::string range;
-    std::vector<std::string> modalities;  // empty: the default set
+    std::string preset;                   // empty: none
+    std::vector<std::string> modalities;  // empty: those of the preset, or the default set
     std::vector<std::string> formats;
     std::vector<std::string> arguments;  // additional arguments of `dollytrack export`
 };

@@ -4,11 +4,13 @@
 #include "app/editor/files/local_time.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
+#include "render/dataset/export_preset.h"
 #include "render/dataset/folder/dataset_listing.h"
 #include "render/dataset/size_estimate.h"
 #include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 #include "render/frames/frame_needs.h"
+#include "ui/panels/export/export_draft.h"
 #include "ui/widgets/files/path_line.h"
 
 #include <fmt/format.h>
@@ -20,7 +22,7 @@
 namespace dollytrack::editor {
 namespace {
 
-std::vector<ui::ExportChoice> modalityChoices() {
+std::vector<ui::ExportChoice> modalityChoices(RenderMode mode) {
     std::vector<ui::ExportChoice> choices;
     for (const render::Modality& one : render::modalities()) {
         if ((one.needs & render::kNeedsRig) != 0) continue;  // available with a rig only
@@ -28,7 +30,12 @@ std::vector<ui::ExportChoice> modalityChoices() {
             (one.needs & (render::kNeedsRgb | render::kNeedsLayers | render::kNeedsSensorLight)) !=
                 0 ||
             one.name == std::string_view("rgb_right");
-        choices.push_back({one.name, one.text, one.standard, colour});
+        const bool traced = (one.needs & render::kNeedsLayers) != 0;
+        choices.push_back({one.name, one.text, one.standard, colour,
+                           std::string(render::groupName(one.group)),
+                           traced && mode == RenderMode::Fast
+                               ? "Set render_mode to traced or reference to write it."
+                               : ""});
     }
     return choices;
 }
@@ -36,9 +43,51 @@ std::vector<ui::ExportChoice> modalityChoices() {
 std::vector<ui::ExportChoice> formatChoices() {
     std::vector<ui::ExportChoice> choices;
     for (const render::Format& one : render::formats()) {
-        choices.push_back({one.name, one.text, one.standard, (one.needs & render::kNeedsRgb) != 0});
+        const char* missing = one.missing != nullptr ? one.missing() : nullptr;
+        choices.push_back({one.name, one.text, one.standard, (one.needs & render::kNeedsRgb) != 0,
+                           std::string(render::groupName(one.group)),
+                           missing != nullptr ? missing : ""});
     }
     return choices;
+}
+
+template <class Row>
+std::vector<std::string> namesOf(const Result<std::vector<const Row*>>& rows) {
+    std::vector<std::string> names;
+    for (const Row* row : rows.value_or(std::vector<const Row*>())) names.emplace_back(row->name);
+    return names;
+}
+
+std::vector<ui::ExportPresetChoice> presetChoices() {
+    std::vector<ui::ExportPresetChoice> choices;
+    for (const render::ExportPreset& one : render::exportPresets()) {
+        choices.push_back({one.name, one.title, one.text,
+                           namesOf(render::chooseModalities(one.modalities)),
+                           namesOf(render::chooseFormats(one.formats))});
+    }
+    return choices;
+}
+
+/// Estimated bytes of a frame with the selected contents.
+double bytesPerFrame(const ui::ExportView& view, const ui::ExportDraft& draft) {
+    const std::size_t distances = 1 + std::ranges::count(draft.flow_distances, ',');
+    const double pixels = 1.0 * view.camera.width_px * view.camera.height_px;
+    const auto isWritten = [](const auto& row, const std::vector<ui::ExportChoice>& choices,
+                              const std::vector<std::string>& turned) {
+        const auto choice = std::ranges::find(choices, row.name, &ui::ExportChoice::name);
+        return choice != choices.end() && ui::isWritten(*choice, turned);
+    };
+    double bytes = 0.0;
+    for (const render::Modality& one : render::modalities()) {
+        if (!isWritten(one, view.modalities, draft.turned_modalities)) continue;
+        bytes += render::bytesPerFrame(one, pixels, distances);
+    }
+    for (const render::Format& one : render::formats()) {
+        if (isWritten(one, view.formats, draft.turned_formats)) {
+            bytes += one.bytes_per_pixel * pixels;
+        }
+    }
+    return bytes;
 }
 
 /// A typed path, made absolute; empty if nothing was typed.
@@ -155,25 +204,11 @@ ui::ExportView Editor::exportView() {
     view.frame_count = frameCount();
     view.current_frame = playback_.frame();
     view.camera = workspace_.shown().params.camera;
-    const std::string& listed = draft.flow_distances;
-    const std::size_t distances = 1 + std::ranges::count(listed, ',');
-    const auto isChosen = [](const auto& row, const std::vector<std::string>& turned) {
-        return row.standard != (std::ranges::find(turned, row.name) != turned.end());
-    };
-    const double pixels = 1.0 * view.camera.width_px * view.camera.height_px;
-    view.bytes_per_frame = 0.0;
-    for (const render::Modality& one : render::modalities()) {
-        if (!isChosen(one, draft.turned_modalities)) continue;
-        view.bytes_per_frame += render::bytesPerFrame(one, pixels, distances);
-    }
-    for (const render::Format& one : render::formats()) {
-        if (isChosen(one, draft.turned_formats)) {
-            view.bytes_per_frame += one.bytes_per_pixel * pixels;
-        }
-    }
     view.has_tracks = hasTracks();
-    view.modalities = modalityChoices();
+    view.modalities = modalityChoices(parameters_.params().picture.render_mode);
     view.formats = formatChoices();
+    view.presets = presetChoices();
+    view.bytes_per_frame = bytesPerFrame(view, draft);
     if (exports_) {
         view.jobs = exports_->jobs();
         view.held = exports_->held();
@@ -275,6 +310,7 @@ void Editor::answerExportFile(const ui::FileAnswer& answer) {
         request.name = answer.path.stem().string();
         request.rig = typedHere(panels_.export_draft.rig);
         request.range = ui::rangeForOthers(panels_.export_draft);
+        request.frames = 0;
         const std::filesystem::path beside = request.folder.empty() ? answer.path : exportFolder();
         request.folder = folderBeside(beside, answer.path, exports_->jobs());
         exports_->addFile(std::move(request), answer.path);

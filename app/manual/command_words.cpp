@@ -29,14 +29,14 @@ bool startsWithAny(std::string_view text, std::initializer_list<std::string_view
 ValueWords valueOf(const CLI::Option& option, const ValuesByOption& known) {
     using Kind = ValueWords::Kind;
     if (option.get_items_expected_max() == 0) return {};
+    const std::string type = option.get_type_name();
+    if (std::vector<std::string> values = listedValues(type); !values.empty()) {
+        return {Kind::Known, {std::move(values), false}};
+    }
     for (const std::string& name : option.get_lnames()) {
         if (const auto found = known.find("--" + name); found != known.end()) {
             return {Kind::Known, found->second};
         }
-    }
-    const std::string type = option.get_type_name();
-    if (std::vector<std::string> values = listedValues(type); !values.empty()) {
-        return {Kind::Known, {std::move(values), false}};
     }
     if (startsWithAny(type, {"DIR"})) return {Kind::Folder, {}};
     const bool file = startsWithAny(type, {"FILE", "SCENE", "PLY", "PATH", "JOBS"});

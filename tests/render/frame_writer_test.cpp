@@ -25,7 +25,7 @@ Result<std::vector<FrameFile>> slowly(const FrameContext& /*context*/,
     return std::vector<FrameFile>{};
 }
 
-const Modality kSlow = {"slow", "", 0.0, false, 0, slowly, nullptr};
+const Modality kSlow = {"slow", "", ContentGroup::Colour, 0.0, false, 0, slowly, nullptr};
 
 class FrameWriterTest : public testing::Test {
   protected:

@@ -3,6 +3,7 @@
 #include "engine/camera/picture_params.h"
 #include "engine/camera/sensor_params.h"
 #include "tests/ui/screen.h"
+#include "ui/panels/export/export_draft.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -326,6 +327,84 @@ TEST(ExportPanel, CannotExportNothing) {
     panel.view.why_not = "Open a scene first.";
     screen.frame();
     EXPECT_FALSE(screen.enabled("export.add"));
+}
+
+/// A panel with two groups of modalities, a modality that cannot be written, and three presets.
+struct Presets : Export {
+    Presets() {
+        view.modalities = {
+            {"rgb", "colour images", true, true, "Colour"},
+            {"hdr", "light before the tone curve", false, true, "Colour", "Not now."},
+            {"depth", "distance in mm", true, false, "Geometry"},
+            {"disparity", "of a stereo pair", false, false, "Geometry"}};
+        view.presets = {{"default", "Default", "", {"rgb", "depth"}, {"coco", "camera_json"}},
+                        {"nerf", "NeRF", "", {"rgb"}, {"hdf5"}},
+                        {"everything",
+                         "Everything",
+                         "",
+                         {"rgb", "hdr", "depth", "disparity"},
+                         {"coco", "camera_json", "hdf5"}}};
+    }
+    [[nodiscard]] ExportRequest request() const { return requestOf(view, draft); }
+};
+
+TEST(ExportPanel, APresetSelectsExactlyItsContents) {
+    Presets panel;
+    test::Screen screen([&] { panel.draw(); }, 1280, 300);
+    EXPECT_TRUE(panel.request().modalities.empty()) << "the default set";
+    ASSERT_TRUE(screen.click("export.preset.nerf")) << screen.names();
+    EXPECT_EQ(panel.request().modalities, std::vector<std::string>{"rgb"});
+    EXPECT_EQ(panel.request().formats, std::vector<std::string>{"hdf5"});
+    // What cannot be written is left out, and its check box cannot be clicked.
+    ASSERT_TRUE(screen.click("export.preset.everything"));
+    EXPECT_EQ(panel.request().modalities, (std::vector<std::string>{"rgb", "depth", "disparity"}));
+    EXPECT_EQ(panel.request().formats, (std::vector<std::string>{"coco", "camera_json", "hdf5"}));
+    EXPECT_FALSE(screen.enabled("export.modality.hdr"));
+    panel.view.modalities[1].why_not.clear();
+    EXPECT_EQ(panel.request().modalities.size(), 4U);
+    ASSERT_TRUE(screen.click("export.preset.default"));
+    EXPECT_TRUE(panel.request().modalities.empty());
+    EXPECT_TRUE(panel.request().formats.empty());
+}
+
+TEST(ExportPanel, ShowsWhatWasChangedAfterAPreset) {
+    Presets panel;
+    test::Screen screen([&] { panel.draw(); }, 1280, 300);
+    EXPECT_TRUE(screen.shows("export.preset")) << screen.names();
+    screen.click("export.preset.nerf");
+    EXPECT_EQ(changesOfPreset(panel.view, panel.draft), "");
+    const auto before = screen.find("export.filter");
+    screen.click("export.modality.disparity");
+    screen.click("export.format.hdf5");
+    EXPECT_EQ(changesOfPreset(panel.view, panel.draft), "+ disparity, - hdf5");
+    EXPECT_TRUE(screen.shows("export.preset_modified")) << screen.names();
+    EXPECT_EQ(screen.find("export.filter")->left, before->left) << "nothing moves";
+    screen.click("export.modality.disparity");
+    screen.click("export.format.hdf5");
+    EXPECT_TRUE(screen.shows("export.preset")) << "as chosen again";
+    screen.click("export.modality.rgb");
+    screen.click("export.preset.nerf");
+    EXPECT_EQ(changesOfPreset(panel.view, panel.draft), "") << "chosen again";
+}
+
+TEST(ExportPanel, FindsContentsByNameDescriptionAndGroup) {
+    Presets panel;
+    test::Screen screen([&] { panel.draw(); }, 1280, 300);
+    const auto shown = [&](const char* filter) {
+        panel.draft.filter = filter;
+        screen.frame(2);
+        std::string names;
+        for (const ExportChoice& one : panel.view.modalities) {
+            if (screen.shows("export.modality." + one.name)) names += one.name + " ";
+        }
+        return names;
+    };
+    EXPECT_EQ(shown(""), "rgb hdr depth disparity ");
+    EXPECT_EQ(shown("DISP"), "disparity ");
+    EXPECT_EQ(shown("tone curve"), "hdr ");
+    EXPECT_EQ(shown("geometry"), "depth disparity ");
+    EXPECT_EQ(shown("zzz"), "");
+    EXPECT_TRUE(panel.request().modalities.empty()) << "hidden ones stay selected";
 }
 
 TEST(ExportPanel, OffersWhatAJobsStateAllows) {

@@ -8,6 +8,7 @@
 #include "app/cli/plan/planned_scene.h"
 #include "app/cli/requirement.h"
 #include "app/cli/scene_arguments.h"
+#include "render/dataset/export_preset.h"
 #include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
 
@@ -25,6 +26,7 @@ struct ExportArguments {
     std::string out;
     std::string within;
     std::string range = "::";
+    std::string preset;
     std::vector<std::string> modalities;
     std::vector<std::string> formats;
     std::string planner = "dollytrack";
@@ -89,16 +91,27 @@ void printRoom(const std::string& room, const render::DatasetSummary& summary,
                summary.counted.captured, summary.counted.well_captured, folder);
 }
 
+/// Prints the rows of a table by group.
 template <class Row>
 void printTable(const char* title, std::span<const Row> rows) {
     fmt::print("{}\n", title);
-    for (const Row& row : rows) {
-        fmt::print("  {:<18} {} {}\n", row.name, row.standard ? '*' : ' ', row.text);
+    for (const std::string_view group : render::kContentGroupNames) {
+        bool first = true;
+        for (const Row& row : rows) {
+            if (render::groupName(row.group) != group) continue;
+            if (first) fmt::print("  {}\n", group);
+            first = false;
+            fmt::print("    {:<21} {} {}\n", row.name, row.standard ? '*' : ' ', row.text);
+        }
     }
 }
 
-/// Prints the names accepted by --modalities and --formats.
+/// Prints the names accepted by --preset, --modalities and --formats.
 void printChoices() {
+    fmt::print("presets\n");
+    for (const render::ExportPreset& preset : render::exportPresets()) {
+        fmt::print("  {:<14} {}\n", preset.name, preset.text);
+    }
     printTable("modalities", render::modalities());
     printTable("formats", render::formats());
     fmt::print("*: written by default; 'all' selects all.\n");
@@ -133,6 +146,18 @@ std::string cameraFields() {
     return all;
 }
 
+void addPresetOption(CLI::App& command, std::string& preset) {
+    std::string known;
+    for (const render::ExportPreset& one : render::exportPresets()) {
+        known += (known.empty() ? "" : ",") + std::string(one.name);
+    }
+    command
+        .add_option("--preset", preset,
+                    "Modalities and formats for one use of a dataset (see --list); --modalities "
+                    "and --formats replace its lists. The motion is set with --set motion_preset")
+        ->type_name("NAME:{" + known + "}");
+}
+
 Result<ExitCode> runExport(const ExportArguments& arguments, const Session& session) {
     ExportOrder order;
     render::DatasetSettings& settings = order.settings;
@@ -143,6 +168,9 @@ Result<ExitCode> runExport(const ExportArguments& arguments, const Session& sess
     settings.range = *range;
     settings.modalities = arguments.modalities;
     settings.formats = arguments.formats;
+    if (Status status = render::applyPreset(arguments.preset, settings); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
     settings.flow_distances = arguments.flow_distances;
     settings.folds = arguments.folds;
     Result<Rig> rig = rigOf(arguments.rig, arguments.cameras);
@@ -227,6 +255,7 @@ void addExportCommand(CLI::App& app, Session& session) {
         ->add_option("--range", arguments->range,
                      "Frames a to b (b not included), every s-th: 100:200, ::5")
         ->type_name("a:b:s");
+    addPresetOption(*command, arguments->preset);
     command
         ->add_option("--modalities", arguments->modalities,
                      "Images to write: " + names(render::modalities()) +
@@ -247,7 +276,7 @@ void addExportCommand(CLI::App& app, Session& session) {
             printChoices();
             throw CLI::Success();
         },
-        "List the names for --modalities and --formats, then exit");
+        "List the presets, modalities and formats, then exit");
     command
         ->add_option("--flow-distances", arguments->flow_distances,
                      "Distances of optical flow, in frames later and earlier (default: 1)")

@@ -85,6 +85,7 @@ int ExportQueue::addEntry(Entry entry) {
         const std::lock_guard lock(mutex_);
         id = ++last_id_;
         entry.job.id = id;
+        entry.job.frames = entry.job.request.frames;
         if (entry.project != nullptr) {
             entry.project_file = exportFile(snapshot_folder_, mark_.text(), id, ".dolly");
         }

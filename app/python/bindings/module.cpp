@@ -7,6 +7,7 @@
 #include "engine/core/program_file.h"
 #include "engine/jobs/parallel.h"
 #include "planning/plan_params.h"
+#include "render/dataset/export_preset.h"
 #include "render/dataset/frame_range.h"
 #include "render/encoders/modalities.h"
 #include "render/formats/formats.h"
@@ -103,16 +104,19 @@ cli::ExportOrder orderOf(const std::string& range, Names modalities, const std::
     return order;
 }
 
-std::string exportPlan(const ScenePlan& plan, const std::string& folder, Names modalities,
-                       Names formats, const std::string& range, std::vector<int> flow_distances,
-                       int folds, std::uint64_t fold_seed, const std::string& rig,
-                       const Names& cameras, bool still, bool overwrite, bool resume,
-                       const std::string& backend, const Names& assignments,
+std::string exportPlan(const ScenePlan& plan, const std::string& folder, const std::string& preset,
+                       Names modalities, Names formats, const std::string& range,
+                       std::vector<int> flow_distances, int folds, std::uint64_t fold_seed,
+                       const std::string& rig, const Names& cameras, bool still, bool overwrite,
+                       bool resume, const std::string& backend, const Names& assignments,
                        const py::object& progress) {
     cli::ExportOrder order = orderOf(range, std::move(modalities), backend, still);
     render::DatasetSettings& settings = order.settings;
     settings.folder = folder;
     settings.formats = std::move(formats);
+    if (const Status known = render::applyPreset(preset, settings); !known) {
+        python::raise({known.error().code, known.error().message, "preset"});
+    }
     settings.flow_distances = std::move(flow_distances);
     settings.folds = {folds, fold_seed};
     settings.overwrite = overwrite;
@@ -212,10 +216,11 @@ void bindPlan(py::module_& module) {
         .def("explain", &ScenePlan::explain, py::arg("ids"), py::arg("progress"))
         .def("coverage", &ScenePlan::coverage, py::arg("files"), py::arg("progress"))
         .def("save", &ScenePlan::save, py::arg("file"))
-        .def("export", &exportPlan, py::arg("folder"), py::arg("modalities"), py::arg("formats"),
-             py::arg("range"), py::arg("flow_distances"), py::arg("folds"), py::arg("fold_seed"),
-             py::arg("rig"), py::arg("cameras"), py::arg("still"), py::arg("overwrite"),
-             py::arg("resume"), py::arg("gl"), py::arg("assignments"), py::arg("progress"))
+        .def("export", &exportPlan, py::arg("folder"), py::arg("preset"), py::arg("modalities"),
+             py::arg("formats"), py::arg("range"), py::arg("flow_distances"), py::arg("folds"),
+             py::arg("fold_seed"), py::arg("rig"), py::arg("cameras"), py::arg("still"),
+             py::arg("overwrite"), py::arg("resume"), py::arg("gl"), py::arg("assignments"),
+             py::arg("progress"))
         .def(
             "render",
             [](const std::shared_ptr<ScenePlan>& plan, Names modalities, const std::string& range,

@@ -186,7 +186,8 @@ class Plan:
         self._core.save(file=arguments.path(file, "file"))
 
     @arguments.takes_parameters(PICTURE_SECTIONS)
-    def export(self, folder: Path, *, modalities: Union[None, str, Iterable[str]] = None,
+    def export(self, folder: Path, *, preset: Optional[str] = None,
+               modalities: Union[None, str, Iterable[str]] = None,
                formats: Union[None, str, Iterable[str]] = None, range: str = "::",
                flow_distances: Sequence[int] = (1,), folds: int = 0, fold_seed: int = 1,
                rig: Optional[Path] = None, cameras: Union[None, str, Iterable[str]] = None,
@@ -194,7 +195,10 @@ class Plan:
                progress: Progress = None, **parameters: Value) -> Dict[str, Any]:
         """Writes a dataset, byte-identical to that of 'dollytrack export'.
 
-        modalities, formats: names of 'dollytrack export --list', or "all"; None: the default ones.
+        preset: a named selection of modalities and formats, such as "nerf"; see 'dollytrack
+            export --list'.
+        modalities, formats: names of 'dollytrack export --list', or "all"; None: those of the
+            preset, or the default ones.
         range: "a:b:s", frames a to b (b not included), every s-th.
         flow_distances: distances of optical flow, in frames later and earlier.
         folds, fold_seed: number of cross-validation folds, and the random seed of the split.
@@ -209,6 +213,7 @@ class Plan:
         """
         text = self._core.export(
             folder=arguments.path(folder, "folder"),
+            preset="" if preset is None else _text(preset, "preset"),
             modalities=arguments.words(modalities, "modalities"),
             formats=arguments.words(formats, "formats"), range=_text(range, "range"),
             flow_distances=[arguments.whole(one, "flow_distances") for one in flow_distances],

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "render/dataset/contents/content_group.h"
 #include "render/dataset/contents/dataset_contents.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -22,8 +23,9 @@ struct DatasetFile {
 /// line, the editor's check boxes, the files and dataset.json are derived. A new format is a file
 /// with its writer and a row.
 struct Format {
-    const char* name;       // its name in options, and its key in dataset.json
-    const char* text;       // one line for people
+    const char* name;  // its name in options, and its key in dataset.json
+    const char* text;  // one line for people
+    ContentGroup group;
     bool standard = false;  // written if no format is named
     unsigned needs = 0;     // bits of FrameNeeds
     // What it writes, so that it can be removed again: files beside the images, and folders of

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "render/dataset/contents/content_group.h"
 #include "render/frames/frame_needs.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,8 +22,9 @@ struct FrameRecord;
 /// encoders/modalities.h, from which the command line, the editor's check boxes, the files and
 /// dataset.json are derived.
 struct Modality {
-    const char* name;        // name on the command line, and folder in the dataset
-    const char* text;        // description for users
+    const char* name;  // name on the command line, and folder in the dataset
+    const char* text;  // description for users
+    ContentGroup group;
     double bytes_per_pixel;  // typical file size, on the high side for furnished rooms
     bool standard;           // written if no modality is named
     unsigned needs;          // bits of FrameNeeds

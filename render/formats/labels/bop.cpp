@@ -115,6 +115,7 @@ Json bopConvention(const DatasetContents& /*contents*/) {
 const Format kBopFormat = {
     .name = "bop",
     .text = "poses, visibility and masks of objects in BOP's format, in scene_gt.json, mask ...",
+    .group = ContentGroup::Labels,
     .needs = kNeedsWhole,
     .files = kBopFiles,
     .folders = kBopFolders,

@@ -146,6 +146,7 @@ nlohmann::ordered_json polygonsConvention(const DatasetContents& /*contents*/) {
 const Format kCocoFormat = {
     .name = "coco",
     .text = "COCO instances: boxes and masks of the targets, in annotations.json",
+    .group = ContentGroup::Labels,
     .standard = true,
     .needs = kNeedsMasks,
     .files = kCocoFiles,
@@ -157,6 +158,7 @@ const Format kCocoFormat = {
 const Format kCocoPolygonsFormat = {
     .name = "coco_polygons",
     .text = "COCO instances with outlines and attributes, in annotations_polygons.json",
+    .group = ContentGroup::Labels,
     .needs = kNeedsMasks | kNeedsWhole,
     .files = kPolygonFiles,
     .write = writePolygons,

@@ -76,6 +76,7 @@ nlohmann::ordered_json kittiObjectsConvention(const DatasetContents& contents) {
 const Format kKittiObjectsFormat = {
     .name = "kitti_objects",
     .text = "2D and 3D boxes of objects in KITTI's format, in label_2",
+    .group = ContentGroup::Labels,
     .needs = kNeedsWhole,
     .folders = kKittiObjectsFolders,
     .encode = encodeKittiObjects,

@@ -160,6 +160,7 @@ PictureLinks yoloPictures(const DatasetContents& contents) {
 const Format kYoloFormat = {
     .name = "yolo",
     .text = "boxes and outlines of the targets in YOLO's format, in labels and labels_seg",
+    .group = ContentGroup::Labels,
     .files = kYoloFiles,
     .folders = kYoloFolders,
     .write = writeYolo,

@@ -73,6 +73,7 @@ nlohmann::ordered_json videoConvention(const DatasetContents& /*contents*/) {
 const Format kVideoFormat = {
     .name = "video",
     .text = "the images as a video, in preview.mp4",
+    .group = ContentGroup::Other,
     .files = kVideoFiles,
     .write = writeVideo,
     .convention = videoConvention,

@@ -63,6 +63,7 @@ LensDistortion pictureDistortion(const DatasetContents& contents) {
 const Format kCalibrationFormat = {
     .name = "calibration",
     .text = "the camera for OpenCV and ROS, with rgb_sensor's distortion, in calibration.yaml",
+    .group = ContentGroup::Poses,
     .files = kCalibrationFiles,
     .write = writeCalibration,
     .convention = calibrationConvention,

@@ -102,6 +102,7 @@ const Format kCameraJsonFormat = {
     .name = "camera_json",
     .text =
         "camera poses and the targets that each shows well, in 3D-FRONT's format, in camera.json",
+    .group = ContentGroup::Poses,
     .standard = true,
     .files = kCameraJsonFiles,
     .write = writeCameraJson,

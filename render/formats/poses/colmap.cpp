@@ -120,6 +120,7 @@ nlohmann::ordered_json colmapConvention(const DatasetContents& /*contents*/) {
 const Format kColmapFormat = {
     .name = "colmap",
     .text = "a COLMAP text model, in sparse/0",
+    .group = ContentGroup::Poses,
     .files = kColmapFiles,
     .write = writeColmap,
     .convention = colmapConvention,

@@ -159,6 +159,7 @@ PictureLinks eurocPictures(const DatasetContents& contents) {
 const Format kEurocFormat = {
     .name = "euroc",
     .text = "images, inertial measurements and poses in the layout of EuRoC, in mav0",
+    .group = ContentGroup::Poses,
     .files = kEurocFiles,
     .folders = kEurocFolders,
     .write = writeEuroc,

@@ -60,6 +60,7 @@ nlohmann::ordered_json imuCsvConvention(const DatasetContents& /*contents*/) {
 const Format kImuFormat = {
     .name = "imu",
     .text = "inertial measurements along the motion, in imu.csv",
+    .group = ContentGroup::Measurements,
     .standard = true,
     .files = kImuCsvFiles,
     .write = writeImuCsv,

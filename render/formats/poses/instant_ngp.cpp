@@ -58,6 +58,7 @@ Json instantNgpConvention(const DatasetContents& /*contents*/) {
 const Format kInstantNgpFormat = {
     .name = "instant_ngp",
     .text = "poses for instant-ngp, in transforms_ngp.json",
+    .group = ContentGroup::Poses,
     .files = kInstantNgpFiles,
     .write = writeInstantNgp,
     .convention = instantNgpConvention,

@@ -88,6 +88,7 @@ std::vector<std::uint16_t> kittiFlow(const std::vector<Eigen::Vector2f>& motion)
 const Format kKittiFormat = {
     .name = "kitti",
     .text = "poses, times and projections in KITTI odometry's format, in poses.txt ...",
+    .group = ContentGroup::Poses,
     .needs = kNeedsDepth,
     .files = kKittiFiles,
     .folders = kKittiFolders,

@@ -32,6 +32,7 @@ Json nerfstudioConvention(const DatasetContents& /*contents*/) {
 const Format kNerfstudioFormat = {
     .name = "nerfstudio",
     .text = "poses for nerfstudio, in transforms.json",
+    .group = ContentGroup::Poses,
     .files = kNerfstudioFiles,
     .write = writeNerfstudio,
     .convention = nerfstudioConvention,

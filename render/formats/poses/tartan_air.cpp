@@ -111,6 +111,7 @@ nlohmann::ordered_json tartanAirConvention(const DatasetContents& contents) {
 const Format kTartanAirFormat = {
     .name = "tartanair",
     .text = "poses, images, depth and flow in TartanAir's format, in pose_left.txt, image_left ...",
+    .group = ContentGroup::Poses,
     .needs = kNeedsRgb | kNeedsDepth,
     .files = kTartanAirFiles,
     .folders = kTartanAirFolders,

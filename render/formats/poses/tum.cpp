@@ -82,6 +82,7 @@ nlohmann::ordered_json tumConvention(const DatasetContents& /*contents*/) {
 const Format kTumFormat = {
     .name = "tum",
     .text = "poses and lists of images in TUM RGB-D's format, in groundtruth.txt, rgb.txt ...",
+    .group = ContentGroup::Poses,
     .needs = kNeedsDepth,
     .files = kTumFiles,
     .folders = kTumFolders,

@@ -133,6 +133,7 @@ Json gltfConvention(const DatasetContents& /*contents*/) {
 const Format kGltfFormat = {
     .name = "gltf",
     .text = "the scene with the moving camera, for Blender, Unity ..., in trajectory.glb",
+    .group = ContentGroup::Other,
     .files = kGltfFiles,
     .write = writeGltf,
     .convention = gltfConvention,

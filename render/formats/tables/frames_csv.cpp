@@ -104,6 +104,7 @@ nlohmann::ordered_json framesCsvConvention(const DatasetContents& /*contents*/) 
 const Format kFramesFormat = {
     .name = "frames",
     .text = "measurements of each frame, such as speed, clearance and image score, in frames.csv",
+    .group = ContentGroup::Measurements,
     .standard = true,
     .needs = kNeedsMasks,
     .files = kFramesCsvFiles,

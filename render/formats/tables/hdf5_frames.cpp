@@ -63,6 +63,7 @@ nlohmann::ordered_json hdf5FramesConvention(const DatasetContents& contents) {
 const Format kHdf5FramesFormat = {
     .name = "hdf5",
     .text = "one file per frame with its images and pose in BlenderProc's format, in hdf5",
+    .group = ContentGroup::Other,
     .needs = kNeedsRgb | kNeedsDepth,
     .folders = kHdf5FramesFolders,
     .encode = encodeHdf5Frames,

@@ -67,6 +67,7 @@ const Format kInstancesFormat = {
     .text =
         "visibility of each object in each frame: visible part, truncation, occluder, 2D and 3D "
         "boxes, in instances.csv",
+    .group = ContentGroup::Labels,
     .needs = kNeedsWhole,
     .files = kInstancesCsvFiles,
     .write = writeInstancesCsv,

@@ -178,6 +178,16 @@ class Batch(FolderCase):
         self.assertEqual(job["metrics"]["well_captured_rate"], planned["well_captured_rate"])
         self.assertFalse((self.out / "bath.small/dataset").exists())
 
+    def test_a_preset_selects_what_every_job_exports(self):
+        self.rooms("bath.obj")
+        export = '\n[export]\nmax_frames = 3\npreset = "nerf"\nformats = ["colmap"]\n'
+        result = run("batch", self.jobs('scenes = "rooms/bath.obj"', export=export))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        written = json.loads((self.out / "bath.small/dataset/dataset.json").read_text())
+        self.assertEqual(list(written["modalities"]), ["rgb", "depth"])
+        self.assertTrue((self.out / "bath.small/dataset/sparse/0").exists())
+        self.assertFalse((self.out / "bath.small/dataset/transforms.json").exists())
+
     def test_names_stay_when_scenes_come(self):
         self.rooms("bath.obj")
         file = self.jobs('scenes = ["rooms/**/*", "rooms/*.obj"]', export="")
@@ -450,6 +460,8 @@ class Batch(FolderCase):
             ('[[set]]\nname = "../a"\n', 4, "letters"),
             ('[export]\nmodalities = ["rgb", "dept"]\n', 4, "depth"),
             ('[export]\nformats = ["cocoa"]\n', 4, "coco"),
+            ('[export]\npreset = "nerv"\n', 4, "did you mean 'nerf'"),
+            ('[export]\narguments = ["--preset=nerf"]\n', 4, "--preset"),
             ('[export]\nrange = "1:2:0"\n', 4, "range"),
             ('[export]\narguments = ["--out=x"]\n', 4, "--out"),
             ('[export]\nmax_frame = 3\n', 4, "max_frames"),

@@ -73,6 +73,47 @@ class Exporting(Task):
                      name != "dataset.json"]
         self.assertEqual(differing, [])
 
+    def test_a_preset_exports_what_the_command_lines_preset_exports(self):
+        self.start_project(*SMALL)
+        out = self.folder / "dataset"
+        self.name_folder(out)
+        self.assertNotIn("export.preset_modified", self.editor.items())
+        self.editor.click("export.preset.nerf")
+        self.assertNotIn("export.preset_modified", self.editor.items())
+        self.press_in_panel("export.add")
+        job = self.editor.wait(lambda now: now["exports"], "the job")["exports"][0]
+        self.assertEqual(job["frames"], 12, "known before the export reports it")
+        self.finished(job["id"])
+        self.assertIn(f"export.job.{job['id']}.folder", self.editor.items())
+        same = self.folder / "same"
+        self.by_command_line(same, "--preset", "nerf")
+        self.assertEqual(self.hashes(out), self.hashes(same))
+        self.assertTrue((out / "transforms.json").exists())
+
+    def test_find_a_modality_and_add_it_to_a_preset(self):
+        self.start_project(*SMALL)
+        out = self.folder / "dataset"
+        self.name_folder(out)
+        self.editor.click("export.preset.detection")
+        self.editor.click("export.filter")
+        self.editor.type("MILLIMETRES")  # in the descriptions of depth, depth_right, depth_sensor
+        shown = {name.split(".")[2] for name in self.editor.items()
+                 if name.startswith("export.modality.")}
+        self.assertEqual(shown, {"depth", "depth_right", "depth_sensor"})
+        self.editor.click("export.modality.depth")
+        self.editor.item("export.preset_modified")
+        self.editor.click("export.filter")
+        self.editor.key("ctrl+a")
+        self.editor.key("del")
+        self.press_in_panel("export.add")
+        job = self.editor.wait(lambda now: now["exports"], "the job")["exports"][0]
+        self.finished(job["id"])
+        written = json.loads((out / "dataset.json").read_text())
+        self.assertEqual(list(written["modalities"]), ["rgb", "depth"])
+        self.assertTrue((out / "labels").exists(), "the formats are the preset's")
+        self.editor.click("export.preset.detection")
+        self.editor.item("export.preset")
+
     def test_look_at_the_contact_sheet(self):
         self.start_project(*SMALL)
         job = self.queue(self.folder / "dataset")

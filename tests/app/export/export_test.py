@@ -412,6 +412,42 @@ class Export(FolderCase):
         verified = run("verify", out)
         self.assertEqual(verified.returncode, 0, verified.stdout)
 
+    def test_presets_choose_modalities_and_formats(self):
+        lists = {"nerf": ("rgb,depth", "camera_json,nerfstudio,instant_ngp,colmap"),
+                 "slam": ("rgb,depth", "camera_json,tum,euroc,imu,frames,calibration"),
+                 "detection": ("rgb", "camera_json,coco,yolo,kitti_objects,instances"),
+                 "segmentation": ("rgb,instance,semantic", "camera_json,coco,coco_polygons,yolo"),
+                 "everything": ("all", "all")}
+        for preset, (modalities, formats) in lists.items():
+            with self.subTest(preset):
+                ours, same = self.new_folder(), self.new_folder()
+                arguments = ("export", self.project, "--range", "0:4", "--out")
+                exported = run(*arguments, ours, "--preset", preset)
+                self.assertEqual(exported.returncode, 0, exported.stderr)
+                run(*arguments, same, "--modalities", modalities, "--formats", formats)
+                self.assertEqual(hashes(ours), hashes(same))
+                verified = run("verify", ours)
+                self.assertEqual(verified.returncode, 0, verified.stdout)
+
+    def test_a_list_replaces_that_of_the_preset(self):
+        out = self.new_folder()
+        exported = run("export", self.project, "--out", out, "--range", "::32", "--preset", "nerf",
+                       "--modalities", "rgb")
+        self.assertEqual(exported.returncode, 0, exported.stderr)
+        written = json.loads((out / "dataset.json").read_text())
+        self.assertEqual(list(written["modalities"]), ["rgb"])
+        self.assertTrue((out / "transforms.json").exists(), "the formats are the preset's")
+        self.assertFalse((out / "annotations.json").exists())
+
+    def test_presets_are_listed_and_misspelt_ones_refused(self):
+        out = self.new_folder()
+        self.assertFails(run("export", self.project, "--out", out, "--preset", "nerv"), 2, "nerf")
+        shown = run("export", "--help").stdout
+        listed = run("export", "--list").stdout
+        for name in ("default", "nerf", "slam", "detection", "segmentation", "everything"):
+            self.assertIn(name, shown)
+            self.assertIn(name, listed)
+
     def test_unknown_choices_are_usage_errors(self):
         out = self.new_folder()
         self.assertFails(run("export", self.project, "--out", out, "--modalities", "rgb,dept"), 2,

@@ -273,6 +273,16 @@ class EngineTest(FolderCase):
         dt.load(project).saved_plan().export(again, **asked)
         self.assertSameFiles(ours, again)
 
+    def test_a_preset_is_the_command_lines(self):
+        ours, theirs = self.folder / "preset_a", self.folder / "preset_b"
+        done = run("export", self.room, "--out", theirs, "--max-frames", 8, *SET, "--preset", "nerf",
+                   "--formats", "colmap")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.plan.export(ours, preset="nerf", formats="colmap")
+        self.assertSameFiles(ours, theirs)
+        with self.assertRaisesRegex(dt.Usage, "did you mean 'nerf'"):
+            self.plan.export(self.folder / "none", preset="nerv")
+
     def test_rooms_become_datasets_of_their_own(self):
         two = self.folder / "two.obj"
         tiny_room.write_two(two)

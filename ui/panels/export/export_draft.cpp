@@ -1,5 +1,7 @@
 #include "ui/panels/export/export_draft.h"
 
+#include "ui/widgets/text_match.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,9 +37,29 @@ std::vector<std::string> chosen(const std::vector<ExportChoice>& all,
                                 const std::vector<std::string>& turned) {
     std::vector<std::string> names;
     for (const ExportChoice& choice : all) {
-        if (isWanted(choice, turned)) names.push_back(choice.name);
+        if (isWritten(choice, turned)) names.push_back(choice.name);
     }
     return names;
+}
+
+/// The names whose check box has to differ from the default so that only `names` are selected.
+std::vector<std::string> turnedFor(const std::vector<ExportChoice>& all,
+                                   const std::vector<std::string>& names) {
+    std::vector<std::string> turned;
+    for (const ExportChoice& choice : all) {
+        if (choice.standard != isIn(names, choice.name)) turned.push_back(choice.name);
+    }
+    return turned;
+}
+
+/// Appends the choices whose selection differs from `names`.
+void addChanges(const std::vector<ExportChoice>& all, const std::vector<std::string>& turned,
+                const std::vector<std::string>& names, std::string& text) {
+    for (const ExportChoice& choice : all) {
+        const bool wanted = isWanted(choice, turned);
+        if (wanted == isIn(names, choice.name)) continue;
+        text += (text.empty() ? "" : ", ") + std::string(wanted ? "+ " : "- ") + choice.name;
+    }
 }
 
 std::string bytesText(double bytes) {
@@ -66,6 +88,36 @@ bool isReversed(const ExportDraft& draft) {
 
 bool isWanted(const ExportChoice& choice, const std::vector<std::string>& turned) {
     return choice.standard != isIn(turned, choice.name);
+}
+
+bool isWritten(const ExportChoice& choice, const std::vector<std::string>& turned) {
+    return choice.why_not.empty() && isWanted(choice, turned);
+}
+
+bool matchesFilter(const ExportChoice& choice, const std::string& filter) {
+    return containsIgnoringCase(choice.name, filter) || containsIgnoringCase(choice.text, filter) ||
+           containsIgnoringCase(choice.group, filter);
+}
+
+void choosePreset(const ExportView& view, const ExportPresetChoice& preset, ExportDraft& draft) {
+    draft.preset = preset.name;
+    draft.turned_modalities = turnedFor(view.modalities, preset.modalities);
+    draft.turned_formats = turnedFor(view.formats, preset.formats);
+}
+
+const ExportPresetChoice* chosenPreset(const ExportView& view, const ExportDraft& draft) {
+    const auto found = std::ranges::find(view.presets, draft.preset, &ExportPresetChoice::name);
+    if (found != view.presets.end()) return &*found;
+    return view.presets.empty() ? nullptr : &view.presets.front();
+}
+
+std::string changesOfPreset(const ExportView& view, const ExportDraft& draft) {
+    const ExportPresetChoice* preset = chosenPreset(view, draft);
+    std::string text;
+    if (preset == nullptr) return text;
+    addChanges(view.modalities, draft.turned_modalities, preset->modalities, text);
+    addChanges(view.formats, draft.turned_formats, preset->formats, text);
+    return text;
 }
 
 std::string rangeNote(const ExportView& view, const ExportDraft& draft) {
@@ -108,7 +160,7 @@ bool wantsPictures(const ExportView& view, const ExportDraft& draft) {
     const auto wanted = [](const std::vector<ExportChoice>& all,
                            const std::vector<std::string>& turned) {
         return std::ranges::any_of(all, [&](const ExportChoice& choice) {
-            return choice.colour && isWanted(choice, turned);
+            return choice.colour && isWritten(choice, turned);
         });
     };
     return !draft.rig.empty() || wanted(view.modalities, draft.turned_modalities) ||
@@ -171,6 +223,7 @@ ExportRequest requestOf(const ExportView& view, const ExportDraft& draft) {
     request.rig = draft.rig;
     request.still = view.has_tracks && draft.still;
     request.overwrite = draft.overwrite;
+    request.frames = frameCountOf(view, draft);
     return request;
 }
 

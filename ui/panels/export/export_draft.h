@@ -16,6 +16,20 @@ namespace dollytrack::ui {
 /// Whether the choice is selected. `turned` lists the names whose check box differs from the
 /// default.
 [[nodiscard]] bool isWanted(const ExportChoice& choice, const std::vector<std::string>& turned);
+/// Whether the choice is selected and can be written.
+[[nodiscard]] bool isWritten(const ExportChoice& choice, const std::vector<std::string>& turned);
+/// Whether the filter's text is part of the choice's name, description or group.
+[[nodiscard]] bool matchesFilter(const ExportChoice& choice, const std::string& filter);
+
+/// Selects the modalities and formats of a preset.
+void choosePreset(const ExportView& view, const ExportPresetChoice& preset, ExportDraft& draft);
+/// The preset that was chosen last; null: the view has none.
+[[nodiscard]] const ExportPresetChoice* chosenPreset(const ExportView& view,
+                                                     const ExportDraft& draft);
+/// The modalities and formats in which the selection differs from the preset that was chosen last,
+/// as "+ depth_exr, - coco"; empty if there are none.
+[[nodiscard]] std::string changesOfPreset(const ExportView& view, const ExportDraft& draft);
+
 [[nodiscard]] bool wantsFlow(const ExportView& view, const ExportDraft& draft);
 [[nodiscard]] bool wantsSensors(const ExportView& view, const ExportDraft& draft);
 [[nodiscard]] bool wantsPictures(const ExportView& view, const ExportDraft& draft);

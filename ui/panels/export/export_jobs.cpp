@@ -125,10 +125,12 @@ void drawJob(const ExportView& view, std::size_t index, ExportActions& actions) 
     const float least = scaled(40);
     const float room = std::max(ImGui::GetContentRegionAvail().x - buttons - state, least);
     ImGui::TextUnformatted(cutToWidth(job.request.name, room, Cut::Middle).c_str());
-    tooltip(job.request.name + "\n" + job.request.folder.string());
+    tooltip(job.request.name);
     ImGui::SameLine();
     drawState(job, view.held);
     drawQueueButtons(view, job, index, actions);
+    cutText(job.request.folder.string(), palette().text_dim, {}, Cut::Middle);
+    nameItem(nameFor(job, "folder"));
     if (job.active()) {
         const float width = ImGui::GetContentRegionAvail().x;
         const std::string progress = progressText(job);

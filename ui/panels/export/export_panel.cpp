@@ -1,5 +1,6 @@
 #include "ui/panels/export/export_panel.h"
 
+#include "ui/panels/export/export_contents.h"
 #include "ui/panels/export/export_draft.h"
 #include "ui/panels/export/export_jobs.h"
 #include "ui/theme.h"
@@ -173,25 +174,6 @@ void drawFrames(const ExportView& view, ExportDraft& draft) {
     }
 }
 
-void drawChoices(const char* label, const char* kind, const std::vector<ExportChoice>& choices,
-                 std::vector<std::string>& turned) {
-    formLabel(label);
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        const ExportChoice& choice = choices[i];
-        if (i > 0) flowTo(("[x] " + choice.name).c_str());
-        bool wanted = isWanted(choice, turned);
-        if (ImGui::Checkbox(choice.name.c_str(), &wanted)) {
-            if (wanted == choice.standard) {
-                std::erase(turned, choice.name);
-            } else {
-                turned.push_back(choice.name);
-            }
-        }
-        nameItem(fmt::format("export.{}.{}", kind, choice.name));
-        tooltip(choice.text);
-    }
-}
-
 /// Rendering and sensor parameters, shown if the selected contents use them.
 void drawPictureParameters(const ExportView& view, const ExportDraft& draft,
                            ExportActions& actions) {
@@ -244,35 +226,6 @@ void drawPlace(const ExportView& view, ExportDraft& draft, ExportActions& action
     endForm();
 }
 
-// Narrow label columns leave room for the check boxes.
-
-void drawModalities(const ExportView& view, ExportDraft& draft) {
-    if (!beginForm("modalities", 0.2F)) return;
-    drawChoices("Modalities", "modality", view.modalities, draft.turned_modalities);
-    endForm();
-}
-
-void drawFormats(const ExportView& view, ExportDraft& draft) {
-    if (!beginForm("contents", 0.2F)) return;
-    drawChoices("Formats", "format", view.formats, draft.turned_formats);
-    if (wantsFlow(view, draft)) {
-        formLabel("Flow to frames", "Distances in frames, later and earlier, separated by commas");
-        ImGui::SetNextItemWidth(-FLT_MIN);
-        ImGui::InputText("##flow", &draft.flow_distances);
-        nameItem("export.flow_distances");
-    }
-    if (view.has_tracks) {
-        formLabel("Moving objects");
-        ImGui::Checkbox("stay at their planned poses", &draft.still);
-        nameItem("export.still");
-    }
-    formLabel("Other files");
-    ImGui::Checkbox("may be in the folder", &draft.overwrite);
-    nameItem("export.overwrite");
-    tooltip("These files are kept. If this is off, the folder must be empty or contain a dataset.");
-    endForm();
-}
-
 /// The Export button and the progress of the running job; always visible, also in a short panel.
 void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions& actions) {
     ImGui::Separator();
@@ -315,6 +268,7 @@ void drawFooter(const ExportView& view, const ExportDraft& draft, ExportActions&
 ExportActions drawExportPanel(const ExportView& view, ExportDraft& draft) {
     ExportActions actions;
     const ImGuiStyle& style = ImGui::GetStyle();
+    drawContentsBar(view, draft);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     // A panel below the viewport is wide and short, at a side narrow and tall.
     const bool queue = !view.jobs.empty();

@@ -11,10 +11,21 @@ namespace dollytrack::ui {
 
 /// A modality or a format that a dataset can contain.
 struct ExportChoice {
-    std::string name;      // name on the command line
-    std::string text;      // description for the user
-    bool standard = true;  // selected by default
-    bool colour = false;   // contains colour images
+    std::string name;          // name on the command line
+    std::string text;          // description for the user
+    bool standard = true;      // selected by default
+    bool colour = false;       // contains colour images
+    std::string group = {};    // heading of its row in the form
+    std::string why_not = {};  // why it cannot be written now; empty: it can
+};
+
+/// A named selection of modalities and formats.
+struct ExportPresetChoice {
+    std::string name;   // name on the command line
+    std::string title;  // label of its button
+    std::string text;   // description for the user
+    std::vector<std::string> modalities;
+    std::vector<std::string> formats;
 };
 
 /// Input of the panel for one window frame.
@@ -33,9 +44,10 @@ struct ExportView {
     bool has_tracks = false;              // some objects have a track
     std::vector<ExportChoice> modalities;
     std::vector<ExportChoice> formats;
-    std::vector<ExportJob> jobs;  // in the queue's order
-    bool held = false;            // no waiting job is started
-    std::string why_no_folder;    // why folders cannot be opened in a file manager; empty: they can
+    std::vector<ExportPresetChoice> presets;  // the first is the default selection
+    std::vector<ExportJob> jobs;              // in the queue's order
+    bool held = false;                        // no waiting job is started
+    std::string why_no_folder;  // why folders cannot be opened in a file manager; empty: they can
 };
 
 /// The settings of the next export. The frames are every `step`-th from `first` to `last`, both
@@ -48,6 +60,8 @@ struct ExportDraft {
     int step = 1;
     bool keep_ratio = false;  // keep the ratio of width to height
     double ratio = 0.0;       // width / height before the current edit
+    std::string preset;       // name of the preset that was chosen last; empty: the first one
+    std::string filter;       // text that the shown modalities and formats contain
     // Names whose check box differs from the default.
     std::vector<std::string> turned_modalities;
     std::vector<std::string> turned_formats;
