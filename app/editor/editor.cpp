@@ -83,6 +83,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuff
 }
 
 Editor::~Editor() {
+    keepPicture();
     rememberSettings();
     settings_saver_.stop();  // two writers must not write at once
     if (const Status saved = saveSettings(settings_); !saved) {
@@ -96,6 +97,8 @@ void Editor::setTheme() {
 
 void Editor::refreshScene() {
     if (workspace_.takeOpened()) {
+        keepPicture();
+        has_picture_ = false;
         selected_.forget();
         playback_.reset();
         track_time_.reset();
@@ -260,8 +263,13 @@ void Editor::rememberSettings() {
         // The project was opened, or saved under another name.
         const std::filesystem::path& file =
             workspace_.path().empty() ? workspace_.sceneFile() : workspace_.path();
-        if (noted_file_ != file) settings_.addRecent(noted_file_ = file);
+        if (noted_file_ != file) {
+            noted_file_ = file;
+            if (file != example_) settings_.addRecent(file);  // it has a row of its own
+        }
+        if (was_saving_ && !workspace_.saving()) keepPicture();
     }
+    was_saving_ = workspace_.saving();
     settings_.window = window_.settings();
     settings_.layout.strips = panels_.timeline.strips;
     settings_.layout.show_preview = panels_.preview.open;

@@ -2,6 +2,7 @@
 
 #include "app/editor/export/export_queue.h"
 #include "app/editor/export/folder_check.h"
+#include "app/editor/files/recent_files.h"
 #include "app/editor/objects/piece_count.h"
 #include "app/editor/objects/remedy_finder.h"
 #include "app/editor/objects/selection_tracker.h"
@@ -146,6 +147,14 @@ class Editor {
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
 
+    // editor_start.cpp: the start screen, and the pictures that it shows
+    /// Path of the built-in scene; empty if it is not installed.
+    [[nodiscard]] static std::string exampleScene();
+    /// Stores the viewport's image as the picture of the open file.
+    void keepPicture();
+    void drawStart();
+    [[nodiscard]] nlohmann::json startJson() const;
+
     // editor_objects.cpp
     /// Id of the selected object if exactly one is selected and can be moved; otherwise 0.
     [[nodiscard]] int movableObject() const;
@@ -219,6 +228,10 @@ class Editor {
     std::string why_no_export_;
     std::string why_no_folders_;
     FolderCheck export_folder_;
+    RecentFiles recent_{stateFolder() / "thumbnails", &Window::wake};
+    const std::string example_ = exampleScene();
+    bool has_picture_ = false;  // the viewport has shown the open scene
+    bool was_saving_ = false;   // in the previous window frame
     PictureFile sheet_;
     ui::FileBrowser files_;
 

@@ -156,6 +156,7 @@ nlohmann::json Editor::stateJson() {
         {"zoom", settings_.zoom},
         {"scale", window_.contentScale()},
         {"recent", settings_.recent},
+        {"start", startJson()},
         {"log_version", log_.version()},
         {"gl_errors", window_.glErrors()},
         {"frames", window_.frames()},

@@ -424,20 +424,23 @@ void Editor::drawBars() {
 
 void Editor::drawCentre() {
     drawBars();
+    const BackgroundWorker::State loading = workspace_.loading();
+    if (!workspace_.isOpen() && !loading.busy) return drawStart();
+    panels_.start.frames = 0;
+    recent_.hide();
     ui::ViewportView view;
     view.image = scene_sync_.isSent() ? &drawing_.view() : nullptr;
-    const BackgroundWorker::State loading = workspace_.loading();
     if (loading.busy) {
         view.message = fmt::format("Opening … {:.0f} %  {}   (Esc stops)", 100.0 * loading.fraction,
                                    loading.stage);
-    } else if (!workspace_.isOpen()) {
-        view.message = "Drop a scene or a project here, or press Ctrl+O to open one.";
     } else if (view.image == nullptr || view.image->serial == 0 ||
                !workspace_.shown().hasObjectsOf(view.image->geometry)) {
         view.image = nullptr;
         const bool failed = !workspace_.shown().scene && !workspace_.planError().empty();
         view.message = failed ? "The scene cannot be shown: " + workspace_.planError()
                               : "Preparing the scene …";
+    } else {
+        has_picture_ = true;
     }
     if (workspace_.shown().outdated)
         view.remark = "Previous plan: planning with these parameters failed";

@@ -6,6 +6,7 @@
 #include "ui/panels/scene/image_viewer.h"
 #include "ui/panels/scene/objects_panel.h"
 #include "ui/panels/scene/preview_panel.h"
+#include "ui/panels/scene/start_panel.h"
 #include "ui/panels/selection/selection_panel.h"
 #include "ui/panels/timeline/steps_panel.h"
 #include "ui/panels/timeline/timeline_panel.h"
@@ -19,6 +20,7 @@ namespace dollytrack::editor {
 /// The panels' state between window frames.
 struct PanelStates {
     ui::ViewportState viewport;
+    ui::StartState start;
     ui::ObjectsPanelState objects;
     ui::HistoryState history;
     ui::SelectionState selection;

@@ -18,6 +18,8 @@ namespace {
 constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
     "clearance", "speed", "turn", "score", "in_view", "captured", "image_corners"};
 
+constexpr std::size_t kMostRecent = 10;
+
 std::filesystem::path userFolder(const char* variable, const char* fallback) {
     const char* value = std::getenv(variable);
     if (value != nullptr && value[0] == '/') return std::filesystem::path(value) / "dollytrack";
@@ -41,10 +43,9 @@ std::filesystem::path stateFolder() {
 }
 
 void EditorSettings::addRecent(const std::filesystem::path& path) {
-    constexpr std::size_t kKept = 10;
     std::erase(recent, path.string());
     recent.insert(recent.begin(), path.string());
-    if (recent.size() > kKept) recent.resize(kKept);
+    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
     last_folder = path.parent_path().string();
 }
 
@@ -88,6 +89,7 @@ EditorSettings loadSettings() {
             json.value("theme", "dark") == "light" ? ui::ThemeKind::Light : ui::ThemeKind::Dark;
         settings.zoom = std::clamp(json.value("zoom", 1.0), 0.5, 3.0);
         settings.recent = json.value("recent", std::vector<std::string>());
+        if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
         settings.last_folder = json.value("last_folder", "");
     } catch (const nlohmann::json::exception&) {
         log::warn("editor", settingsFile().string() + " cannot be read; using defaults");

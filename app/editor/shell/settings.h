@@ -62,6 +62,7 @@ struct EditorSettings {
     bool operator==(const EditorSettings&) const = default;
 
     void addRecent(const std::filesystem::path& path);
+    void removeRecent(const std::string& path) { std::erase(recent, path); }
 };
 
 /// $XDG_CONFIG_HOME/dollytrack and $XDG_STATE_HOME/dollytrack, or their defaults below the home
