@@ -5,6 +5,7 @@
 #include "app/gather/output/output_folder.h"
 #include "app/gather/sources/class_union.h"
 #include "app/gather/sources/opened_source.h"
+#include "app/gather/sources/read_ahead.h"
 #include "app/gather/sources/source_search.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
@@ -185,9 +186,11 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     needs.mixed_lenses = order.mixed_lenses;
     needs.prove = order.skip_damaged;
     SourceReader reader(needs);
+    ReadAhead<Result<verify::StoredDataset>> datasets(
+        found.size(), [&](std::size_t i) { return verify::readStoredDataset(found[i].folder); });
     Gathered all;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        Result<Source> source = reader.read(found[i].folder, job);
+        Result<Source> source = reader.read(datasets.next(), job);
         job.report(static_cast<double>(i + 1) / static_cast<double>(found.size()));
         if (job.cancelled()) return stopped();
         if (source) {
@@ -306,13 +309,22 @@ class PartWriter {
     }
 
     Status write(Layout& layout) {
+        std::vector<std::size_t> order;  // of the datasets, part by part
+        for (const PartIndex part : partsOf(part_of_)) {
+            for (std::size_t i = 0; i < all_.sources.size(); ++i) {
+                if (part_of_[i] == part) order.push_back(i);
+            }
+        }
+        ReadAhead<Result<OpenedSource>> opened(order.size(), [&](std::size_t i) {
+            return openSource(all_.sources[order[i]], classes_);
+        });
+        auto next = order.begin();
         for (const PartIndex part : partsOf(part_of_)) {
             if (Status status = layout.beginPart(part); !status) return status;
             std::set<std::size_t> in_part;
-            for (std::size_t i = 0; i < all_.sources.size(); ++i) {
-                if (part_of_[i] != part) continue;
-                in_part.insert(all_.sources[i].scene_number);
-                if (Status status = add(layout, all_.sources[i], summary_.parts[part]); !status) {
+            for (; next != order.end() && part_of_[*next] == part; ++next) {
+                in_part.insert(all_.sources[*next].scene_number);
+                if (Status status = add(layout, opened.next(), summary_.parts[part]); !status) {
                     return status;
                 }
             }
@@ -323,9 +335,9 @@ class PartWriter {
     }
 
   private:
-    Status add(Layout& layout, const Source& source, PartSummary& part) {
-        const Result<OpenedSource> opened = openSource(source, classes_);
+    Status add(Layout& layout, const Result<OpenedSource>& opened, PartSummary& part) {
         if (!opened) return tl::unexpected(opened.error());
+        const Source& source = opened->source;
         const std::size_t step = stepOf(source);
         for (std::size_t begin = 0; begin < source.frames; begin += step) {
             const std::size_t end = std::min(begin + step, source.frames);

@@ -56,7 +56,7 @@ struct GatherSummary {
     bool was_complete = false;  // nothing was left to do
 };
 
-/// Makes one dataset of many. Memory holds one of them at a time. Errors: Usage, also for a
+/// Makes one dataset of many. Memory holds two of them at a time. Errors: Usage, also for a
 /// complete dataset in the way and for `resume` of something else; BadInput for datasets that are
 /// unfinished or damaged or do not go together; CannotWrite; Cancelled, after which `resume` goes
 /// on.

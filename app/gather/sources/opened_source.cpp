@@ -1,6 +1,5 @@
 #include "app/gather/sources/opened_source.h"
 
-#include "engine/io/files/sha256.h"
 #include "render/verify/read/coco_annotations.h"
 
 #include <fmt/format.h>
@@ -70,9 +69,7 @@ std::vector<std::string> OpenedSource::filesOf(const std::string& folder, std::s
 Result<verify::StoredDataset> readDescription(const Source& source) {
     Result<verify::StoredDataset> dataset = verify::readStoredDataset(source.folder);
     if (!dataset) return tl::unexpected(dataset.error());
-    const Result<std::string> card = sha256OfFile(source.folder / "dataset.json");
-    if (!card) return tl::unexpected(card.error());
-    if (*card != source.card_sha256) {
+    if (dataset->card_sha256 != source.card_sha256) {
         return fail(ErrorCode::BadInput,
                     "The dataset was changed while it was read; gather it again.",
                     source.folder.string());

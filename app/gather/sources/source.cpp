@@ -1,6 +1,5 @@
 #include "app/gather/sources/source.h"
 
-#include "engine/io/files/sha256.h"
 #include "engine/io/settings/class_table_file.h"
 #include "engine/jobs/parallel.h"
 #include "render/formats/tables/dataset_card.h"
@@ -218,15 +217,14 @@ Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& so
     return {};
 }
 
-Result<Source> SourceReader::read(const fs::path& folder, const JobContext& job) {
+Result<Source> SourceReader::read(const Result<verify::StoredDataset>& dataset,
+                                  const JobContext& job) {
     damaged_ = true;
-    const Result<verify::StoredDataset> dataset = verify::readStoredDataset(folder);
     if (!dataset) return tl::unexpected(dataset.error());
-    Result<std::string> card_sha256 = sha256OfFile(folder / "dataset.json", job);
-    if (!card_sha256) return tl::unexpected(card_sha256.error());
+    const fs::path& folder = dataset->folder;
     Result<Source> source = describe(*dataset);
     if (!source) return source;
-    source->card_sha256 = std::move(*card_sha256);
+    source->card_sha256 = dataset->card_sha256;
     damaged_ = false;
     if (needs_.modalities.contains(kPicture) && !source->modalities.contains(kPicture)) {
         return notUsable(folder, "colour images", "--modalities rgb");

@@ -74,9 +74,10 @@ class SourceReader {
   public:
     explicit SourceReader(SourceNeeds needs) : needs_(std::move(needs)) {}
 
-    /// Errors: BadInput where the dataset is unfinished, damaged, has no images or boxes, or does
-    /// not go with the first one, naming both; Cancelled.
-    [[nodiscard]] Result<Source> read(const std::filesystem::path& folder, const JobContext& job);
+    /// Takes what readStoredDataset() returned. Errors: BadInput where the dataset is unfinished,
+    /// damaged, has no images or boxes, or does not go with the first one, naming both; Cancelled.
+    [[nodiscard]] Result<Source> read(const Result<verify::StoredDataset>& dataset,
+                                      const JobContext& job);
 
     /// Whether the last error was damage: a dataset that can be left out.
     [[nodiscard]] bool wasDamaged() const { return damaged_; }

@@ -88,8 +88,10 @@ std::string placeIn(std::string_view text, std::size_t byte) {
     return fmt::format(":{}:{}", line, before.size() - (begins + 1) + 1);
 }
 
-/// The text of a JSON object with the object in this field emptied; lines and columns stay.
-std::string withoutField(std::string text, std::string_view name) {
+/// Empties the object in this field of the text of a JSON object; lines and columns stay. Returns
+/// the object's text; empty if there is none.
+std::string takeField(std::string& text, std::string_view name) {
+    std::string taken;
     int depth = 0;
     bool is_key = false;  // the last string, at depth 1, is the name
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -100,6 +102,7 @@ std::string withoutField(std::string text, std::string_view name) {
             is_key = depth == 1 && std::string_view(text).substr(begin, i - begin) == name;
         } else if (c == '{' && depth == 1 && is_key) {
             const std::size_t end = objectEnd(text, i);
+            taken = text.substr(i, end + 1 - i);
             std::replace_if(
                 text.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                 text.begin() + static_cast<std::ptrdiff_t>(end), [](char x) { return x != '\n'; },
@@ -113,7 +116,7 @@ std::string withoutField(std::string text, std::string_view name) {
             is_key = false;
         }
     }
-    return text;
+    return taken;
 }
 
 }  // namespace
@@ -195,9 +198,14 @@ template Result<nlohmann::ordered_json> parseBoundedJson(std::string_view, const
 
 Result<SplitJson> parseSplitJson(std::string_view text, const std::string& where,
                                  std::string_view name) {
-    auto rest =
-        parseBoundedJson<nlohmann::ordered_json>(withoutField(std::string(text), name), where);
+    std::string rest_text(text);
+    const std::string part_text = takeField(rest_text, name);
+    auto rest = parseBoundedJson<nlohmann::ordered_json>(rest_text, where);
     if (!rest) return tl::unexpected(rest.error());
+    if (auto part = parseBoundedJson(part_text, where)) {
+        return SplitJson{std::move(*rest), {{name, std::move(*part)}}};
+    }
+    // The field is no object, or damaged; its place in the whole text is wanted.
     auto part = parseBoundedJson(text, where, onlyField(std::string(name)));
     if (!part) return tl::unexpected(part.error());
     return SplitJson{std::move(*rest), std::move(*part)};

@@ -2,6 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/io/files/bounded_json.h"
+#include "engine/io/files/sha256.h"
 #include "engine/io/files/text_file.h"
 #include "engine/io/settings/class_table_file.h"
 #include "render/formats/tables/dataset_card.h"
@@ -257,6 +258,7 @@ Result<StoredDataset> readStoredDataset(const std::filesystem::path& folder) {
     Result<SplitJson> card = parseSplitJson(*text, path.string(), "files");
     if (!card) return tl::unexpected(card.error());
     dataset.card = std::move(card->rest);
+    dataset.card_sha256 = sha256Of(std::string_view(*text));
     std::string field = "format";
     try {
         if (dataset.card.value("format", "") != render::kDatasetFormat) {

@@ -49,6 +49,7 @@ struct StoredFrame {
 struct StoredDataset {
     std::filesystem::path folder;
     nlohmann::ordered_json card;  // dataset.json with "files" emptied
+    std::string card_sha256;      // of dataset.json
     Intrinsics lens;
     double hfov_deg = 0.0;
     double near_m = 0.0;
