@@ -85,7 +85,9 @@ void chooseModalities(const GatherOrder& order, Gathered& all) {
         if (order.class_map && std::erase_if(all.modalities, isSemantic) > 0) warnOfOldIds();
         return;
     }
-    for (const char* modality : {kDepth, kInstance, kSemantic}) {
+    std::vector<const char*> shared = {kDepth, kInstance, kSemantic};
+    shared.insert(shared.end(), order.layout->extra.begin(), order.layout->extra.end());
+    for (const char* modality : shared) {
         const auto lacking = std::ranges::find_if(
             all.sources, [&](const Source& one) { return !one.modalities.contains(modality); });
         const bool any = std::ranges::any_of(
@@ -176,6 +178,7 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     } else if (layout.content != LayoutContent::Copied) {
         needs.modalities = {kPicture, kDepth, kInstance, kSemantic};
     }
+    needs.modalities.insert(layout.extra.begin(), layout.extra.end());
     needs.required.assign(layout.required.begin(), layout.required.end());
     needs.copied.assign(layout.copied.begin(), layout.copied.end());
     for (const std::string& name : needs.required) {
@@ -212,7 +215,7 @@ Result<Gathered> readSources(const GatherOrder& order, const std::vector<FoundDa
     chooseModalities(order, all);
     tellWhatIsLeftOut(order, all);
     all.conventions = reader.conventions();
-    for (const char* modality : {kDepth, kInstance}) {
+    for (const char* modality : {kDepth, kInstance, kSceneFlow, kTracks}) {
         if (!all.modalities.contains(modality)) all.conventions.erase(modality);
     }
     return all;

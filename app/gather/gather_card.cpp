@@ -166,6 +166,7 @@ Json partJson(const GatherCard& card, PartIndex part) {
 /// Names of the image kinds and of the copied folders.
 std::string imageList(const GatherCard& card) {
     std::vector<std::string> names(card.modalities.begin(), card.modalities.end());
+    std::erase(names, kTracks);  // has a file for many frames
     for (const std::string_view copied : card.order.layout->copied) {
         const bool is_left_out = copied == "seg_left/" && !card.classes.keepsIds();
         if (copied.ends_with('/') && !is_left_out) {

@@ -86,6 +86,8 @@ struct LayoutKind {
     std::uint64_t shard_bytes = 1'000'000'000;   // the default limit
     std::span<const char* const> required = {};  // modalities and formats of each dataset
     std::span<const char* const> copied = {};    // beginnings of names of files besides images
+    /// Modalities besides images that it holds if all datasets have them: kSceneFlow, kTracks.
+    std::span<const char* const> extra = {};
     /// Checks a dataset for what only this layout cannot hold, before anything is written;
     /// BadInput.
     Status (*check)(const verify::StoredDataset& dataset) = nullptr;

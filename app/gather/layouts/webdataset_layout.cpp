@@ -1,5 +1,6 @@
 #include "app/gather/layouts/shard_layout.h"
 #include "app/gather/layouts/tar_header.h"
+#include "render/verify/read/flow_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,17 +49,75 @@ std::string describeFrame(const OpenedSource& source, std::size_t frame,
     return text + fmt::format(R"(,"objects":[{}]}})", objects);
 }
 
+/// The extensions of a frame's files of a modality, and their names in the dataset.
+std::vector<std::pair<std::string, std::string>> filesByExtension(
+    const verify::StoredDataset& dataset, const std::string& modality, std::size_t frame) {
+    if (modality == kPicture) return {{"png", frameFileOf(dataset, modality, frame)}};
+    if (modality == kTracks) return {};
+    if (modality != kSceneFlow) {
+        return {{modality + ".png", frameFileOf(dataset, modality, frame)}};
+    }
+    const int from = static_cast<int>(frame);
+    std::vector<std::pair<std::string, std::string>> files;
+    for (const verify::FlowFile& file : verify::pairFiles(dataset, modality, from)) {
+        files.emplace_back(fmt::format("{}_{}.exr", modality, file.other - from),
+                           file.stem + ".exr");
+    }
+    return files;
+}
+
 /// A frame's key and files.
 struct WebDatasetSample {
     std::string key;
     FrameMembers members;
 };
 
+/// Tar files of frames; the arrays of point tracks, which belong to many frames, are files beside
+/// them.
 class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
   public:
     explicit WebDatasetLayout(LayoutInput input) : ShardLayout(std::move(input)) {}
 
+    Status beginPart(PartIndex part) override {
+        kept_.clear();
+        return ShardLayout::beginPart(part);
+    }
+
+    Status add(const OpenedSource& source, std::size_t begin, std::size_t end) override {
+        if (input().modalities.contains(kTracks)) {
+            if (Status copied = copyTracks(source, begin, end); !copied) return copied;
+        }
+        return ShardLayout::add(source, begin, end);
+    }
+
+    Status endPart() override {
+        if (Status ended = ShardLayout::endPart(); !ended) return ended;
+        for (const FinishedShard& shard : kept_) {
+            if (Status listed = ShardLayout::keep(shard); !listed) return listed;
+        }
+        return {};
+    }
+
   private:
+    [[nodiscard]] Status copyTracks(const OpenedSource& source, std::size_t begin,
+                                    std::size_t end) {
+        std::vector<FileCopy> files;
+        for (std::size_t frame = begin; frame < end; ++frame) {
+            for (const std::string& name : frameFilesOf(source.dataset, kTracks, frame)) {
+                files.push_back({name, source.source.name + "_" + name.substr(name.find('/') + 1)});
+            }
+        }
+        if (files.empty()) return {};
+        return input().files.copyFiles(source, files, fmt::format("{}/{}", kTracks, part()),
+                                       input().job);
+    }
+
+    /// Listed after the part's tracks, so that the list of a resumed run has the same order.
+    [[nodiscard]] Status keep(const FinishedShard& shard) override {
+        kept_.push_back(shard);
+        return {};
+    }
+
     [[nodiscard]] std::string shardName(std::size_t shard) const override {
         return fmt::format("{}-{:06}.tar", part(), shard);
     }
@@ -67,11 +126,11 @@ class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
                                                 std::size_t frame) const override {
         WebDatasetSample sample{source.frameName(frame), {}};
         for (const std::string& modality : input().modalities) {
-            Result<std::string> bytes =
-                readProven(source.file(frameFileOf(source.dataset, modality, frame)));
-            if (!bytes) return tl::unexpected(bytes.error());
-            sample.members.emplace_back(modality == kPicture ? "png" : modality + ".png",
-                                        std::move(*bytes));
+            for (auto& [extension, name] : filesByExtension(source.dataset, modality, frame)) {
+                Result<std::string> bytes = readProven(source.file(name));
+                if (!bytes) return tl::unexpected(bytes.error());
+                sample.members.emplace_back(std::move(extension), std::move(*bytes));
+            }
         }
         sample.members.emplace_back("json", describeFrame(source, frame, input().classes));
         return sample;
@@ -96,7 +155,11 @@ class WebDatasetLayout : public ShardLayout<WebDatasetSample> {
     }
 
     [[nodiscard]] Status endFile() override { return file().write(std::string(kTarEnd, '\0')); }
+
+    std::vector<FinishedShard> kept_;  // of the part
 };
+
+constexpr std::array<const char*, 2> kWebDatasetExtra = {kSceneFlow, kTracks};
 
 }  // namespace
 
@@ -116,8 +179,10 @@ const LayoutKind kWebDatasetLayout = {
         "image; `depth.png`, `instance.png` and `semantic.png` have the same pixels; `json` has "
         "boxes, masks, camera and pose. Without `only`, webdataset would turn the 16-bit images "
         "into 8-bit colours; `cv2.imdecode(np.frombuffer(sample[\"depth.png\"], np.uint8), -1)` "
-        "decodes them.",
+        "decodes them. If all source datasets have them, `scene_flow_1.exr` is the 3D motion to "
+        "the next frame and `tracks/PART` contains point tracks as NumPy arrays.",
     .data_files = "{}-*.tar",
+    .extra = kWebDatasetExtra,
 };
 
 }  // namespace dollytrack::gather

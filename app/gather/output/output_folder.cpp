@@ -34,8 +34,8 @@ constexpr const char* kReplaced = "replaced.json";
 constexpr const char* kReplacedSums = "replaced.sums";
 constexpr int kMostFolderLevels = 16;
 // All folders that layouts create.
-constexpr std::array<const char*, 7> kLayoutFolders = {"images", "labels", "annotations", "data",
-                                                       "train",  "val",    "test"};
+constexpr std::array<const char*, 8> kLayoutFolders = {"images", "labels", "annotations", "data",
+                                                       "tracks", "train",  "val",         "test"};
 constexpr std::array<const char*, 7> kLayoutFiles = {
     "README.md", "data.yaml", "camera.json",        "index.json",
     kSumsFile,   kGatherCard, render::kLicensesFile};

@@ -8,6 +8,7 @@ namespace dollytrack::gather {
 namespace {
 
 using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// The frame index of a COCO annotation. Throws nlohmann's exceptions.
 std::size_t frameOf(const json& one, std::size_t frames) {
@@ -80,7 +81,8 @@ Result<verify::StoredDataset> readDescription(const Source& source) {
 Result<OpenedSource> openSource(const Source& source, const ClassUnion& classes) {
     Result<verify::StoredDataset> dataset = readDescription(source);
     if (!dataset) return tl::unexpected(dataset.error());
-    dataset->card = nullptr;  // freed before annotations.json is read, because it is large
+    // The rest of dataset.json is freed before annotations.json is read, because both are large.
+    dataset->card = {{"conventions", Json(dataset->card.at("conventions"))}};
     const Result<SourceFile> file = listedFile(*dataset, kAnnotationFile);
     if (!file) return tl::unexpected(file.error());
     const Result<std::string> text = readProven(*file);

@@ -3,7 +3,9 @@
 #include "engine/io/settings/class_table_file.h"
 #include "engine/jobs/parallel.h"
 #include "render/formats/tables/dataset_card.h"
+#include "render/verify/read/flow_files.h"
 #include "render/verify/read/stored_rig.h"
+#include "render/verify/read/track_files.h"
 
 #include <fmt/format.h>
 
@@ -63,6 +65,18 @@ std::string frameFileOf(const verify::StoredDataset& dataset, std::string_view m
     std::string jpeg = fmt::format("{}/{:06}.jpg", modality, frame);
     if (!isModality(modality) && dataset.sha256s.contains(jpeg)) return jpeg;
     return fmt::format("{}/{:06}.png", modality, frame);
+}
+
+std::vector<std::string> frameFilesOf(const verify::StoredDataset& dataset,
+                                      const std::string& modality, std::size_t frame) {
+    const int index = static_cast<int>(frame);
+    if (modality == kTracks) return verify::trackFiles(dataset, index);
+    if (modality != kSceneFlow) return {frameFileOf(dataset, modality, frame)};
+    std::vector<std::string> names;
+    for (const verify::FlowFile& file : verify::pairFiles(dataset, modality, index)) {
+        names.push_back(file.stem + ".exr");
+    }
+    return names;
 }
 
 Result<SourceFile> listedFile(const verify::StoredDataset& dataset, const std::string& name) {
@@ -145,7 +159,8 @@ Result<Source> SourceReader::describe(const verify::StoredDataset& dataset) {
         if (dataset.has(modality)) source.modalities.insert(modality);
     }
     for (const std::string& modality : dataset.modalities) {
-        if (!isModality(modality)) source.others.insert(modality);
+        if (isModality(modality)) continue;
+        (needs_.modalities.contains(modality) ? source.modalities : source.others).insert(modality);
     }
     try {
         const Json& scene = dataset.card.at("scene");
@@ -197,7 +212,9 @@ Status SourceReader::checkFiles(const verify::StoredDataset& dataset, Source& so
     for (const std::string& modality : source.modalities) {
         if (!needs_.everything && !needs_.modalities.contains(modality)) continue;
         for (std::size_t frame = 0; status && frame < source.frames; ++frame) {
-            status = add(frameFileOf(dataset, modality, frame));
+            for (const std::string& name : frameFilesOf(dataset, modality, frame)) {
+                if (status) status = add(name);
+            }
         }
     }
     for (const std::string& beginning : needs_.copied) {

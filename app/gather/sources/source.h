@@ -25,6 +25,10 @@ inline constexpr const char* kDepth = "depth";
 inline constexpr const char* kInstance = "instance";
 inline constexpr const char* kSemantic = "semantic";
 
+// Modalities with other files than an image of each frame, which LayoutKind::extra names.
+inline constexpr const char* kSceneFlow = "scene_flow";
+inline constexpr const char* kTracks = "tracks";
+
 /// The folder of the images of a rig's cameras.
 inline constexpr std::string_view kRigFolder = "cameras/";
 
@@ -106,6 +110,11 @@ class SourceReader {
 /// false, it is a ".jpg" if dataset.json lists that.
 [[nodiscard]] std::string frameFileOf(const verify::StoredDataset& dataset,
                                       std::string_view modality, std::size_t frame);
+
+/// A frame's files of a modality: its image, the scene flow to other frames, or the tracks of the
+/// clip that begins at the frame.
+[[nodiscard]] std::vector<std::string> frameFilesOf(const verify::StoredDataset& dataset,
+                                                    const std::string& modality, std::size_t frame);
 
 /// A file that dataset.json lists. Error: BadInput where it does not.
 [[nodiscard]] Result<SourceFile> listedFile(const verify::StoredDataset& dataset,
