@@ -7,7 +7,10 @@
 namespace dollytrack::gather {
 namespace {
 
-constexpr std::size_t kPending = std::size_t{1} << 20U;  // bytes
+// Bytes.
+constexpr std::size_t kPending = std::size_t{1} << 20U;  // smaller pieces are collected up to this
+constexpr std::size_t kLarge = std::size_t{1} << 16U;    // pieces from this size are not collected
+constexpr off_t kWriteback = off_t{16} << 20U;
 
 }  // namespace
 
@@ -28,15 +31,32 @@ Result<HashingFileWriter> HashingFileWriter::create(const GuardedFolder& folder,
 
 Status HashingFileWriter::write(std::string_view bytes) {
     size_ += bytes.size();
+    if (bytes.size() >= kLarge) {
+        if (Status flushed = flush(); !flushed) return flushed;
+        return writeHashed(bytes);
+    }
     pending_ += bytes;
     return pending_.size() < kPending ? Status() : flush();
 }
 
+Status HashingFileWriter::writeHashed(std::string_view bytes) {
+    hash_.add(bytes);
+    if (const int error = writeAll(file_.get(), bytes)) {
+        return tl::unexpected(writeError(error, path_));
+    }
+    written_ += static_cast<off_t>(bytes.size());
+    if (written_ - to_disk_ >= kWriteback) {
+        // Only a hint: otherwise the sync at the end of the dataset waits for most of the bytes.
+        ::sync_file_range(file_.get(), to_disk_, written_ - to_disk_, SYNC_FILE_RANGE_WRITE);
+        to_disk_ = written_;
+    }
+    return {};
+}
+
 Status HashingFileWriter::flush() {
-    hash_.add(std::string_view(pending_));
-    const int error = writeAll(file_.get(), pending_);
+    Status written = writeHashed(pending_);
     pending_.clear();
-    return error == 0 ? Status() : tl::unexpected(writeError(error, path_));
+    return written;
 }
 
 Result<std::string> HashingFileWriter::finish() {

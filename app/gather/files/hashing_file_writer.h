@@ -5,6 +5,8 @@
 #include "engine/io/files/guarded_folder.h"
 #include "engine/io/files/sha256.h"
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -29,6 +31,7 @@ class HashingFileWriter {
   private:
     HashingFileWriter(std::filesystem::path path, FileDescriptor file)
         : path_(std::move(path)), file_(std::move(file)) {}
+    [[nodiscard]] Status writeHashed(std::string_view bytes);
     [[nodiscard]] Status flush();
 
     std::filesystem::path path_;
@@ -36,6 +39,8 @@ class HashingFileWriter {
     Sha256 hash_;
     std::string pending_;  // not yet handed to the system
     std::uint64_t size_ = 0;
+    off_t written_ = 0;  // handed to the system
+    off_t to_disk_ = 0;  // the system was told to write to the disk
 };
 
 /// Opens a new file for writing. An existing file of that name is removed first, because an
