@@ -7,6 +7,7 @@
 #include "ui/viewport/unobstructed_view.h"
 #include "ui/widgets/splitter.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -168,8 +169,7 @@ bool Editor::frame() {
     // else.
     if (!popup_was_open_ && !files_.isOpen() && !panels_.palette.open && !panels_.help.open &&
         !sheet_.isOpen() && !questions_.waiting()) {
-        commands_.runShortcuts(&Window::signOfKey);
-        runKeypad();
+        runKeys();
     }
     drawMenus();
     arrange();
@@ -338,6 +338,18 @@ void Editor::dropGizmo() {
     gizmo_.drop();
 }
 
+void Editor::finishDrag() {
+    workspace_.endMerge();
+    gizmo_.drop();
+}
+
+void Editor::startKeyTransform(ui::GizmoPart part) {
+    // Enter confirms the change instead of the panel's widget that was used last.
+    ImGui::SetWindowFocus(nullptr);
+    position_before_drag_ = workspace_.history().position();
+    gizmo_.start(part);
+}
+
 void Editor::cancelDrag() {
     // A dragged point becomes an edit only at the end; other drags edit continuously.
     dropGizmo();
@@ -396,6 +408,16 @@ void Editor::bringIntoView(const Eigen::AlignedBox3d& box) {
         };
         return ui::shareSeen(*shown.rays, tried.pose().position, box, left_away);
     });
+}
+
+void Editor::runKeys() {
+    // A move or rotation by keys takes all of them.
+    if (gizmo_.usesKeys()) {
+        if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) cancelDrag();
+        return;
+    }
+    commands_.runShortcuts(&Window::signOfKey);
+    runKeypad();
 }
 
 void Editor::runKeypad() {

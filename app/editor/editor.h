@@ -83,7 +83,8 @@ class Editor {
     void addTargetCommands();
     void addPointCommands();
     void addTimelineCommands();
-    void addObjectCommands();  // editor_objects.cpp
+    void addTransformCommands();  // editor_objects.cpp
+    void addObjectCommands();
     void drawMenus();
 
     // editor_view_commands.cpp
@@ -96,6 +97,7 @@ class Editor {
     void drawRight();
     void drawBottom();
     void drawStatus();
+    void drawDragStatus();
     void drawObjects();
     void drawLayers();
     void drawEdits();
@@ -195,10 +197,14 @@ class Editor {
     void lookThroughFrame(bool through);
     void lookAlongPose(const Pose& pose);
     void dropGizmo();
+    void finishDrag();
     void cancelDrag();
+    /// Starts a move or a rotation of the selection that follows mouse and keyboard.
+    void startKeyTransform(ui::GizmoPart part);
     void bringIntoView(const Eigen::AlignedBox3d& box);
     void togglePin();
     void deleteSelected();
+    void runKeys();
     void runKeypad();
     [[nodiscard]] Eigen::AlignedBox3d selectedBox() const;
     [[nodiscard]] std::optional<OrientedBox> boxAroundSelection() const;

@@ -34,6 +34,7 @@ void Editor::addCommands() {
     addEditCommands();
     addTargetCommands();
     addPointCommands();
+    addTransformCommands();
     addMotionCommands();
     addViewCommands();
     addLayerCommands();

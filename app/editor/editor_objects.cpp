@@ -112,10 +112,30 @@ void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
         }
         apply(operation, "gizmo object " + std::to_string(id));
     }
-    if (actions.finished) workspace_.endMerge();
+    if (actions.finished) finishDrag();
     if (gizmo_.dragging()) window_.animate();
     // The gizmo covers the centre of the selection; clicks go to what lies behind it.
     if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl);
+}
+
+void Editor::addTransformCommands() {
+    const auto why_not = [this](bool turns) -> std::string {
+        const std::optional<ui::GizmoView> view = gizmoView();
+        if (!view) return "Select an object, a position point or a box first.";
+        return turns && !view->turns ? "Boxes cannot be rotated." : "";
+    };
+    commands_.add({"edit.move",
+                   "Edit",
+                   "Move the selection (X, Y, Z, number)",
+                   {GLFW_KEY_G},
+                   [this] { startKeyTransform(ui::GizmoPart::MoveFree); },
+                   [why_not] { return why_not(false); }});
+    commands_.add({"edit.rotate",
+                   "Edit",
+                   "Rotate the selection (number)",
+                   {GLFW_KEY_R},
+                   [this] { startKeyTransform(ui::GizmoPart::Yaw); },
+                   [why_not] { return why_not(true); }});
 }
 
 void Editor::addObjectCommands() {

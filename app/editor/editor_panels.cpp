@@ -12,6 +12,7 @@
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/form.h"
+#include "ui/widgets/item_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -283,10 +284,21 @@ void Editor::drawBottom() {
     ImGui::EndTabBar();
 }
 
+void Editor::drawDragStatus() {
+    ImGui::TextColored(ui::palette().accent, "%s", gizmo_.text().c_str());
+    ui::nameItem("status.drag");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", gizmo_.usesKeys()
+                                  ? "   X Y Z: axis   0-9 . -: number   Enter: done   Esc: cancel"
+                                  : "   Esc: cancel");
+}
+
 void Editor::drawStatus() {
     const BackgroundWorker::State job = workspace_.planning();
     const PlanOutcome& shown = workspace_.shown();
-    if (job.busy) {
+    if (gizmo_.dragging()) {
+        drawDragStatus();
+    } else if (job.busy) {
         ImGui::ProgressBar(static_cast<float>(job.fraction),
                            {ui::scaled(120), ImGui::GetTextLineHeight()}, "");
         ImGui::SameLine();

@@ -111,6 +111,7 @@ nlohmann::json Editor::stateJson() {
         {"selected", selected_.objects()},
         {"selection_kind", static_cast<int>(selected_.now().kind)},
         {"selection_index", selected_.now().index},
+        {"drag_text", gizmo_.text()},
         {"frame", playback_.frame()},
         {"playing", playback_.playing()},
         {"track_time", track_time_.now()},

@@ -257,12 +257,17 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
         view.pose = objectPose(object);
         view.turns = true;
         view.tilts = false;
+        view.heading_rad = objectBox(object).yaw;
     } else if (no_go != nullptr) {
         view.pose.position = no_go->box.center;
+        view.heading_rad = no_go->box.yaw;
     } else if (region != nullptr) {
         view.pose.position = region->box.center;
+        view.heading_rad = region->box.yaw;
     } else if (point != nullptr) {
         view.pose = point->pose;
+        const Eigen::Vector3d ahead = point->pose.forward();
+        view.heading_rad = std::atan2(ahead.y(), ahead.x());
     } else {
         return std::nullopt;
     }
@@ -277,7 +282,10 @@ void Editor::editWithGizmo() {
     }
     const ui::GizmoView& view = *handles;
     if (!gizmo_.dragging()) position_before_drag_ = workspace_.history().position();
-    if (gizmo_.dragging() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) cancelDrag();
+    // A refusal ends typing, since its message needs the keyboard.
+    const bool cancels = ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
+                         (gizmo_.usesKeys() && questions_.waiting());
+    if (gizmo_.dragging() && cancels) cancelDrag();
     if (const int object = movableObject(); object != 0) {
         moveWithGizmo(view, object);
         return;
@@ -294,7 +302,7 @@ void Editor::editWithGizmo() {
             apply({{"op", op}, {"name", name}, {"center", ui::pointJson(actions.pose.position)}},
                   "gizmo " + op + name);
         }
-        if (actions.finished) workspace_.endMerge();
+        if (actions.finished) finishDrag();
         return;
     }
     const std::optional<Pose> moved = gizmo_.drawPoint(view);

@@ -62,10 +62,6 @@ double heading(const Eigen::Vector3d& direction) {
     return std::atan2(direction.y(), direction.x());
 }
 
-double elevation(const Eigen::Vector3d& direction) {
-    return std::asin(std::clamp(direction.normalized().z(), -1.0, 1.0));
-}
-
 Eigen::Vector3d directionOf(double yaw, double pitch) {
     return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
 }
@@ -101,7 +97,7 @@ std::optional<double> angleUnder(const render::ViewRay& ray, const Pose& pose, G
 }
 
 Eigen::Vector3d axisOf(GizmoPart part) {
-    return Eigen::Vector3d::Unit(static_cast<int>(part) - static_cast<int>(GizmoPart::MoveX));
+    return Eigen::Vector3d::Unit(moveAxis(part).value_or(0));
 }
 
 render::ViewRay rayUnderMouse(const GizmoView& view) {
@@ -109,45 +105,22 @@ render::ViewRay rayUnderMouse(const GizmoView& view) {
     return view.view.rayThrough(mouse.x - view.origin.x(), mouse.y - view.origin.y());
 }
 
-/// Intersection of the ray with the plane through the point, perpendicular to the viewing
-/// direction.
-Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
-                              const Eigen::Vector3d& point) {
-    const Eigen::Vector3d forward = view.view.pose.forward();
-    return ray.origin +
-           (point - ray.origin).dot(forward) / ray.direction.dot(forward) * ray.direction;
-}
-
-Pose dragged(const GizmoView& view, const GizmoState& state) {
-    Pose pose = state.begin;
+PoseChange dragged(const GizmoView& view, const GizmoState& state) {
+    PoseChange change;
+    const Eigen::Vector3d& at = state.begin.position;
     const render::ViewRay ray = rayUnderMouse(view);
-    switch (state.dragged) {
-        case GizmoPart::MoveX:
-        case GizmoPart::MoveY:
-        case GizmoPart::MoveZ: {
-            const Eigen::Vector3d axis = axisOf(state.dragged);
-            if (const auto along = nearestAlong(ray, pose.position, axis)) {
-                pose.position += (*along - state.grabbed) * axis;
-            }
-            break;
-        }
-        case GizmoPart::MoveFree:
-            pose.position += onScreenPlane(ray, view, pose.position) - state.grabbed_at;
-            break;
-        case GizmoPart::Yaw:
-        case GizmoPart::Pitch:
-            if (const auto angle = angleUnder(ray, state.begin, state.dragged)) {
-                double yaw = heading(pose.forward());
-                double pitch = elevation(pose.forward());
-                (state.dragged == GizmoPart::Yaw ? yaw : pitch) += *angle - state.grabbed;
-                pitch = std::clamp(pitch, -0.49 * kPi, 0.49 * kPi);
-                pose.rotation = lookAlong(directionOf(yaw, pitch));
-            }
-            break;
-        case GizmoPart::None:
-            break;
+    if (moveAxis(state.dragged)) {
+        const Eigen::Vector3d axis = axisOf(state.dragged);
+        const double along = nearestAlong(ray, at, axis).value_or(state.grabbed);
+        change.offset_m = (along - state.grabbed) * axis;
+    } else if (state.dragged == GizmoPart::MoveFree) {
+        change.offset_m = onScreenPlane(ray, view, at) - state.grabbed_at;
+    } else {
+        const double angle =
+            angleUnder(ray, state.begin, state.dragged).value_or(state.grabbed) - state.grabbed;
+        (state.dragged == GizmoPart::Yaw ? change.yaw_rad : change.pitch_rad) = angle;
     }
-    return pose;
+    return change;
 }
 
 void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
@@ -189,10 +162,6 @@ std::optional<Handles> handlesOf(const GizmoView& view) {
     return handles;
 }
 
-GizmoPart axisPart(int axis) {
-    return static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + axis);
-}
-
 GizmoPart handleUnderMouse(const GizmoView& view, const Handles& handles) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     GizmoPart hot = GizmoPart::None;
@@ -205,7 +174,7 @@ GizmoPart handleUnderMouse(const GizmoView& view, const Handles& handles) {
     };
     for (int i = 0; i < 3; ++i) {
         if (!handles.tips[i]) continue;
-        consider(axisPart(i), distanceToSegment(mouse, handles.middle, *handles.tips[i]) + 0.5);
+        consider(moveAlong(i), distanceToSegment(mouse, handles.middle, *handles.tips[i]) + 0.5);
     }
     if (view.turns) {
         consider(GizmoPart::Yaw, distanceToLine(mouse, handles.curves[0]));
@@ -233,6 +202,17 @@ void nameHandles(const GizmoView& view, const Handles& handles) {
 }
 
 }  // namespace
+
+Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
+                              const Eigen::Vector3d& point) {
+    const Eigen::Vector3d forward = view.view.pose.forward();
+    return ray.origin +
+           (point - ray.origin).dot(forward) / ray.direction.dot(forward) * ray.direction;
+}
+
+unsigned axisColor(int axis) {
+    return kAxisColors[axis];
+}
 
 std::optional<double> nearestAlong(const render::ViewRay& ray, const Eigen::Vector3d& origin,
                                    const Eigen::Vector3d& axis) {
@@ -270,7 +250,8 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
                                           io.MousePos.y - state.pressed_at.y());
             state.moved = state.moved || way > scaled(kClick_px);
             if (state.moved) {
-                actions.pose = dragged(view, state);
+                actions.change = dragged(view, state);
+                actions.pose = actions.change.of(state.begin);
                 actions.changed = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
             }
         } else {
@@ -293,7 +274,7 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
     }
     for (int i = 0; i < 3; ++i) {
         if (!tips[i]) continue;
-        const auto part = static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + i);
+        const GizmoPart part = moveAlong(i);
         list->AddLine(middle, *tips[i], kAxisColors[i], width(part));
         list->AddCircleFilled(*tips[i], scaled(part == hot ? 7.0F : 5.5F), kAxisColors[i]);
     }

@@ -2,6 +2,7 @@
 
 #include "engine/math/pose.h"
 #include "render/view/view.h"
+#include "ui/viewport/pose_change.h"
 
 #include <Eigen/Core>
 
@@ -9,15 +10,13 @@
 
 namespace dollytrack::ui {
 
-/// The handle that is dragged or hovered.
-enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveFree, Yaw, Pitch };
-
 struct GizmoView {
     render::View view;                                 // the viewport's camera
     Eigen::Vector2f origin = Eigen::Vector2f::Zero();  // top-left of the image in the window, px
     Pose pose;                                         // pose of the edited element
     bool turns = true;                                 // has a yaw handle
     bool tilts = true;                                 // has a pitch handle
+    double heading_rad = 0.0;                          // of the element's own x axis
     bool hovered = false;                              // the mouse is over the viewport
 };
 
@@ -37,6 +36,7 @@ struct GizmoActions {
     bool finished = false;
     bool clicked = false;  // a press without movement, meant for what lies behind
     bool with_ctrl = false;
+    PoseChange change;  // since the press
     Pose pose;
 };
 
@@ -46,6 +46,13 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state);
 
 /// Whether the mouse is on one of the gizmo's handles.
 [[nodiscard]] bool isOnGizmo(const GizmoView& view);
+
+/// Intersection of a ray with the plane through the point, perpendicular to the viewing direction.
+[[nodiscard]] Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
+                                            const Eigen::Vector3d& point);
+
+/// Colour of the x, y or z axis (0 to 2), as ImU32.
+[[nodiscard]] unsigned axisColor(int axis);
 
 /// The point on a line closest to a ray, as metres from `origin` along the unit direction `axis`;
 /// nullopt if the two are nearly parallel.

@@ -1,17 +1,25 @@
 #pragma once
 
 #include "ui/viewport/gizmo.h"
+#include "ui/viewport/key_transform.h"
 
 #include <optional>
+#include <string>
 
 namespace dollytrack::editor {
 
 /// The gizmo of the selection across frames: whether it has the mouse, and the pose of a point that
-/// is being dragged.
+/// is being dragged. Moves and rotations that a key started count as drags.
 class GizmoSession {
   public:
-    [[nodiscard]] bool dragging() const { return state_.dragged != ui::GizmoPart::None; }
-    [[nodiscard]] bool turning() const { return state_.dragged == ui::GizmoPart::Yaw; }
+    [[nodiscard]] bool dragging() const { return part() != ui::GizmoPart::None; }
+    [[nodiscard]] bool turning() const { return part() == ui::GizmoPart::Yaw; }
+    /// Whether a move or rotation that a key started has the keyboard.
+    [[nodiscard]] bool usesKeys() const { return keys_.running(); }
+    /// Starts a move (MoveFree) or a rotation (Yaw) that follows mouse and keyboard.
+    void start(ui::GizmoPart part);
+    /// What the drag does, for the status line: "Move along x: 0.5 m"; empty without a drag.
+    [[nodiscard]] const std::string& text() const { return text_; }
     /// Pose of the dragged point; unset if none is dragged.
     [[nodiscard]] const std::optional<Pose>& draggedPose() const { return pose_; }
 
@@ -22,11 +30,17 @@ class GizmoSession {
     ui::GizmoActions draw(const ui::GizmoView& view);
     /// Draws the gizmo of a point that is edited when the drag ends; then returns its new pose.
     std::optional<Pose> drawPoint(ui::GizmoView view);
-    /// Cancels a drag.
+    /// Ends a drag, or a move or rotation by keys.
     void drop();
 
   private:
+    [[nodiscard]] ui::GizmoPart part() const {
+        return keys_.running() ? keys_.part : state_.dragged;
+    }
+
     ui::GizmoState state_;
+    ui::KeyTransform keys_;
+    std::string text_;
     std::optional<Pose> pose_;
 };
 

@@ -45,6 +45,16 @@ Block mouseBlock() {
              {"Fly down, up", "Right drag + Q, E"}}};
 }
 
+Block transformBlock() {
+    return {"While moving or rotating",
+            {{"Along an axis", "X, Y, Z"},
+             {"Along an axis of its own", "X X, Y Y"},
+             {"Tilt a position point", "R X"},
+             {"Exact value, m or degrees", "0-9 . -"},
+             {"Done", "Enter, Click"},
+             {"Cancel", "Esc, Right click"}}};
+}
+
 Block fieldBlock() {
     return {"Number fields",
             {{"Change", "Drag"},
@@ -61,6 +71,7 @@ std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& f
         block->lines.push_back({command.title, command.shortcut.text()});
     }
     blocks.push_back(mouseBlock());
+    blocks.push_back(transformBlock());
     blocks.push_back(fieldBlock());
     for (Block& block : blocks) {
         if (containsIgnoringCase(block.title, filter)) continue;

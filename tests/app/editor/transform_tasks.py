@@ -1,0 +1,141 @@
+"""Moving and rotating the selection with keys, as in Blender: G, R, axes and typed numbers."""
+import math
+
+from task import POSITION_POINT, SOFA, Task
+
+
+class Transforms(Task):
+    def over_the_viewport(self):
+        self.editor.point((self.editor.middle("viewport")[0], 60))
+
+    def with_the_sofa(self):
+        self.start_room()
+        self.show_preview(False)
+        self.select_row(SOFA)
+        self.over_the_viewport()
+
+    def press(self, *keys):
+        for key in keys:
+            state = self.editor.key(key)
+        return state
+
+    def move(self):
+        """The offset and rotation of the only changed object."""
+        changes = self.editor.idle()["edits"].get("changes", [])
+        self.assertLessEqual(len(changes), 1)
+        return changes[0]["move"] if changes else {"offset_m": [0, 0, 0], "turn_rad": 0}
+
+    def assertOffset(self, expected):
+        self.assertLess(math.dist(self.move()["offset_m"], expected), 1e-9)
+
+    def test_type_a_move(self):
+        self.with_the_sofa()
+        state = self.press("g", "x")
+        self.assertTrue(state["drag_text"].startswith("Move along x: "), state["drag_text"])
+        state = self.editor.type("0.5")
+        self.assertEqual(state["drag_text"], "Move along x: 0.5 m")
+        self.assertIn("status.drag", state["items"])
+        state = self.press("enter")
+        self.assertEqual(state["drag_text"], "")
+        self.assertOffset([0.5, 0, 0])
+        state = self.editor.idle()
+        self.assertEqual(state["history"], ["Open", "Move sofa"], "one step of undo")
+        self.assertEqual(state["selected"], [SOFA], "Enter pressed no other widget")
+        self.press("ctrl+z")
+        self.assertOffset([0, 0, 0])
+
+    def test_correct_the_number_and_the_axis(self):
+        self.with_the_sofa()
+        self.press("g", "z")
+        self.editor.type("12")
+        self.press("backspace")
+        self.editor.type(".25")
+        state = self.press("-", "y")
+        self.assertEqual(state["drag_text"], "Move along y: -1.25 m")
+        self.press("-", "enter")
+        self.assertOffset([0, 1.25, 0])
+        self.assertFalse(self.editor.state()["edits"].get("excluded"), "X is not a shortcut here")
+
+    def test_own_axes_follow_the_rotation(self):
+        self.with_the_sofa()
+        self.press("r")
+        self.editor.type("30")
+        state = self.editor.state()
+        self.assertEqual(state["drag_text"], "Rotate about z: 30\u00b0")
+        self.press("enter")
+        self.assertAlmostEqual(self.move()["turn_rad"], math.radians(30), 9)
+        self.press("g", "x")
+        state = self.press("x")
+        self.assertTrue(state["drag_text"].startswith("Move along its own x: "))
+        self.editor.type("2")
+        self.press("enter")
+        along = self.move()["offset_m"]
+        # The sofa's box in the file is along the axes; which side its own x is, is the box's choice.
+        self.assertAlmostEqual(math.hypot(*along), 2, 9)
+        self.assertAlmostEqual(math.remainder(math.atan2(along[1], along[0]) - math.radians(30),
+                                              math.pi / 2), 0, 6)
+        self.assertEqual(self.editor.idle()["history"], ["Open", "Turn sofa", "Move sofa"])
+
+    def test_escape_and_the_right_button_cancel(self):
+        self.with_the_sofa()
+        for cancel in (lambda: self.press("esc"), lambda: self.editor.click("viewport", "right")):
+            self.over_the_viewport()
+            self.press("g", "x")
+            self.editor.type("0.5")
+            self.editor.wait(lambda state: state["history_position"] == 1, "the move")
+            cancel()
+            self.assertOffset([0, 0, 0])
+            state = self.editor.idle()
+            self.assertEqual(state["history_position"], 0)
+            self.assertEqual(state["selected"], [SOFA])
+
+    def test_the_mouse_moves_along_the_axis_and_a_click_confirms(self):
+        self.with_the_sofa()
+        x, y = self.editor.middle("gizmo.x")
+        origin = self.editor.middle("gizmo.free")
+        self.editor.point(origin)
+        self.press("g", "x")
+        self.editor.move(x, y)
+        self.editor.state()
+        self.editor.press()
+        self.editor.release()
+        moved = self.move()["offset_m"]
+        self.assertGreater(moved[0], 0.1)
+        self.assertLess(abs(moved[1]) + abs(moved[2]), 1e-9)
+        state = self.editor.idle()
+        self.assertEqual(state["history"], ["Open", "Move sofa"])
+        self.assertEqual(state["selected"], [SOFA], "the click selects nothing else")
+
+    def test_the_mouse_turns_around_the_object(self):
+        self.with_the_sofa()
+        self.press("7")
+        self.wait_picture()
+        cx, cy = self.editor.middle("gizmo.free")
+        self.editor.point((cx + 80, cy))
+        self.press("r")
+        self.editor.move(cx, cy - 80)  # from above: a quarter turn against the clock
+        self.editor.state()
+        self.press("enter")
+        self.assertAlmostEqual(self.move()["turn_rad"], math.pi / 2, delta=0.05)
+
+    def test_move_and_tilt_a_position_point(self):
+        point = self.start_project()["result"]["position_points"][0]
+        self.select_position_point(point["position"])
+        self.over_the_viewport()
+        self.press("g", "y")
+        self.editor.type("-0.2")
+        self.assertEqual(self.editor.state()["edits"].get("pinned", []), [], "not before Enter")
+        self.press("enter")
+        pinned = self.editor.idle()["edits"]["pinned"]
+        self.assertEqual(len(pinned), 1)
+        expected = [a + b for a, b in zip(point["position"], (0, -0.2, 0))]
+        self.assertLess(math.dist(pinned[0]["position"], expected), 1e-9)
+        state = self.editor.wait(lambda now: now["selection_kind"] == POSITION_POINT and
+                                 now["plan_is_current"], "the pinned point")
+        self.over_the_viewport()
+        self.press("r", "x")
+        state = self.editor.type("10")
+        self.assertEqual(state["drag_text"], "Tilt: 10\u00b0")
+        before = state["history_position"]
+        self.press("enter")
+        self.assertEqual(self.editor.idle()["history_position"], before + 1)

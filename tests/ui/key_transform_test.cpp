@@ -1,0 +1,125 @@
+#include "ui/viewport/key_transform.h"
+
+#include "ui/viewport/viewer_camera.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace dollytrack::ui::key_transform_test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A view without perspective, so that lines of sight are parallel.
+GizmoView viewFrom(ViewerCamera::Axis axis) {
+    ViewerCamera camera;
+    camera.orthographic = true;
+    camera.lookFrom(axis);
+    GizmoView view;
+    view.view = camera.view(800, 600);
+    view.heading_rad = 0.5;
+    return view;
+}
+
+KeyTransform moved(const std::string& characters) {
+    KeyTransform keys;
+    keys.part = GizmoPart::MoveFree;
+    keys.begin = Pose();
+    for (const char character : characters) typeCharacter(keys, character, true);
+    return keys;
+}
+
+TEST(KeyTransform, TypedNumbersAreEdited) {
+    EXPECT_FALSE(typedNumber(moved("")).has_value());
+    EXPECT_EQ(*typedNumber(moved("0.5")), 0.5);
+    EXPECT_EQ(*typedNumber(moved("-.5")), -0.5);
+    EXPECT_EQ(*typedNumber(moved("2-")), -2.0);
+    EXPECT_EQ(*typedNumber(moved("2--")), 2.0);
+    EXPECT_EQ(*typedNumber(moved("-")), 0.0);
+    EXPECT_EQ(*typedNumber(moved("1,5")), 1.5) << "a comma is a decimal point";
+    EXPECT_EQ(*typedNumber(moved("1.5.2q")), 1.52) << "a second point is ignored";
+    EXPECT_EQ(*typedNumber(moved("12345")), 123.0) << "at most 1000";
+    KeyTransform keys = moved("12");
+    eraseCharacter(keys);
+    EXPECT_EQ(*typedNumber(keys), 1.0);
+    eraseCharacter(keys);
+    eraseCharacter(keys);
+    EXPECT_FALSE(typedNumber(keys).has_value());
+}
+
+TEST(KeyTransform, AnAxisKeyGoesFromTheWorldToTheElementToFree) {
+    const GizmoView view = viewFrom(ViewerCamera::Axis::Top);
+    const auto offset = [&](const std::string& characters) {
+        return changeOf(moved(characters), view, {0, 0}).offset_m;
+    };
+    EXPECT_EQ(offset("2"), Eigen::Vector3d(2, 0, 0)) << "without an axis along x";
+    EXPECT_EQ(offset("y2"), Eigen::Vector3d(0, 2, 0));
+    EXPECT_EQ(offset("2yz"), Eigen::Vector3d(0, 0, 2));
+    EXPECT_TRUE(offset("xx2").isApprox(Eigen::Vector3d(2 * std::cos(0.5), 2 * std::sin(0.5), 0)));
+    EXPECT_TRUE(offset("yy2").isApprox(Eigen::Vector3d(-2 * std::sin(0.5), 2 * std::cos(0.5), 0)));
+    EXPECT_EQ(offset("zz2"), Eigen::Vector3d(0, 0, 2));
+    EXPECT_EQ(moved("xxx").part, GizmoPart::MoveFree);
+    EXPECT_EQ(moved("xxy").own_axes, false);
+}
+
+TEST(KeyTransform, TheMouseMovesTheElementWithIt) {
+    const GizmoView view = viewFrom(ViewerCamera::Axis::Top);
+    const auto pixel = [&](const Eigen::Vector3d& point) {
+        return view.view.project(view.view.pose.toCamera(point));
+    };
+    KeyTransform keys = moved("");
+    keys.cursor_at_begin = pixel({0, 0, 0});
+    const Eigen::Vector3d to(0.4, 0.3, 0);
+    EXPECT_TRUE(changeOf(keys, view, pixel(to)).offset_m.isApprox(to, 1e-9));
+    typeCharacter(keys, 'x', true);
+    EXPECT_TRUE(
+        changeOf(keys, view, pixel(to)).offset_m.isApprox(Eigen::Vector3d(0.4, 0, 0), 1e-6));
+}
+
+TEST(KeyTransform, TheMouseTurnsTheSameWayFromAboveAndBelow) {
+    for (const auto axis : {ViewerCamera::Axis::Top, ViewerCamera::Axis::Bottom}) {
+        const GizmoView view = viewFrom(axis);
+        const auto pixel = [&](const Eigen::Vector3d& point) {
+            return view.view.project(view.view.pose.toCamera(point));
+        };
+        KeyTransform keys;
+        keys.part = GizmoPart::Yaw;
+        keys.begin = Pose();
+        keys.cursor_at_begin = pixel({1, 0, 0});
+        EXPECT_NEAR(changeOf(keys, view, pixel({0, 1, 0})).yaw_rad, 0.5 * kPi, 1e-3);
+        typeCharacter(keys, 'y', true);
+        EXPECT_EQ(keys.part, GizmoPart::Yaw) << "nothing rolls";
+        typeCharacter(keys, 'x', false);
+        EXPECT_EQ(keys.part, GizmoPart::Yaw) << "objects do not tilt";
+    }
+}
+
+TEST(PoseChange, RotatesHeadingAndPitchAndStopsBeforeTheVertical) {
+    Pose begin;
+    begin.rotation = lookAlong({1, 0, 0});
+    const auto after = [&](double yaw, double pitch) {
+        PoseChange change;
+        change.yaw_rad = yaw;
+        change.pitch_rad = pitch;
+        return change.of(begin).forward();
+    };
+    EXPECT_TRUE(after(0.5 * kPi, 0).isApprox(Eigen::Vector3d(0, 1, 0), 1e-9));
+    EXPECT_NEAR(after(0, 0.25 * kPi).z(), std::sqrt(0.5), 1e-9);
+    EXPECT_LT(after(0, 2.0).z(), 1.0);
+    EXPECT_GT(after(0, 2.0).x(), 0.0) << "it does not tip over";
+    EXPECT_EQ(PoseChange().of(begin), begin);
+}
+
+TEST(PoseChange, IsSaidInOneShortLine) {
+    PoseChange change;
+    change.offset_m = {0.5, 0.0, -1e-9};
+    EXPECT_EQ(changeText(GizmoPart::MoveX, {}, change), "Move along x: 0.5 m");
+    EXPECT_EQ(changeText(GizmoPart::MoveX, {0.0, true}, change), "Move along its own x: 0.5 m");
+    EXPECT_EQ(changeText(GizmoPart::MoveFree, {}, change), "Move: x 0.5, y 0, z 0 m");
+    change.yaw_rad = -0.5 * kPi;
+    EXPECT_EQ(changeText(GizmoPart::Yaw, {}, change), "Rotate about z: -90\u00b0");
+}
+
+}  // namespace
+}  // namespace dollytrack::ui::key_transform_test

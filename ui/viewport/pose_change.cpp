@@ -1,0 +1,67 @@
+#include "ui/viewport/pose_change.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dollytrack::ui {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kSteepest_rad = 0.49 * std::numbers::pi;
+
+/// At most three decimals, without trailing zeros and without "-0".
+std::string shortNumber(double value) {
+    const double rounded = std::round(value * 1e3) / 1e3;
+    return fmt::format("{:.10g}", rounded == 0.0 ? 0.0 : rounded);
+}
+
+}  // namespace
+
+std::optional<int> moveAxis(GizmoPart part) {
+    const int axis = static_cast<int>(part) - static_cast<int>(GizmoPart::MoveX);
+    return axis >= 0 && axis < 3 ? std::optional(axis) : std::nullopt;
+}
+
+GizmoPart moveAlong(int axis) {
+    return static_cast<GizmoPart>(static_cast<int>(GizmoPart::MoveX) + axis);
+}
+
+Eigen::Vector3d MoveAxes::direction(int axis) const {
+    if (!own || axis == 2) return Eigen::Vector3d::Unit(axis);
+    const double angle = heading_rad + 0.5 * std::numbers::pi * axis;
+    return {std::cos(angle), std::sin(angle), 0.0};
+}
+
+Pose PoseChange::of(const Pose& begin) const {
+    Pose pose = begin;
+    pose.position += offset_m;
+    if (yaw_rad == 0.0 && pitch_rad == 0.0) return pose;
+    const Eigen::Vector3d way = begin.forward();
+    const double yaw = std::atan2(way.y(), way.x()) + yaw_rad;
+    const double pitch = std::clamp(std::asin(std::clamp(way.z(), -1.0, 1.0)) + pitch_rad,
+                                    -kSteepest_rad, kSteepest_rad);
+    pose.rotation = lookAlong(
+        {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)});
+    return pose;
+}
+
+std::string changeText(GizmoPart part, const MoveAxes& axes, const PoseChange& change) {
+    if (part == GizmoPart::Yaw) {
+        return fmt::format("Rotate about z: {}\u00b0", shortNumber(change.yaw_rad * kDegrees));
+    }
+    if (part == GizmoPart::Pitch) {
+        return fmt::format("Tilt: {}\u00b0", shortNumber(change.pitch_rad * kDegrees));
+    }
+    if (const auto axis = moveAxis(part)) {
+        return fmt::format("Move along {}{}: {} m", axes.own ? "its own " : "", "xyz"[*axis],
+                           shortNumber(change.offset_m.dot(axes.direction(*axis))));
+    }
+    const Eigen::Vector3d& by = change.offset_m;
+    return fmt::format("Move: x {}, y {}, z {} m", shortNumber(by.x()), shortNumber(by.y()),
+                       shortNumber(by.z()));
+}
+
+}  // namespace dollytrack::ui

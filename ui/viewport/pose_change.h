@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/math/pose.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+
+namespace dollytrack::ui {
+
+/// What a gizmo handle or a key changes; MoveFree moves parallel to the screen.
+enum class GizmoPart { None, MoveX, MoveY, MoveZ, MoveFree, Yaw, Pitch };
+
+/// The axis of MoveX, MoveY and MoveZ: 0 to 2; nullopt for all others.
+[[nodiscard]] std::optional<int> moveAxis(GizmoPart part);
+/// MoveX, MoveY or MoveZ.
+[[nodiscard]] GizmoPart moveAlong(int axis);
+
+/// The directions that moves are constrained to: of the world, or of the element itself, whose x
+/// axis has a heading. z points up in both.
+struct MoveAxes {
+    double heading_rad = 0.0;
+    bool own = false;
+
+    [[nodiscard]] Eigen::Vector3d direction(int axis) const;
+};
+
+/// A move or rotation relative to the pose at its beginning.
+struct PoseChange {
+    Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();  // world
+    double yaw_rad = 0.0;                                // about the vertical, counter-clockwise
+    double pitch_rad = 0.0;                              // upwards
+
+    [[nodiscard]] Pose of(const Pose& begin) const;
+};
+
+/// "Move along x: 0.5 m", "Move along its own y: -2 m", "Rotate about z: 90°".
+[[nodiscard]] std::string changeText(GizmoPart part, const MoveAxes& axes,
+                                     const PoseChange& change);
+
+}  // namespace dollytrack::ui
