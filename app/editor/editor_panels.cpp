@@ -289,8 +289,9 @@ void Editor::drawDragStatus() {
     ui::nameItem("status.drag");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", gizmo_.usesKeys()
-                                  ? "   X Y Z: axis   0-9 . -: number   Enter: done   Esc: cancel"
-                                  : "   Esc: cancel");
+                                  ? "   X Y Z: axis   0-9 . -: number   Ctrl: steps   "
+                                    "Enter: done   Esc: cancel"
+                                  : "   Ctrl: steps   Esc: cancel");
 }
 
 void Editor::drawStatus() {

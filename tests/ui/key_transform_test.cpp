@@ -111,6 +111,26 @@ TEST(PoseChange, RotatesHeadingAndPitchAndStopsBeforeTheVertical) {
     EXPECT_EQ(PoseChange().of(begin), begin);
 }
 
+TEST(PoseChange, SnapsToStepsOfTheHeldKeys) {
+    PoseChange change;
+    change.offset_m = {0.26, -0.34, 0.04};
+    change.yaw_rad = 50.4 * kPi / 180.0;
+    const auto snap = [&](GizmoPart part, bool ctrl, bool shift) {
+        return snapped(part, {0.5, true}, change, snapSteps(ctrl, shift));
+    };
+    EXPECT_EQ(snap(GizmoPart::MoveFree, false, true).offset_m, change.offset_m);
+    EXPECT_TRUE(snap(GizmoPart::MoveFree, true, false)
+                    .offset_m.isApprox(Eigen::Vector3d(0.3, -0.3, 0.0), 1e-9));
+    EXPECT_NEAR(snap(GizmoPart::Yaw, true, false).yaw_rad, 0.25 * kPi, 1e-9);
+    EXPECT_NEAR(snap(GizmoPart::Yaw, true, true).yaw_rad, 50.0 * kPi / 180.0, 1e-9);
+    // Along an axis of its own, the distance is in steps, not the coordinates.
+    const Eigen::Vector3d way(std::cos(0.5), std::sin(0.5), 0.0);
+    change.offset_m = 0.74 * way;
+    EXPECT_TRUE(snap(GizmoPart::MoveX, true, false).offset_m.isApprox(0.7 * way, 1e-9));
+    EXPECT_EQ(changeText(GizmoPart::Yaw, {}, {}, snapSteps(true, false)),
+              "Rotate about z: 0\u00b0 (steps of 15\u00b0)");
+}
+
 TEST(PoseChange, IsSaidInOneShortLine) {
     PoseChange change;
     change.offset_m = {0.5, 0.0, -1e-9};

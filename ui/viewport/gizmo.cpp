@@ -125,7 +125,7 @@ PoseChange dragged(const GizmoView& view, const GizmoState& state) {
 
 void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
     state.dragged = part;
-    state.begin = view.pose;
+    state.begin = state.now = view.pose;
     state.pressed_at = {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
     state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
     state.moved = false;
@@ -250,9 +250,11 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
                                           io.MousePos.y - state.pressed_at.y());
             state.moved = state.moved || way > scaled(kClick_px);
             if (state.moved) {
-                actions.change = dragged(view, state);
+                actions.steps = snapSteps(io.KeyCtrl, io.KeyShift);
+                actions.change = snapped(state.dragged, {}, dragged(view, state), actions.steps);
                 actions.pose = actions.change.of(state.begin);
-                actions.changed = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
+                actions.changed = !(actions.pose == state.now);
+                state.now = actions.pose;
             }
         } else {
             state.dragged = GizmoPart::None;

@@ -24,6 +24,7 @@ struct GizmoView {
 struct GizmoState {
     GizmoPart dragged = GizmoPart::None;
     Pose begin;
+    Pose now;                                              // the pose of the last window frame
     Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // in the window, px
     bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
     bool moved = false;              // moved far enough that it is not a click
@@ -37,11 +38,12 @@ struct GizmoActions {
     bool clicked = false;  // a press without movement, meant for what lies behind
     bool with_ctrl = false;
     PoseChange change;  // since the press
+    SnapSteps steps;    // that the change was snapped to
     Pose pose;
 };
 
 /// Draws the handles over the image into the current ImGui window and handles the mouse: three
-/// arrows and a disc to move, a ring for yaw and an arc for pitch.
+/// arrows and a disc to move, a ring for yaw and an arc for pitch. Ctrl snaps; see snapSteps().
 GizmoActions drawGizmo(const GizmoView& view, GizmoState& state);
 
 /// Whether the mouse is on one of the gizmo's handles.

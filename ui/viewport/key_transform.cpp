@@ -158,6 +158,11 @@ GizmoActions followKeys(KeyTransform& keys, const GizmoView& view) {
     drawAxis(keys, view);
     GizmoActions actions;
     actions.change = changeOf(keys, view, cursor);
+    if (keys.typed.empty()) {
+        actions.steps = snapSteps(io.KeyCtrl, io.KeyShift);
+        actions.change =
+            snapped(keys.part, {view.heading_rad, keys.own_axes}, actions.change, actions.steps);
+    }
     actions.pose = actions.change.of(*keys.begin);
     actions.changed = !(actions.pose == keys.now);
     keys.now = actions.pose;

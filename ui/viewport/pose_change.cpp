@@ -18,6 +18,27 @@ std::string shortNumber(double value) {
     return fmt::format("{:.10g}", rounded == 0.0 ? 0.0 : rounded);
 }
 
+double snappedTo(double value, double step) {
+    return step > 0.0 ? std::round(value / step) * step : value;
+}
+
+/// The change without its steps.
+std::string exactText(GizmoPart part, const MoveAxes& axes, const PoseChange& change) {
+    if (part == GizmoPart::Yaw) {
+        return fmt::format("Rotate about z: {}\u00b0", shortNumber(change.yaw_rad * kDegrees));
+    }
+    if (part == GizmoPart::Pitch) {
+        return fmt::format("Tilt: {}\u00b0", shortNumber(change.pitch_rad * kDegrees));
+    }
+    if (const auto axis = moveAxis(part)) {
+        return fmt::format("Move along {}{}: {} m", axes.own ? "its own " : "", "xyz"[*axis],
+                           shortNumber(change.offset_m.dot(axes.direction(*axis))));
+    }
+    const Eigen::Vector3d& by = change.offset_m;
+    return fmt::format("Move: x {}, y {}, z {} m", shortNumber(by.x()), shortNumber(by.y()),
+                       shortNumber(by.z()));
+}
+
 }  // namespace
 
 std::optional<int> moveAxis(GizmoPart part) {
@@ -48,20 +69,32 @@ Pose PoseChange::of(const Pose& begin) const {
     return pose;
 }
 
-std::string changeText(GizmoPart part, const MoveAxes& axes, const PoseChange& change) {
-    if (part == GizmoPart::Yaw) {
-        return fmt::format("Rotate about z: {}\u00b0", shortNumber(change.yaw_rad * kDegrees));
-    }
-    if (part == GizmoPart::Pitch) {
-        return fmt::format("Tilt: {}\u00b0", shortNumber(change.pitch_rad * kDegrees));
-    }
+SnapSteps snapSteps(bool ctrl, bool shift) {
+    if (!ctrl) return {};
+    return shift ? SnapSteps{0.01, 1.0} : SnapSteps{0.1, 15.0};
+}
+
+PoseChange snapped(GizmoPart part, const MoveAxes& axes, const PoseChange& change,
+                   const SnapSteps& steps) {
+    PoseChange result = change;
+    result.yaw_rad = snappedTo(change.yaw_rad, steps.turn_deg / kDegrees);
+    result.pitch_rad = snappedTo(change.pitch_rad, steps.turn_deg / kDegrees);
     if (const auto axis = moveAxis(part)) {
-        return fmt::format("Move along {}{}: {} m", axes.own ? "its own " : "", "xyz"[*axis],
-                           shortNumber(change.offset_m.dot(axes.direction(*axis))));
+        const Eigen::Vector3d way = axes.direction(*axis);
+        result.offset_m = snappedTo(change.offset_m.dot(way), steps.move_m) * way;
+    } else {
+        for (double& along : result.offset_m) along = snappedTo(along, steps.move_m);
     }
-    const Eigen::Vector3d& by = change.offset_m;
-    return fmt::format("Move: x {}, y {}, z {} m", shortNumber(by.x()), shortNumber(by.y()),
-                       shortNumber(by.z()));
+    return result;
+}
+
+std::string changeText(GizmoPart part, const MoveAxes& axes, const PoseChange& change,
+                       const SnapSteps& steps) {
+    std::string text = exactText(part, axes, change);
+    if (steps.move_m <= 0.0) return text;
+    const bool turns = part == GizmoPart::Yaw || part == GizmoPart::Pitch;
+    return text + (turns ? fmt::format(" (steps of {:g}\u00b0)", steps.turn_deg)
+                         : fmt::format(" (steps of {:g} m)", steps.move_m));
 }
 
 }  // namespace dollytrack::ui

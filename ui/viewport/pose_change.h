@@ -35,8 +35,22 @@ struct PoseChange {
     [[nodiscard]] Pose of(const Pose& begin) const;
 };
 
-/// "Move along x: 0.5 m", "Move along its own y: -2 m", "Rotate about z: 90°".
-[[nodiscard]] std::string changeText(GizmoPart part, const MoveAxes& axes,
-                                     const PoseChange& change);
+/// Steps that a change snaps to; 0: it does not snap.
+struct SnapSteps {
+    double move_m = 0.0;
+    double turn_deg = 0.0;
+};
+
+/// The steps for the held keys: 0.1 m and 15 degrees with Ctrl, 0.01 m and 1 degree with Shift,
+/// too.
+[[nodiscard]] SnapSteps snapSteps(bool ctrl, bool shift);
+
+/// The nearest change in whole steps: along the axis, or along all three axes of the world.
+[[nodiscard]] PoseChange snapped(GizmoPart part, const MoveAxes& axes, const PoseChange& change,
+                                 const SnapSteps& steps);
+
+/// "Move along x: 0.5 m", "Move along its own y: -2 m", "Rotate about z: 90° (steps of 15°)".
+[[nodiscard]] std::string changeText(GizmoPart part, const MoveAxes& axes, const PoseChange& change,
+                                     const SnapSteps& steps = {});
 
 }  // namespace dollytrack::ui

@@ -19,7 +19,8 @@ ui::GizmoActions GizmoSession::draw(const ui::GizmoView& view) {
     handles.hovered = view.hovered && !usesKeys();
     ui::GizmoActions actions = ui::drawGizmo(handles, state_);
     if (usesKeys()) actions = ui::followKeys(keys_, view);
-    text_ = dragging() ? ui::changeText(part(), {view.heading_rad, keys_.own_axes}, actions.change)
+    text_ = dragging() ? ui::changeText(part(), {view.heading_rad, keys_.own_axes}, actions.change,
+                                        actions.steps)
                        : std::string();
     return actions;
 }

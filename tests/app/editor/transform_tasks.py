@@ -139,3 +139,31 @@ class Transforms(Task):
         before = state["history_position"]
         self.press("enter")
         self.assertEqual(self.editor.idle()["history_position"], before + 1)
+
+    def test_ctrl_snaps_the_handles_and_the_keys(self):
+        self.with_the_sofa()
+        x, y = self.editor.middle("gizmo.x")
+        origin = self.editor.middle("gizmo.free")
+        length = math.dist((x, y), origin)
+        end = (x + 63 * (x - origin[0]) / length, y + 63 * (y - origin[1]) / length)
+        texts = []
+        self.editor.drag((x, y), end, keys=("ctrl",),
+                         look=lambda state: texts.append(state["drag_text"]))
+        moved = self.move()["offset_m"]
+        steps = moved[0] / 0.1
+        self.assertGreaterEqual(round(steps), 1)
+        self.assertAlmostEqual(steps, round(steps), 6)
+        self.assertTrue(texts[-1].endswith("(steps of 0.1 m)"), texts[-1])
+        self.assertEqual(self.editor.idle()["selected"], [SOFA], "Ctrl takes nothing out")
+        self.press("7")
+        self.wait_picture()
+        cx, cy = self.editor.middle("gizmo.free")
+        self.editor.point((cx + 80, cy))
+        self.press("r")
+        with self.editor.held("ctrl"):
+            self.editor.move(cx + 60, cy - 60)
+            state = self.editor.state()
+            self.editor.press()
+            self.editor.release()
+        self.assertEqual(state["drag_text"], "Rotate about z: 45\u00b0 (steps of 15\u00b0)")
+        self.assertAlmostEqual(self.move()["turn_rad"], math.pi / 4, 9)

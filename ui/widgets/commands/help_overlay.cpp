@@ -51,6 +51,8 @@ Block transformBlock() {
              {"Along an axis of its own", "X X, Y Y"},
              {"Tilt a position point", "R X"},
              {"Exact value, m or degrees", "0-9 . -"},
+             {"In steps of 0.1 m, 15\u00b0", "Ctrl"},
+             {"In steps of 0.01 m, 1\u00b0", "Ctrl+Shift"},
              {"Done", "Enter, Click"},
              {"Cancel", "Esc, Right click"}}};
 }
