@@ -101,6 +101,7 @@ void Editor::refreshScene() {
         keepPicture();
         has_picture_ = false;
         selected_.forget();
+        clip_ = {};
         playback_.reset();
         track_time_.reset();
         step_playback_.goTo(0);

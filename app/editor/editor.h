@@ -31,6 +31,8 @@
 #include "ui/panels/edits/motion_section.h"
 #include "ui/panels/export/export_panel.h"
 #include "ui/panels/plan/log_panel.h"
+#include "ui/viewport/clip_handles.h"
+#include "ui/viewport/clip_settings.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/viewport_pane.h"
 #include "ui/widgets/commands/command_palette.h"
@@ -91,6 +93,10 @@ class Editor {
     void addViewCommands();
     void addLayerCommands();
     void addWindowCommands();
+    /// The handles of the clipping box, if it is on.
+    void drawClip();
+    [[nodiscard]] std::optional<ui::GizmoView> clipView();
+    void toggleClipBox();
 
     // editor_panels.cpp
     void drawLeft();
@@ -245,6 +251,8 @@ class Editor {
     SelectionTracker selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
+    ui::ClipSettings clip_;
+    ui::ClipHandles clip_handles_;
     mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below
     mutable std::shared_ptr<const Scene> storeys_of_scene_;
     mutable std::shared_ptr<const Plan> storeys_of_plan_;

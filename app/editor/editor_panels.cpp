@@ -89,7 +89,7 @@ void Editor::drawLayers() {
         }
     }
     for (const auto& layer : layers_.layers().layers) view.legends.push_back(layer->legend);
-    ui::drawLayersPanel(view, layer_settings_);
+    ui::drawLayersPanel(view, layer_settings_, clip_);
 }
 
 void Editor::drawEdits() {

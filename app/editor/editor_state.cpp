@@ -20,6 +20,13 @@ nlohmann::json inWindow(const render::View& view, const ui::ViewportActions& pan
     return {at.x() + pane.origin.x(), at.y() + pane.origin.y()};
 }
 
+/// The lower and the upper corner.
+nlohmann::json boxNumbers(const Eigen::AlignedBox3d& box) {
+    const Eigen::Vector3d& low = box.min();
+    const Eigen::Vector3d& high = box.max();
+    return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+}
+
 std::vector<std::size_t> numbersOf(const std::vector<bool>& flags) {
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < flags.size(); ++i) {
@@ -136,6 +143,8 @@ nlohmann::json Editor::stateJson() {
           {"no_go", layer_settings_.no_go_boxes},
           {"slice_m", layer_settings_.slice.position_m},
           {"stepping", step_playback_.shown()}}},
+        {"local_view", selected_.inLocalView()},
+        {"clip", clip_.shown() ? boxNumbers(*clip_.shown()) : nlohmann::json()},
         {"window", {window_.settings().width, window_.settings().height}},
         {"autosaves", autosave_.count()},
         {"hidden", std::ranges::count(selected_.hidden(), true)},

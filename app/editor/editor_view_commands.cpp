@@ -97,6 +97,39 @@ void Editor::addViewCommands() {
                    {GLFW_KEY_H, false, false, true},
                    [this] { selected_.showAll(); },
                    needs_scene});
+    const auto local = [this] {
+        if (selected_.inLocalView() || !selected_.objects().empty()) selected_.toggleLocalView();
+    };
+    commands_.add({"view.local",
+                   "View",
+                   "Local view: only the selection",
+                   {GLFW_KEY_SLASH},
+                   local,
+                   [this]() -> std::string {
+                       const bool can = selected_.inLocalView() || !selected_.objects().empty();
+                       return can ? "" : "Select an object first.";
+                   },
+                   [this] { return selected_.inLocalView(); }});
+    keypad_.push_back({GLFW_KEY_KP_DIVIDE, false, local});
+    commands_.add({"view.clip_box",
+                   "View",
+                   "Clipping box around the selection",
+                   {GLFW_KEY_B, false, false, true},
+                   [this] { toggleClipBox(); },
+                   needs_scene,
+                   [this] { return clip_.has_box; }});
+    commands_.add({"view.hide_above",
+                   "View",
+                   "Hide everything above a height",
+                   {},
+                   [this] {
+                       clip_.begin(workspace_.shown().scene->room_bounds);
+                       clip_.hides_above = !clip_.hides_above;
+                       settings_.layout.show_left = true;
+                       focus_tab_ = "Layers";
+                   },
+                   needs_scene,
+                   [this] { return clip_.hides_above; }});
     commands_.add({"view.preview",
                    "View",
                    "Preview of the camera",
@@ -213,6 +246,33 @@ void Editor::addWindowCommands() {
         {"help.palette", "Help", "Find a command, parameter or object", {GLFW_KEY_P, true}, [this] {
              panels_.palette.open = true;
          }});
+}
+
+std::optional<ui::GizmoView> Editor::clipView() {
+    if (!clip_.has_box || through_camera_ || !workspace_.shown().scene) return std::nullopt;
+    ui::GizmoView view;
+    view.view = drawing_.view().view;
+    view.origin = pane_.origin;
+    const std::optional<ui::GizmoView> handles = gizmoView();
+    view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered &&
+                   !(handles && gizmo_.takesMouse(*handles));
+    return view;
+}
+
+void Editor::drawClip() {
+    const std::optional<ui::GizmoView> view = clipView();
+    if (view) ui::drawClipHandles(*view, clip_.box, clip_handles_);
+    if (clip_handles_.dragged >= 0) window_.animate();
+}
+
+void Editor::toggleClipBox() {
+    clip_.has_box = !clip_.has_box;
+    if (!clip_.has_box) return;
+    constexpr double kMargin_m = 0.1;
+    const Eigen::AlignedBox3d around = selectedBox();
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kMargin_m);
+    clip_.begin(workspace_.shown().scene->room_bounds);
+    if (!around.isEmpty()) clip_.box = {around.min() - margin, around.max() + margin};
 }
 
 }  // namespace dollytrack::editor

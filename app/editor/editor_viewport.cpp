@@ -62,7 +62,8 @@ render::View Editor::viewportView(const ui::ViewerCamera& camera) const {
     } else {
         view = camera.view(pane_.width, pane_.height);
     }
-    view.hidden = selected_.hidden();
+    view.hidden = selected_.leftOut();
+    if (!through_camera_) view.clip_box = clip_.shown();
     const bool dark = settings_.theme == ui::ThemeKind::Dark;
     view.backdrop =
         dark ? Eigen::Vector3f(0.125F, 0.137F, 0.153F) : Eigen::Vector3f(0.90F, 0.905F, 0.91F);
@@ -459,7 +460,9 @@ void Editor::drawCentre() {
     }
     // Computed for the current mouse position, which may differ from that of the last frame.
     const std::optional<ui::GizmoView> handles = gizmoView();
-    view.on_handle = handles && gizmo_.takesMouse(*handles);
+    const std::optional<ui::GizmoView> clip = clipView();
+    view.on_handle = (handles && gizmo_.takesMouse(*handles)) ||
+                     (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box)));
     view.covered = preview_hovered_ || panels_.legend.hovered || panels_.preview.full;
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
@@ -470,6 +473,7 @@ void Editor::drawCentre() {
         bringIntoView(selectedBox());
     }
     editWithGizmo();
+    drawClip();
     if (!panels_.preview.full) drawLegend();
     preview_hovered_ = false;
     if (!previewIsDocked()) drawPreview();

@@ -18,6 +18,8 @@ layout(location = 6) uniform vec4 cut_plane;
 layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
 layout(location = 9) uniform float ceiling_z;
+layout(location = 15) uniform vec3 clip_low;  // only what lies inside this box is drawn
+layout(location = 16) uniform vec3 clip_high;
 
 layout(binding = 0) uniform sampler2D base_texture;
 
@@ -56,6 +58,7 @@ void main() {
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
+    if (any(lessThan(p, clip_low)) || any(greaterThan(p, clip_high))) discard;
     vec4 color = surface_color;
     if (textured != 0) color *= texture(base_texture, texture_uv);
     float reflected = sqrt(sheetReflectance());  // exact over black, slightly too strong over white

@@ -15,6 +15,8 @@ layout(location = 6) uniform vec4 cut_plane;   // structure above it is cut, see
 layout(location = 7) uniform vec3 eye;
 layout(location = 8) uniform float keep_below_z;
 layout(location = 9) uniform float ceiling_z;
+layout(location = 15) uniform vec3 clip_low;  // only what lies inside this box is drawn
+layout(location = 16) uniform vec3 clip_high;
 
 layout(location = 13) uniform vec2 emission_share;  // factors of emission: lamps; objects that show
                                                     // the outside
@@ -122,6 +124,7 @@ void main() {
     vec3 p = offset_in_world + eye;
     bool above_cut = dot(p, cut_plane.xyz) > cut_plane.w && p.z > keep_below_z;
     if (surface_traits.w > 0.5 && (above_cut || p.z > ceiling_z)) discard;
+    if (any(lessThan(p, clip_low)) || any(greaterThan(p, clip_high))) discard;
 #endif
     vec3 color = surface_color.rgb;
 #ifdef TEXTURED

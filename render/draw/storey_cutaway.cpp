@@ -123,6 +123,7 @@ StructureCut cutTowards(const Eigen::AlignedBox3d& building, double floor_z, dou
 bool isCutAway(const View& view, const Scene& scene, int object_id, const Eigen::Vector3d& at) {
     const std::size_t index = object_id;
     if (index < view.hidden.size() && view.hidden[index]) return true;
+    if (view.clip_box && !view.clip_box->contains(at)) return true;
     if (!view.structure_cut || !scene.object(object_id).structure) return false;
     const StructureCut& cut = *view.structure_cut;
     return at.z() > cut.ceiling_z ||

@@ -6,6 +6,7 @@
 #include "engine/math/pose.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <optional>
 #include <vector>
@@ -41,6 +42,8 @@ struct View {
     /// By object id; ids beyond its end are visible. Empty: all objects are visible.
     std::vector<bool> hidden;
     std::optional<StructureCut> structure_cut;
+    /// Only what lies inside is drawn, m, world.
+    std::optional<Eigen::AlignedBox3d> clip_box;
     /// Background colour (sRGB 0..1); none: a sky.
     std::optional<Eigen::Vector3f> backdrop;
     /// Antialiasing of the colour image. Multisampling is meant for exports and still previews.

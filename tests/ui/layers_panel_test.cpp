@@ -14,12 +14,13 @@ struct Layers {
         view.has_plan = view.has_surface = true;
     }
     void draw() {
-        const LayersActions actions = drawLayersPanel(view, settings);
+        const LayersActions actions = drawLayersPanel(view, settings, clip);
         changes += actions.changed;
         finished += actions.finished;
     }
     LayersView view;
     LayerSettings settings;
+    ClipSettings clip;
     int changes = 0;
     int finished = 0;
 };
@@ -46,6 +47,26 @@ TEST(LayersPanel, EverySwitchChangesOneSetting) {
     }
     EXPECT_EQ(layers.finished, layers.changes);
     EXPECT_FALSE(screen.shows("layers.cells.free")) << "a layer that is off has no details";
+}
+
+TEST(LayersPanel, LeavesOutWhatIsAboveAHeightOrOutsideABox) {
+    Layers layers;
+    test::Screen screen([&] { layers.draw(); }, 360, 1200);
+    EXPECT_FALSE(layers.clip.shown().has_value());
+    ASSERT_TRUE(screen.click("layers.hide_above")) << screen.names();
+    ASSERT_TRUE(layers.clip.shown().has_value());
+    EXPECT_EQ(layers.clip.shown()->max().z(), 1.25) << "half the height of the scene";
+    EXPECT_LT(layers.clip.shown()->min().minCoeff(), -1e6);
+    ASSERT_TRUE(screen.typeInto("layers.hide_above.height", "1.5"));
+    EXPECT_EQ(layers.clip.shown()->max().z(), 1.5);
+    ASSERT_TRUE(screen.click("layers.clip_box"));
+    ASSERT_TRUE(screen.typeInto("layers.clip.y.low", "1"));
+    ASSERT_TRUE(screen.typeInto("layers.clip.y.high", "0.2"));
+    const Eigen::AlignedBox3d shown = *layers.clip.shown();
+    EXPECT_EQ(shown.min().y(), 1.0);
+    EXPECT_EQ(shown.max().y(), 1.0) << "the upper limit stays above the lower one";
+    EXPECT_EQ(shown.max().z(), 1.5) << "both hold";
+    EXPECT_NEAR(shown.max().x(), 4.01, 1e-9) << "the whole scene where nothing is said";
 }
 
 TEST(LayersPanel, OffersSurfaceOnlyWhereThePlanAimsAtIt) {

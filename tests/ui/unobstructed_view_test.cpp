@@ -93,6 +93,10 @@ TEST(ClearLook, PicturesLeaveAwayWhatIsHiddenAndStructureAboveTheCut) {
     EXPECT_TRUE(render::isCutAway(view, scene, wall, {2, 1.5, 2.45})) << "above the ceiling";
     EXPECT_FALSE(render::isCutAway(view, scene, wall, {0, 0, 2.3}));
     EXPECT_FALSE(render::isCutAway(view, scene, cube, {2, 1.5, 2.45}));
+    view.clip_box = Eigen::AlignedBox3d(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 3, 1.9));
+    EXPECT_TRUE(render::isCutAway(view, scene, cube, {2, 1.5, 2})) << "a clipping box cuts objects";
+    EXPECT_FALSE(render::isCutAway(view, scene, cube, {2, 1.5, 1.85}));
+    view.clip_box.reset();
     view.hidden.assign(static_cast<std::size_t>(cube) + 1, false);
     view.hidden[cube] = true;
     EXPECT_TRUE(render::isCutAway(view, scene, cube, {2, 1.5, 2}));

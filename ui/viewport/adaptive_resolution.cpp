@@ -39,7 +39,11 @@ bool samePicture(const render::View& a, const render::View& b) {
         return std::tuple(view.structure_cut.has_value(), c.plane.x(), c.plane.y(), c.plane.z(),
                           c.plane.w(), c.keep_below_z, c.ceiling_z);
     };
-    return lens(a) == lens(b) && cut(a) == cut(b) && a.pose.position == b.pose.position &&
+    const auto box = [](const render::View& view) {
+        return view.clip_box.value_or(Eigen::AlignedBox3d());
+    };
+    return box(a).min() == box(b).min() && box(a).max() == box(b).max() && lens(a) == lens(b) &&
+           cut(a) == cut(b) && a.pose.position == b.pose.position &&
            a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.hidden == b.hidden &&
            a.backdrop == b.backdrop && a.antialias == b.antialias && a.reflections == b.reflections;
 }

@@ -124,6 +124,7 @@ void SelectionTracker::follow(const std::shared_ptr<const ObjectTrace>& objects)
     // The first scene of a project has no predecessor: nothing is hidden.
     const ObjectTrace& from = before ? *before : *objects;
     hidden_ = followFlags(hidden_, from, *objects);
+    if (inLocalView()) local_ = followFlags(local_, from, *objects);
     objects_of_point_ = followObjects(objects_of_point_, from, *objects);
     if (now_.objects.empty()) return;
     now_.objects = followObjects(now_.objects, from, *objects);
@@ -134,6 +135,7 @@ void SelectionTracker::follow(const std::shared_ptr<const ObjectTrace>& objects)
 void SelectionTracker::forget() {
     clear();
     hidden_.clear();
+    local_.clear();
     objects_now_.reset();
 }
 
@@ -152,6 +154,22 @@ void SelectionTracker::hideObjects() {
 
 void SelectionTracker::showAll() {
     std::fill(hidden_.begin(), hidden_.end(), false);
+}
+
+void SelectionTracker::toggleLocalView() {
+    if (inLocalView()) return local_.clear();
+    local_.assign(hidden_.size(), false);
+    for (const int id : now_.objects) {
+        if (static_cast<std::size_t>(id) < local_.size()) local_[id] = true;
+    }
+}
+
+std::vector<bool> SelectionTracker::leftOut() const {
+    std::vector<bool> out = hidden_;
+    for (std::size_t i = 0; i < local_.size() && i < out.size(); ++i) {
+        if (!local_[i]) out[i] = true;
+    }
+    return out;
 }
 
 Eigen::AlignedBox3d SelectionTracker::box(const Scene& scene, const Plan* plan,

@@ -54,6 +54,12 @@ class SelectionTracker {
     void toggleHidden(int object);
     void hideObjects();
     void showAll();
+    /// Local view: shows the selected objects only, or all again.
+    void toggleLocalView();
+    [[nodiscard]] bool inLocalView() const { return !local_.empty(); }
+    /// Objects that the viewport leaves out, by object id: hidden ones, and those outside the local
+    /// view.
+    [[nodiscard]] std::vector<bool> leftOut() const;
 
     /// The bounds of the selected elements, m, world; empty if they have no position.
     [[nodiscard]] Eigen::AlignedBox3d box(const Scene& scene, const Plan* plan,
@@ -70,6 +76,7 @@ class SelectionTracker {
     std::string pin_of_point_;           // pin name of the selected position point, or empty
     std::string awaited_pin_;
     std::vector<bool> hidden_;
+    std::vector<bool> local_;  // objects of the local view, by object id; empty: there is none
     std::shared_ptr<const ObjectTrace> objects_now_;  // the objects that all stored ids refer to
 };
 

@@ -268,9 +268,41 @@ void drawStoreys(const LayersView& view, LayerSettings& settings, Switches& swit
     });
 }
 
+void drawClipBox(const LayersView& view, ClipSettings& clip, Switches& switches) {
+    constexpr double kFarther_m = 5.0;  // than the scene
+    for (int axis = 0; axis < 3; ++axis) {
+        const char letter = "xyz"[axis];
+        double& low = clip.box.min()[axis];
+        double& high = clip.box.max()[axis];
+        switches.slide(fmt::format("{} from", letter).c_str(),
+                       fmt::format("clip.{}.low", letter).c_str(), low,
+                       view.room.min()[axis] - kFarther_m, high, " m");
+        switches.slide(fmt::format("{} to", letter).c_str(),
+                       fmt::format("clip.{}.high", letter).c_str(), high, low,
+                       view.room.max()[axis] + kFarther_m, " m");
+    }
+}
+
+/// What the viewport leaves out; nothing of it changes the plan.
+void drawClip(const LayersView& view, ClipSettings& clip, Switches& switches) {
+    const std::string why_not = view.room.isEmpty() ? "No scene is open." : "";
+    clip.begin(view.room);
+    if (switches.check("Hide above", "hide_above", clip.hides_above,
+                       "Show nothing above a height; the plan does not change", why_not)) {
+        details("hide_above", [&] {
+            switches.slide("Height", "hide_above.height", clip.height_m, view.room.min().z(),
+                           view.room.max().z(), " m");
+        });
+    }
+    if (switches.check("Clipping box (Alt+B)", "clip_box", clip.has_box,
+                       "Show only what lies in a box; the plan does not change", why_not)) {
+        details("clip_box", [&] { drawClipBox(view, clip, switches); });
+    }
+}
+
 }  // namespace
 
-LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
+LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, ClipSettings& clip) {
     LayersActions actions;
     Switches switches(actions);
     const std::string why_not = view.has_plan ? "" : kNoPlan;
@@ -288,6 +320,7 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings) {
     switches.check("Cut ceilings away", "ceiling_cut", settings.ceiling_cut,
                    "Show rooms from above without ceilings");
     if (settings.ceiling_cut && view.storeys > 1) drawStoreys(view, settings, switches);
+    drawClip(view, clip, switches);
     switches.check("Grid", "grid", settings.grid, "At floor height, below and around the room");
     if (!view.legends.empty()) {
         ImGui::Separator();

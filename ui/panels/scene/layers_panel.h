@@ -2,6 +2,7 @@
 
 #include "ui/overlays/layers.h"
 #include "ui/overlays/legend.h"
+#include "ui/viewport/clip_settings.h"
 
 #include <Eigen/Geometry>
 
@@ -29,7 +30,7 @@ struct LayersActions {
     bool finished = false;  // a drag has ended
 };
 
-/// Draws the layer switches, their options, and the legends.
-LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings);
+/// Draws the layer switches, their options, what the viewport leaves out, and the legends.
+LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, ClipSettings& clip);
 
 }  // namespace dollytrack::ui

@@ -56,6 +56,20 @@ TEST(SelectionTracker, ThePiecesAreSelectedAfterSplitting) {
     EXPECT_EQ(selected.now(), objects({3}));
 }
 
+TEST(SelectionTracker, TheLocalViewShowsTheSelectionUntilItEnds) {
+    SelectionTracker selected = selecting({5}, kFile);
+    selected.toggleLocalView();
+    EXPECT_EQ(selected.leftOut(), (std::vector<bool>{true, true, true, true, true, false}));
+    selected.follow(kMerged);
+    EXPECT_EQ(selected.leftOut(), (std::vector<bool>{true, true, true, true, false}));
+    selected.clear();
+    EXPECT_TRUE(selected.inLocalView()) << "of what was selected when it began";
+    selected.toggleHidden(4);
+    EXPECT_TRUE(selected.leftOut()[4]) << "hidden objects stay hidden in it";
+    selected.toggleLocalView();
+    EXPECT_EQ(selected.leftOut(), selected.hidden());
+}
+
 TEST(SelectionTracker, HiddenObjectsStayHiddenUnderTheirNewNumbers) {
     SelectionTracker selected = selecting({}, kFile);
     selected.toggleHidden(5);
