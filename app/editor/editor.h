@@ -145,6 +145,8 @@ class Editor {
     void drawBars();
     void drawImportBar();
     void clickAt(const Eigen::Vector2d& pixel, bool add);
+    /// Selects the objects in a part of the image; parts of the building only if nothing else is.
+    void selectInBox(const Eigen::AlignedBox2d& pixels, bool add);
     void requestPicture();
     void requestPreview();
     void requestLayers();

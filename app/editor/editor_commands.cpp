@@ -228,9 +228,15 @@ void Editor::addPointCommands() {
                  {ui::addRegionOperation(boxAroundSelection().value_or(boxInView())), {}, false});
          },
          [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
+    commands_.add(
+        {"edit.box_select", "Edit", "Select objects with a box", key(GLFW_KEY_B),
+         [this] { panels_.viewport.box_select = true; },
+         [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
     commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {
                        if (gizmo_.dragging()) {
                            cancelDrag();
+                       } else if (panels_.viewport.cancelBoxSelect()) {
+                           return;
                        } else if (workspace_.loading().busy) {
                            workspace_.cancelOpening();
                        } else if (panels_.preview.full) {

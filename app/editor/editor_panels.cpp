@@ -299,6 +299,10 @@ void Editor::drawStatus() {
     const PlanOutcome& shown = workspace_.shown();
     if (gizmo_.dragging()) {
         drawDragStatus();
+    } else if (panels_.viewport.box_select) {
+        ImGui::TextColored(ui::palette().accent, "Drag a box around objects");
+        ImGui::SameLine();
+        ImGui::TextDisabled("   Ctrl: add to the selection   Esc: cancel");
     } else if (job.busy) {
         ImGui::ProgressBar(static_cast<float>(job.fraction),
                            {ui::scaled(120), ImGui::GetTextLineHeight()}, "");

@@ -143,6 +143,7 @@ nlohmann::json Editor::stateJson() {
           {"no_go", layer_settings_.no_go_boxes},
           {"slice_m", layer_settings_.slice.position_m},
           {"stepping", step_playback_.shown()}}},
+        {"box_select", panels_.viewport.box_select},
         {"local_view", selected_.inLocalView()},
         {"clip", clip_.shown() ? boxNumbers(*clip_.shown()) : nlohmann::json()},
         {"window", {window_.settings().width, window_.settings().height}},

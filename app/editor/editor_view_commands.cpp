@@ -255,7 +255,7 @@ std::optional<ui::GizmoView> Editor::clipView() {
     view.origin = pane_.origin;
     const std::optional<ui::GizmoView> handles = gizmoView();
     view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered &&
-                   !(handles && gizmo_.takesMouse(*handles));
+                   !panels_.viewport.box_select && !(handles && gizmo_.takesMouse(*handles));
     return view;
 }
 

@@ -213,6 +213,16 @@ void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
     selectObject(ui::objectAt(image, pixel), add);
 }
 
+void Editor::selectInBox(const Eigen::AlignedBox2d& pixels, bool add) {
+    const ui::ViewImage& image = drawing_.view();
+    const PlanOutcome& shown = workspace_.shown();
+    if (!shown.hasObjectsOf(image.geometry)) return;
+    std::vector<int> ids = ui::objectsIn(image, pixels);
+    const auto building = [&](int id) { return shown.scene->object(id).structure; };
+    if (!std::ranges::all_of(ids, building)) std::erase_if(ids, building);
+    select(selected_.withObjects(ids, add));
+}
+
 OrientedBox Editor::boxInView() {
     const ui::ViewImage& image = drawing_.view();
     const ui::ViewerCamera& camera = panels_.viewport.camera;
@@ -252,7 +262,8 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
     ui::GizmoView view;
     view.view = drawing_.view().view;
     view.origin = pane_.origin;
-    view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered;
+    view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered &&
+                   !panels_.viewport.box_select;
     view.turns = point != nullptr;
     if (const int object = movableObject(); object != 0) {
         view.pose = objectPose(object);
@@ -461,14 +472,17 @@ void Editor::drawCentre() {
     // Computed for the current mouse position, which may differ from that of the last frame.
     const std::optional<ui::GizmoView> handles = gizmoView();
     const std::optional<ui::GizmoView> clip = clipView();
-    view.on_handle = (handles && gizmo_.takesMouse(*handles)) ||
-                     (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box)));
+    const bool box = panels_.viewport.box_select;  // takes the mouse from all handles
+    view.on_handle =
+        !box && ((handles && gizmo_.takesMouse(*handles)) ||
+                 (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box))));
     view.covered = preview_hovered_ || panels_.legend.hovered || panels_.preview.full;
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);
     if (!workspace_.isOpen()) return;
     if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection);
+    if (pane_.box) selectInBox(*pane_.box, pane_.add_to_selection);
     if (pane_.double_clicked && !selectedBox().isEmpty()) {
         bringIntoView(selectedBox());
     }

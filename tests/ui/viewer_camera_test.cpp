@@ -143,5 +143,25 @@ TEST(FalseColor, NormalsOfAWallStraightAheadFaceTheCamera) {
     EXPECT_NEAR(rgba[middle + 2], 0, 1);  // towards the camera: -z
 }
 
+TEST(ViewImage, ObjectsInABoxAreThoseWithAPixelInIt) {
+    ViewImage image;
+    image.serial = 1;
+    image.width = 4;  // half the size of the pane
+    image.height = 2;
+    image.view.intrinsics.width = 8;
+    image.view.intrinsics.height = 4;
+    image.ids = {0, 7, 7, 3,  //
+                 0, 0, 5, 3};
+    const auto in = [&](double x0, double y0, double x1, double y1) {
+        return objectsIn(image, {Eigen::Vector2d(x0, y0), Eigen::Vector2d(x1, y1)});
+    };
+    EXPECT_EQ(in(0, 0, 1.5, 3.5), std::vector<int>());
+    EXPECT_EQ(in(2.1, 0, 3.9, 1.9), std::vector<int>({7}));
+    EXPECT_EQ(in(3, 1, 5, 3), std::vector<int>({5, 7}));
+    EXPECT_EQ(in(-9, -9, 99, 99), std::vector<int>({3, 5, 7}));
+    image.serial = 0;
+    EXPECT_EQ(in(0, 0, 8, 4), std::vector<int>()) << "there is no image yet";
+}
+
 }  // namespace
 }  // namespace dollytrack::ui::viewer_camera_test

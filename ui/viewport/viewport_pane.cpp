@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace dollytrack::ui {
 namespace {
@@ -70,7 +72,12 @@ bool isHandles(const ViewportView& view) {
 void beginDrag(ViewportState& state, const ViewportView& view) {
     const ImGuiIO& io = ImGui::GetIO();
     if (view.covered || isHandles(view)) return;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    if (state.box_select && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.drag = ViewportState::Drag::Box;
+    } else if (state.box_select && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+        state.cancelBoxSelect();
+        return;
+    } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Pressed;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
         state.drag = ViewportState::Drag::Pan;
@@ -83,8 +90,39 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
     state.pressed_with_ctrl = io.KeyCtrl;  // kept because Ctrl may be released before the button
 }
 
+/// Draws the box from the press to the mouse; reports it when the button is released.
+void continueBox(ViewportState& state, ViewportActions& actions) {
+    const Eigen::Vector2d origin = actions.origin.cast<double>();
+    const Eigen::Vector2d size(actions.width, actions.height);
+    Eigen::AlignedBox2d box(Eigen::Vector2d(state.pressed_at - origin));
+    box.extend(actions.cursor);
+    box = box.intersection(Eigen::AlignedBox2d(Eigen::Vector2d(0.0, 0.0), size));
+    const auto corner = [&](const Eigen::Vector2d& pixel) {
+        return ImVec2(static_cast<float>(pixel.x() + origin.x()),
+                      static_cast<float>(pixel.y() + origin.y()));
+    };
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(corner(box.min()), corner(box.max()), IM_COL32(255, 255, 255, 25));
+    list->AddRect(corner(box.min()), corner(box.max()), IM_COL32(255, 255, 255, 200));
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    actions.box = box;
+    actions.add_to_selection = state.pressed_with_ctrl;
+    state.cancelBoxSelect();
+}
+
+/// Lines through the mouse while a box is about to be drawn.
+void drawCrosshair(const ViewportActions& actions) {
+    const ImVec2 low(actions.origin.x(), actions.origin.y());
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const ImU32 color = IM_COL32(255, 255, 255, 120);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddLine({low.x, mouse.y}, {low.x + static_cast<float>(actions.width), mouse.y}, color);
+    list->AddLine({mouse.x, low.y}, {mouse.x, low.y + static_cast<float>(actions.height)}, color);
+}
+
 void continueDrag(ViewportState& state, const ViewportView& view, ViewportActions& actions) {
     using Drag = ViewportState::Drag;
+    if (state.drag == Drag::Box) return continueBox(state, actions);
     const ImGuiIO& io = ImGui::GetIO();
     if (state.drag == Drag::Pressed &&
         (Eigen::Vector2d(io.MousePos.x, io.MousePos.y) - state.pressed_at).norm() >
@@ -151,6 +189,31 @@ Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& current,
     return ray.origin + depth * ray.direction;
 }
 
+std::vector<int> objectsIn(const ViewImage& image, const Eigen::AlignedBox2d& pixels) {
+    if (image.serial == 0 || pixels.isEmpty()) return {};
+    const Intrinsics& pane = image.view.intrinsics;
+    const Eigen::Array2d scale(static_cast<double>(image.width) / pane.width,
+                               static_cast<double>(image.height) / pane.height);
+    const Eigen::Array2i most(image.width - 1, image.height - 1);
+    const auto place = [&](const Eigen::Vector2d& pixel) -> Eigen::Array2i {
+        return (pixel.array() * scale).floor().cast<int>().max(0).min(most);
+    };
+    const Eigen::Array2i low = place(pixels.min());
+    const Eigen::Array2i high = place(pixels.max());
+    std::set<int> ids;
+    for (int y = low.y(); y <= high.y(); ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * image.width;
+        for (int x = low.x(); x <= high.x(); ++x) ids.insert(image.ids[row + x]);
+    }
+    ids.erase(0);
+    return {ids.begin(), ids.end()};
+}
+
+bool ViewportState::cancelBoxSelect() {
+    if (drag == Drag::Box) drag = Drag::None;
+    return std::exchange(box_select, false);
+}
+
 int objectAt(const ViewImage& image, const Eigen::Vector2d& pixel) {
     const auto place = placeOf(image, pixel);
     return place ? image.ids[*place] : 0;
@@ -199,6 +262,7 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state) {
         actions.double_clicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         if (!view.covered && !view.locked && !isHandles(view)) zoomWithWheel(view, state, actions);
     }
+    if (state.box_select && actions.hovered) drawCrosshair(actions);
     if (state.drag != ViewportState::Drag::None) continueDrag(state, view, actions);
     return actions;
 }

@@ -4,9 +4,11 @@
 #include "ui/viewport/viewer_camera.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dollytrack::ui {
 
@@ -24,9 +26,13 @@ struct ViewportView {
 /// State kept between window frames.
 struct ViewportState {
     ViewerCamera camera;
-    enum class Drag { None, Orbit, Pan, Look, Pressed } drag = Drag::None;
+    enum class Drag { None, Orbit, Pan, Look, Pressed, Box } drag = Drag::None;
     Eigen::Vector2d pressed_at = Eigen::Vector2d::Zero();
     bool pressed_with_ctrl = false;
+    bool box_select = false;  // the next left drag selects the objects in a box
+
+    /// Ends the selection with a box; returns whether there was one.
+    bool cancelBoxSelect();
 };
 
 /// User input of this frame. Positions are in pixels of the image.
@@ -37,6 +43,7 @@ struct ViewportActions {
     bool hovered = false;
     Eigen::Vector2d cursor = Eigen::Vector2d::Zero();
     std::optional<Eigen::Vector2d> clicked;
+    std::optional<Eigen::AlignedBox2d> box;  // a box was drawn to select what is in it
     bool add_to_selection = false;
     bool double_clicked = false;
     bool camera_moved = false;
@@ -45,7 +52,7 @@ struct ViewportActions {
 
 /// Draws the scene's image and handles its mouse: left drag orbits, Shift+left or middle drag pans,
 /// the wheel zooms towards the point under the cursor, right drag looks around while W A S D Q E
-/// fly.
+/// fly. With ViewportState::box_select, a left drag draws a box instead.
 ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 
 /// World position (m) of the surface under an image pixel; nullopt if there is no surface.
@@ -57,6 +64,8 @@ ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 [[nodiscard]] Eigen::Vector3d zoomCentre(const ViewImage* image, const render::View& current,
                                          const Eigen::Vector3d& pivot,
                                          const Eigen::Vector2d& cursor);
+/// Ids of the objects visible in a part of the image, ascending.
+[[nodiscard]] std::vector<int> objectsIn(const ViewImage& image, const Eigen::AlignedBox2d& pixels);
 /// Id of the object under an image pixel; 0 for none.
 [[nodiscard]] int objectAt(const ViewImage& image, const Eigen::Vector2d& pixel);
 

@@ -78,6 +78,17 @@ ui::Selection SelectionTracker::withObject(int object, bool add) const {
     return selection;
 }
 
+ui::Selection SelectionTracker::withObjects(const std::vector<int>& objects, bool add) const {
+    ui::Selection selection;
+    if (add) selection.objects = now_.objects;
+    for (const int id : objects) {
+        if (std::ranges::count(selection.objects, id) == 0) selection.objects.push_back(id);
+    }
+    if (selection.objects.empty()) return selection;
+    selection.kind = selection.objects.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
+    return selection;
+}
+
 bool SelectionTracker::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
     std::string awaited = std::exchange(awaited_pin_, {});
     if (plan != nullptr && selectPin(awaited, *plan, pinned)) return true;

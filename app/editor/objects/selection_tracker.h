@@ -39,6 +39,8 @@ class SelectionTracker {
     /// A selection of objects: with `add`, the current one with this object toggled; otherwise this
     /// object alone (0: none).
     [[nodiscard]] ui::Selection withObject(int object, bool add) const;
+    /// A selection of all these objects; with `add`, together with those selected now.
+    [[nodiscard]] ui::Selection withObjects(const std::vector<int>& objects, bool add) const;
     /// Finds the selection again in a new plan. Returns false if the selected element no longer
     /// exists; then nothing is selected.
     bool keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned);

@@ -18,7 +18,7 @@ KEYS = ["0", "1", "3", "5", "7", "ctrl+1", "ctrl+3", "ctrl+7", "f", "home", "h",
         "shift+right", "ctrl+z", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+=", "ctrl+-", "F1",
         "F2", "F3", "F4", "F5", "F6", "F7", "F8", "ctrl+p", "ctrl+o", "ctrl+e", "ctrl+s",
         "ctrl+r", "esc", "esc", "esc", "enter", "tab", "up", "down", "a", "9", "backspace", "g", "g",
-        "r", "y", "z", "-", "."]
+        "r", "y", "z", "-", ".", "b", "alt+b", "/"]
 # Widgets to avoid: the exit, settings that take minutes to plan, and image sizes, which decide how
 # much memory rendering takes.
 AVOIDED = ("command.file.quit", "files.place.", "files.up", "files.new_folder", "files.make",

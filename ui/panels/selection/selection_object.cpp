@@ -257,6 +257,25 @@ void drawCapture(const SelectionView& view, const Object& object, SelectionActio
     endForm();
 }
 
+/// The class of several objects, if they have the same; choosing one sets it for all.
+void drawSharedClass(const SelectionView& view, const std::vector<int>& ids, SelectionState& state,
+                     SelectionActions& actions) {
+    const auto classOf = [&](int id) {
+        const ObjectChange* change =
+            view.edits == nullptr ? nullptr : findChange(*view.edits, *view.scene, id);
+        return whatIsSaid(view.scene->object(id), change).nyu40;
+    };
+    const int first = classOf(ids.front());
+    const bool same = std::ranges::all_of(ids, [&](int id) { return classOf(id) == first; });
+    if (!beginForm("shared properties")) return;
+    formLabel("Class", "Of all of them");
+    if (const auto chosen = classCombo(same ? first : 0, state.class_filter, "selection.class")) {
+        actions.edit.operation = {
+            {"op", "set_class"}, {"object", objectKeys(*view.scene, ids)}, {"class", *chosen}};
+    }
+    endForm();
+}
+
 }  // namespace
 
 void drawObject(const SelectionView& view, int id, SelectionState& state,
@@ -290,6 +309,7 @@ void drawObjects(const SelectionView& view, SelectionState& state, SelectionActi
     }
     ImGui::Spacing();
     if (button("Go to", "selection.frame")) actions.frame = true;
+    drawSharedClass(view, ids, state, actions);
     heading("Join them");
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##name", "Its name", &state.merge_name);

@@ -36,6 +36,8 @@ Block mouseBlock() {
     return {"Mouse in the viewport",
             {{"Select", "Click"},
              {"Add to the selection", "Ctrl+Click"},
+             {"Select with a box", "B, Left drag"},
+             {"Add with a box", "B, Ctrl+Left drag"},
              {"Orbit", "Left drag"},
              {"Pan", "Shift+Left drag"},
              {"Pan", "Middle drag"},
