@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 1> kVideoFiles = {"preview.mp4"};
 
-constexpr double kSlowest = 0.01;  // images per second
-constexpr double kFastest = 1000.0;
+constexpr double kFastest = 1000.0;  // images per second
 
 /// Images per second, so that the video runs in the trajectory's time. A single frame uses the
 /// trajectory's rate.
@@ -29,7 +28,7 @@ double rateOf(const DatasetContents& contents) {
     if (steps.empty()) steps.push_back(contents.frame_interval_s);
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
-    return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowest, kFastest) : kFastest;
+    return *middle > 0.0 ? std::clamp(1.0 / *middle, kSlowestVideo, kFastest) : kFastest;
 }
 
 Result<cv::Mat> readPicture(const GuardedFolder& folder, const std::string& file) {

@@ -4,6 +4,9 @@
 
 namespace dollytrack::render {
 
+/// Lowest rate of the preview, images per second. A slower trajectory is shown at this rate.
+inline constexpr double kSlowestVideo = 0.01;
+
 /// preview.mp4: the colour images in order.
 extern const Format kVideoFormat;
 

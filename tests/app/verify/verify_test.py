@@ -235,6 +235,21 @@ class VerifyTest(FolderCase):
         self.assertIn("coco", checks["coco"]["reason"])
         self.assertEqual(checks["poses"]["status"], "passed")
 
+    def test_a_preview_of_a_very_slow_trajectory_is_sound(self):
+        project = self.folder / "slow.dolly"
+        plan = run("plan", self.folder / "room.obj", "-o", project, "--set", "width_px=64", "--set",
+                   "height_px=48", "--max-frames", 4, "--set", "motion_preset=custom",
+                   "--set", "max_speed_mps=0.005")
+        self.assertEqual(plan.returncode, 0, plan.stderr)
+        out = self.folder / "slow"
+        export = run("export", project, "--out", out, "--modalities", "rgb", "--formats", "video")
+        self.assertEqual(export.returncode, 0, export.stderr)
+        frames = json.loads((out / "dataset.json").read_text())["frames"]
+        self.assertGreater(frames[1]["time_s"] - frames[0]["time_s"], 100.0)
+        code, checks = self.verify(out)
+        self.assertEqual(code, 0)
+        self.assertEqual(checks["video"]["status"], "passed")
+
     def test_the_last_line_says_how_much_was_not_looked_at_and_why(self):
         whole = run("-q", "verify", self.dataset).stdout.strip().splitlines()[-1]
         self.assertRegex(whole, r"^\d+ passed, 0 failed, 1 skipped \(1 concerns files that were not "
