@@ -82,6 +82,15 @@ class Programs(InstalledCase):
         self.assertEqual(said.returncode, 0, said.stderr)
         self.assertIn("odometry", said.stdout)
 
+    def test_the_links_of_the_guides_lead_to_files(self):
+        guides = self.share / "doc" / "dollytrack" / "guides"
+        links = [(guide, link) for guide in guides.glob("*.md")
+                 for link in re.findall(r"\]\(([^)#]+)", guide.read_text())
+                 if not link.startswith("http")]
+        self.assertGreater(len(links), 50)
+        self.assertEqual([f"{guide.name}: {link}" for guide, link in links
+                          if not (guide.parent / link).is_file()], [])
+
     def test_no_file_names_the_source_or_the_build_folder(self):
         for file in filter(pathlib.Path.is_file, self.prefix.rglob("*")):
             content = file.read_bytes()
