@@ -266,7 +266,8 @@ void Editor::rememberSettings() {
             workspace_.path().empty() ? workspace_.sceneFile() : workspace_.path();
         if (noted_file_ != file) {
             noted_file_ = file;
-            if (file != example_) settings_.addRecent(file);  // it has a row of its own
+            if (file != example_)
+                settings_.addRecent(file);  // the start screen shows it in a row of its own
         }
         if (was_saving_ && !workspace_.saving()) keepPicture();
     }
@@ -347,16 +348,16 @@ void Editor::finishDrag() {
 void Editor::startKeyTransform(ui::GizmoPart part) {
     // Enter confirms the change instead of the panel's widget that was used last.
     ImGui::SetWindowFocus(nullptr);
-    position_before_drag_ = workspace_.history().position();
+    dropGizmo();  // a drag with the mouse ends as an undo step of its own
+    panels_.viewport.cancelBoxSelect();
+    history_before_drag_ = workspace_.history().history();
     gizmo_.start(part);
 }
 
 void Editor::cancelDrag() {
     // A dragged point becomes an edit only at the end; other drags edit continuously.
     dropGizmo();
-    if (workspace_.history().position() > position_before_drag_) {
-        workspace_.goTo(position_before_drag_);
-    }
+    workspace_.rewind(history_before_drag_);
 }
 
 void Editor::select(ui::Selection selection) {
@@ -417,7 +418,9 @@ void Editor::runKeys() {
         if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) cancelDrag();
         return;
     }
-    commands_.runShortcuts(&Window::signOfKey);
+    std::optional<std::string> refused = commands_.runShortcuts(&Window::signOfKey);
+    if (refused) refused_key_ = std::move(*refused);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) refused_key_.clear();
     runKeypad();
 }
 

@@ -264,7 +264,8 @@ class Editor {
     StepPlayback step_playback_;
     bool through_camera_ = false;
     GizmoSession gizmo_;
-    std::size_t position_before_drag_ = 0;  // position in the history
+    CommandStack::History history_before_drag_;
+    std::string refused_key_;  // why the command of the key pressed last cannot run; or empty
     RemedyFinder remedies_{&Window::wake};
     MotionWorker motions_{&Window::wake};
     MotionFile motion_file_;        // file last read as a camera path

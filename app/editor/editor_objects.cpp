@@ -121,6 +121,9 @@ void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
 void Editor::addTransformCommands() {
     const auto why_not = [this](bool turns) -> std::string {
         const std::optional<ui::GizmoView> view = gizmoView();
+        if (!view && selected_.now().objects.size() > 1) {
+            return "Only one object at a time can be moved or rotated.";
+        }
         if (!view) return "Select an object, a position point or a box first.";
         return turns && !view->turns ? "Boxes cannot be rotated." : "";
     };

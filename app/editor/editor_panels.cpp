@@ -297,12 +297,22 @@ void Editor::drawDragStatus() {
 void Editor::drawStatus() {
     const BackgroundWorker::State job = workspace_.planning();
     const PlanOutcome& shown = workspace_.shown();
+    if (selected_.inLocalView() || clip_.has_box || clip_.hides_above) {
+        ImGui::TextColored(ui::palette().accent, selected_.inLocalView()
+                                                     ? "Local view (/ shows all)  "
+                                                     : "Parts are hidden (see Layers)  ");
+        ui::nameItem("status.parts_hidden");
+        ImGui::SameLine();
+    }
     if (gizmo_.dragging()) {
         drawDragStatus();
     } else if (panels_.viewport.box_select) {
         ImGui::TextColored(ui::palette().accent, "Drag a box around objects");
         ImGui::SameLine();
         ImGui::TextDisabled("   Ctrl: add to the selection   Esc: cancel");
+    } else if (!refused_key_.empty()) {
+        ImGui::TextColored(ui::palette().accent, "%s", refused_key_.c_str());
+        ui::nameItem("status.refused_key");
     } else if (job.busy) {
         ImGui::ProgressBar(static_cast<float>(job.fraction),
                            {ui::scaled(120), ImGui::GetTextLineHeight()}, "");

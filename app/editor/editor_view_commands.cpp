@@ -261,7 +261,11 @@ std::optional<ui::GizmoView> Editor::clipView() {
 
 void Editor::drawClip() {
     const std::optional<ui::GizmoView> view = clipView();
-    if (view) ui::drawClipHandles(*view, clip_.box, clip_handles_);
+    if (!view) {
+        clip_handles_ = {};
+        return;
+    }
+    ui::drawClipHandles(*view, clip_.box, clip_handles_);
     if (clip_handles_.dragged >= 0) window_.animate();
 }
 

@@ -293,7 +293,7 @@ void Editor::editWithGizmo() {
         return;
     }
     const ui::GizmoView& view = *handles;
-    if (!gizmo_.dragging()) position_before_drag_ = workspace_.history().position();
+    if (!gizmo_.dragging()) history_before_drag_ = workspace_.history().history();
     // A refusal ends typing, since its message needs the keyboard.
     const bool cancels = ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                          (gizmo_.usesKeys() && questions_.waiting());
@@ -476,7 +476,8 @@ void Editor::drawCentre() {
     view.on_handle =
         !box && ((handles && gizmo_.takesMouse(*handles)) ||
                  (clip && (clip_handles_.dragged >= 0 || ui::isOnClipHandle(*clip, clip_.box))));
-    view.covered = preview_hovered_ || panels_.legend.hovered || panels_.preview.full;
+    view.covered =
+        preview_hovered_ || panels_.legend.hovered || panels_.preview.full || gizmo_.usesKeys();
     pane_ = ui::drawViewport(view, panels_.viewport);
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);
@@ -486,8 +487,8 @@ void Editor::drawCentre() {
     if (pane_.double_clicked && !selectedBox().isEmpty()) {
         bringIntoView(selectedBox());
     }
+    drawClip();  // before the gizmo: a click that confirms a move must not grab a handle
     editWithGizmo();
-    drawClip();
     if (!panels_.preview.full) drawLegend();
     preview_hovered_ = false;
     if (!previewIsDocked()) drawPreview();

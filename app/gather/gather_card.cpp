@@ -148,10 +148,13 @@ std::string licensesSection(std::span<const Source> sources) {
     const auto without = static_cast<std::size_t>(
         std::ranges::count(sources, std::string(), &Source::licenses_sha256));
     if (without == sources.size()) return {};
+    const std::string which = without == 0 ? "all source datasets"
+                                           : fmt::format("{} of the {} source datasets",
+                                                         sources.size() - without, sources.size());
     return fmt::format(
-        "## Licences of the scenes\n\n[{0}]({0}) has the licence files of the scenes of {1} of the "
-        "{2}. They apply besides the licence of this card, and may require attribution.\n\n",
-        render::kLicensesFile, sources.size() - without, counted(sources.size(), "source dataset"));
+        "## Licences of the scenes\n\n[{0}]({0}) has the licence files of the scenes of {1}. They "
+        "apply besides the licence of this card, and may require attribution.\n\n",
+        render::kLicensesFile, which);
 }
 
 Json partJson(const GatherCard& card, PartIndex part) {
@@ -166,7 +169,7 @@ Json partJson(const GatherCard& card, PartIndex part) {
 /// Names of the image kinds and of the copied folders.
 std::string imageList(const GatherCard& card) {
     std::vector<std::string> names(card.modalities.begin(), card.modalities.end());
-    std::erase(names, kTracks);  // has a file for many frames
+    std::erase(names, kTracks);  // point tracks are no images of a frame
     for (const std::string_view copied : card.order.layout->copied) {
         const bool is_left_out = copied == "seg_left/" && !card.classes.keepsIds();
         if (copied.ends_with('/') && !is_left_out) {

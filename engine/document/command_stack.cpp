@@ -68,6 +68,12 @@ const CommandStack::State& CommandStack::goTo(std::size_t position) {
     return state();
 }
 
+const CommandStack::State& CommandStack::rewind(History earlier) {
+    history_ = std::move(earlier);
+    merge_key_.clear();
+    return state();
+}
+
 bool CommandStack::isSaved() const {
     return saved_ && (saved_ == state() || *saved_ == *state());
 }

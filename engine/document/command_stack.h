@@ -50,6 +50,10 @@ class CommandStack {
     [[nodiscard]] std::size_t position() const { return history_.position; }
     const State& goTo(std::size_t position);
 
+    /// Returns to the steps of an earlier moment, as if nothing had been pushed since: for a drag
+    /// that is cancelled. Steps that had been undone then can be redone again.
+    const State& rewind(History earlier);
+
     /// Marks the current state as saved. isSaved() compares states, so it is true again after
     /// undoing back to the saved state.
     void markSaved() { saved_ = state(); }

@@ -26,7 +26,7 @@ const std::vector<ExportPreset>& presets() {
         {"slam",
          "SLAM",
          "odometry and SLAM: colour and depth, poses as in TUM and EuRoC, inertial measurements; "
-         "plan with --set motion_preset=slam",
+         "plan with motion_preset slam",
          {"rgb", "depth"},
          {"camera_json", "tum", "euroc", "imu", "frames", "calibration"}},
         {"detection",

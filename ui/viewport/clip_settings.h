@@ -7,15 +7,15 @@
 
 namespace dollytrack::ui {
 
-/// What the viewport leaves out so that one can look inside. The plan does not change. World frame,
-/// m.
+/// The parts of the scene that the viewport hides: above a height, and outside a box. The plan does
+/// not change. World frame, m.
 struct ClipSettings {
     bool hides_above = false;
     double height_m = 0.0;
     bool has_box = false;
     Eigen::AlignedBox3d box;  // empty: not set yet
 
-    /// Sets what has not been set: the box a little around the scene, and half its height.
+    /// Sets the box to the scene's bounds and the height to their middle, if they are not set yet.
     void begin(const Eigen::AlignedBox3d& scene) {
         if (!box.isEmpty() || scene.isEmpty()) return;
         const Eigen::Vector3d margin = Eigen::Vector3d::Constant(0.01);

@@ -78,7 +78,7 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
         state.cancelBoxSelect();
         return;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Pressed;
+        state.drag = ViewportState::Drag::Pressed;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
         state.drag = ViewportState::Drag::Pan;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
@@ -87,7 +87,9 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
         return;
     }
     state.pressed_at = {io.MousePos.x, io.MousePos.y};
-    state.pressed_with_ctrl = io.KeyCtrl;  // kept because Ctrl may be released before the button
+    // Kept because the keys may be released before the button.
+    state.pressed_with_shift = io.KeyShift;
+    state.adds = io.KeyCtrl || io.KeyShift;
 }
 
 /// Draws the box from the press to the mouse; reports it when the button is released.
@@ -106,7 +108,7 @@ void continueBox(ViewportState& state, ViewportActions& actions) {
     list->AddRect(corner(box.min()), corner(box.max()), IM_COL32(255, 255, 255, 200));
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     actions.box = box;
-    actions.add_to_selection = state.pressed_with_ctrl;
+    actions.add_to_selection = state.adds;
     state.cancelBoxSelect();
 }
 
@@ -127,7 +129,7 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
     if (state.drag == Drag::Pressed &&
         (Eigen::Vector2d(io.MousePos.x, io.MousePos.y) - state.pressed_at).norm() >
             scaled(kClickSlack_px)) {
-        state.drag = Drag::Orbit;
+        state.drag = state.pressed_with_shift ? Drag::Pan : Drag::Orbit;
     }
     const double dx = io.MouseDelta.x;
     const double dy = io.MouseDelta.y;
@@ -144,7 +146,7 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
     if (!ImGui::IsAnyMouseDown()) {
         if (state.drag == Drag::Pressed) {
             actions.clicked = actions.cursor;
-            actions.add_to_selection = state.pressed_with_ctrl;
+            actions.add_to_selection = state.adds;
         }
         state.drag = Drag::None;
     }

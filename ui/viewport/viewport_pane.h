@@ -28,8 +28,9 @@ struct ViewportState {
     ViewerCamera camera;
     enum class Drag { None, Orbit, Pan, Look, Pressed, Box } drag = Drag::None;
     Eigen::Vector2d pressed_at = Eigen::Vector2d::Zero();
-    bool pressed_with_ctrl = false;
-    bool box_select = false;  // the next left drag selects the objects in a box
+    bool pressed_with_shift = false;  // a drag pans
+    bool adds = false;                // a click or a box adds to the selection
+    bool box_select = false;          // the next left drag selects the objects in a box
 
     /// Ends the selection with a box; returns whether there was one.
     bool cancelBoxSelect();

@@ -63,7 +63,7 @@ Result<Annotations> annotationsOf(const OpenedScene& opened) {
     return findAnnotations(opened.imported->source, given);
 }
 
-/// Whether a file beside a scene has a licence: LICENSE, Licence.txt, ATTRIBUTION.md and so on.
+/// Whether a file is a licence file by its name: LICENSE, Licence.txt, ATTRIBUTION.md and so on.
 bool isLicenseFile(const std::string& name) {
     static const std::set<std::string> kStems = {"license",  "licenses", "licence",
                                                  "licences", "copying",  "attribution"};
@@ -100,8 +100,14 @@ std::string licensesBeside(const std::filesystem::path& scene,
         const auto text = folder->openInput(name).and_then(
             [](const InputFile& file) { return file.readAll(render::kMostLicenseBytes); });
         const std::string clean = cleanLines(text.value_or(""));
-        if (!text || all.size() + clean.size() + 2 > render::kMostLicenseBytes) {
-            warn("left out of the dataset: it is a link, unreadable, or the licences exceed 1 MB");
+        if (!text) {
+            warn(
+                "left out of the dataset: it is a link, too large or unreadable; replace it by a "
+                "readable file below 1 MB");
+            continue;
+        }
+        if (all.size() + clean.size() + 2 > render::kMostLicenseBytes) {
+            warn("left out of the dataset: all licence files together exceed 1 MB; shorten them");
             continue;
         }
         constexpr const char* kReplaced = "\uFFFD";

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the path itself tells.
+/// The name and folder in the path; the disk is not read.
 ui::RecentFile named(const std::string& path) {
     ui::RecentFile file;
     file.path = path;
@@ -22,7 +22,7 @@ ui::RecentFile named(const std::string& path) {
 
 void lookAt(ui::RecentFile& file) {
     std::error_code error;
-    file.missing = !fs::exists(file.path, error);
+    file.missing = !fs::exists(file.path, error) && !error;
     if (file.missing) return;
     const fs::file_time_type written = fs::last_write_time(file.path, error);
     constexpr std::size_t kToMinutes = 16;

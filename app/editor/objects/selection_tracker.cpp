@@ -135,7 +135,12 @@ void SelectionTracker::follow(const std::shared_ptr<const ObjectTrace>& objects)
     // The first scene of a project has no predecessor: nothing is hidden.
     const ObjectTrace& from = before ? *before : *objects;
     hidden_ = followFlags(hidden_, from, *objects);
-    if (inLocalView()) local_ = followFlags(local_, from, *objects);
+    if (inLocalView()) {
+        // An object stays in the local view if any part of it was there.
+        local_.flip();
+        local_ = followFlags(local_, from, *objects);
+        local_.flip();
+    }
     objects_of_point_ = followObjects(objects_of_point_, from, *objects);
     if (now_.objects.empty()) return;
     now_.objects = followObjects(now_.objects, from, *objects);

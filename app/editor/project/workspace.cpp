@@ -345,6 +345,12 @@ void Workspace::goTo(std::size_t step) {
     if (stack_.state() != before) replan();
 }
 
+void Workspace::rewind(CommandStack::History earlier) {
+    const CommandStack::State before = stack_.state();
+    stack_.rewind(std::move(earlier));
+    if (stack_.state() != before) replan();
+}
+
 void Workspace::replan() {
     changed_at_ = Clock::now();
     lighter_.cancel();  // planning takes precedence

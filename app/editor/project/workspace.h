@@ -73,6 +73,8 @@ class Workspace {
     void undo();
     void redo();
     void goTo(std::size_t step);
+    /// See CommandStack::rewind().
+    void rewind(CommandStack::History earlier);
 
     /// Takes finished background results. To be called every frame.
     void poll();

@@ -30,7 +30,9 @@ class ReadAhead {
   private:
     void begin() {
         if (begun_ == count_) return;
-        next_ = std::async(std::launch::async, [this, i = begun_] { return read_(i); });
+        // Without a free thread, the input is read by next().
+        next_ = std::async(std::launch::async | std::launch::deferred,
+                           [this, i = begun_] { return read_(i); });
         ++begun_;
     }
 

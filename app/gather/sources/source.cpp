@@ -133,12 +133,13 @@ Status SourceReader::compare(const verify::StoredDataset& dataset) {
             continue;
         }
         if (conventions_[name] == value) continue;
-        const char* lenses =
-            name == "intrinsics" ? ", or allow lenses to differ with --mixed-lenses" : "";
+        const char* hint = name == "intrinsics" ? ", or allow lenses to differ with --mixed-lenses"
+                           : name == kSceneFlow ? ", or export both with the same --flow-distances"
+                                                : "";
         return fail(
             ErrorCode::BadInput,
             fmt::format("Its convention '{}' differs from that of {}; gather the two separately{}.",
-                        name, first_, lenses),
+                        name, first_, hint),
             dataset.folder.string());
     }
     return {};

@@ -195,8 +195,8 @@ class Plan:
                progress: Progress = None, **parameters: Value) -> Dict[str, Any]:
         """Writes a dataset, byte-identical to that of 'dollytrack export'.
 
-        preset: a named selection of modalities and formats, such as "nerf"; see 'dollytrack
-            export --list'.
+        preset: name of a preset, e.g. "nerf", that selects modalities and formats; see
+            'dollytrack export --list'.
         modalities, formats: names of 'dollytrack export --list', or "all"; None: those of the
             preset, or the default ones.
         range: "a:b:s", frames a to b (b not included), every s-th.

@@ -31,9 +31,10 @@ constexpr float kCrumbGap_m = 0.1F;
 constexpr float kLeastObject_m = 0.3F;  // smaller objects are no evidence
 constexpr float kUnsized_m = 2.0F;      // longest side of objects of classes without a typical size
 constexpr float kRoom_m = 3.0F;  // smallest extent in two directions of a draft across a room
-constexpr float kAcross = 0.6F;  // the same for a draft without a class, as a share of the scene
-constexpr float kAir = 0.25F;    // largest share of such a draft's box that its objects fill
-constexpr std::size_t kLeastAlike = 3;            // number of equal objects that is no coincidence
+// Drafts without a class: smallest extent in x and y, as a share of the scene's shorter side.
+constexpr float kAcross = 0.6F;
+constexpr float kAir = 0.25F;           // largest share of such a draft's box that its objects fill
+constexpr std::size_t kLeastAlike = 3;  // number of equal objects that is no coincidence
 constexpr std::size_t kMostLoosePieces = 10'000;  // of all examined drafts; foliage has more
 constexpr std::size_t kMostPairs = 50'000;
 

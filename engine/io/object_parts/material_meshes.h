@@ -22,7 +22,8 @@ struct MaterialMeshes {
 /// into objects. Pieces belong to one object if they touch or are within 3 cm and their names do
 /// not indicate different classes. A draft is regrouped only if this is certain: if it is larger
 /// than its class can be and the resulting objects are not, if the same arrangement of pieces of
-/// several drafts occurs at least three times, or if the draft is spread over a room. Parts must be
+/// several drafts occurs at least three times, or if the draft is spread over a room, or without a
+/// class over most of the scene. Parts must be
 /// in the world's frame. If `apply` is false, nothing is changed.
 MaterialMeshes regroupMaterialMeshes(RawScene& raw, const LabelTable& labels,
                                      std::vector<ObjectDraft>& drafts, bool apply);

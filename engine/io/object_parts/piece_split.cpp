@@ -160,8 +160,10 @@ void dropNamesOfJoinedScenes(const RawScene& raw, std::vector<ObjectDraft>& draf
     for (std::size_t i = 0; i < drafts.size(); ++i) {
         const Eigen::Vector3f share = boxes[i].sizes().cwiseQuotient(all.sizes().cwiseMax(1e-6F));
         if (drafts[i].label.kind != LabelKind::Target || share.minCoeff() < 0.85F) continue;
-        const auto inside = std::ranges::count_if(
-            boxes, [&](const auto& box) { return boxes[i].contains(box.center()); });
+        std::ptrdiff_t inside = 0;
+        for (std::size_t k = 0; k < boxes.size() && inside <= kFewOthers; ++k) {
+            if (k != i && boxes[i].contains(boxes[k].center())) ++inside;
+        }
         if (inside <= kFewOthers) continue;
         drafts[i].name.clear();
         drafts[i].label = {};

@@ -5,9 +5,9 @@
 
 namespace dollytrack {
 
-/// Removes the names of drafts that fill the whole scene and enclose most of its other objects: a
-/// mesh that was joined from all objects has the name of one of them. Parts must be in the world's
-/// frame.
+/// Removes the names of drafts that fill the whole scene and contain the centres of more than five
+/// other objects: a mesh that was joined from all objects has the name of one of them. Parts must
+/// be in the world's frame.
 void dropNamesOfJoinedScenes(const RawScene& raw, std::vector<ObjectDraft>& drafts);
 
 /// Splits drafts that contain a whole room into connected pieces (surfaces that share vertices, to

@@ -2,16 +2,25 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <limits>
+#include <set>
+
 namespace dollytrack::verify {
 
 std::vector<int> flowDistances(const StoredDataset& dataset, const std::string& modality) {
     const auto convention = dataset.convention(modality);
     if (!convention.is_object() || !convention.contains("distances")) return {};
-    std::vector<int> distances;
+    // dataset.json may be hostile: only distances that frames can have, each once.
+    std::set<int> distances;
     for (const auto& one : convention["distances"]) {
-        if (one.is_number_integer()) distances.push_back(one.get<int>());
+        if (!one.is_number_integer()) continue;
+        const auto distance = one.get<std::int64_t>();
+        if (distance >= 1 && distance <= std::numeric_limits<int>::max()) {
+            distances.insert(static_cast<int>(distance));
+        }
     }
-    return distances;
+    return {distances.begin(), distances.end()};
 }
 
 std::vector<FlowFile> pairFiles(const StoredDataset& dataset, const std::string& modality,
@@ -21,7 +30,7 @@ std::vector<FlowFile> pairFiles(const StoredDataset& dataset, const std::string&
     const int direction = modality == "flow_backward" ? -1 : 1;
     for (const int distance : flowDistances(dataset, modality)) {
         const int frames = static_cast<int>(dataset.frames.size());
-        if (distance < 1 || distance >= frames) continue;
+        if (distance >= frames) break;
         const int other = frame + direction * distance;
         if (other < 0 || other >= frames) continue;
         files.push_back({fmt::format("{}/{:06}_{:06}", modality, frame, other), other});

@@ -89,6 +89,31 @@ class Transforms(Task):
             self.assertEqual(state["history_position"], 0)
             self.assertEqual(state["selected"], [SOFA])
 
+    def test_a_cancelled_move_leaves_what_was_undone(self):
+        self.with_the_sofa()
+        self.press("g", "x")
+        self.editor.type("0.5")
+        self.press("enter")
+        self.press("ctrl+z", "g", "y")
+        self.editor.type("2")
+        self.editor.wait(lambda state: state["history_position"] == 1, "the move")
+        self.press("esc")
+        self.assertOffset([0, 0, 0])
+        self.press("ctrl+shift+z")
+        self.assertOffset([0.5, 0, 0])
+        self.assertEqual(self.editor.idle()["history"], ["Open", "Move sofa"])
+
+    def test_a_key_that_cannot_act_says_why(self):
+        self.with_the_sofa()
+        self.press("esc")
+        state = self.press("g")
+        self.assertIn("status.refused_key", state["items"])
+        self.select_row(SOFA)
+        self.over_the_viewport()
+        state = self.press("g")
+        self.assertNotIn("status.refused_key", state["items"])
+        self.press("esc")
+
     def test_the_mouse_moves_along_the_axis_and_a_click_confirms(self):
         self.with_the_sofa()
         x, y = self.editor.middle("gizmo.x")

@@ -123,6 +123,19 @@ TEST(CommandStack, KnowsWhetherTheStateIsSaved) {
     EXPECT_TRUE(stack.isSaved());  // equal to the saved state, whatever the history
 }
 
+TEST(CommandStack, ACancelledDragLeavesUndoneStepsToRedo) {
+    CommandStack stack;
+    stack.push("Set fill", withFill(0.5));
+    stack.undo();
+    const CommandStack::History before = stack.history();
+    stack.push("Set fill", withFill(0.7), "drag");
+    EXPECT_FALSE(stack.canRedo());
+    EXPECT_EQ(*stack.rewind(before), ProjectState());
+    EXPECT_TRUE(stack.isSaved());
+    EXPECT_EQ(*stack.redo(), withFill(0.5));
+    EXPECT_FALSE(stack.canRedo());
+}
+
 RC_GTEST_PROP(CommandStack, UndoesRedoesAndSavesAnyOperations, ()) {
     static const Scene imported = test::furnishedRoom();
     CommandStack stack;

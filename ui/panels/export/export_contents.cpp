@@ -98,7 +98,7 @@ void drawChoices(const char* title, const char* kind, const std::vector<ExportCh
     ImGui::PopFont();
     if (groups.empty()) {
         ImGui::SameLine();
-        cutText("none contains this text", palette().text_dim);
+        cutText("No name or description contains this text", palette().text_dim);
     }
     for (const std::string& group : groups) {
         formLabel(group.c_str());

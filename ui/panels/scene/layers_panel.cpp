@@ -283,7 +283,7 @@ void drawClipBox(const LayersView& view, ClipSettings& clip, Switches& switches)
     }
 }
 
-/// What the viewport leaves out; nothing of it changes the plan.
+/// Switches for hiding above a height and for the clipping box; they do not change the plan.
 void drawClip(const LayersView& view, ClipSettings& clip, Switches& switches) {
     const std::string why_not = view.room.isEmpty() ? "No scene is open." : "";
     clip.begin(view.room);

@@ -115,10 +115,11 @@ void drawRow(const ObjectsView& view, ObjectsPanelState& state, const Object& ob
                               ImGuiSelectableFlags_AllowItemOverlap |
                               ImGuiSelectableFlags_AllowDoubleClick)) {
         actions.clicked = object.id;
-        actions.add_to_selection = state.pressed_with_ctrl;
+        actions.add_to_selection = state.pressed_with_key;
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) actions.frame = object.id;
     }
-    if (ImGui::IsItemClicked()) state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemClicked()) state.pressed_with_key = io.KeyCtrl || io.KeyShift;
     nameItem("objects.row." + std::to_string(object.id));
     const std::string class_name = className(object);
     if (shown_name != name || !with_class) tooltipBeside(name + "\n" + class_name);

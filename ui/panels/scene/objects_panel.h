@@ -21,9 +21,9 @@ struct ObjectsView {
 /// State kept between window frames.
 struct ObjectsPanelState {
     std::string filter;
-    int shown = 1;                   // index of the shown group: all, targets, not captured, …
-    int scroll_to = 0;               // id of the row to scroll to; 0: none
-    bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
+    int shown = 1;                  // index of the shown group: all, targets, not captured, …
+    int scroll_to = 0;              // id of the row to scroll to; 0: none
+    bool pressed_with_key = false;  // Ctrl or Shift, which may be released before the button
 };
 
 /// User actions of this frame; ids of objects, 0: none.

@@ -213,8 +213,9 @@ void drawRows(const std::vector<Row>& rows, StartState& state, StartActions& act
 
 StartActions drawStartPanel(const StartView& view, StartState& state) {
     StartActions actions;
-    // It has the keyboard from the beginning; the arrow keys are its own, not Dear ImGui's.
-    // Parts of the window that appear in the first frame would take the keyboard from it.
+    // The start screen takes the keyboard when it appears. It does so for two frames, because other
+    // parts of the window that appear in the first one would take it back. Its arrow keys replace
+    // Dear ImGui's navigation.
     constexpr int kAppearing = 2;
     const bool covered = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     if (state.frames < kAppearing && !covered) ImGui::SetNextWindowFocus();

@@ -9,7 +9,7 @@ namespace dollytrack::ui {
 /// A project or scene that was opened earlier.
 struct RecentFile {
     std::string path;
-    std::string name;      // "kitchen"
+    std::string name;      // "kitchen.dolly"
     std::string folder;    // folder of the file
     std::string date;      // of the last change; empty: unknown
     bool missing = false;  // there is no such file
@@ -25,7 +25,7 @@ struct StartView {
 /// Kept between window frames.
 struct StartState {
     int chosen = 0;  // row for the keys, counted over all rows
-    int frames = 0;  // window frames since it appeared; 0: it is not shown
+    int frames = 0;  // window frames since it appeared, counted up to 2; 0: it is not shown
 };
 
 /// User actions of this frame.

@@ -81,8 +81,9 @@ const Command* CommandTable::find(std::string_view id) const {
     return at == commands_.end() ? nullptr : &*at;
 }
 
-std::string CommandTable::runShortcuts(const KeySigns& signs) const {
+std::optional<std::string> CommandTable::runShortcuts(const KeySigns& signs) const {
     const ImGuiIO& io = ImGui::GetIO();
+    std::optional<std::string> refused;
     for (const Command& command : commands_) {
         const Shortcut& keys = command.shortcut;
         // Only stepping and undo shortcuts repeat while a key is held.
@@ -99,11 +100,15 @@ std::string CommandTable::runShortcuts(const KeySigns& signs) const {
             keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
                           keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);
         if (io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1))) continue;
-        if (!command.canRun()) continue;
+        std::string why_not = command.why_not ? command.why_not() : std::string();
+        if (!why_not.empty()) {
+            if (!refused) refused = std::move(why_not);
+            continue;
+        }
         command.run();
-        return command.id;
+        return std::string();
     }
-    return {};
+    return refused;
 }
 
 void CommandTable::drawMenuItem(std::string_view id) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,9 +42,9 @@ class CommandTable {
     using KeySigns = std::function<std::string(int key)>;
 
     /// Runs the command whose shortcut was pressed this frame. While a text field has the keyboard,
-    /// only shortcuts that text editing does not use are active. Returns the command's id; empty if
-    /// none ran.
-    std::string runShortcuts(const KeySigns& signs = {}) const;
+    /// only shortcuts that text editing does not use are active. Returns why the command cannot
+    /// run, empty if it ran; unset if no shortcut was pressed.
+    std::optional<std::string> runShortcuts(const KeySigns& signs = {}) const;
 
     /// Draws the menu item of a command; does nothing for an unknown id.
     void drawMenuItem(std::string_view id) const;
