@@ -320,8 +320,8 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, C
     switches.check("Cut ceilings away", "ceiling_cut", settings.ceiling_cut,
                    "Show rooms from above without ceilings");
     if (settings.ceiling_cut && view.storeys > 1) drawStoreys(view, settings, switches);
-    drawClip(view, clip, switches);
     switches.check("Grid", "grid", settings.grid, "At floor height, below and around the room");
+    drawClip(view, clip, switches);
     if (!view.legends.empty()) {
         ImGui::Separator();
         drawLegends(view.legends);
