@@ -126,7 +126,8 @@ void findObjects(RawScene& raw, const LabelTable& labels, bool regroup,
     if (split > 0) {
         report.warnings.push_back(
             "the file does not separate its objects; they were found as connected pieces; check "
-            "them");
+            "them, and split those that hold several things (Split into pieces in the editor, the "
+            "operation split of 'dollytrack edit')");
     }
     std::erase_if(meshes.doubtful, [&](const std::string& name) {
         return std::ranges::find(drafts, name, &ObjectDraft::name) == drafts.end();

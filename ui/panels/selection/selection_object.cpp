@@ -269,7 +269,8 @@ void drawSharedClass(const SelectionView& view, const std::vector<int>& ids, Sel
     const bool same = std::ranges::all_of(ids, [&](int id) { return classOf(id) == first; });
     if (!beginForm("shared properties")) return;
     formLabel("Class", "The class of all selected objects");
-    if (const auto chosen = classCombo(same ? first : 0, state.class_filter, "selection.class")) {
+    if (const auto chosen = classCombo(same ? std::optional(first) : std::nullopt,
+                                       state.class_filter, "selection.class")) {
         actions.edit.operation = {
             {"op", "set_class"}, {"object", objectKeys(*view.scene, ids)}, {"class", *chosen}};
     }

@@ -41,9 +41,11 @@ void drawSwatch(int nyu40) {
 
 }  // namespace
 
-std::optional<int> classCombo(int nyu40, std::string& filter, const std::string& name) {
+std::optional<int> classCombo(std::optional<int> nyu40, std::string& filter,
+                              const std::string& name) {
     std::optional<int> chosen;
-    const std::string shown = nyu40 == 0 ? "unknown" : std::string(nyu40Name(nyu40));
+    std::string shown = "various";
+    if (nyu40) shown = *nyu40 == 0 ? "unknown" : std::string(nyu40Name(*nyu40));
     const bool open =
         ImGui::BeginCombo(("##" + name).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
     if (!open) {
