@@ -160,7 +160,7 @@ class Editor {
     // editor_start.cpp: the start screen, and the pictures that it shows
     /// Path of the built-in scene; empty if it is not installed.
     [[nodiscard]] static std::string exampleScene();
-    /// Stores the viewport's image as the picture of the open file.
+    /// Saves a small copy of the viewport's image, which the start screen shows beside the file.
     void keepPicture();
     void drawStart();
     [[nodiscard]] nlohmann::json startJson() const;

@@ -30,7 +30,8 @@ struct LayersActions {
     bool finished = false;  // a drag has ended
 };
 
-/// Draws the layer switches, their options, what the viewport leaves out, and the legends.
+/// Draws the switches of all layers with their options, those of the clipping box and the height
+/// above which the scene is hidden, and the legends of the colours.
 LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, ClipSettings& clip);
 
 }  // namespace dollytrack::ui
