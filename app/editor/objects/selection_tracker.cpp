@@ -135,12 +135,7 @@ void SelectionTracker::follow(const std::shared_ptr<const ObjectTrace>& objects)
     // The first scene of a project has no predecessor: nothing is hidden.
     const ObjectTrace& from = before ? *before : *objects;
     hidden_ = followFlags(hidden_, from, *objects);
-    if (inLocalView()) {
-        // An object stays in the local view if any part of it was there.
-        local_.flip();
-        local_ = followFlags(local_, from, *objects);
-        local_.flip();
-    }
+    local_ = followObjects(local_, from, *objects);
     objects_of_point_ = followObjects(objects_of_point_, from, *objects);
     if (now_.objects.empty()) return;
     now_.objects = followObjects(now_.objects, from, *objects);
@@ -174,16 +169,14 @@ void SelectionTracker::showAll() {
 
 void SelectionTracker::toggleLocalView() {
     if (inLocalView()) return local_.clear();
-    local_.assign(hidden_.size(), false);
-    for (const int id : now_.objects) {
-        if (static_cast<std::size_t>(id) < local_.size()) local_[id] = true;
-    }
+    local_ = now_.objects;
 }
 
 std::vector<bool> SelectionTracker::leftOut() const {
-    std::vector<bool> out = hidden_;
-    for (std::size_t i = 0; i < local_.size() && i < out.size(); ++i) {
-        if (!local_[i]) out[i] = true;
+    if (!inLocalView()) return hidden_;
+    std::vector<bool> out(hidden_.size(), true);
+    for (const int id : local_) {
+        if (static_cast<std::size_t>(id) < out.size()) out[id] = hidden_[id];
     }
     return out;
 }

@@ -78,7 +78,7 @@ class SelectionTracker {
     std::string pin_of_point_;           // pin name of the selected position point, or empty
     std::string awaited_pin_;
     std::vector<bool> hidden_;
-    std::vector<bool> local_;  // objects of the local view, by object id; empty: there is none
+    std::vector<int> local_;  // ids of the objects in the local view; empty: there is none
     std::shared_ptr<const ObjectTrace> objects_now_;  // the objects that all stored ids refer to
 };
 
