@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/random.h"
-#include "engine/generate/furniture_pool.h"
+#include "engine/generate/furniture/furniture_pool.h"
 #include "engine/generate/room_layout.h"
 #include "engine/jobs/job.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/generate/furniture_catalog.h"
+#include "engine/generate/furniture/furniture_catalog.h"
 #include "engine/generate/room_layout.h"
 #include "engine/io/files/zip_writer.h"
 

@@ -2,7 +2,7 @@
 
 #include "engine/core/random.h"
 #include "engine/core/result.h"
-#include "engine/generate/furniture_pool.h"
+#include "engine/generate/furniture/furniture_pool.h"
 #include "engine/generate/room_layout.h"
 #include "engine/generate/room_spec.h"
 #include "engine/jobs/job.h"

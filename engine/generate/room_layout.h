@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/generate/furniture_role.h"
+#include "engine/generate/furniture/furniture_role.h"
 #include "engine/generate/traversability_grid.h"
 #include "engine/generate/upright_box.h"
 

@@ -1,4 +1,4 @@
-#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
 #include "tests/fuzz/memory_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,7 +4,7 @@
 
 #include "engine/scene/resolved_light.h"
 #include "render/frames/frame_file.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 #include "tests/render/sunny_room.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "render/light/tone_curve.h"
 #include "render/materials/surface_brdf.h"
 #include "render/pathtrace/path_tracer.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 #include "tests/render/lamp_room.h"
 #include "tests/render/sunny_room.h"
 

@@ -4,7 +4,7 @@
 #include "render/rig/rig_clearance.h"
 #include "render/rig/rig_files.h"
 #include "render/rig/rig_pictures.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>

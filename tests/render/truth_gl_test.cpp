@@ -3,7 +3,7 @@
 #include "render/frames/mask_rle.h"
 #include "render/truth/visibility_mask.h"
 #include "render/verify/read/exr_file.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>

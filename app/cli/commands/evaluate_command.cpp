@@ -2,7 +2,7 @@
 #include "app/cli/compare/evaluation.h"
 #include "app/cli/export/dataset_scene.h"
 #include "app/cli/plan/metrics_table.h"
-#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
 #include "render/verify/compare/observed_surface.h"
 
 #include <fmt/format.h>

@@ -14,8 +14,8 @@
 #include "engine/io/homes/home_reader.h"
 #include "engine/io/models/model_reader.h"
 #include "engine/io/pointcloud/cloud_scene.h"
-#include "engine/io/pointcloud/ply_points.h"
-#include "engine/io/pointcloud/text_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
+#include "engine/io/pointcloud/files/text_points.h"
 #include "engine/io/semantics/label_gaps.h"
 #include "engine/io/semantics/labelled_reader.h"
 

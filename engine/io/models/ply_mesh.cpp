@@ -2,7 +2,7 @@
 
 #include "engine/core/clean_text.h"
 #include "engine/core/name_pattern.h"
-#include "engine/io/pointcloud/ply_file.h"
+#include "engine/io/pointcloud/files/ply_file.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"
 #include "engine/scene/srgb.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/pointcloud/point_cloud.h"
+#include "engine/io/pointcloud/files/point_cloud.h"
 #include "engine/jobs/job.h"
 
 namespace dollytrack {

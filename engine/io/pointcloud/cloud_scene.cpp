@@ -2,12 +2,12 @@
 
 #include "engine/geometry/cloud_error.h"
 #include "engine/io/pointcloud/cloud_depths.h"
-#include "engine/io/pointcloud/cloud_file.h"
 #include "engine/io/pointcloud/cloud_floor.h"
 #include "engine/io/pointcloud/cloud_frame.h"
 #include "engine/io/pointcloud/cloud_objects.h"
 #include "engine/io/pointcloud/cloud_surface.h"
 #include "engine/io/pointcloud/cloud_texture.h"
+#include "engine/io/pointcloud/files/cloud_file.h"
 #include "engine/io/raw_scene/mesh_part_builder.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/io/pointcloud/point_cloud.h"
+#include "engine/io/pointcloud/files/point_cloud.h"
 #include "engine/io/raw_scene/raw_scene.h"
 
 #include <Eigen/Core>

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import sys
 
-from support import tiny_room  # noqa: F401
+from support import tiny_room
 from support.program import FolderCase, PROGRAM, hashes, run  # noqa: F401
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -32,3 +32,20 @@ def interrupt_when(process, line):
             break
     out, errors = process.communicate(timeout=300)
     return out, errors, process.returncode
+
+
+class RoomCase(FolderCase):
+    """Tests with a small room, loaded and planned."""
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.room = cls.folder / "room.obj"
+        tiny_room.write(cls.room)
+        cls.scene = dt.load(cls.room)
+        cls.plan = cls.scene.plan(max_frames=8, **SIZE)
+
+    def assertSameFiles(self, one, other):
+        ours, theirs = hashes(one), hashes(other)
+        self.assertGreater(len(ours), 10)
+        self.assertEqual(sorted(ours), sorted(theirs))
+        self.assertEqual([name for name in ours if ours[name] != theirs[name]], [])

@@ -1,6 +1,6 @@
 #include "engine/io/models/ply_mesh.h"
 #include "engine/io/files/number_lines.h"
-#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
 #include "engine/io/semantics/labelled_faces.h"
 #include "tests/engine/datasets/numbered_mesh.h"
 #include "tests/support/imported_scene.h"

@@ -1,4 +1,4 @@
-#include "engine/generate/furniture_role.h"
+#include "engine/generate/furniture/furniture_role.h"
 #include "engine/generate/room_spec.h"
 #include "engine/io/files/zip_writer.h"
 #include "engine/io/homes/home_writer.h"

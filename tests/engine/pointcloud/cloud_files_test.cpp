@@ -1,9 +1,9 @@
 #include "engine/core/random.h"
-#include "engine/io/pointcloud/cloud_file.h"
-#include "engine/io/pointcloud/lzf.h"
-#include "engine/io/pointcloud/pcd_points.h"
-#include "engine/io/pointcloud/ply_points.h"
-#include "engine/io/pointcloud/text_points.h"
+#include "engine/io/pointcloud/files/cloud_file.h"
+#include "engine/io/pointcloud/files/lzf.h"
+#include "engine/io/pointcloud/files/pcd_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
+#include "engine/io/pointcloud/files/text_points.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "render/frames/frame_file.h"
 #include "render/light/tone_curve.h"
 #include "render/sensors/sensor_lens.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 
 #include "engine/scene/srgb.h"
 

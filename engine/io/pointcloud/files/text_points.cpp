@@ -1,4 +1,4 @@
-#include "engine/io/pointcloud/text_points.h"
+#include "engine/io/pointcloud/files/text_points.h"
 
 #include "engine/io/files/number_lines.h"
 

@@ -1,8 +1,8 @@
-#include "engine/io/pointcloud/ply_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
 
 #include "engine/io/files/input_file.h"
 #include "engine/io/files/number_lines.h"
-#include "engine/io/pointcloud/ply_file.h"
+#include "engine/io/pointcloud/files/ply_file.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "engine/io/pointcloud/cloud_file.h"
+#include "engine/io/pointcloud/files/cloud_file.h"
 
 #include "engine/io/files/file_type.h"
 #include "engine/io/files/input_file.h"
-#include "engine/io/pointcloud/pcd_points.h"
-#include "engine/io/pointcloud/ply_points.h"
-#include "engine/io/pointcloud/text_points.h"
+#include "engine/io/pointcloud/files/pcd_points.h"
+#include "engine/io/pointcloud/files/ply_points.h"
+#include "engine/io/pointcloud/files/text_points.h"
 
 #include <string>
 

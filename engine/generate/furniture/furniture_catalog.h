@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/generate/catalog_text.h"
+#include "engine/generate/furniture/catalog_text.h"
 #include "engine/io/files/file_source.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "engine/generate/furniture_role.h"
+#include "engine/generate/furniture/furniture_role.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "engine/io/files/sha256.h"
 #include "engine/jobs/parallel.h"
 #include "render/frames/mask_rle.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>

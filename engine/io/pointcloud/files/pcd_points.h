@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/io/pointcloud/point_cloud.h"
+#include "engine/io/pointcloud/files/point_cloud.h"
 
 #include <string_view>
 

@@ -1,4 +1,4 @@
-#include "engine/generate/furniture_pool.h"
+#include "engine/generate/furniture/furniture_pool.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/generate/catalog_text.h"
+#include "engine/generate/furniture/catalog_text.h"
 
 #include "engine/core/clean_text.h"
 

@@ -1,8 +1,8 @@
-#include "engine/io/pointcloud/pcd_points.h"
+#include "engine/io/pointcloud/files/pcd_points.h"
 
 #include "engine/io/files/number_lines.h"
-#include "engine/io/pointcloud/lzf.h"
-#include "engine/io/pointcloud/pcd_header.h"
+#include "engine/io/pointcloud/files/lzf.h"
+#include "engine/io/pointcloud/files/pcd_header.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "engine/io/pointcloud/lzf.h"
+#include "engine/io/pointcloud/files/lzf.h"
 
 namespace dollytrack {
 

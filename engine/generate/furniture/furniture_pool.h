@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/generate/furniture_role.h"
+#include "engine/generate/furniture/furniture_role.h"
 #include "engine/io/homes/model_library.h"
 #include "engine/jobs/job.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
-#include "engine/generate/furniture_catalog.h"
+#include "engine/generate/furniture/furniture_catalog.h"
 
 #include <string>
 #include <string_view>

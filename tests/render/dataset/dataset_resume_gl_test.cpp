@@ -1,7 +1,7 @@
 #include "render/dataset/contents/frame_context.h"
 #include "render/encoders/modalities.h"
 #include "render/frames/frame_file.h"
-#include "tests/render/dataset_fixture.h"
+#include "tests/render/dataset/dataset_fixture.h"
 
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>

@@ -1,4 +1,4 @@
-#include "engine/generate/furniture_catalog.h"
+#include "engine/generate/furniture/furniture_catalog.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/io/pointcloud/ply_file.h"
+#include "engine/io/pointcloud/files/ply_file.h"
 
 #include "engine/core/clean_text.h"
 #include "engine/io/files/number_lines.h"

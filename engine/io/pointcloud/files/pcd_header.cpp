@@ -1,7 +1,7 @@
-#include "engine/io/pointcloud/pcd_header.h"
+#include "engine/io/pointcloud/files/pcd_header.h"
 
 #include "engine/io/files/number_lines.h"
-#include "engine/io/pointcloud/point_cloud.h"
+#include "engine/io/pointcloud/files/point_cloud.h"
 
 #include <fmt/format.h>
 
