@@ -73,9 +73,7 @@ Editor::Editor(Window& window, std::unique_ptr<gl::Context> drawing, ui::LogBuff
     panels_.preview.open = settings_.layout.show_preview;
     panels_.preview.docked = settings_.layout.dock_preview;
     layer_settings_ = settings_.layout.layers;
-    left_tabs_.restore(settings_.layout.left_tab);
-    right_tabs_.restore(settings_.layout.right_tab);
-    bottom_tabs_.restore(settings_.layout.bottom_tab);
+    docks_.restore(settings_.layout.panels, settings_.layout.open_tabs);
     addCommands();
     makeExportQueue();
     for (const Field& field : parameters_.standard()) {
@@ -134,7 +132,7 @@ void Editor::refreshScene() {
         if (!selected_.keepIn(plan(), pinnedIn(shown))) dropGizmo();
         if (!chosen && selected_.is(ui::Selection::Kind::PositionPoint)) {
             panels_.preview.shows_selection = true;
-            focus_tab_ = "Selection";
+            docks_.select("Selection");
         }
     }
     if (!shown.scene) return;
@@ -186,12 +184,16 @@ bool Editor::frame() {
     return !quitting_;
 }
 
+bool Editor::exportsAtBottom() const {
+    return docks_.isOpen("Export") && docks_.places().sideOf("Export") == DockSide::Bottom;
+}
+
 void Editor::drawBottomRow(ImVec2 low, ImVec2 size) {
     // The export form needs the whole width.
-    const bool beside = previewIsDocked() && bottom_tabs_.open() != "Export";
+    const bool beside = previewIsDocked() && !exportsAtBottom();
     const float dock = beside ? previewWidth(size.y, size.x) : 0.0F;
     beginPart("bottom", low, {size.x - dock, size.y});
-    drawBottom();
+    drawDock(DockSide::Bottom);
     ImGui::End();
     if (!beside) return;
     beginImagePart("preview", {low.x + size.x - dock, low.y}, {dock, size.y});
@@ -208,33 +210,33 @@ void Editor::arrange() {
     // The viewport keeps a minimum size in small windows.
     const float most_side = std::max(0.5F * (size.x / scale - 320.0F), 180.0F);
     // The export form is taller than the other bottom panels and leaves less to the viewport.
-    const bool exports = bottom_tabs_.open() == "Export";
+    const bool exports = exportsAtBottom();
     float& bottom_height = exports ? layout.bottom_export : layout.bottom;
     const float most_bottom = std::max(size.y / scale - (exports ? 220.0F : 300.0F), 120.0F);
     // In a small window the panels are smaller than their settings, which hold for a larger one.
-    const float left = layout.show_left ? scale * std::clamp(layout.left, 180.0F, most_side) : 0.0F;
-    const float right =
-        layout.show_right ? scale * std::clamp(layout.right, 180.0F, most_side) : 0.0F;
+    const bool show_left = docks_.places().isVisible(DockSide::Left);
+    const bool show_right = docks_.places().isVisible(DockSide::Right);
+    const bool show_bottom = docks_.places().isVisible(DockSide::Bottom);
+    const float left = show_left ? scale * std::clamp(layout.left, 180.0F, most_side) : 0.0F;
+    const float right = show_right ? scale * std::clamp(layout.right, 180.0F, most_side) : 0.0F;
     // The row for track times adds to the height, so that the last strip stays visible.
     const float tracks = hasTracks() ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
     const float bottom =
-        layout.show_bottom ? scale * std::clamp(bottom_height, 110.0F, most_bottom) + tracks : 0.0F;
+        show_bottom ? scale * std::clamp(bottom_height, 110.0F, most_bottom) + tracks : 0.0F;
     const float middle = size.y - status - bottom;
-    if (layout.show_left) {
+    step_playback_.show(false);  // the steps are shown while their panel is
+    if (show_left) {
         beginPart("left", low, {left, middle});
-        drawLeft();
+        drawDock(DockSide::Left);
         ImGui::End();
     }
-    if (layout.show_right) {
+    if (show_right) {
         beginPart("right", {low.x + size.x - right, low.y}, {right, middle});
-        drawRight();
+        drawDock(DockSide::Right);
         ImGui::End();
     }
-    if (layout.show_bottom) {
-        drawBottomRow({low.x, low.y + middle}, {size.x, bottom});
-    } else {
-        step_playback_.show(false);
-    }
+    if (show_bottom) drawBottomRow({low.x, low.y + middle}, {size.x, bottom});
+    docks_.followDrag(low, {low.x + size.x, low.y + size.y - status});
     beginImagePart("centre", {low.x + left, low.y}, {size.x - left - right, middle});
     drawCentre();
     ImGui::End();
@@ -243,16 +245,16 @@ void Editor::arrange() {
     drawStatus();
     ImGui::End();
     const float grip = ui::scaled(3);
-    if (layout.show_left) {
+    if (show_left) {
         dragBorder("splitter.left", {low.x + left - grip, low.y},
                    {low.x + left + grip, low.y + middle}, true, 1.0F, layout.left, 180, most_side);
     }
-    if (layout.show_right) {
+    if (show_right) {
         const float at = low.x + size.x - right;
         dragBorder("splitter.right", {at - grip, low.y}, {at + grip, low.y + middle}, true, -1.0F,
                    layout.right, 180, most_side);
     }
-    if (layout.show_bottom) {
+    if (show_bottom) {
         dragBorder("splitter.bottom", {low.x, low.y + middle - grip},
                    {low.x + size.x, low.y + middle + grip}, false, -1.0F, bottom_height, 110,
                    most_bottom);
@@ -277,9 +279,8 @@ void Editor::rememberSettings() {
     settings_.layout.show_preview = panels_.preview.open;
     settings_.layout.dock_preview = panels_.preview.docked;
     settings_.layout.layers = layer_settings_;
-    settings_.layout.left_tab = left_tabs_.open();
-    settings_.layout.right_tab = right_tabs_.open();
-    settings_.layout.bottom_tab = bottom_tabs_.open();
+    settings_.layout.panels = docks_.places();
+    settings_.layout.open_tabs = docks_.openTabs();
     settings_saver_.follow(settings_);
 }
 
@@ -367,7 +368,7 @@ void Editor::select(ui::Selection selection) {
     panels_.preview.shows_selection = selected_.is(ui::Selection::Kind::PositionPoint);
     if (selected_.is(ui::Selection::Kind::Frame)) goToFrame(selected_.now().index);
     if (!selected_.objects().empty()) panels_.objects.scroll_to = selected_.objects().back();
-    if (!selected_.is(ui::Selection::Kind::None)) focus_tab_ = "Selection";
+    if (!selected_.is(ui::Selection::Kind::None)) docks_.select("Selection");
 }
 
 void Editor::selectObject(int object, bool add) {

@@ -11,10 +11,10 @@
 #include "app/editor/project/parameter_draft.h"
 #include "app/editor/project/workspace.h"
 #include "app/editor/questions.h"
+#include "app/editor/shell/panel_docks.h"
 #include "app/editor/shell/panel_states.h"
 #include "app/editor/shell/settings.h"
 #include "app/editor/shell/settings_saver.h"
-#include "app/editor/shell/tab_row.h"
 #include "app/editor/shell/window.h"
 #include "app/editor/timeline/plan_timeline.h"
 #include "app/editor/timeline/playback.h"
@@ -72,6 +72,7 @@ class Editor {
     void arrange();
     /// The bottom panels, with the docked preview beside them.
     void drawBottomRow(ImVec2 low, ImVec2 size);
+    [[nodiscard]] bool exportsAtBottom() const;
     void refreshScene();
     void autosave();
     void rememberSettings();
@@ -99,12 +100,13 @@ class Editor {
     void toggleClipBox();
 
     // editor_panels.cpp
-    void drawLeft();
-    void drawRight();
-    void drawBottom();
+    /// Draws the tabs of a side, and the panel that is selected there.
+    void drawDock(DockSide side);
+    void drawPanel(const std::string& name);
     void drawStatus();
     void drawDragStatus();
     void drawObjects();
+    void drawHistory();
     void drawLayers();
     void drawEdits();
     void drawExport();
@@ -114,6 +116,7 @@ class Editor {
     void drawSelection();
     void drawTimeline();
     void drawSteps();
+    void drawLog();
 
     // editor_export.cpp
     void makeExportQueue();
@@ -282,8 +285,7 @@ class Editor {
     bool preview_hovered_ = false;
     bool popup_was_open_ = false;  // in the previous window frame
     std::vector<ui::PaletteItem> palette_parameters_;
-    std::string focus_tab_;  // name of a tab to bring to the front
-    TabRow left_tabs_, right_tabs_, bottom_tabs_;
+    PanelDocks docks_;
 
     // Questions to the user.
     Questions questions_;

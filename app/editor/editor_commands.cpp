@@ -109,11 +109,7 @@ void Editor::addFileCommands() {
          [this] { questions_.afterUnsaved([this] { workspace_.close(); }, "before it is closed"); },
          needs_project});
     commands_.add({"file.export", "File", "Export the dataset…", ctrl(GLFW_KEY_E),
-                   [this] {
-                       settings_.layout.show_bottom = true;
-                       focus_tab_ = "Export";
-                   },
-                   needs_project});
+                   [this] { docks_.open("Export"); }, needs_project});
     commands_.add({"file.quit", "File", "Quit", ctrl(GLFW_KEY_Q), [this] {
                        const auto leave = [this] {
                            // The work was saved or deliberately discarded.
@@ -356,7 +352,10 @@ void Editor::drawMenus() {
     ui::nameItem("menu.layers");
     menu("Timeline");
     ui::nameItem("menu.timeline");
-    menu("Window");
+    menu("Window", [this] {
+        ImGui::Separator();
+        docks_.drawMenu();
+    });
     ui::nameItem("menu.window");
     menu("Help");
     ui::nameItem("menu.help");

@@ -146,7 +146,7 @@ Questions::Callbacks Editor::questionCallbacks() {
     };
     callbacks.continue_exports = [this](const std::vector<int>& jobs) {
         for (const int job : jobs) exports_->resume(job);
-        focus_tab_ = "Export";
+        docks_.open("Export");
     };
     callbacks.forget_exports = [this](const std::vector<int>& jobs) {
         for (const int job : jobs) exports_->remove(job);
@@ -183,7 +183,7 @@ void Editor::drawDialogs() {
     if (chosen.select_object != 0) selectObject(chosen.select_object, false);
     if (!chosen.focus_parameter.empty()) {
         parameters_.filter = chosen.focus_parameter;
-        focus_tab_ = "Parameters";
+        docks_.open("Parameters");
     }
     ui::drawHelpOverlay(commands_, panels_.help);
 }

@@ -103,7 +103,7 @@ void Editor::follow(const ui::MotionActions& actions) {
 
 void Editor::readMotion(const MotionFile& file) {
     if (!workspace_.shown().scene) return;  // closed while the file was chosen
-    focus_tab_ = "By hand";
+    docks_.open("By hand");
     motions_.read(file, workspace_.shown());
 }
 

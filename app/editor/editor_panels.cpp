@@ -18,37 +18,45 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 namespace dollytrack::editor {
 
 using ui::Selection;
 
-void Editor::drawLeft() {
-    if (!left_tabs_.beginRow("left tabs")) return;
-    if (left_tabs_.begin("Objects", focus_tab_)) {
-        drawObjects();
-        ImGui::EndTabItem();
-    }
-    if (left_tabs_.begin("Layers", focus_tab_)) {
-        drawLayers();
-        ImGui::EndTabItem();
-    }
-    if (left_tabs_.begin("By hand", focus_tab_)) {
-        drawEdits();
-        ImGui::EndTabItem();
-    }
-    if (left_tabs_.begin("History", focus_tab_)) {
-        ui::HistoryView view;
-        const std::vector<std::string> names = workspace_.history().names();
-        if (workspace_.isOpen()) view.names = &names;
-        view.position = workspace_.history().position();
-        const ui::HistoryActions actions = ui::drawHistoryPanel(view, panels_.history);
-        if (actions.go_to) workspace_.goTo(*actions.go_to);
-        ImGui::EndTabItem();
-    }
-    left_tabs_.end();
-    ImGui::EndTabBar();
+void Editor::drawPanel(const std::string& name) {
+    // By the names of standardPlaces().
+    static const std::map<std::string, void (Editor::*)()> kPanels = {
+        {"Objects", &Editor::drawObjects},
+        {"Layers", &Editor::drawLayers},
+        {"By hand", &Editor::drawEdits},
+        {"History", &Editor::drawHistory},
+        {"Parameters", &Editor::drawParameters},
+        {"Selection", &Editor::drawSelection},
+        {"Metrics", &Editor::drawMetrics},
+        {"Timeline", &Editor::drawTimeline},
+        {"Algorithm", &Editor::drawSteps},
+        {"Export", &Editor::drawExport},
+        {"Log", &Editor::drawLog}};
+    (this->*kPanels.at(name))();
+}
+
+void Editor::drawDock(DockSide side) {
+    docks_.draw(side, [this](const std::string& name) { drawPanel(name); });
+}
+
+void Editor::drawHistory() {
+    ui::HistoryView view;
+    const std::vector<std::string> names = workspace_.history().names();
+    if (workspace_.isOpen()) view.names = &names;
+    view.position = workspace_.history().position();
+    const ui::HistoryActions actions = ui::drawHistoryPanel(view, panels_.history);
+    if (actions.go_to) workspace_.goTo(*actions.go_to);
+}
+
+void Editor::drawLog() {
+    ui::drawLogPanel(log_, panels_.log);
 }
 
 void Editor::drawObjects() {
@@ -193,25 +201,8 @@ void Editor::drawSelection() {
     if (actions.select) select(*actions.select);
 }
 
-void Editor::drawRight() {
-    if (!right_tabs_.beginRow("right tabs")) return;
-    if (right_tabs_.begin("Parameters", focus_tab_)) {
-        drawParameters();
-        ImGui::EndTabItem();
-    }
-    if (right_tabs_.begin("Selection", focus_tab_)) {
-        drawSelection();
-        ImGui::EndTabItem();
-    }
-    if (right_tabs_.begin("Metrics", focus_tab_)) {
-        drawMetrics();
-        ImGui::EndTabItem();
-    }
-    right_tabs_.end();
-    ImGui::EndTabBar();
-}
-
 void Editor::drawTimeline() {
+    drawTracks();
     ui::TimelineView view;
     view.frame = playback_.frame();
     view.playing = playback_.playing();
@@ -257,31 +248,6 @@ void Editor::drawSteps() {
     if (!step_playback_.playing()) return;
     window_.animate();
     step_playback_.advance(ImGui::GetIO().DeltaTime * panels_.steps.per_second, next);
-}
-
-void Editor::drawBottom() {
-    if (!bottom_tabs_.beginRow("bottom tabs")) return;
-    // The steps are shown while their tab is open.
-    step_playback_.show(false);
-    if (bottom_tabs_.begin("Timeline", focus_tab_)) {
-        drawTracks();
-        drawTimeline();
-        ImGui::EndTabItem();
-    }
-    if (bottom_tabs_.begin("Algorithm", focus_tab_)) {
-        drawSteps();
-        ImGui::EndTabItem();
-    }
-    if (bottom_tabs_.begin("Export", focus_tab_)) {
-        drawExport();
-        ImGui::EndTabItem();
-    }
-    if (bottom_tabs_.begin("Log", focus_tab_)) {
-        ui::drawLogPanel(log_, panels_.log);
-        ImGui::EndTabItem();
-    }
-    bottom_tabs_.end();
-    ImGui::EndTabBar();
 }
 
 void Editor::drawDragStatus() {

@@ -3,8 +3,10 @@
 #include "planning/free_space/free_space.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace dollytrack::editor {
 
@@ -125,8 +127,7 @@ void Editor::addViewCommands() {
                    [this] {
                        clip_.begin(workspace_.shown().scene->room_bounds);
                        clip_.hides_above = !clip_.hides_above;
-                       settings_.layout.show_left = true;
-                       focus_tab_ = "Layers";
+                       docks_.open("Layers");
                    },
                    needs_scene,
                    [this] { return clip_.hides_above; }});
@@ -181,8 +182,7 @@ void Editor::addLayerCommands() {
                    {},
                    [this] {
                        layer_settings_.free_space = layer_settings_.sliced = true;
-                       settings_.layout.show_left = true;
-                       focus_tab_ = "Layers";
+                       docks_.open("Layers");
                    },
                    needs_map});
     layer("points", "Observation and position points", {GLFW_KEY_F3}, layers.points);
@@ -194,27 +194,27 @@ void Editor::addLayerCommands() {
 }
 
 void Editor::addWindowCommands() {
-    commands_.add({"window.left",
-                   "Window",
-                   "Left panels",
-                   {},
-                   [this] { settings_.layout.show_left = !settings_.layout.show_left; },
-                   {},
-                   [this] { return settings_.layout.show_left; }});
-    commands_.add({"window.right",
-                   "Window",
-                   "Right panels",
-                   {},
-                   [this] { settings_.layout.show_right = !settings_.layout.show_right; },
-                   {},
-                   [this] { return settings_.layout.show_right; }});
-    commands_.add({"window.bottom",
-                   "Window",
-                   "Bottom panels",
-                   {},
-                   [this] { settings_.layout.show_bottom = !settings_.layout.show_bottom; },
-                   {},
-                   [this] { return settings_.layout.show_bottom; }});
+    for (const auto& [side, title] :
+         {std::pair(DockSide::Left, "Left panels"), std::pair(DockSide::Right, "Right panels"),
+          std::pair(DockSide::Bottom, "Bottom panels")}) {
+        commands_.add({fmt::format("window.{}", nameOf(side)),
+                       "Window",
+                       title,
+                       {},
+                       [this, side] { docks_.toggleSide(side); },
+                       {},
+                       [this, side] { return docks_.places().isVisible(side); }});
+    }
+    commands_.add(
+        {"window.standard_panels", "Window", "All panels to their standard places", {}, [this] {
+             docks_.reset();
+         }});
+    for (const DockSide side : kDockSides) {
+        for (const std::string& panel : standardPlaces().at(side)) {
+            commands_.add(
+                {"panel." + panel, "Panels", panel, {}, [this, panel] { docks_.open(panel); }});
+        }
+    }
     commands_.add({"window.light",
                    "Window",
                    "Light theme",

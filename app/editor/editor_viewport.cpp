@@ -342,7 +342,7 @@ void Editor::editWithGizmo() {
 bool Editor::previewIsDocked() const {
     const ui::PreviewState& preview = panels_.preview;
     return workspace_.isOpen() && preview.docked && preview.open && !preview.full &&
-           settings_.layout.show_bottom;
+           docks_.places().isVisible(DockSide::Bottom);
 }
 
 float Editor::previewWidth(float height, float window_width) const {

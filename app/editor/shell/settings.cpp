@@ -32,6 +32,31 @@ std::filesystem::path settingsFile() {
     return configFolder() / "editor.json";
 }
 
+void readPanels(const nlohmann::json& from, Layout& layout) {
+    const nlohmann::json panels = from.value("panels", nlohmann::json::object());
+    PanelPlaces places;
+    for (const DockSide side : kDockSides) {
+        const auto i = static_cast<std::size_t>(side);
+        const std::string name(nameOf(side));
+        places.tabs[i] = panels.value(name, std::vector<std::string>());
+        places.side_on[i] = from.value("show_" + name, true);
+        layout.open_tabs[i] = from.value(name + "_tab", "");
+    }
+    places.hidden = panels.value("hidden", std::vector<std::string>());
+    layout.panels = completePlaces(places);
+}
+
+void writePanels(const Layout& layout, nlohmann::json& to) {
+    for (const DockSide side : kDockSides) {
+        const auto i = static_cast<std::size_t>(side);
+        const std::string name(nameOf(side));
+        to["panels"][name] = layout.panels.tabs[i];
+        to["show_" + name] = layout.panels.side_on[i];
+        to[name + "_tab"] = layout.open_tabs[i];
+    }
+    to["panels"]["hidden"] = layout.panels.hidden;
+}
+
 }  // namespace
 
 std::filesystem::path configFolder() {
@@ -65,14 +90,9 @@ EditorSettings loadSettings() {
         settings.layout.bottom = layout.value("bottom", settings.layout.bottom);
         settings.layout.bottom_export =
             layout.value("bottom_export", settings.layout.bottom_export);
-        settings.layout.show_left = layout.value("show_left", true);
-        settings.layout.show_right = layout.value("show_right", true);
-        settings.layout.show_bottom = layout.value("show_bottom", true);
         settings.layout.show_preview = layout.value("show_preview", true);
         settings.layout.dock_preview = layout.value("dock_preview", true);
-        settings.layout.left_tab = layout.value("left_tab", "");
-        settings.layout.right_tab = layout.value("right_tab", "");
-        settings.layout.bottom_tab = layout.value("bottom_tab", "");
+        readPanels(layout, settings.layout);
         const nlohmann::json layers = layout.value("layers", nlohmann::json::object());
         visitLayerSwitches(settings.layout.layers,
                            [&](const char* name, bool& on) { on = layers.value(name, on); });
@@ -108,18 +128,13 @@ Status saveSettings(const EditorSettings& settings) {
                              {"right", settings.layout.right},
                              {"bottom", settings.layout.bottom},
                              {"bottom_export", settings.layout.bottom_export},
-                             {"show_left", settings.layout.show_left},
-                             {"show_right", settings.layout.show_right},
-                             {"show_bottom", settings.layout.show_bottom},
                              {"show_preview", settings.layout.show_preview},
-                             {"dock_preview", settings.layout.dock_preview},
-                             {"left_tab", settings.layout.left_tab},
-                             {"right_tab", settings.layout.right_tab},
-                             {"bottom_tab", settings.layout.bottom_tab}}},
+                             {"dock_preview", settings.layout.dock_preview}}},
                            {"theme", settings.theme == ui::ThemeKind::Light ? "light" : "dark"},
                            {"zoom", settings.zoom},
                            {"recent", settings.recent},
                            {"last_folder", settings.last_folder}};
+    writePanels(settings.layout, json["layout"]);
     nlohmann::json& layers = json["layout"]["layers"] = nlohmann::json::object();
     visitLayerSwitches(settings.layout.layers,
                        [&](const char* name, bool on) { layers[name] = on; });

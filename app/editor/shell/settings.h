@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/shell/panel_docks.h"
 #include "app/editor/shell/window.h"
 #include "engine/core/result.h"
 #include "ui/overlays/layers.h"
@@ -35,18 +36,13 @@ struct Layout {
     float left = 280;
     float right = 330;
     float bottom = 205;
-    float bottom_export = 310;  // instead of `bottom` while the export form is open
-    bool show_left = true;
-    bool show_right = true;
-    bool show_bottom = true;
+    float bottom_export = 310;        // instead of `bottom` while the export form is open
     std::optional<bool> show_legend;  // unset: shown if the viewport has room for it
     bool show_preview = true;         // false: only its title bar
     bool dock_preview = true;         // beside the timeline; false: over the viewport
     std::array<bool, ui::kTimelineStrips> strips = ui::TimelineState().strips;
-    // Names of the selected tabs; empty: the first.
-    std::string left_tab;
-    std::string right_tab;
-    std::string bottom_tab;
+    PanelPlaces panels = standardPlaces();
+    PanelDocks::OpenTabs open_tabs;
     ui::LayerSettings layers;  // only the switches are stored
     bool operator==(const Layout&) const = default;
 };

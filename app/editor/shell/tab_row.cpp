@@ -25,20 +25,19 @@ bool TabRow::beginRow(const char* id) {
     pushPadding();
     const bool shown = ImGui::BeginTabBar(id);
     ImGui::PopStyleVar();
+    wanted_before_ = wanted_;
     return shown;
 }
 
-bool TabRow::begin(const char* name, std::string& focus) {
-    const bool focused = focus == name;
-    if (focused) focus.clear();
-    const bool restored = wanted_ == name;
-    met_wanted_ |= restored;
+bool TabRow::begin(const char* name) {
+    const bool wanted = wanted_ == name;
+    met_wanted_ |= wanted;
     pushPadding();
     const bool shown =
-        ImGui::BeginTabItem(name, nullptr, focused || restored ? ImGuiTabItemFlags_SetSelected : 0);
+        ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
     ImGui::PopStyleVar();
     // A requested tab is selected in the next frame; until then another one is.
-    if (focused || restored) {
+    if (wanted) {
         wanted_ = shown ? "" : name;
         open_ = name;
     } else if (shown && wanted_.empty()) {
@@ -51,7 +50,8 @@ bool TabRow::begin(const char* name, std::string& focus) {
 }
 
 void TabRow::end() {
-    if (!std::exchange(met_wanted_, false)) wanted_.clear();
+    // A tab that was selected while the row was drawn is met in the next frame.
+    if (!std::exchange(met_wanted_, false) && wanted_ == wanted_before_) wanted_.clear();
 }
 
 }  // namespace dollytrack::editor

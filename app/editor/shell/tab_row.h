@@ -4,11 +4,11 @@
 
 namespace dollytrack::editor {
 
-/// The selected tab of a tab bar, which can be restored from an earlier session.
+/// The selected tab of a tab bar.
 class TabRow {
   public:
     /// Selects this tab at the next draw; empty: the first.
-    void restore(const std::string& tab) { open_ = wanted_ = tab; }
+    void select(const std::string& tab) { open_ = wanted_ = tab; }
     /// To be called after the last tab: drops a wanted tab that does not exist.
     void end();
     /// The selected tab, or the one that will be.
@@ -16,14 +16,15 @@ class TabRow {
 
     /// Begins the row; if it returns true, ImGui::EndTabBar() follows the last tab.
     bool beginRow(const char* id);
-    /// To be called within the row. Selects the tab if `focus` names it, and clears
-    /// `focus`. Returns whether the tab's content is to be drawn, followed by ImGui::EndTabItem().
-    bool begin(const char* name, std::string& focus);
+    /// To be called within the row. Returns whether the tab's content is to be drawn, followed by
+    /// ImGui::EndTabItem().
+    bool begin(const char* name);
 
   private:
     std::string open_;
     std::string wanted_;
-    bool met_wanted_ = false;  // the wanted tab occurred in this row
+    std::string wanted_before_;  // when the row began
+    bool met_wanted_ = false;    // the wanted tab occurred in this row
 };
 
 }  // namespace dollytrack::editor

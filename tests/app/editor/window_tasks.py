@@ -93,6 +93,60 @@ class Window(Task):
         self.assertNotIn("parameters.filter", state["items"], "the metrics are in front")
         self.assertIn("parameters.filter", self.editor.click("tab.parameters")["items"])
 
+    def test_panels_move_to_other_sides_and_stay_there(self):
+        def side(name, items):
+            left, top = items[f"tab.{name}"][:2]
+            if top > items["viewport"][3]:
+                return "bottom"
+            return "left" if left < items["viewport"][0] else "right"
+
+        def tabs(*names):
+            """Waits until rows of tabs that have changed are there again."""
+            return self.editor.wait(lambda state: all(f"tab.{name}" in state["items"]
+                                                      for name in names), names)["items"]
+        self.start_room(size=(1280, 720))
+        self.assertEqual(side("log", tabs("log")), "bottom")
+        # Onto a side: the last tab there, and in front.
+        self.editor.drag("tab.log", (120, 400))
+        items = tabs("log", "timeline")
+        self.assertEqual(side("log", items), "left")
+        self.editor.item("log.copy")
+        # Before another tab of a row.
+        left, top = items["tab.algorithm"][:2]
+        self.editor.drag("tab.metrics", (left + 3, top + 5))
+        items = tabs("timeline", "metrics", "algorithm")
+        self.assertLess(items["tab.timeline"][0], items["tab.metrics"][0])
+        self.assertLess(items["tab.metrics"][0], items["tab.algorithm"][0])
+        # A tab that is dropped in the viewport stays where it was.
+        self.editor.drag("tab.layers", "viewport")
+        items = tabs("layers")
+        self.assertEqual(side("layers", items), "left")
+        # By the menu of a tab; a side without panels gives its room to the viewport.
+        wide = items["viewport"][2]
+        self.editor.click("tab.parameters", button="right")
+        self.editor.click("place.bottom")
+        self.editor.click("tab.selection", button="right")
+        self.editor.click("place.hidden")
+        items = tabs("parameters")
+        self.assertEqual(side("parameters", items), "bottom")
+        self.assertNotIn("tab.selection", items)
+        self.assertGreater(items["viewport"][2], wide + 100)
+        # An empty side takes panels at the border of the window.
+        self.editor.drag("tab.history", (1275, items["viewport"][1] + 100))
+        self.assertEqual(side("history", tabs("history", "log")), "right")
+        self.assertInside((1280, 720))
+        time.sleep(1.0)  # the settings are stored
+        self.editor.kill()
+        self.start_room(size=(1280, 720))
+        items = tabs("log", "history", "parameters")
+        self.assertEqual([side(name, items) for name in ("log", "history", "parameters")],
+                         ["left", "right", "bottom"])
+        self.assertNotIn("tab.selection", items)
+        self.editor.menu("window", "window.standard_panels")
+        items = tabs("log", "history", "selection")
+        self.assertEqual([side(name, items) for name in ("log", "history", "selection")],
+                         ["bottom", "left", "right"])
+
     def test_light_theme_and_larger_text_are_remembered(self):
         self.start_room()
         dark = self.editor.picture()

@@ -35,6 +35,14 @@ std::string asText(const log::Record& record) {
     return text;
 }
 
+/// Continues the line after the last widget if the panel has room for this width, px.
+void continueLine(float width) {
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < end) {
+        ImGui::SameLine();
+    }
+}
+
 }  // namespace
 
 void LogBuffer::add(const log::Record& record) {
@@ -75,10 +83,10 @@ void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
     for (const log::Record& record : all) {
         if (matches(record, state)) rows.push_back(&record);
     }
-    ImGui::SetNextItemWidth(scaled(260));
+    ImGui::SetNextItemWidth(std::min(scaled(260), ImGui::GetContentRegionAvail().x));
     ImGui::InputTextWithHint("##filter", "Filter messages", &state.filter);
     nameItem("log.filter");
-    ImGui::SameLine();
+    continueLine(scaled(300));  // the width of the other widgets
     ImGui::SetNextItemWidth(scaled(120));
     static constexpr std::array<const char*, 4> kLevels = {"All", "Notes", "Warnings", "Errors"};
     choiceCombo("log.level", state.least_level, kLevels);
