@@ -98,6 +98,8 @@ class Editor {
     void drawClip();
     [[nodiscard]] std::optional<ui::GizmoView> clipView();
     void toggleClipBox();
+    /// Shows only the selected objects, from nearby; or all again, in the view before.
+    void toggleLocalView();
 
     // editor_panels.cpp
     /// Draws the tabs of a side, and the panel that is selected there.
@@ -256,6 +258,7 @@ class Editor {
     SelectionTracker selected_;
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
+    ui::ViewerCamera view_before_local_;
     ui::ClipSettings clip_;
     ui::ClipHandles clip_handles_;
     mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below

@@ -27,6 +27,17 @@ nlohmann::json boxNumbers(const Eigen::AlignedBox3d& box) {
     return {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
 }
 
+/// The counts of each legend's entries.
+nlohmann::json legendsJson(const Layers& layers) {
+    nlohmann::json legends = nlohmann::json::object();
+    for (const auto& layer : layers.layers) {
+        for (const ui::LegendEntry& entry : layer->legend.entries) {
+            legends[layer->legend.title][entry.name] = entry.count;
+        }
+    }
+    return legends;
+}
+
 std::vector<std::size_t> numbersOf(const std::vector<bool>& flags) {
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < flags.size(); ++i) {
@@ -143,6 +154,7 @@ nlohmann::json Editor::stateJson() {
           {"no_go", layer_settings_.no_go_boxes},
           {"slice_m", layer_settings_.slice.position_m},
           {"stepping", step_playback_.shown()}}},
+        {"legends", legendsJson(layers_.layers())},
         {"box_select", panels_.viewport.box_select},
         {"local_view", selected_.inLocalView()},
         {"clip", clip_.shown() ? boxNumbers(*clip_.shown()) : nlohmann::json()},

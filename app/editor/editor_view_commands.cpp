@@ -99,9 +99,7 @@ void Editor::addViewCommands() {
                    {GLFW_KEY_H, false, false, true},
                    [this] { selected_.showAll(); },
                    needs_scene});
-    const auto local = [this] {
-        if (selected_.inLocalView() || !selected_.objects().empty()) selected_.toggleLocalView();
-    };
+    const auto local = [this] { toggleLocalView(); };
     commands_.add({"view.local",
                    "View",
                    "Local view: only the selection",
@@ -267,6 +265,18 @@ void Editor::drawClip() {
     }
     ui::drawClipHandles(*view, clip_.box, clip_handles_);
     if (clip_handles_.dragged >= 0) window_.animate();
+}
+
+void Editor::toggleLocalView() {
+    if (!selected_.inLocalView() && selected_.objects().empty()) return;
+    lookThroughFrame(false);
+    selected_.toggleLocalView();
+    if (selected_.inLocalView()) {
+        view_before_local_ = panels_.viewport.camera;
+        bringIntoView(selectedBox());
+    } else {
+        panels_.viewport.camera = view_before_local_;
+    }
 }
 
 void Editor::toggleClipBox() {

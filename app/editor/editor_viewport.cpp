@@ -107,6 +107,14 @@ void Editor::requestLayers() {
     request.regions = workspace_.state().edits.plan.regions;
     request.step = step_playback_.taken();
     request.frame = through_camera_ ? -1 : playback_.frame();
+    if (selected_.inLocalView()) {
+        // Only the points and candidates of its objects remain.
+        ui::LayerSettings& on = request.settings;
+        on.free_space = on.no_go_boxes = on.roadmap = on.trajectory = on.surface = false;
+        request.stepping = false;
+        request.frame = -1;
+        request.local = selected_.localObjects();
+    }
     const ui::ViewerCamera& camera = panels_.viewport.camera;
     // A parallel projection has no eye position.
     request.in_cone = through_camera_
@@ -199,7 +207,8 @@ void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
                 break;
         }
     }
-    if (layer_settings_.free_space && workspace_.shown().free_space && !add) {
+    if (layer_settings_.free_space && !selected_.inLocalView() && workspace_.shown().free_space &&
+        !add) {
         const auto voxel = ui::voxelAt(*workspace_.shown().free_space, image.view, pixel,
                                        cellOptions(layer_settings_));
         const double voxel_depth = voxel ? image.view.pose.toCamera(voxel->center).z() : 0.0;

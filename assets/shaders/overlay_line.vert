@@ -15,6 +15,8 @@ layout(location = 4) uniform vec2 size;  // of the image, px
 layout(location = 5) uniform float pixel_scale;
 // Draws lines on a surface in front of it: a share of the depth, in orthographic views metres.
 layout(location = 7) uniform float bias;
+layout(location = 8) uniform vec3 clip_low;  // only what lies inside this box is drawn
+layout(location = 9) uniform vec3 clip_high;
 
 noperspective out vec2 place;  // along the line from its start, and across it, px
 flat out vec4 color;
@@ -26,15 +28,40 @@ vec2 onScreen(vec3 p) {
     return 0.5 * (clip + 1.0) * size;
 }
 
+// Shortens the line to its part inside the clipping box; returns false if there is none.
+bool clipToBox(inout vec3 p, inout vec3 q) {
+    vec3 way = q - p;
+    float first = 0.0;
+    float last = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        if (way[i] == 0.0) {
+            if (p[i] < clip_low[i] || p[i] > clip_high[i]) return false;
+            continue;
+        }
+        float s = (clip_low[i] - p[i]) / way[i];
+        float t = (clip_high[i] - p[i]) / way[i];
+        first = max(first, min(s, t));
+        last = min(last, max(s, t));
+    }
+    if (first > last) return false;
+    vec3 start = p;
+    if (first > 0.0) p = start + first * way;
+    if (last < 1.0) q = start + last * way;
+    return true;
+}
+
 void main() {
-    vec3 a = camera_from_world * (from - camera_position);
-    vec3 b = camera_from_world * (to - camera_position);
+    vec3 start = from;
+    vec3 end = to;
+    bool inside = clipToBox(start, end);
+    vec3 a = camera_from_world * (start - camera_position);
+    vec3 b = camera_from_world * (end - camera_position);
     float near_m = depth_span.x;
     color = rgba;
     shape = vec3(0.0, 0.5 * style.x * pixel_scale, style.y * pixel_scale);
     place = vec2(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside the clip volume: nothing is drawn
-    if (a.z < near_m && b.z < near_m) return;
+    if (!inside || (a.z < near_m && b.z < near_m)) return;
     if (a.z < near_m) a = mix(b, a, (b.z - near_m) / (b.z - a.z));
     if (b.z < near_m) b = mix(a, b, (a.z - near_m) / (a.z - b.z));
     vec2 p = onScreen(a);

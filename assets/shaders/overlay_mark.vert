@@ -13,6 +13,8 @@ layout(location = 3) uniform vec2 depth_span;
 layout(location = 4) uniform vec2 size;
 layout(location = 5) uniform float pixel_scale;
 layout(location = 7) uniform float bias;  // see overlay_line.vert
+layout(location = 8) uniform vec3 clip_low;  // only marks inside this box are drawn
+layout(location = 9) uniform vec3 clip_high;
 
 out vec2 offset;           // from the centre, px
 flat out vec4 color;
@@ -26,6 +28,7 @@ void main() {
     float radius = 0.5 * style.x * pixel_scale;
     shape = vec4(radius, style.y, 0.0, 0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    if (any(lessThan(at, clip_low)) || any(greaterThan(at, clip_high))) return;
     if (p.z < depth_span.x) return;
     bool parallel = depth_span.y > 0.0;
     vec2 clip = parallel ? lens.xy * p.xy + lens.zw : (lens.xy * p.xy + lens.zw * p.z) / p.z;

@@ -16,6 +16,10 @@ namespace {
 constexpr float kDepthBias = 0.01F;              // relative to depth
 constexpr float kOrthographicDepthBias = 0.02F;  // m
 
+constexpr int kClipPlanes = 6;  // of overlay_surface.vert
+constexpr int kClipLow = 8;     // uniforms of all vertex shaders
+constexpr int kClipHigh = 9;
+
 float biasOf(const View& view) {
     return view.orthographic ? kOrthographicDepthBias : kDepthBias;
 }
@@ -95,6 +99,8 @@ void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
     setCamera(surfaces_.get(), view);
     glProgramUniform2f(surfaces_.get(), 4, layer.opacity, layer.opacity * layer.hidden_opacity);
     glProgramUniform1f(surfaces_.get(), 5, biasOf(view));
+    setClipBox(surfaces_.get(), kClipLow, kClipHigh, view);
+    for (int i = 0; view.clip_box && i < kClipPlanes; ++i) glEnable(GL_CLIP_DISTANCE0 + i);
     const OverlayBuffers& buffers = *layer.buffers;
     glBindVertexArray(buffers.surfaces_.layout.get());
     // Row 0 is the top, so counter-clockwise faces appear clockwise.
@@ -108,6 +114,7 @@ void OverlayRenderer::drawSurfaces(const OverlayLayer& layer, const View& view,
             reinterpret_cast<const void*>(  // NOLINT: OpenGL's offsets
                 static_cast<std::uintptr_t>(buffers.box_indices_) * sizeof(std::uint32_t)));
     }
+    for (int i = 0; i < kClipPlanes; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
     glDisable(GL_DEPTH_TEST);
@@ -131,6 +138,7 @@ void OverlayRenderer::drawSigns(const gl::Program& program, const OverlayBuffers
                        static_cast<float>(view.intrinsics.height));
     glProgramUniform1f(program.get(), 5, static_cast<float>(pixel_scale));
     glProgramUniform1f(program.get(), 7, biasOf(view));
+    setClipBox(program.get(), kClipLow, kClipHigh, view);
     glBindVertexArray(part.layout.get());
     if (layer.hidden_opacity > 0.0F) {
         glDepthFunc(GL_LESS);

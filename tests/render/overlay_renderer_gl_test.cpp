@@ -127,6 +127,39 @@ TEST_F(OverlayRendererGl, ALineThroughAWallIsFaintFromThereOn) {
     EXPECT_NEAR(cover(static_cast<int>(at) + 2, 75), 0.25, 0.01);
 }
 
+TEST_F(OverlayRendererGl, NothingIsDrawnOutsideTheClippingBox) {
+    Overlay overlay;
+    overlay.lines.push_back({{3, -9, 0.5}, {3, 9, 0.5}, kRed, 4.0});
+    overlay.marks.push_back({{3, 0.2, 0}, OverlayMark::Shape::Square, kRed, 20.0});
+    overlay.marks.push_back({{3, 1, 0}, OverlayMark::Shape::Square, kRed, 20.0});
+    overlay.boxes.push_back({{3, 0, -0.5}, {0.1, 2.0, 0.1}, kRed});
+    overlay.triangles.push_back({{3, -9, -0.9}, {3, 9, -0.9}, {3, 0, -1.0}, kRed});
+    const auto coverAt = [&](const Eigen::Vector3d& place) {
+        const Eigen::Vector2d pixel = view_.project(view_.pose.toCamera(place));
+        return cover(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+    };
+    const auto expectAt = [&](double y, bool drawn) {
+        for (const double z : {0.5, -0.5, -0.93}) {
+            EXPECT_EQ(coverAt({3, y, z}) > 0.9, drawn) << y << " " << z;
+        }
+    };
+    draw(overlay);
+    expectAt(0.0, true);
+    expectAt(0.8, true);
+    EXPECT_GT(coverAt({3, 1, 0}), 0.9);
+    view_.clip_box = Eigen::AlignedBox3d(Eigen::Vector3d(0, -0.6, -2), Eigen::Vector3d(5, 0.6, 2));
+    draw(overlay);
+    expectAt(0.0, true);
+    expectAt(-0.55, true);
+    expectAt(0.65, false);
+    expectAt(-0.65, false);
+    EXPECT_GT(coverAt({3, 0.2, 0}), 0.9);
+    EXPECT_EQ(coverAt({3, 1, 0}), 0.0);
+    view_.clip_box.reset();
+    draw(overlay);
+    expectAt(0.8, true);
+}
+
 TEST_F(OverlayRendererGl, ALineIsCutAtTheNearPlane) {
     Overlay overlay;
     overlay.lines.push_back({{-6, 0, -0.5}, {3, 0, -0.5}, kRed, 4.0});

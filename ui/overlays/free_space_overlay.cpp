@@ -290,6 +290,7 @@ std::optional<Voxel> voxelAt(const FreeSpace& free_space, const render::View& vi
             std::max(region.min()[axis], cell_m * static_cast<double>(range.begin));
         region.max()[axis] = std::min(region.max()[axis], cell_m * static_cast<double>(range.end));
     }
+    if (view.clip_box) region = region.intersection(*view.clip_box);
     const render::ViewRay ray = view.rayThrough(pixel.x(), pixel.y());
     double enter = view.near_m;
     double leave = std::numeric_limits<double>::infinity();

@@ -14,6 +14,28 @@ namespace {
 constexpr double kBias = 0.01;
 constexpr double kOrthographicBias = 0.02;  // m
 
+/// A range of a line's parameter; empty if first > last.
+struct Range {
+    double first = 0.0;
+    double last = 0.0;
+};
+
+/// The part of a range of a line, origin + t * way, that lies in a box.
+Range within(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
+             const Eigen::Vector3d& way, Range range) {
+    for (int k = 0; k < 3; ++k) {
+        if (way[k] == 0.0) {
+            if (origin[k] < box.min()[k] || origin[k] > box.max()[k]) return {1.0, 0.0};
+            continue;
+        }
+        const double s = (box.min()[k] - origin[k]) / way[k];
+        const double t = (box.max()[k] - origin[k]) / way[k];
+        range.first = std::max(range.first, std::min(s, t));
+        range.last = std::min(range.last, std::max(s, t));
+    }
+    return range;
+}
+
 class Picker {
   public:
     Picker(const render::View& view, const Eigen::Vector2d& pixel, double scene_depth_m,
@@ -23,14 +45,18 @@ class Picker {
     void mark(const render::OverlayMark& mark, double scale) {
         const Eigen::Vector3d p = view_.pose.toCamera(mark.at);
         if (mark.tag == render::kNoTag || p.z() < view_.near_m) return;
+        if (view_.clip_box && !view_.clip_box->contains(mark.at)) return;
         const double away = (view_.project(p) - pixel_).norm() - 0.5 * scale * mark.size_px;
         offer(mark.tag, away, p.z());
     }
 
     void line(const render::OverlayLine& line, double scale) {
         if (line.tag == render::kNoTag) return;
-        Eigen::Vector3d a = view_.pose.toCamera(line.a);
-        Eigen::Vector3d b = view_.pose.toCamera(line.b);
+        const Eigen::Vector3d along = line.b - line.a;
+        const Range shown = insideClip(line.a, along, {0.0, 1.0});
+        if (shown.first > shown.last) return;
+        Eigen::Vector3d a = view_.pose.toCamera(line.a + shown.first * along);
+        Eigen::Vector3d b = view_.pose.toCamera(line.a + shown.last * along);
         if (a.z() < view_.near_m && b.z() < view_.near_m) return;
         if (a.z() < view_.near_m) a = cutNear(b, a);
         if (b.z() < view_.near_m) b = cutNear(a, b);
@@ -51,25 +77,22 @@ class Picker {
         const Eigen::AngleAxisd turn(-box.yaw, Eigen::Vector3d::UnitZ());
         const Eigen::Vector3d origin = turn * (ray.origin - box.center);
         const Eigen::Vector3d way = turn * ray.direction;
-        double enter = view_.near_m;
-        double leave = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < 3; ++k) {
-            if (way[k] == 0.0) {
-                if (std::abs(origin[k]) > box.half_size[k]) return;
-                continue;
-            }
-            const double s = (-box.half_size[k] - origin[k]) / way[k];
-            const double t = (box.half_size[k] - origin[k]) / way[k];
-            enter = std::max(enter, std::min(s, t));
-            leave = std::min(leave, std::max(s, t));
-        }
-        if (enter <= leave) offer(box.tag, 0.0, enter);
+        const Eigen::AlignedBox3d own(-box.half_size, box.half_size);
+        Range range = {view_.near_m, std::numeric_limits<double>::infinity()};
+        range = insideClip(ray.origin, ray.direction, within(own, origin, way, range));
+        if (range.first <= range.last) offer(box.tag, 0.0, range.first);
     }
 
     /// The best element offered so far.
     [[nodiscard]] const std::optional<PickedElement>& best() const { return best_; }
 
   private:
+    /// The part of a range of a line, origin + t * way, that the clipping box shows.
+    [[nodiscard]] Range insideClip(const Eigen::Vector3d& origin, const Eigen::Vector3d& way,
+                                   const Range& range) const {
+        return view_.clip_box ? within(*view_.clip_box, origin, way, range) : range;
+    }
+
     [[nodiscard]] Eigen::Vector3d cutNear(const Eigen::Vector3d& inside,
                                           const Eigen::Vector3d& outside) const {
         const double share = (inside.z() - view_.near_m) / (inside.z() - outside.z());

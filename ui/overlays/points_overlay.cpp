@@ -39,6 +39,7 @@ class PointsBuilder {
         int without = 0;
         for (std::size_t i = 0; i < plan_.observation_points.size(); ++i) {
             const ObservationPoint& point = plan_.observation_points[i];
+            if (!isShown(static_cast<int>(i))) continue;
             const bool is_large = std::any_of(point.objects.begin(), point.objects.end(),
                                               [&](int id) { return scene_.object(id).large; });
             ++(is_large ? large : small);
@@ -69,12 +70,15 @@ class PointsBuilder {
 
     void addPositionPoints() {
         int spare = 0;
+        int keys = 0;
         for (std::size_t i = 0; i < plan_.position_points.size(); ++i) {
-            if (is_key_[i]) continue;
+            if (is_key_[i] || !isPointShown(static_cast<int>(i))) continue;
             ++spare;
             addPositionPoint(static_cast<int>(i), kSpareColor, 5.0);
         }
         for (const int key : plan_.key_frames) {
+            if (!isPointShown(key)) continue;
+            ++keys;
             if (options_.frustums) {
                 render::addFrustum(layer_.overlay, pose(key), camera_, options_.frustum_m,
                                    withOpacity(kKeyFrameColor, 0.75F), 1.2);
@@ -82,8 +86,7 @@ class PointsBuilder {
             addPositionPoint(key, kKeyFrameColor, 8.0);
         }
         auto& entries = layer_.legend.entries;
-        entries.push_back(
-            {"Key frame", Shape::Cross, kKeyFrameColor, static_cast<int>(plan_.key_frames.size())});
+        entries.push_back({"Key frame", Shape::Cross, kKeyFrameColor, keys});
         if (spare > 0) {
             entries.push_back({"Position point not needed", Shape::Cross, kSpareColor, spare});
         }
@@ -125,6 +128,17 @@ class PointsBuilder {
                                             toTag(Picked::ObservationPoint, o)});
             layer_.legend.entries.push_back({"Selected", Shape::Ring, kSelectedColor, 1});
         }
+    }
+
+    [[nodiscard]] bool isShown(int observation_point) const {
+        if (options_.objects.empty()) return true;
+        const std::vector<int>& objects = plan_.observation_points[observation_point].objects;
+        return std::ranges::any_of(objects, [&](int id) {
+            return std::ranges::find(options_.objects, id) != options_.objects.end();
+        });
+    }
+    [[nodiscard]] bool isPointShown(int position_point) const {
+        return isShown(plan_.position_points[position_point].observation_point);
     }
 
     [[nodiscard]] const Pose& pose(int index) const { return plan_.position_points[index].pose; }

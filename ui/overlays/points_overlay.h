@@ -4,13 +4,16 @@
 #include "engine/plan/plan.h"
 #include "ui/overlays/legend.h"
 
+#include <vector>
+
 namespace dollytrack::ui {
 
 struct PointsOverlayOptions {
     bool observation_points = true;
     bool position_points = true;
-    bool frustums = true;     // pyramids at key frames
-    double frustum_m = 0.32;  // depth of the drawn pyramids
+    bool frustums = true;      // pyramids at key frames
+    double frustum_m = 0.32;   // depth of the drawn pyramids
+    std::vector<int> objects;  // ids: only their points; empty: all points
     int selected_observation_point = -1;
     int selected_position_point = -1;
     bool operator==(const PointsOverlayOptions&) const = default;

@@ -59,6 +59,8 @@ class SelectionTracker {
     /// Local view: shows the selected objects only, or all again.
     void toggleLocalView();
     [[nodiscard]] bool inLocalView() const { return !local_.empty(); }
+    /// Ids of the objects in the local view; empty: there is none.
+    [[nodiscard]] const std::vector<int>& localObjects() const { return local_; }
     /// Objects that the viewport leaves out, by object id: hidden ones, and those outside the local
     /// view.
     [[nodiscard]] std::vector<bool> leftOut() const;

@@ -125,6 +125,7 @@ int observationPointOf(const Plan& plan, int object) {
 
 ui::PointsOverlayOptions pointsOptions(const LayersRequest& request) {
     ui::PointsOverlayOptions options = request.settings.point_options;
+    options.objects = request.local;
     const Selection& selection = request.selection;
     if (selection.kind == Selection::Kind::ObservationPoint) {
         options.selected_observation_point = selection.index;
@@ -185,8 +186,8 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
     return scene == other.scene && plan == other.plan && free_space == other.free_space &&
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
-           in_cone == other.in_cone && no_go == other.no_go && regions == other.regions &&
-           step == other.step && frame == other.frame;
+           in_cone == other.in_cone && local == other.local && no_go == other.no_go &&
+           regions == other.regions && step == other.step && frame == other.frame;
 }
 
 bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {

@@ -26,6 +26,7 @@ struct LayersRequest {
     CameraParams camera;
     ui::LayerSettings settings;
     ui::Selection selection;
+    std::vector<int> local;  // object ids: only their points are shown; empty: all points
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;
     bool stepping = false;  // show the algorithm's steps instead of the roadmap

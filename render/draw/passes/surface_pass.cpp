@@ -241,11 +241,7 @@ void SurfacePass::drawCounted(const View& view, unsigned program) const {
     glProgramUniform1f(program, 8, static_cast<float>(structure_cut.keep_below_z));
     glProgramUniform1f(program, 9, static_cast<float>(structure_cut.ceiling_z));
     glProgramUniform4fv(program, 6, 1, cut.data());
-    const Eigen::AlignedBox3d everything(Eigen::Vector3d::Constant(-1e9),
-                                         Eigen::Vector3d::Constant(1e9));
-    const Eigen::AlignedBox3f box = view.clip_box.value_or(everything).cast<float>();
-    glProgramUniform3fv(program, 15, 1, box.min().data());
-    glProgramUniform3fv(program, 16, 1, box.max().data());
+    setClipBox(program, 15, 16, view);
     const Eigen::Vector3f eye = view.pose.position.cast<float>();
     glProgramUniform3fv(program, 7, 1, eye.data());
     glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, offsets_.data(),

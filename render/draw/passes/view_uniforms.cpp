@@ -42,6 +42,14 @@ void setUnproject(unsigned program, int location, const View& view) {
                        static_cast<float>(-lens.cy / fy));
 }
 
+void setClipBox(unsigned program, int low_location, int high_location, const View& view) {
+    const Eigen::AlignedBox3d everything(Eigen::Vector3d::Constant(-1e9),
+                                         Eigen::Vector3d::Constant(1e9));
+    const Eigen::AlignedBox3f box = view.clip_box.value_or(everything).cast<float>();
+    glProgramUniform3fv(program, low_location, 1, box.min().data());
+    glProgramUniform3fv(program, high_location, 1, box.max().data());
+}
+
 namespace {
 
 using Plane = std::pair<Eigen::Vector3d, double>;  // inside: normal * p + offset >= 0

@@ -21,6 +21,9 @@ void setRotation(unsigned program, int location, const Eigen::Matrix3f& rotation
 /// in an orthographic view, into x and y in the camera frame, m.
 void setUnproject(unsigned program, int location, const View& view);
 
+/// Sets the uniforms of the lower and the upper corner of View::clip_box.
+void setClipBox(unsigned program, int low_location, int high_location, const View& view);
+
 /// By id - 1: the object is not hidden and its box reaches into the view.
 [[nodiscard]] std::vector<bool> objectsInView(const GpuScene& scene, const View& view);
 

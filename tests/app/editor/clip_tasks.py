@@ -1,4 +1,6 @@
 """Looking inside: local view, hiding above a height, a clipping box. The plan does not change."""
+import math
+
 from task import MUG, SOFA, TABLE, Task
 
 
@@ -41,6 +43,35 @@ class Clipping(Task):
         self.wait_picture()
         self.assertEqual(self.objectAt(mug), MUG)
         self.expect_the_same_plan(before)
+
+    def test_the_local_view_comes_near_and_leaving_it_goes_back(self):
+        self.start_room()
+        self.show_preview(False)
+        self.select_row(MUG)
+        self.editor.point((self.editor.middle("viewport")[0], 60))
+        self.wait_picture()
+        before, picture = self.editor.state()["camera"], self.editor.picture()
+        near = self.editor.key("/")["camera"]
+        self.assertLess(math.dist(near["pivot"], (3.145, -1.245, 0.79)), 0.02)
+        self.assertLess(near["distance"], 0.5 * before["distance"])
+        self.assertEqual(self.editor.key("/")["camera"], before)
+        self.wait_picture()
+        self.assertEqual(self.editor.picture(), picture)
+
+    def test_layers_show_only_what_belongs_to_the_local_view(self):
+        self.start_room()
+        self.show_preview(False)
+        self.select_row(MUG)
+        self.editor.point((self.editor.middle("viewport")[0], 60))
+        legends = self.editor.state()["legends"]
+        self.assertIn("Trajectory", legends)
+        self.assertGreater(legends["Points"]["Key frame"], 1)
+        self.editor.key("/")
+        legends = self.editor.wait(lambda now: "Trajectory" not in now["legends"],
+                                   "fewer layers")["legends"]
+        self.assertEqual(legends["Points"]["Key frame"], 1)
+        self.assertEqual(legends["Points"]["Observation point, small"], 1)
+        self.assertEqual(legends["Points"]["Observation point, large"], 0)
 
     def test_hide_above_a_height(self):
         before = self.from_above()

@@ -71,6 +71,29 @@ TEST(PickElement, MarksLieOnLinesAndLinesOnBoxes) {
     EXPECT_FALSE(pickElement(overlay, view, {400, 300}, 0.0));
 }
 
+TEST(PickElement, NothingOutsideTheClippingBoxIsPicked) {
+    render::View view = viewAlongX();
+    view.clip_box = Eigen::AlignedBox3d(Eigen::Vector3d(1, -0.2, -1), Eigen::Vector3d(3, 0.2, 1));
+    render::Overlay overlay;
+    overlay.marks = {dot({2, 0, 0}, 1), dot({0.9, 0, 0.2}, 2)};
+    overlay.lines.push_back(
+        {{2, -1, 0.5}, {2, 1, 0.5}, {1, 1, 1, 1}, 3.0, 0.0, toTag(Picked::Edge, 5)});
+    overlay.boxes.push_back(
+        {{2, 0, -0.5}, {1.5, 1, 0.1}, {1, 1, 1, 1}, 0.0, toTag(Picked::ObservationPoint, 9)});
+    const auto at = [&](const Eigen::Vector3d& place) {
+        return pickElement(overlay, view, view.project(view.pose.toCamera(place)), 0.0);
+    };
+    ASSERT_TRUE(at({2, 0, 0}));
+    EXPECT_EQ(at({2, 0, 0})->tag.index, 1);
+    EXPECT_FALSE(at({0.9, 0, 0.2})) << "nearer than the box";
+    ASSERT_TRUE(at({2, 0.15, 0.5}));
+    EXPECT_EQ(at({2, 0.15, 0.5})->tag.index, 5);
+    EXPECT_FALSE(at({2, 0.5, 0.5})) << "the line's part beside the box";
+    ASSERT_TRUE(at({2, 0, -0.5}));
+    EXPECT_NEAR(at({2, 0, -0.5})->depth_m, 1.6, 1e-9) << "where the ray enters its top";
+    EXPECT_FALSE(at({2, 0.5, -0.5})) << "the box's part beside it";
+}
+
 TEST(PickElement, FollowsALineThatEndsBehindTheCamera) {
     render::View view = viewAlongX();
     render::Overlay overlay;

@@ -77,6 +77,21 @@ TEST(PlanLayers, CollidingSegmentsOfAGivenMotionAreRed) {
     EXPECT_EQ(line->b.x(), 2.0);
 }
 
+TEST(PlanLayers, OnlyThePointsOfSomeObjectsAreShown) {
+    const fixture::PlannedRoom& room = furnished();
+    const Plan& plan = *room.plan;
+    PointsOverlayOptions options;
+    options.objects = {plan.observation_points[0].objects.front()};
+    const PlanLayer layer = pointsLayer(*room.scene, plan, room.params.camera, options);
+    EXPECT_EQ(tagged(layer.overlay, Picked::ObservationPoint), std::set<int>{0});
+    std::set<int> positions;
+    for (std::size_t i = 0; i < plan.position_points.size(); ++i) {
+        if (plan.position_points[i].observation_point == 0) positions.insert(static_cast<int>(i));
+    }
+    EXPECT_FALSE(positions.empty());
+    EXPECT_EQ(tagged(layer.overlay, Picked::PositionPoint), positions);
+}
+
 TEST(PlanLayers, TheConeIsNotFilledForAnEyeInIt) {
     const Plan plan = oneSearch();
     CandidatesOverlayOptions options;
