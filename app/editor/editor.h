@@ -149,9 +149,6 @@ class Editor {
     [[nodiscard]] std::optional<ui::GizmoView> gizmoView();
     void drawBars();
     void drawImportBar();
-    void clickAt(const Eigen::Vector2d& pixel, bool add);
-    /// Selects the objects in a part of the image; parts of the building only if nothing else is.
-    void selectInBox(const Eigen::AlignedBox2d& pixels, bool add);
     void requestPicture();
     void requestPreview();
     void requestLayers();
@@ -161,6 +158,17 @@ class Editor {
     /// Factor for widths and sizes of overlays: below 1 if the camera is far from the scene.
     [[nodiscard]] double overlayScale() const;
     [[nodiscard]] std::optional<Pose> previewPose() const;
+
+    // editor_picking.cpp: clicks into the viewport
+    [[nodiscard]] std::vector<ui::Selection> underCursor(const Eigen::Vector2d& pixel);
+    /// Selects the first of underCursor(); a second click at the same place selects the next. With
+    /// `add`, adds the object or takes it out; with `list`, shows them all to choose from.
+    void clickAt(const Eigen::Vector2d& pixel, bool add, bool list);
+    void drawPickList();
+    /// The text of an element in that list.
+    [[nodiscard]] std::string nameOf(const ui::Selection& selection) const;
+    /// Selects the objects in a part of the image; parts of the building only if nothing else is.
+    void selectInBox(const Eigen::AlignedBox2d& pixels, bool add);
 
     // editor_start.cpp: the start screen, and the pictures that it shows
     /// Path of the built-in scene; empty if it is not installed.
@@ -259,6 +267,17 @@ class Editor {
     PieceCount pieces_;
     ui::LayerSettings layer_settings_;
     ui::ViewerCamera view_before_local_;
+    struct Click {
+        Eigen::Vector2d pixel;
+        Pose view;
+    };
+    std::optional<Click> last_click_;  // the latest that selected; in the viewport
+    struct PickList {
+        std::vector<ui::Selection> found;
+        std::shared_ptr<const Scene> scene;
+        std::shared_ptr<const Plan> plan;
+    };
+    PickList pick_list_;
     ui::ClipSettings clip_;
     ui::ClipHandles clip_handles_;
     mutable std::vector<render::StoreyView> storeys_;  // for the scene and plan below

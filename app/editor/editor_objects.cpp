@@ -115,7 +115,7 @@ void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
     if (actions.finished) finishDrag();
     if (gizmo_.dragging()) window_.animate();
     // The gizmo covers the centre of the selection; clicks go to what lies behind it.
-    if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl);
+    if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl, actions.with_alt);
 }
 
 void Editor::addTransformCommands() {

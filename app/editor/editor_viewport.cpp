@@ -180,58 +180,6 @@ void Editor::requestPreview() {
     drawing_.requestPreview(view, playback_.frame(), time_s, panels_.preview.modality);
 }
 
-void Editor::clickAt(const Eigen::Vector2d& pixel, bool add) {
-    const ui::ViewImage& image = drawing_.view();
-    // Ignores images and layers of a previous project.
-    if (!workspace_.shown().hasObjectsOf(image.geometry)) return;
-    const std::optional<Eigen::Vector3d> surface = ui::surfaceAt(image, pixel);
-    const double depth = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
-    const auto picked = layers_.layers().pick(image.view, pixel, depth, overlayScale());
-    if (picked && !add && layers_.layers().plan == workspace_.shown().plan) {
-        const int index = picked->tag.index;
-        switch (picked->tag.kind) {
-            case ui::Picked::ObservationPoint:
-                return select(Selection::ofItem(Selection::Kind::ObservationPoint, index));
-            case ui::Picked::PositionPoint:
-                return select(Selection::ofItem(Selection::Kind::PositionPoint, index));
-            case ui::Picked::Edge:
-                return select(Selection::ofItem(Selection::Kind::Edge, index));
-            case ui::Picked::RefusedEdge:
-                return select(Selection::ofItem(Selection::Kind::RefusedEdge, index));
-            case ui::Picked::Frame:
-                return select(Selection::ofItem(Selection::Kind::Frame, index));
-            case ui::Picked::Candidate:
-                return select(Selection::ofCandidate(layers_.candidateSearch(), index));
-            case ui::Picked::Sample:
-            case ui::Picked::Nothing:
-                break;
-        }
-    }
-    if (layer_settings_.free_space && !selected_.inLocalView() && workspace_.shown().free_space &&
-        !add) {
-        const auto voxel = ui::voxelAt(*workspace_.shown().free_space, image.view, pixel,
-                                       cellOptions(layer_settings_));
-        const double voxel_depth = voxel ? image.view.pose.toCamera(voxel->center).z() : 0.0;
-        if (voxel && (!surface || voxel_depth < depth + 0.1)) {
-            Selection selection;
-            selection.kind = Selection::Kind::Voxel;
-            selection.place = voxel->center;
-            return select(selection);
-        }
-    }
-    selectObject(ui::objectAt(image, pixel), add);
-}
-
-void Editor::selectInBox(const Eigen::AlignedBox2d& pixels, bool add) {
-    const ui::ViewImage& image = drawing_.view();
-    const PlanOutcome& shown = workspace_.shown();
-    if (!shown.hasObjectsOf(image.geometry)) return;
-    std::vector<int> ids = ui::objectsIn(image, pixels);
-    const auto building = [&](int id) { return shown.scene->object(id).structure; };
-    if (!std::ranges::all_of(ids, building)) std::erase_if(ids, building);
-    select(selected_.withObjects(ids, add));
-}
-
 OrientedBox Editor::boxInView() {
     const ui::ViewImage& image = drawing_.view();
     const ui::ViewerCamera& camera = panels_.viewport.camera;
@@ -491,13 +439,14 @@ void Editor::drawCentre() {
     if (pane_.camera_moved) window_.animate();
     if (pane_.unlock) lookThroughFrame(false);
     if (!workspace_.isOpen()) return;
-    if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection);
+    if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection, pane_.list);
     if (pane_.box) selectInBox(*pane_.box, pane_.add_to_selection);
     if (pane_.double_clicked && !selectedBox().isEmpty()) {
         bringIntoView(selectedBox());
     }
     drawClip();  // before the gizmo: a click that confirms a move must not grab a handle
     editWithGizmo();
+    drawPickList();
     if (!panels_.preview.full) drawLegend();
     preview_hovered_ = false;
     if (!previewIsDocked()) drawPreview();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace dollytrack::ui {
@@ -13,6 +14,7 @@ namespace {
 // The same depth bias as in drawing overlays: a line that lies on a floor is not hidden by it.
 constexpr double kBias = 0.01;
 constexpr double kOrthographicBias = 0.02;  // m
+constexpr double kMiss_px = 2.0;            // tolerated by PickedElement::on
 
 /// A range of a line's parameter; empty if first > last.
 struct Range {
@@ -38,19 +40,25 @@ Range within(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& origin,
 
 class Picker {
   public:
-    Picker(const render::View& view, const Eigen::Vector2d& pixel, double scene_depth_m,
-           double radius_px)
-        : view_(view), pixel_(pixel), scene_depth_m_(scene_depth_m), radius_px_(radius_px) {}
+    using Drawn = PickedElement::Drawn;
 
-    void mark(const render::OverlayMark& mark, double scale) {
+    Picker(const render::View& view, const Eigen::Vector2d& pixel, double scene_depth_m,
+           double radius_px, double scale)
+        : view_(view),
+          pixel_(pixel),
+          scene_depth_m_(scene_depth_m),
+          radius_px_(radius_px * scale),
+          scale_(scale) {}
+
+    void mark(const render::OverlayMark& mark) {
         const Eigen::Vector3d p = view_.pose.toCamera(mark.at);
         if (mark.tag == render::kNoTag || p.z() < view_.near_m) return;
         if (view_.clip_box && !view_.clip_box->contains(mark.at)) return;
-        const double away = (view_.project(p) - pixel_).norm() - 0.5 * scale * mark.size_px;
-        offer(mark.tag, away, p.z());
+        const double away = (view_.project(p) - pixel_).norm() - 0.5 * scale_ * mark.size_px;
+        offer(mark.tag, Drawn::Mark, away, p.z());
     }
 
-    void line(const render::OverlayLine& line, double scale) {
+    void line(const render::OverlayLine& line) {
         if (line.tag == render::kNoTag) return;
         const Eigen::Vector3d along = line.b - line.a;
         const Range shown = insideClip(line.a, along, {0.0, 1.0});
@@ -68,7 +76,8 @@ class Picker {
         const double depth = view_.orthographic
                                  ? a.z() + t * (b.z() - a.z())
                                  : 1.0 / (1.0 / a.z() + t * (1.0 / b.z() - 1.0 / a.z()));
-        offer(line.tag, (p + t * way - pixel_).norm() - 0.5 * scale * line.width_px, depth);
+        offer(line.tag, Drawn::Line, (p + t * way - pixel_).norm() - 0.5 * scale_ * line.width_px,
+              depth);
     }
 
     void box(const render::OverlayBox& box) {
@@ -80,11 +89,16 @@ class Picker {
         const Eigen::AlignedBox3d own(-box.half_size, box.half_size);
         Range range = {view_.near_m, std::numeric_limits<double>::infinity()};
         range = insideClip(ray.origin, ray.direction, within(own, origin, way, range));
-        if (range.first <= range.last) offer(box.tag, 0.0, range.first);
+        if (range.first <= range.last) offer(box.tag, Drawn::Box, 0.0, range.first);
     }
 
-    /// The best element offered so far.
-    [[nodiscard]] const std::optional<PickedElement>& best() const { return best_; }
+    /// The elements found so far, the best first.
+    [[nodiscard]] std::vector<PickedElement> sorted() const {
+        std::vector<PickedElement> all;
+        for (const auto& [tag, element] : found_) all.push_back(element);
+        std::ranges::sort(all, isBetterPick);
+        return all;
+    }
 
   private:
     /// The part of a range of a line, origin + t * way, that the clipping box shows.
@@ -99,47 +113,50 @@ class Picker {
         return inside + share * (outside - inside);
     }
 
-    void offer(std::int32_t tag, double away_px, double depth) {
+    void offer(std::int32_t tag, Drawn drawn, double away_px, double depth) {
         if (away_px > radius_px_) return;
         const double nearer =
             view_.orthographic ? depth - kOrthographicBias : depth * (1.0 - kBias);
-        PickedElement element{fromTag(tag), std::max(0.0, away_px), depth,
-                              scene_depth_m_ <= 0.0 || nearer <= scene_depth_m_};
-        if (!best_ || isBetterPick(element, *best_)) best_ = element;
+        const bool visible = scene_depth_m_ <= 0.0 || nearer <= scene_depth_m_;
+        const PickedElement element{fromTag(tag), std::max(0.0, away_px),      depth, visible,
+                                    drawn,        away_px <= kMiss_px * scale_};
+        const auto [known, added] = found_.try_emplace(tag, element);
+        if (!added && isBetterPick(element, known->second)) known->second = element;
     }
 
     const render::View& view_;
     Eigen::Vector2d pixel_;
     double scene_depth_m_;
     double radius_px_;
-    std::optional<PickedElement> best_;
+    double scale_;
+    std::map<std::int32_t, PickedElement> found_;  // the best of each tag
 };
 
 }  // namespace
 
+std::vector<PickedElement> pickElements(const render::Overlay& overlay, const render::View& view,
+                                        const Eigen::Vector2d& pixel, double scene_depth_m,
+                                        double radius_px, double pixel_scale) {
+    Picker picker(view, pixel, scene_depth_m, radius_px, pixel_scale);
+    for (const auto& mark : overlay.marks) picker.mark(mark);
+    for (const auto& line : overlay.lines) picker.line(line);
+    for (const auto& box : overlay.boxes) picker.box(box);
+    return picker.sorted();
+}
+
 std::optional<PickedElement> pickElement(const render::Overlay& overlay, const render::View& view,
                                          const Eigen::Vector2d& pixel, double scene_depth_m,
                                          double radius_px, double pixel_scale) {
-    std::optional<PickedElement> hidden;
-    // Marks, lines, boxes: the order from top to bottom in which overlays are drawn.
-    for (int kind = 0; kind < 3; ++kind) {
-        Picker picker(view, pixel, scene_depth_m, radius_px * pixel_scale);
-        if (kind == 0) {
-            for (const auto& mark : overlay.marks) picker.mark(mark, pixel_scale);
-        } else if (kind == 1) {
-            for (const auto& line : overlay.lines) picker.line(line, pixel_scale);
-        } else {
-            for (const auto& box : overlay.boxes) picker.box(box);
-        }
-        if (picker.best() && picker.best()->visible) return picker.best();
-        if (!hidden) hidden = picker.best();
-    }
-    return hidden;
+    const std::vector<PickedElement> all =
+        pickElements(overlay, view, pixel, scene_depth_m, radius_px, pixel_scale);
+    return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 bool isBetterPick(const PickedElement& a, const PickedElement& b) {
-    return std::tuple(!a.visible, a.distance_px, a.depth_m) <
-           std::tuple(!b.visible, b.distance_px, b.depth_m);
+    const auto rank = [](const PickedElement& one) {
+        return std::tuple(!one.visible, !one.on, one.drawn, one.distance_px, one.depth_m);
+    };
+    return rank(a) < rank(b);
 }
 
 }  // namespace dollytrack::ui

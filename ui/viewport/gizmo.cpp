@@ -128,6 +128,7 @@ void beginDrag(const GizmoView& view, GizmoState& state, GizmoPart part) {
     state.begin = state.now = view.pose;
     state.pressed_at = {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y};
     state.pressed_with_ctrl = ImGui::GetIO().KeyCtrl;
+    state.pressed_with_alt = ImGui::GetIO().KeyAlt;
     state.moved = false;
     const render::ViewRay ray = rayUnderMouse(view);
     if (part == GizmoPart::MoveFree) {
@@ -261,6 +262,7 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
             actions.finished = true;
             actions.clicked = !state.moved;
             actions.with_ctrl = state.pressed_with_ctrl;
+            actions.with_alt = state.pressed_with_alt;
         }
     }
 

@@ -26,9 +26,10 @@ struct GizmoState {
     Pose begin;
     Pose now;                                              // the pose of the last window frame
     Eigen::Vector2f pressed_at = Eigen::Vector2f::Zero();  // in the window, px
-    bool pressed_with_ctrl = false;  // kept because Ctrl may be released before the button
-    bool moved = false;              // moved far enough that it is not a click
-    double grabbed = 0.0;            // grab position: m along the axis, or rad around it
+    bool pressed_with_ctrl = false;  // kept because keys may be released before the button
+    bool pressed_with_alt = false;
+    bool moved = false;    // moved far enough that it is not a click
+    double grabbed = 0.0;  // grab position: m along the axis, or rad around it
     Eigen::Vector3d grabbed_at = Eigen::Vector3d::Zero();
 };
 
@@ -37,6 +38,7 @@ struct GizmoActions {
     bool finished = false;
     bool clicked = false;  // a press without movement, meant for what lies behind
     bool with_ctrl = false;
+    bool with_alt = false;
     PoseChange change;  // since the press
     SnapSteps steps;    // that the change was snapped to
     Pose pose;

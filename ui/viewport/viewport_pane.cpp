@@ -90,6 +90,7 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
     // Kept because the keys may be released before the button.
     state.pressed_with_shift = io.KeyShift;
     state.adds = io.KeyCtrl || io.KeyShift;
+    state.lists = io.KeyAlt;
 }
 
 /// Draws the box from the press to the mouse; reports it when the button is released.
@@ -147,6 +148,7 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
         if (state.drag == Drag::Pressed) {
             actions.clicked = actions.cursor;
             actions.add_to_selection = state.adds;
+            actions.list = state.lists;
         }
         state.drag = Drag::None;
     }

@@ -30,6 +30,7 @@ struct ViewportState {
     Eigen::Vector2d pressed_at = Eigen::Vector2d::Zero();
     bool pressed_with_shift = false;  // a drag pans
     bool adds = false;                // a click or a box adds to the selection
+    bool lists = false;               // a click lists what lies under the mouse
     bool box_select = false;          // the next left drag selects the objects in a box
 
     /// Ends the selection with a box; returns whether there was one.
@@ -46,6 +47,7 @@ struct ViewportActions {
     std::optional<Eigen::Vector2d> clicked;
     std::optional<Eigen::AlignedBox2d> box;  // a box was drawn to select what is in it
     bool add_to_selection = false;
+    bool list = false;  // list what lies under the click instead of selecting it
     bool double_clicked = false;
     bool camera_moved = false;
     bool unlock = false;  // the user tried to move the locked camera

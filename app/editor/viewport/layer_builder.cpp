@@ -295,16 +295,16 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
     return layers;
 }
 
-std::optional<ui::PickedElement> Layers::pick(const render::View& view,
-                                              const Eigen::Vector2d& pixel, double scene_depth_m,
-                                              double pixel_scale) const {
-    std::optional<ui::PickedElement> best;
+std::vector<ui::PickedElement> Layers::pick(const render::View& view, const Eigen::Vector2d& pixel,
+                                            double scene_depth_m, double pixel_scale) const {
+    std::vector<ui::PickedElement> all;
     for (const auto& layer : layers) {
         const auto found =
-            ui::pickElement(layer->overlay, view, pixel, scene_depth_m, 6.0, pixel_scale);
-        if (found && (!best || ui::isBetterPick(*found, *best))) best = found;
+            ui::pickElements(layer->overlay, view, pixel, scene_depth_m, 6.0, pixel_scale);
+        all.insert(all.end(), found.begin(), found.end());
     }
-    return best;
+    std::ranges::stable_sort(all, ui::isBetterPick);
+    return all;
 }
 
 LayerBuilder::LayerBuilder(std::function<void()> wake)

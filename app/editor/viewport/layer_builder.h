@@ -47,11 +47,11 @@ struct Layers {
     std::shared_ptr<const Plan> plan;  // the plan that the layers show
     int candidates_of = -1;            // observation point of the displayed candidates; -1: none
 
-    /// The best tagged element under a pixel over all layers; nullopt if there is none.
-    [[nodiscard]] std::optional<ui::PickedElement> pick(const render::View& view,
-                                                        const Eigen::Vector2d& pixel,
-                                                        double scene_depth_m,
-                                                        double pixel_scale) const;
+    /// The tagged elements under a pixel over all layers, the best first.
+    [[nodiscard]] std::vector<ui::PickedElement> pick(const render::View& view,
+                                                      const Eigen::Vector2d& pixel,
+                                                      double scene_depth_m,
+                                                      double pixel_scale) const;
 };
 
 /// Builds the layers in the background; each is rebuilt only if its input has changed.

@@ -3,7 +3,7 @@ import math
 import os
 import time
 
-from task import MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
+from task import BOOK, MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
 
 SOFA_TOP = (0.5, -1.5, 0.7)
 TABLE_TOP = (3.3, -1.9, 0.74)
@@ -20,6 +20,44 @@ class Selecting(Task):
         self.assertEqual((state["selection_kind"], state["selected"]), (OBJECTS, [SOFA, TABLE]))
         state = self.editor.key("esc")
         self.assertEqual((state["selection_kind"], state["selected"]), (NONE, []))
+
+    def over_the_room(self):
+        """The view from above with all layers; returns the middles of objects in the window."""
+        self.start_room()
+        self.show_preview(False)
+        self.editor.point((self.editor.middle("viewport")[0], 60))
+        self.editor.key("7")
+        self.wait_picture()
+        return {one["id"]: one["px"] for one in self.editor.state()["objects"]}
+
+    def test_points_in_an_object_do_not_take_its_click(self):
+        middles = self.over_the_room()
+        for object_id in (TABLE, MUG, BOOK, SOFA):
+            state = self.editor.click(middles[object_id])
+            self.assertEqual(state["selection_kind"], OBJECT, object_id)
+            self.assertEqual(state["selected"], [object_id])
+            self.editor.key("esc")
+
+    def test_clicks_at_one_place_select_what_lies_behind(self):
+        place = self.over_the_room()[SOFA]
+        self.assertEqual(self.editor.click(place)["selected"], [SOFA])
+        time.sleep(0.5)  # slower than a double click
+        state = self.editor.click(place)
+        self.assertNotEqual(state["selection_kind"], NONE)
+        self.assertNotEqual(state["selected"], [SOFA])
+        self.editor.key("esc")
+        time.sleep(0.5)
+        self.assertEqual(self.editor.click(place)["selected"], [SOFA], "from the front again")
+
+    def test_a_list_of_what_lies_under_the_mouse(self):
+        place = self.over_the_room()[SOFA]
+        state = self.editor.click(place, keys=["alt"])
+        self.assertEqual(state["selection_kind"], NONE)
+        rows = sorted(name for name in state["items"] if name.startswith("pick."))
+        self.assertGreaterEqual(len(rows), 3, "the sofa, a point and the floor")
+        state = self.editor.click(rows[0])
+        self.assertEqual(state["selected"], [SOFA])
+        self.assertNotIn(rows[0], state["items"])
 
     def test_escape_closes_a_menu_and_nothing_else(self):
         self.start_room()

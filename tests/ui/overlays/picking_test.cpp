@@ -71,6 +71,23 @@ TEST(PickElement, MarksLieOnLinesAndLinesOnBoxes) {
     EXPECT_FALSE(pickElement(overlay, view, {400, 300}, 0.0));
 }
 
+TEST(PickElement, ListsEachElementOnceAndTheOneUnderThePointerFirst) {
+    const render::View view = viewAlongX();
+    render::Overlay overlay;
+    // A point is drawn as several marks of one tag.
+    overlay.marks = {dot({2, -0.04, 0}, 1), dot({2, -0.04, 0}, 1), dot({4, 0, 0}, 3)};
+    overlay.lines.push_back(
+        {{2, -1, 0}, {2, 1, 0}, {1, 1, 1, 1}, 3.0, 0.0, toTag(Picked::Edge, 5)});
+    const auto found = pickElements(overlay, view, {321, 240}, 3.0);
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[0].tag.kind, Picked::Edge);
+    EXPECT_TRUE(found[0].on);
+    EXPECT_EQ(found[1].tag.index, 1) << "5 px beside its outline";
+    EXPECT_FALSE(found[1].on);
+    EXPECT_EQ(found[2].tag.index, 3) << "behind a wall at 3 m";
+    EXPECT_FALSE(found[2].visible);
+}
+
 TEST(PickElement, NothingOutsideTheClippingBoxIsPicked) {
     render::View view = viewAlongX();
     view.clip_box = Eigen::AlignedBox3d(Eigen::Vector3d(1, -0.2, -1), Eigen::Vector3d(3, 0.2, 1));

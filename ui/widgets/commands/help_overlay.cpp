@@ -35,6 +35,8 @@ struct Block {
 Block mouseBlock() {
     return {"Mouse in the viewport",
             {{"Select", "Click"},
+             {"Select what lies behind it", "Click again"},
+             {"List what lies there", "Alt+Click"},
              {"Add to the selection", "Ctrl+Click"},
              {"Select with a box", "B, Left drag"},
              {"Add with a box", "B, Ctrl+Left drag"},
