@@ -80,17 +80,16 @@ void beginDrag(ViewportState& state, const ViewportView& view) {
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         state.drag = ViewportState::Drag::Pressed;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
-        state.drag = ViewportState::Drag::Pan;
+        state.drag = io.KeyShift ? ViewportState::Drag::Pan : ViewportState::Drag::Orbit;
     } else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
         state.drag = ViewportState::Drag::Look;
     } else {
         return;
     }
     state.pressed_at = {io.MousePos.x, io.MousePos.y};
-    // Kept because the keys may be released before the button.
     state.pressed_with_shift = io.KeyShift;
-    state.adds = io.KeyCtrl || io.KeyShift;
-    state.lists = io.KeyAlt;
+    state.pressed_with_ctrl = io.KeyCtrl;
+    state.pressed_with_alt = io.KeyAlt;
 }
 
 /// Draws the box from the press to the mouse; reports it when the button is released.
@@ -109,7 +108,8 @@ void continueBox(ViewportState& state, ViewportActions& actions) {
     list->AddRect(corner(box.min()), corner(box.max()), IM_COL32(255, 255, 255, 200));
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     actions.box = box;
-    actions.add_to_selection = state.adds;
+    actions.add_to_selection = state.pressed_with_shift;
+    actions.remove_from_selection = state.pressed_with_ctrl;
     state.cancelBoxSelect();
 }
 
@@ -147,8 +147,8 @@ void continueDrag(ViewportState& state, const ViewportView& view, ViewportAction
     if (!ImGui::IsAnyMouseDown()) {
         if (state.drag == Drag::Pressed) {
             actions.clicked = actions.cursor;
-            actions.add_to_selection = state.adds;
-            actions.list = state.lists;
+            actions.add_to_selection = state.pressed_with_ctrl || state.pressed_with_shift;
+            actions.list = state.pressed_with_alt;
         }
         state.drag = Drag::None;
     }

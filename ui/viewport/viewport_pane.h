@@ -28,10 +28,11 @@ struct ViewportState {
     ViewerCamera camera;
     enum class Drag { None, Orbit, Pan, Look, Pressed, Box } drag = Drag::None;
     Eigen::Vector2d pressed_at = Eigen::Vector2d::Zero();
-    bool pressed_with_shift = false;  // a drag pans
-    bool adds = false;                // a click or a box adds to the selection
-    bool lists = false;               // a click lists what lies under the mouse
-    bool box_select = false;          // the next left drag selects the objects in a box
+    // Held at the press; they may be released before the button.
+    bool pressed_with_shift = false;
+    bool pressed_with_ctrl = false;
+    bool pressed_with_alt = false;
+    bool box_select = false;  // the next left drag selects the objects in a box
 
     /// Ends the selection with a box; returns whether there was one.
     bool cancelBoxSelect();
@@ -47,15 +48,17 @@ struct ViewportActions {
     std::optional<Eigen::Vector2d> clicked;
     std::optional<Eigen::AlignedBox2d> box;  // a box was drawn to select what is in it
     bool add_to_selection = false;
-    bool list = false;  // list what lies under the click instead of selecting it
+    bool remove_from_selection = false;  // the objects in the box
+    bool list = false;                   // list what lies under the click instead of selecting it
     bool double_clicked = false;
     bool camera_moved = false;
     bool unlock = false;  // the user tried to move the locked camera
 };
 
-/// Draws the scene's image and handles its mouse: left drag orbits, Shift+left or middle drag pans,
+/// Draws the scene's image and handles its mouse: left or middle drag orbits, with Shift it pans,
 /// the wheel zooms towards the point under the cursor, right drag looks around while W A S D Q E
-/// fly. With ViewportState::box_select, a left drag draws a box instead.
+/// fly. With ViewportState::box_select, a left drag draws a box instead: Shift adds its objects to
+/// the selection, Ctrl takes them out.
 ViewportActions drawViewport(const ViewportView& view, ViewportState& state);
 
 /// World position (m) of the surface under an image pixel; nullopt if there is no surface.

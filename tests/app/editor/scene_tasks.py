@@ -162,9 +162,14 @@ class Looking(Task):
         turned = self.editor.drag((x, y), (x + 120, y + 40))["camera"]
         self.assertNotAlmostEqual(turned["azimuth"], start["azimuth"], 1)
         self.assertEqual(turned["pivot"], start["pivot"])
-        moved = self.editor.drag((x, y), (x + 80, y), button="middle")["camera"]
-        self.assertEqual(moved["azimuth"], turned["azimuth"])
-        self.assertGreater(math.dist(moved["pivot"], turned["pivot"]), 0.1)
+        back = self.editor.drag((x, y), (x - 120, y - 40), button="middle")["camera"]
+        for angle in ("azimuth", "elevation"):
+            self.assertAlmostEqual(back[angle], start[angle], 6, "the middle button orbits, too")
+        for button in ("left", "middle"):
+            moved = self.editor.drag((x, y), (x + 80, y), button=button, keys=["shift"])["camera"]
+            self.assertEqual(moved["azimuth"], back["azimuth"])
+            self.assertGreater(math.dist(moved["pivot"], back["pivot"]), 0.1)
+            back = moved
         self.editor.wheel((x, y), 4)
         near = self.editor.state()["camera"]
         self.assertLess(near["distance"], 0.75 * moved["distance"])
@@ -189,7 +194,8 @@ class Looking(Task):
         self.editor.wheel(place, 2)
         after = self.editor.idle()
         self.assertLess(after["camera"]["distance"], before["distance"])
-        self.editor.drag(self.editor.middle("gizmo.free"), (place[0] + 80, place[1]), "middle")
+        self.editor.drag(self.editor.middle("gizmo.free"), (place[0] + 80, place[1]), "middle",
+                         keys=["shift"])
         panned = self.editor.idle()
         self.assertNotEqual(panned["camera"]["pivot"], after["camera"]["pivot"])
         self.assertEqual(len(panned["history"]), 1, "nothing was moved")
