@@ -126,16 +126,16 @@ void Editor::addEditCommands() {
                    [this]() -> std::string {
                        return workspace_.history().canUndo() ? "" : "There is nothing to undo.";
                    }});
-    commands_.add({"edit.redo", "Edit", "Redo", ctrlShift(GLFW_KEY_Z),
+    commands_.add({"edit.redo",
+                   "Edit",
+                   "Redo",
+                   ctrlShift(GLFW_KEY_Z),
                    [this] { workspace_.redo(); },
                    [this]() -> std::string {
                        return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
-                   }});
-    commands_.add({"edit.redo_y", "Edit", "Redo (Ctrl+Y)", ctrl(GLFW_KEY_Y),
-                   [this] { workspace_.redo(); },
-                   [this]() -> std::string {
-                       return workspace_.history().canRedo() ? "" : "There is nothing to redo.";
-                   }});
+                   },
+                   {},
+                   ctrl(GLFW_KEY_Y)});
 }
 
 void Editor::addTargetCommands() {

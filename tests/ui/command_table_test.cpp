@@ -17,6 +17,14 @@ class CommandTableTest : public testing::Test {
         const auto count = [this](const char* id) { return [this, id] { ++ran[id]; }; };
         commands.add({"larger", "View", "Larger", {GLFW_KEY_EQUAL, true}, count("larger")});
         commands.add({"smaller", "View", "Smaller", {GLFW_KEY_MINUS, true}, count("smaller")});
+        commands.add({"redo",
+                      "Edit",
+                      "Redo",
+                      {GLFW_KEY_Z, true, true},
+                      count("redo"),
+                      {},
+                      {},
+                      {GLFW_KEY_Y, true}});
         commands.add({"open", "File", "Open", {GLFW_KEY_O, true}, count("open")});
     }
     std::map<std::string, int> ran;
@@ -33,6 +41,15 @@ TEST_F(CommandTableTest, RunsWhatItsKeysSay) {
     screen.press(GLFW_KEY_EQUAL, true, true);  // where + is Shift and =
     screen.press(GLFW_KEY_KP_ADD, true);
     EXPECT_EQ(ran["larger"], 3);
+}
+
+TEST_F(CommandTableTest, ACommandMayHaveTwoShortcuts) {
+    screen.press(GLFW_KEY_Z, true, true);
+    screen.press(GLFW_KEY_Z, true);
+    screen.press(GLFW_KEY_Y, true);
+    EXPECT_EQ(ran["redo"], 2);
+    EXPECT_EQ(commands.find("redo")->keys(), "Ctrl+Shift+Z, Ctrl+Y");
+    EXPECT_EQ(commands.find("open")->keys(), "Ctrl+O");
 }
 
 // On a German keyboard + is right of Ü, at the position of ] on an American one.

@@ -42,7 +42,7 @@ std::string hitClass(const Object& object) {
 std::string hitNote(const CommandPaletteView& view, const Hit& hit) {
     switch (hit.kind) {
         case Hit::Kind::Command:
-            return view.commands->all()[hit.index].shortcut.text();
+            return view.commands->all()[hit.index].keys();
         case Hit::Kind::Parameter:
             return "parameter";
         case Hit::Kind::Object:

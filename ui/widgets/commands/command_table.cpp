@@ -64,6 +64,24 @@ bool pressedElsewhere(int key, const CommandTable::KeySigns& signs) {
     return false;
 }
 
+/// Whether the keys were pressed this frame and no text field uses them itself.
+bool isPressed(const Shortcut& keys, const CommandTable::KeySigns& signs) {
+    const ImGuiIO& io = ImGui::GetIO();
+    // Only stepping and undo shortcuts repeat while a key is held.
+    const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
+                         keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
+    if (keys.key == 0) return false;
+    if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) return false;
+    const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
+    if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key, signs))) return false;
+    // On many keyboards + needs Shift.
+    if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) return false;
+    // While a text field has the keyboard, keys it uses itself are not shortcuts.
+    const bool edits_text = keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
+                                          keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);
+    return !(io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1)));
+}
+
 }  // namespace
 
 std::string Shortcut::text() const {
@@ -76,30 +94,22 @@ std::string Shortcut::text() const {
     return text;
 }
 
+std::string Command::keys() const {
+    const std::string other = other_shortcut.text();
+    return other.empty() ? shortcut.text() : shortcut.text() + ", " + other;
+}
+
 const Command* CommandTable::find(std::string_view id) const {
     const auto at = std::ranges::find(commands_, id, &Command::id);
     return at == commands_.end() ? nullptr : &*at;
 }
 
 std::optional<std::string> CommandTable::runShortcuts(const KeySigns& signs) const {
-    const ImGuiIO& io = ImGui::GetIO();
     std::optional<std::string> refused;
     for (const Command& command : commands_) {
-        const Shortcut& keys = command.shortcut;
-        // Only stepping and undo shortcuts repeat while a key is held.
-        const bool repeats = keys.key == GLFW_KEY_LEFT || keys.key == GLFW_KEY_RIGHT ||
-                             keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y;
-        if (keys.key == 0) continue;
-        if (keys.ctrl != io.KeyCtrl || keys.alt != io.KeyAlt) continue;
-        const bool pressed = ImGui::IsKeyPressed(keys.key, repeats);
-        if (!pressed && !(keys.ctrl && pressedElsewhere(keys.key, signs))) continue;
-        // On many keyboards + needs Shift.
-        if (keys.shift != io.KeyShift && keys.key != GLFW_KEY_EQUAL) continue;
-        // While a text field has the keyboard, keys it uses itself are not shortcuts.
-        const bool edits_text =
-            keys.ctrl && (keys.key == GLFW_KEY_Z || keys.key == GLFW_KEY_Y ||
-                          keys.key == GLFW_KEY_HOME || keys.key == GLFW_KEY_END);
-        if (io.WantTextInput && (edits_text || (!keys.ctrl && keys.key < GLFW_KEY_F1))) continue;
+        if (!isPressed(command.shortcut, signs) && !isPressed(command.other_shortcut, signs)) {
+            continue;
+        }
         std::string why_not = command.why_not ? command.why_not() : std::string();
         if (!why_not.empty()) {
             if (!refused) refused = std::move(why_not);
@@ -116,7 +126,7 @@ void CommandTable::drawMenuItem(std::string_view id) const {
     if (command == nullptr) return;
     const std::string why_not = command->why_not ? command->why_not() : std::string();
     const bool checked = command->checked && command->checked();
-    if (ImGui::MenuItem(command->title.c_str(), command->shortcut.text().c_str(), checked,
+    if (ImGui::MenuItem(command->title.c_str(), command->keys().c_str(), checked,
                         why_not.empty())) {
         command->run();
     }

@@ -27,7 +27,9 @@ struct Command {
     std::function<void()> run;
     std::function<std::string()> why_not = {};  // returns why the command cannot run; empty: it can
     std::function<bool()> checked = {};         // for on/off commands: whether it is on
+    Shortcut other_shortcut = {};               // does the same
 
+    [[nodiscard]] std::string keys() const;  // "Ctrl+Shift+Z, Ctrl+Y"
     [[nodiscard]] bool canRun() const { return !why_not || why_not().empty(); }
 };
 

@@ -73,7 +73,7 @@ std::vector<Block> makeBlocks(const CommandTable& commands, const std::string& f
     for (const Command& command : commands.all()) {
         auto block = std::ranges::find(blocks, command.group, &Block::title);
         if (block == blocks.end()) block = blocks.insert(blocks.end(), {command.group, {}});
-        block->lines.push_back({command.title, command.shortcut.text()});
+        block->lines.push_back({command.title, command.keys()});
     }
     blocks.push_back(mouseBlock());
     blocks.push_back(transformBlock());
