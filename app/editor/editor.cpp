@@ -419,6 +419,8 @@ void Editor::runKeys() {
         if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) cancelDrag();
         return;
     }
+    // While the camera looks around, letters fly it.
+    if (panels_.viewport.drag == ui::ViewportState::Drag::Look) return;
     std::optional<std::string> refused = commands_.runShortcuts(&Window::signOfKey);
     if (refused) refused_key_ = std::move(*refused);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) refused_key_.clear();

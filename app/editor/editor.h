@@ -167,8 +167,11 @@ class Editor {
     void drawPickList();
     /// The text of an element in that list.
     [[nodiscard]] std::string nameOf(const ui::Selection& selection) const;
-    /// Selects the objects in a part of the image; parts of the building only if nothing else is.
-    void selectInBox(const Eigen::AlignedBox2d& pixels, bool add);
+    /// Selects the objects in a part of the image, parts of the building only if nothing else is;
+    /// or takes all in it out of the selection.
+    void selectInBox(const Eigen::AlignedBox2d& pixels, bool add, bool remove);
+    /// Selects all objects that are not hidden, without the building.
+    void selectAll();
 
     // editor_start.cpp: the start screen, and the pictures that it shows
     /// Path of the built-in scene; empty if it is not installed.

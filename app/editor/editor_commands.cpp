@@ -228,21 +228,29 @@ void Editor::addPointCommands() {
         {"edit.box_select", "Edit", "Select objects with a box", key(GLFW_KEY_B),
          [this] { panels_.viewport.box_select = true; },
          [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
-    commands_.add({"edit.select_none", "Edit", "Select nothing", key(GLFW_KEY_ESCAPE), [this] {
-                       if (gizmo_.dragging()) {
-                           cancelDrag();
-                       } else if (panels_.viewport.cancelBoxSelect()) {
-                           return;
-                       } else if (workspace_.loading().busy) {
-                           workspace_.cancelOpening();
-                       } else if (panels_.preview.full) {
-                           panels_.preview.full = false;
-                       } else if (through_camera_) {
-                           lookThroughFrame(false);
-                       } else {
-                           selected_.clear();
-                       }
-                   }});
+    commands_.add(
+        {"edit.select_all", "Edit", "Select all objects", key(GLFW_KEY_A), [this] { selectAll(); },
+         [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
+    commands_.add(
+        {"edit.deselect", "Edit", "Select nothing", {GLFW_KEY_A, false, false, true}, [this] {
+             select({});
+         }});
+    commands_.add(
+        {"edit.cancel", "Edit", "Cancel, or select nothing", key(GLFW_KEY_ESCAPE), [this] {
+             if (gizmo_.dragging()) {
+                 cancelDrag();
+             } else if (panels_.viewport.cancelBoxSelect()) {
+                 return;
+             } else if (workspace_.loading().busy) {
+                 workspace_.cancelOpening();
+             } else if (panels_.preview.full) {
+                 panels_.preview.full = false;
+             } else if (through_camera_) {
+                 lookThroughFrame(false);
+             } else {
+                 selected_.clear();
+             }
+         }});
 }
 
 void Editor::addTimelineCommands() {

@@ -275,7 +275,7 @@ void Editor::drawStatus() {
     } else if (panels_.viewport.box_select) {
         ImGui::TextColored(ui::palette().accent, "Drag a box around objects");
         ImGui::SameLine();
-        ImGui::TextDisabled("   Ctrl: add to the selection   Esc: cancel");
+        ImGui::TextDisabled("   Shift: add   Ctrl: take out   Esc: cancel");
     } else if (!refused_key_.empty()) {
         ImGui::TextColored(ui::palette().accent, "%s", refused_key_.c_str());
         ui::nameItem("status.refused_key");

@@ -197,14 +197,25 @@ std::string Editor::nameOf(const Selection& selection) const {
     }
 }
 
-void Editor::selectInBox(const Eigen::AlignedBox2d& pixels, bool add) {
+void Editor::selectInBox(const Eigen::AlignedBox2d& pixels, bool add, bool remove) {
     const ui::ViewImage& image = drawing_.view();
     const PlanOutcome& shown = workspace_.shown();
     if (!shown.hasObjectsOf(image.geometry)) return;
     std::vector<int> ids = ui::objectsIn(image, pixels);
+    if (remove) return select(selected_.withoutObjects(ids));
     const auto building = [&](int id) { return shown.scene->object(id).structure; };
     if (!std::ranges::all_of(ids, building)) std::erase_if(ids, building);
     select(selected_.withObjects(ids, add));
+}
+
+void Editor::selectAll() {
+    const std::vector<bool> hidden = viewportView(panels_.viewport.camera).hidden;
+    std::vector<int> ids;
+    for (const Object& object : workspace_.shown().scene->objects) {
+        const std::size_t id = object.id;
+        if (!object.structure && !(id < hidden.size() && hidden[id])) ids.push_back(object.id);
+    }
+    select(selected_.withObjects(ids, false));
 }
 
 }  // namespace dollytrack::editor

@@ -440,7 +440,9 @@ void Editor::drawCentre() {
     if (pane_.unlock) lookThroughFrame(false);
     if (!workspace_.isOpen()) return;
     if (pane_.clicked) clickAt(*pane_.clicked, pane_.add_to_selection, pane_.list);
-    if (pane_.box) selectInBox(*pane_.box, pane_.add_to_selection);
+    if (pane_.box) {
+        selectInBox(*pane_.box, pane_.add_to_selection, pane_.remove_from_selection);
+    }
     if (pane_.double_clicked && !selectedBox().isEmpty()) {
         bringIntoView(selectedBox());
     }

@@ -19,6 +19,12 @@ int positionPointFor(const Plan& plan, int observation_point) {
     return -1;
 }
 
+ui::Selection ofObjects(std::vector<int> ids) {
+    if (ids.empty()) return {};
+    const auto kind = ids.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
+    return {kind, std::move(ids)};
+}
+
 }  // namespace
 
 const PositionPoint* SelectionTracker::positionPoint(const Plan* plan) const {
@@ -65,28 +71,31 @@ bool SelectionTracker::selectPin(const std::string& name, const Plan& plan,
 }
 
 ui::Selection SelectionTracker::withObject(int object, bool add) const {
-    ui::Selection selection;
-    if (add) selection.objects = now_.objects;
-    const auto at = std::ranges::find(selection.objects, object);
-    if (at != selection.objects.end()) {
-        selection.objects.erase(at);
+    std::vector<int> ids;
+    if (add) ids = now_.objects;
+    const auto at = std::ranges::find(ids, object);
+    if (at != ids.end()) {
+        ids.erase(at);
     } else if (object != 0) {
-        selection.objects.push_back(object);
+        ids.push_back(object);
     }
-    if (selection.objects.empty()) return selection;
-    selection.kind = selection.objects.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
-    return selection;
+    return ofObjects(std::move(ids));
 }
 
 ui::Selection SelectionTracker::withObjects(const std::vector<int>& objects, bool add) const {
-    ui::Selection selection;
-    if (add) selection.objects = now_.objects;
+    std::vector<int> ids;
+    if (add) ids = now_.objects;
     for (const int id : objects) {
-        if (std::ranges::count(selection.objects, id) == 0) selection.objects.push_back(id);
+        if (std::ranges::count(ids, id) == 0) ids.push_back(id);
     }
-    if (selection.objects.empty()) return selection;
-    selection.kind = selection.objects.size() == 1 ? SelectionKind::Object : SelectionKind::Objects;
-    return selection;
+    return ofObjects(std::move(ids));
+}
+
+ui::Selection SelectionTracker::withoutObjects(const std::vector<int>& objects) const {
+    if (now_.objects.empty()) return now_;
+    std::vector<int> ids = now_.objects;
+    std::erase_if(ids, [&](int id) { return std::ranges::count(objects, id) != 0; });
+    return ofObjects(std::move(ids));
 }
 
 bool SelectionTracker::keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned) {

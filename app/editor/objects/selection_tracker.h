@@ -41,6 +41,8 @@ class SelectionTracker {
     [[nodiscard]] ui::Selection withObject(int object, bool add) const;
     /// A selection of all these objects; with `add`, together with those selected now.
     [[nodiscard]] ui::Selection withObjects(const std::vector<int>& objects, bool add) const;
+    /// The current selection of objects without these.
+    [[nodiscard]] ui::Selection withoutObjects(const std::vector<int>& objects) const;
     /// Finds the selection again in a new plan. Returns false if the selected element no longer
     /// exists; then nothing is selected.
     bool keepIn(const Plan* plan, const std::vector<PinnedPoint>& pinned);

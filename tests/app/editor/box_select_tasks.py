@@ -26,8 +26,10 @@ class BoxSelect(Task):
         camera = self.editor.state()["camera"]
         state = self.box(*self.corners(MUG, 4))
         self.assertTrue({MUG} <= set(state["selected"]) <= {MUG, TABLE}, state["selected"])
-        state = self.box(*self.corners(SOFA, 5), keys=("ctrl",))
+        state = self.box(*self.corners(SOFA, 5), keys=("shift",))
         self.assertTrue({MUG, SOFA} <= set(state["selected"]) <= {MUG, SOFA, TABLE})
+        state = self.box(*self.corners(MUG, 4), keys=("ctrl",))
+        self.assertEqual(state["selected"], [SOFA])
         state = self.box(*self.corners(SOFA, 5))
         self.assertEqual(state["selected"], [SOFA])
         left, top, right, bottom = self.editor.item("viewport")[:4]
@@ -49,6 +51,25 @@ class BoxSelect(Task):
         state = self.editor.click(self.corners(MUG, 4)[0], "right")
         self.assertFalse(state["box_select"])
         self.assertEqual(state["selected"], [SOFA])
+
+    def test_all_and_nothing(self):
+        self.from_above()
+        self.select_row(SOFA)
+        self.editor.point((self.editor.middle("viewport")[0], 60))
+        self.editor.key("h")
+        state = self.editor.key("a")
+        self.assertEqual(sorted(state["selected"]), [TABLE, MUG, BOOK, PICTURE],
+                         "no hidden object, no walls and no floor")
+        state = self.editor.key("alt+a")
+        self.assertEqual(state["selected"], [])
+
+    def test_letters_fly_while_the_camera_looks_around(self):
+        self.from_above()
+        self.editor.press("right")
+        self.editor.state()
+        state = self.editor.key("a")
+        self.editor.release("right")
+        self.assertEqual(state["selected"], [])
 
     def test_what_is_done_with_the_selection_is_done_with_all(self):
         self.from_above()

@@ -30,6 +30,14 @@ SelectionTracker selecting(std::vector<int> ids, const Trace& trace) {
     return selected;
 }
 
+TEST(SelectionTracker, AddsAndTakesOutObjects) {
+    const SelectionTracker selected = selecting({2, 5}, kFile);
+    EXPECT_EQ(selected.withObjects({3, 5}, true), objects({2, 5, 3}));
+    EXPECT_EQ(selected.withObjects({3}, false), objects({3}));
+    EXPECT_EQ(selected.withoutObjects({5, 4}), objects({2}));
+    EXPECT_EQ(selected.withoutObjects({2, 5}), Selection());
+}
+
 TEST(SelectionTracker, FollowsAnObjectThatGetsAnotherNumber) {
     SelectionTracker selected = selecting({5}, kFile);
     selected.follow(kMerged);
