@@ -187,6 +187,8 @@ class Editor {
     /// The object's box with the newest edits, which the scene on the screen may lack.
     [[nodiscard]] OrientedBox objectBox(int id) const;
     [[nodiscard]] Pose objectPose(int id) const;  // its yaw is the object's rotation
+    /// The objects that edits have moved since the scene on the screen was built.
+    [[nodiscard]] std::vector<ui::MovedObject> movedObjects() const;
     void moveWithGizmo(const ui::GizmoView& view, int id);
     [[nodiscard]] nlohmann::json removeKeyHere() const;
     void playTracks();

@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/document/apply_scene_edits.h"
 #include "engine/document/object_track.h"
 #include "engine/plan/object_key.h"
 #include "ui/panels/edits/edit_parts.h"
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace dollytrack::editor {
 
@@ -93,6 +95,36 @@ Pose Editor::objectPose(int id) const {
     pose.position = objectBox(id).center;
     pose.rotation = lookAlong({std::cos(now.turn_rad), std::sin(now.turn_rad), 0.0});
     return pose;
+}
+
+std::vector<ui::MovedObject> Editor::movedObjects() const {
+    const PlanOutcome& shown = workspace_.shown();
+    std::vector<ui::MovedObject> moved;
+    if (!workspace_.isOpen() || !shown.scene || shown.state == workspace_.history().state()) {
+        return moved;
+    }
+    const Edits& before = shown.state->edits;
+    const Edits& now = workspace_.state().edits;
+    // Object ids are unreliable while merges or splits are being applied.
+    if (before.scene.definitions != now.scene.definitions) return moved;
+    std::set<int> ids;
+    for (const Edits* edits : {&before, &now}) {
+        for (const ObjectChange& change : edits->scene.changes) {
+            if (change.move) ids.insert(findObject(*shown.scene, change.object));
+        }
+    }
+    ids.erase(0);
+    for (const int id : ids) {
+        const ObjectMove from = moveOf(before, *shown.scene, id);
+        const ObjectMove to = moveOf(now, *shown.scene, id);
+        if (from == to) continue;
+        const Eigen::Vector3d& middle = shown.scene->object(id).box.center;
+        const Eigen::AngleAxisd turn(to.turn_rad - from.turn_rad, Eigen::Vector3d::UnitZ());
+        Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+        motion.translate(middle + to.offset_m - from.offset_m).rotate(turn).translate(-middle);
+        moved.push_back({id, motion});
+    }
+    return moved;
 }
 
 void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {

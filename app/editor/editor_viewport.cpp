@@ -103,6 +103,7 @@ void Editor::requestLayers() {
     request.cone_half_angle_deg = shown.params.viewpoints.cone_half_angle_deg;
     request.stepping = step_playback_.shown();
     request.selection = selected_.now();
+    for (const ui::MovedObject& one : movedObjects()) request.moved.push_back(one.object_id);
     request.no_go = workspace_.state().edits.plan.no_go;
     request.regions = workspace_.state().edits.plan.regions;
     request.step = step_playback_.taken();
@@ -144,6 +145,7 @@ void Editor::requestPicture() {
     ui::ViewRequest request;
     request.view = viewportView(panels_.viewport.camera);
     request.pixel_scale = overlayScale();
+    request.moved = movedObjects();
     for (const auto& layer : layers_.layers().layers) {
         request.layers.push_back({std::shared_ptr<const render::Overlay>(layer, &layer->overlay)});
     }

@@ -55,12 +55,16 @@ class RenderThreadGl : public render::fixture::GlTest {
             {std::make_shared<const Scene>(scene), nullptr, std::move(light), 0, geometry});
     }
 
-    void requestView(const Eigen::Vector3d& eye = Eigen::Vector3d::Zero()) {
+    void requestView(const Eigen::Vector3d& eye = Eigen::Vector3d::Zero(),
+                     std::vector<MovedObject> moved = {}) {
         CameraParams camera;
         camera.width_px = kSize;
         camera.height_px = kSize;
         drawing_->requestView(
-            {render::makeView(camera, lookAt(eye, eye + Eigen::Vector3d::UnitX())), {}, 1.0});
+            {render::makeView(camera, lookAt(eye, eye + Eigen::Vector3d::UnitX())),
+             {},
+             1.0,
+             std::move(moved)});
     }
 
     /// Waits until nothing remains to be drawn, and returns the colour of the newest image.
@@ -120,6 +124,30 @@ TEST_F(RenderThreadGl, ASceneWhoseTexturesCannotBeUploadedStaysPlainAndMovable) 
     setScene(texturedWall(), 3);
     requestView();
     EXPECT_TRUE(isGreen(settledColor())) << "another project has its textures";
+}
+
+TEST_F(RenderThreadGl, AMovedObjectIsDrawnElsewhereUntilItIsNotMoved) {
+    setScene(texturedWall(), 1);
+    const auto depth = [&] {
+        settledColor();
+        return drawing_->view().depth_m[kSize * kSize / 2 + kSize / 2];
+    };
+    requestView();
+    EXPECT_NEAR(depth(), 4.0F, 1e-4F);
+    MovedObject nearer{1, Eigen::Isometry3d::Identity()};
+    nearer.motion.translate(Eigen::Vector3d(-1.5, 0, 0));
+    requestView({0, 0, 0}, {nearer});
+    EXPECT_NEAR(depth(), 2.5F, 1e-4F);
+    nearer.motion.translate(Eigen::Vector3d(0.5, 0, 0));
+    requestView({0, 0, 0}, {nearer});
+    EXPECT_NEAR(depth(), 3.0F, 1e-4F);
+    requestView();
+    EXPECT_NEAR(depth(), 4.0F, 1e-4F);
+    requestView({0, 0, 0}, {nearer});
+    setScene(texturedWall(), 2);
+    requestView();
+    EXPECT_NEAR(depth(), 4.0F, 1e-4F) << "an edited scene begins where it has its objects";
+    EXPECT_EQ(drawing_->takeError(), "");
 }
 
 TEST_F(RenderThreadGl, AnEditedSceneLosesItsTexturesIfTheyCannotBeUploaded) {

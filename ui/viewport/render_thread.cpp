@@ -8,6 +8,7 @@
 #include "render/overlays/overlay_renderer.h"
 #include "ui/viewport/adaptive_resolution.h"
 #include "ui/viewport/false_color.h"
+#include "ui/viewport/layer_cache.h"
 
 #include <algorithm>
 #include <array>
@@ -71,35 +72,6 @@ struct ViewCanvas {
     std::optional<render::View> drawn;  // the view in `target`, if it is valid
 };
 
-/// Overlays on the GPU, by pointer.
-struct LayerCache {
-    struct Entry {
-        std::shared_ptr<const render::Overlay> overlay;  // keeps the address from being reused
-        render::OverlayBuffers buffers;
-    };
-    std::vector<Entry> entries;
-
-    /// Drops overlays that are no longer drawn and uploads new ones.
-    std::vector<render::OverlayLayer> prepare(const std::vector<ViewLayer>& layers) {
-        std::erase_if(entries, [&](const Entry& entry) {
-            return std::ranges::find(layers, entry.overlay, &ViewLayer::overlay) == layers.end();
-        });
-        for (const ViewLayer& layer : layers) {
-            if (std::ranges::find(entries, layer.overlay, &Entry::overlay) != entries.end()) {
-                continue;
-            }
-            entries.push_back({layer.overlay, {}});
-            entries.back().buffers.upload(*layer.overlay);
-        }
-        std::vector<render::OverlayLayer> prepared;
-        for (const ViewLayer& layer : layers) {
-            const auto entry = std::ranges::find(entries, layer.overlay, &Entry::overlay);
-            prepared.push_back({&entry->buffers, layer.opacity, layer.hidden_opacity});
-        }
-        return prepared;
-    }
-};
-
 }  // namespace
 
 struct RenderThread::Impl {
@@ -126,6 +98,7 @@ struct RenderThread::Impl {
     std::shared_ptr<const RayCaster> rays;
     std::optional<render::TracedReflections> reflections;  // set if any surface reflects
     std::optional<render::SceneRenderer> renderer;
+    std::vector<MovedObject> moved;  // how `renderer` has placed objects
     int anisotropy = 0;
     bool plain = false;        // the renderer has no textures yet: they follow the first image
     bool stays_plain = false;  // they did not fit into memory
@@ -157,6 +130,8 @@ struct RenderThread::Impl {
     /// Adds the textures and simplified meshes to a plain scene, unless another scene or light is
     /// waiting.
     Status completeScene();
+    /// Places objects where the request wants them; returns whether any is placed anew.
+    bool placeObjects(const std::vector<MovedObject>& wanted);
     Status drawView(ViewRequest request);
     /// Returns whether the scene was drawn again, rather than only the overlays.
     Result<bool> drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
@@ -277,6 +252,7 @@ Status RenderThread::Impl::loadScene(SceneRequest request) {
 
 Status RenderThread::Impl::createRenderer(render::Detail detail) {
     renderer.reset();  // released first: both may not fit into memory
+    moved.clear();
     Result<render::SceneRenderer> made =
         render::SceneRenderer::create(*scene, lit_by ? *lit_by : plainLight(*scene), detail);
     if (made) {
@@ -319,6 +295,18 @@ Status RenderThread::Impl::completeScene() {
     return status;
 }
 
+bool RenderThread::Impl::placeObjects(const std::vector<MovedObject>& wanted) {
+    if (moved == wanted) return false;
+    for (const MovedObject& one : moved) {
+        renderer->place(one.object_id, Eigen::Isometry3d::Identity());
+    }
+    for (const MovedObject& one : wanted) renderer->place(one.object_id, one.motion);
+    moved = wanted;
+    whole.drawn.reset();
+    coarse.drawn.reset();
+    return true;
+}
+
 Status RenderThread::Impl::drawView(ViewRequest request) {
     const auto begin = std::chrono::steady_clock::now();
     if (!overlays) {
@@ -326,7 +314,8 @@ Status RenderThread::Impl::drawView(ViewRequest request) {
         if (!made) return tl::unexpected(std::move(made.error()));
         overlays.emplace(std::move(*made));
     }
-    const bool same = last_view && samePicture(*last_view, request.view);
+    const bool placed = placeObjects(request.moved);
+    const bool same = !placed && last_view && samePicture(*last_view, request.view);
     const int shrink = resolution.shrinkFor(same, begin);
     const Result<bool> drawn = drawOn(shrink == 1 ? whole : coarse, request, shrink);
     if (!drawn) return tl::unexpected(drawn.error());
@@ -436,7 +425,7 @@ void RenderThread::setScene(SceneRequest request) {
 void RenderThread::requestView(ViewRequest request) {
     const std::optional<ViewRequest>& last = impl_->asked_view;
     if (last && samePicture(last->view, request.view) && last->layers == request.layers &&
-        last->pixel_scale == request.pixel_scale) {
+        last->pixel_scale == request.pixel_scale && last->moved == request.moved) {
         return;
     }
     impl_->asked_view = request;

@@ -7,6 +7,8 @@
 #include "render/overlays/overlay.h"
 #include "render/view/view.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,12 +31,22 @@ struct ViewLayer {
     bool operator==(const ViewLayer&) const = default;
 };
 
+/// An object that is drawn elsewhere than in the scene: p = motion * p_scene, world frame.
+struct MovedObject {
+    int object_id = 0;
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    bool operator==(const MovedObject& other) const {
+        return object_id == other.object_id && motion.matrix() == other.motion.matrix();
+    }
+};
+
 /// A viewport image to be drawn. A newer request replaces a waiting one. If only the layers differ
 /// from the previous image, the scene is not drawn again.
 struct ViewRequest {
     render::View view;
     std::vector<ViewLayer> layers;  // drawn in this order
     double pixel_scale = 1.0;       // scale of widths given in pixels
+    std::vector<MovedObject> moved = {};
 };
 
 /// A finished viewport image.

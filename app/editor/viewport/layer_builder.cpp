@@ -48,6 +48,7 @@ PlanLayer selectionLayer(const LayersRequest& request) {
     PlanLayer layer;
     for (const int id : request.selection.objects) {
         if (id < 1 || static_cast<std::size_t>(id) > request.scene->objects.size()) continue;
+        if (std::ranges::find(request.moved, id) != request.moved.end()) continue;
         const Object& object = request.scene->object(id);
         addBoxEdges(layer.overlay, object.box, ui::kSelectedColor, 2.5);
         const double reach = object.box.half_size.head<2>().norm() + 0.15;
@@ -186,8 +187,9 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
     return scene == other.scene && plan == other.plan && free_space == other.free_space &&
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
-           in_cone == other.in_cone && local == other.local && no_go == other.no_go &&
-           regions == other.regions && step == other.step && frame == other.frame;
+           in_cone == other.in_cone && moved == other.moved && local == other.local &&
+           no_go == other.no_go && regions == other.regions && step == other.step &&
+           frame == other.frame;
 }
 
 bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
@@ -290,7 +292,7 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
             layers.layers.push_back(std::make_shared<const PlanLayer>(cameraLayer(request)));
         }
     }
-    add(layers, 7, std::tuple(request.scene, request.free_space, request.selection),
+    add(layers, 7, std::tuple(request.scene, request.free_space, request.selection, request.moved),
         [&] { return selectionLayer(request); });
     return layers;
 }

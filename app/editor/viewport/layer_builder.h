@@ -26,6 +26,8 @@ struct LayersRequest {
     CameraParams camera;
     ui::LayerSettings settings;
     ui::Selection selection;
+    std::vector<int>
+        moved;  // object ids: not where the scene has them, so their boxes are left out
     std::vector<int> local;  // object ids: only their points are shown; empty: all points
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;

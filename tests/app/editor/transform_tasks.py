@@ -44,6 +44,26 @@ class Transforms(Task):
         self.press("ctrl+z")
         self.assertOffset([0, 0, 0])
 
+    def test_the_object_itself_moves_while_it_is_moved(self):
+        self.with_the_sofa()
+        self.press("7")
+        self.wait_picture()
+        before = self.patch_of_the_sofa()
+        self.press("g", "x")
+        self.editor.type("5")
+        self.editor.wait(lambda now: not now["busy"]["drawing"], "the picture")
+        differ = sum(a != b for a, b in zip(self.patch_of_the_sofa(), before))
+        self.assertGreater(differ, 0.8 * len(before), "the floor is seen instead of the sofa")
+        self.press("esc")
+        self.editor.wait(lambda now: self.patch_of_the_sofa() == before, "the sofa again", 20)
+
+    def patch_of_the_sofa(self):
+        """The pixels of a part of the sofa in the view from above, beside its handles."""
+        width, _, rgb = self.editor.picture()
+        x, y = self.place_of((0.25, -2.3, 0.7))
+        return [rgb[3 * (width * v + u):3 * (width * v + u) + 3]
+                for v in range(y - 5, y + 5) for u in range(x - 5, x + 5)]
+
     def test_correct_the_number_and_the_axis(self):
         self.with_the_sofa()
         self.press("g", "z")
