@@ -27,13 +27,8 @@ json point(const Eigen::Vector3d& p) {
     return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
-std::string className(int nyu40) {
+std::string nyu40Class(int nyu40) {
     return nyu40 == 0 ? std::string("unknown") : std::string(nyu40Name(nyu40));
-}
-
-/// The class name in tables: that of the label file if it has classes, otherwise that of NYU40.
-std::string shownClass(const Object& object) {
-    return object.dataset_class ? object.dataset_class->name : className(object.nyu40);
 }
 
 int countTargets(const Scene& scene) {
@@ -45,7 +40,7 @@ int countTargets(const Scene& scene) {
 json objectJson(const Object& object) {
     json one = {{"id", object.id},
                 {"name", object.name},
-                {"class", className(object.nyu40)},
+                {"class", nyu40Class(object.nyu40)},
                 {"role", roleName(object.role)},
                 {"large", object.large},
                 {"size_m", point(2.0 * object.box.half_size)},
@@ -100,6 +95,10 @@ std::string column(std::string text, std::size_t width) {
 
 }  // namespace
 
+std::string className(const Object& object) {
+    return object.dataset_class ? object.dataset_class->name : nyu40Class(object.nyu40);
+}
+
 std::string_view roleName(Role role) {
     switch (role) {
         case Role::Target:
@@ -130,7 +129,7 @@ json toJson(const Scene& scene) {
     std::map<std::string, int> classes;
     json objects = json::array();
     for (const Object& object : scene.objects) {
-        ++classes[className(object.nyu40)];
+        ++classes[nyu40Class(object.nyu40)];
         objects.push_back(objectJson(object));
     }
     json report = {{"name", scene.name},
@@ -185,7 +184,7 @@ std::string describeScene(const Scene& scene) {
             "  class           role       size   width  depth height m  front\n";
     for (const Object& object : scene.objects) {
         text += format("  %3d  ", object.id) + column(object.name, name_width) + "  " +
-                column(shownClass(object), 14) + "  " +
+                column(className(object), 14) + "  " +
                 column(std::string(roleName(object.role)), 9) + "  " +
                 (object.large ? "large" : "small") +
                 format("  %5.2f  %5.2f  %5.2f    ", 2.0 * object.box.half_size.x(),

@@ -1,7 +1,7 @@
 #include "app/cli/plan/ledger_table.h"
 
 #include "app/cli/terminal/terminal_text.h"
-#include "engine/scene/labels.h"
+#include "engine/scene/scene_report.h"
 
 #include <fmt/format.h>
 
@@ -49,11 +49,9 @@ std::string ledgerTable(const Scene& scene, std::vector<LedgerRow> ledger, std::
                     inColumn("class", 12), inColumn("", 12), "frame", "visible", "box", "away");
     for (const LedgerRow& row : ledger) {
         const Object& object = scene.object(row.object_id);
-        text += fmt::format(
-            "  {} {} {} {}\n", inColumn(object.name, name_width),
-            inColumn(object.dataset_class ? object.dataset_class->name : nyu40Name(object.nyu40),
-                     12),
-            inColumn(kStandings[standing(row)], 12), numbers(row));
+        text += fmt::format("  {} {} {} {}\n", inColumn(object.name, name_width),
+                            inColumn(className(object), 12),
+                            inColumn(kStandings[standing(row)], 12), numbers(row));
         if (!row.loss) continue;
         text += wrapped(row.reason, width, kIndent, "    why");
         if (row.remedy) text += wrapped(row.remedy->text, width, kIndent, "    fix");

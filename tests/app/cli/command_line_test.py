@@ -153,6 +153,16 @@ class CommandLine(FolderCase):
         self.assertEqual(sorted(targets), ["book", "mug", "picture", "sofa", "table"])
         self.assertIn("room", run("info", self.room).stdout)
 
+    def test_a_missing_class_has_the_same_word_everywhere(self):
+        scene = self.folder / "unknown.obj"
+        scene.write_text(self.room.read_text().replace("o mug\n", "o xyzzy\n"))
+        for arguments in (["info"], ["plan", "--explain", "--max-frames", 20]):
+            printed = run(*arguments, scene).stdout
+            rows = [line.split() for line in printed.splitlines() if "xyzzy" in line]
+            self.assertTrue(rows, printed)
+            self.assertTrue(all("void" not in row for row in rows), rows)
+            self.assertTrue(any("unknown" in row for row in rows), rows)
+
     # --- usage and bad input
 
     def test_wrong_parameters_are_usage_errors(self):

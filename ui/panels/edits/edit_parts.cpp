@@ -1,7 +1,6 @@
 #include "ui/panels/edits/edit_parts.h"
 
 #include "engine/document/apply_scene_edits.h"
-#include "engine/scene/labels.h"
 #include "ui/theme.h"
 #include "ui/widgets/fields/drag_fields.h"
 #include "ui/widgets/fields/text_field.h"
@@ -119,11 +118,6 @@ std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>&
         ImGui::TextColored(palette().text_dim, "%s", rest.c_str());
     }
     return clicked;
-}
-
-std::string className(const Object& object) {
-    if (object.dataset_class) return object.dataset_class->name;
-    return object.nyu40 == 0 ? "unknown" : std::string(nyu40Name(object.nyu40));
 }
 
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit) {

@@ -36,9 +36,6 @@ std::string placeText(const Eigen::Vector3d& place);
 std::optional<Selection> objectLinks(const Scene& scene, const std::vector<int>& ids,
                                      const std::string& name, std::size_t most = 8);
 
-/// Name of the object's dataset class, or else of its NYU40 class; "unknown" without one.
-std::string className(const Object& object);
-
 /// Draws the rows of a no-go box inside a form; `edit` receives the operation that renames or moves
 /// it.
 void noGoRows(const NoGoBox& box, const std::string& name, EditRequest& edit);

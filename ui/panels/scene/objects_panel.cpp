@@ -1,6 +1,7 @@
 #include "ui/panels/scene/objects_panel.h"
 
 #include "engine/scene/labels.h"
+#include "engine/scene/scene_report.h"
 #include "ui/panels/edits/edit_parts.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"

@@ -1,6 +1,6 @@
 #include "ui/widgets/commands/command_palette.h"
 
-#include "engine/scene/labels.h"
+#include "engine/scene/scene_report.h"
 #include "ui/theme.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/item_map.h"
@@ -35,10 +35,6 @@ std::string hitText(const CommandPaletteView& view, const Hit& hit) {
     return {};
 }
 
-std::string hitClass(const Object& object) {
-    return object.dataset_class ? object.dataset_class->name : std::string(nyu40Name(object.nyu40));
-}
-
 std::string hitNote(const CommandPaletteView& view, const Hit& hit) {
     switch (hit.kind) {
         case Hit::Kind::Command:
@@ -46,7 +42,7 @@ std::string hitNote(const CommandPaletteView& view, const Hit& hit) {
         case Hit::Kind::Parameter:
             return "parameter";
         case Hit::Kind::Object:
-            return hitClass(view.scene->objects[hit.index]);
+            return className(view.scene->objects[hit.index]);
     }
     return {};
 }
