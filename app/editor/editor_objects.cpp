@@ -40,13 +40,7 @@ double turnDegrees(double heading, double turn_rad) {
 void drawOutline(const OrientedBox& box, const ui::GizmoView& view) {
     const std::array<Eigen::Vector3d, 8> corners = box.corners();
     std::array<std::optional<ImVec2>, 8> at;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const Eigen::Vector3d p = view.view.pose.toCamera(corners[i]);
-        if (p.z() <= 0.01) continue;
-        const Eigen::Vector2d pixel = view.view.project(p);
-        at[i] = ImVec2(static_cast<float>(pixel.x()) + view.origin.x(),
-                       static_cast<float>(pixel.y()) + view.origin.y());
-    }
+    for (std::size_t i = 0; i < 8; ++i) at[i] = ui::positionInWindow(view, corners[i]);
     for (std::size_t i = 0; i < 8; ++i) {
         for (std::size_t k = i + 1; k < 8; ++k) {
             // Two corners share an edge if they differ along one axis of the box.

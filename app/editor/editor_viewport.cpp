@@ -252,7 +252,10 @@ void Editor::editWithGizmo() {
         return;
     }
     const ui::GizmoView& view = *handles;
-    if (!gizmo_.dragging()) history_before_drag_ = workspace_.history().history();
+    // A click may begin a drag; one that keys begin is noted there.
+    if (!gizmo_.dragging() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        history_before_drag_ = workspace_.history().history();
+    }
     // A refusal ends typing, since its message needs the keyboard.
     const bool cancels = ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                          (gizmo_.usesKeys() && questions_.waiting());

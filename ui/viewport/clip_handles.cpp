@@ -22,19 +22,11 @@ Eigen::Vector3d middleOf(const Eigen::AlignedBox3d& box, int face) {
     return middle;
 }
 
-std::optional<ImVec2> onScreen(const GizmoView& view, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d p = view.view.pose.toCamera(point);
-    if (p.z() <= 0.01) return std::nullopt;
-    const Eigen::Vector2d pixel = view.view.project(p);
-    return ImVec2(static_cast<float>(pixel.x()) + view.origin.x(),
-                  static_cast<float>(pixel.y()) + view.origin.y());
-}
-
 /// The face whose handle is under the mouse; -1: none.
 int faceUnderMouse(const GizmoView& view, const Eigen::AlignedBox3d& box) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (int face = 0; face < kFaces; ++face) {
-        const auto at = onScreen(view, middleOf(box, face));
+        const auto at = positionInWindow(view, middleOf(box, face));
         if (at && std::hypot(mouse.x - at->x, mouse.y - at->y) < scaled(kReach_px)) return face;
     }
     return -1;
@@ -63,8 +55,8 @@ void drawEdges(const GizmoView& view, const Eigen::AlignedBox3d& box, ImU32 colo
     for (int a = 0; a < 8; ++a) {
         for (const int b : {a | 1, a | 2, a | 4}) {
             if (b == a) continue;
-            const auto from = onScreen(view, box.corner(static_cast<Box::CornerType>(a)));
-            const auto to = onScreen(view, box.corner(static_cast<Box::CornerType>(b)));
+            const auto from = positionInWindow(view, box.corner(static_cast<Box::CornerType>(a)));
+            const auto to = positionInWindow(view, box.corner(static_cast<Box::CornerType>(b)));
             if (from && to) ImGui::GetWindowDrawList()->AddLine(*from, *to, color, scaled(1.2F));
         }
     }
@@ -87,7 +79,7 @@ void drawClipHandles(const GizmoView& view, Eigen::AlignedBox3d& box, ClipHandle
     if (state.dragged >= 0) moveFace(view, box, state);
     drawEdges(view, box, IM_COL32(255, 255, 255, 110));
     for (int face = 0; face < kFaces; ++face) {
-        const auto at = onScreen(view, middleOf(box, face));
+        const auto at = positionInWindow(view, middleOf(box, face));
         if (!at) continue;
         const bool lit = face == (state.dragged >= 0 ? state.dragged : hot);
         ImGui::GetWindowDrawList()->AddCircleFilled(*at, scaled(lit ? 7.0F : 5.0F),

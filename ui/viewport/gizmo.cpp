@@ -29,11 +29,7 @@ struct Painter {
     double metres_per_px;
 
     [[nodiscard]] std::optional<ImVec2> at(const Eigen::Vector3d& point) const {
-        const Eigen::Vector3d p = view.view.pose.toCamera(point);
-        if (p.z() <= 0.01) return std::nullopt;
-        const Eigen::Vector2d pixel = view.view.project(p);
-        return ImVec2(static_cast<float>(pixel.x()) + view.origin.x(),
-                      static_cast<float>(pixel.y()) + view.origin.y());
+        return positionInWindow(view, point);
     }
 };
 
@@ -203,6 +199,14 @@ void nameHandles(const GizmoView& view, const Handles& handles) {
 }
 
 }  // namespace
+
+std::optional<ImVec2> positionInWindow(const GizmoView& view, const Eigen::Vector3d& point) {
+    constexpr double kNearest_m = 0.01;
+    const Eigen::Vector3d p = view.view.pose.toCamera(point);
+    if (p.z() <= kNearest_m) return std::nullopt;
+    const Eigen::Vector2f pixel = view.view.project(p).cast<float>() + view.origin;
+    return ImVec2(pixel.x(), pixel.y());
+}
 
 Eigen::Vector3d onScreenPlane(const render::ViewRay& ray, const GizmoView& view,
                               const Eigen::Vector3d& point) {

@@ -4,6 +4,7 @@
 #include "render/view/view.h"
 #include "ui/viewport/pose_change.h"
 
+#include <imgui.h>
 #include <Eigen/Core>
 
 #include <optional>
@@ -43,6 +44,10 @@ struct GizmoActions {
     SnapSteps steps;    // that the change was snapped to
     Pose pose;
 };
+
+/// Position of a world point in the window, px; nullopt if it is behind the camera.
+[[nodiscard]] std::optional<ImVec2> positionInWindow(const GizmoView& view,
+                                                     const Eigen::Vector3d& point);
 
 /// Draws the handles over the image into the current ImGui window and handles the mouse: three
 /// arrows and a disc to move, a ring for yaw and an arc for pitch. Ctrl snaps; see snapSteps().

@@ -72,14 +72,8 @@ void drawAxis(const KeyTransform& keys, const GizmoView& view) {
     const Eigen::Vector3d way = MoveAxes{view.heading_rad, keys.own_axes}.direction(*axis);
     std::optional<ImVec2> last;
     for (int i = -kSteps; i <= kSteps; ++i) {
-        const Eigen::Vector3d p =
-            view.view.pose.toCamera(keys.begin->position + kHalfLength_m * i / kSteps * way);
-        std::optional<ImVec2> at;
-        if (p.z() > 0.01) {
-            const Eigen::Vector2d pixel = view.view.project(p);
-            at = ImVec2(static_cast<float>(pixel.x()) + view.origin.x(),
-                        static_cast<float>(pixel.y()) + view.origin.y());
-        }
+        const std::optional<ImVec2> at =
+            positionInWindow(view, keys.begin->position + kHalfLength_m * i / kSteps * way);
         if (last && at) {
             ImGui::GetWindowDrawList()->AddLine(*last, *at, axisColor(*axis), scaled(1.4F));
         }
