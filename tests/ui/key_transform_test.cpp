@@ -111,6 +111,23 @@ TEST(PoseChange, RotatesHeadingAndPitchAndStopsBeforeTheVertical) {
     EXPECT_EQ(PoseChange().of(begin), begin);
 }
 
+TEST(PoseChange, SaysTheTiltThatIsApplied) {
+    constexpr double kDegree = kPi / 180.0;
+    Pose begin;
+    begin.rotation = lookAlong({std::cos(30 * kDegree), 0, std::sin(30 * kDegree)});
+    const auto text = [&](double pitch_deg) {
+        PoseChange change;
+        change.pitch_rad = pitch_deg * kDegree;
+        change = change.appliedTo(begin);
+        const double after = std::asin(change.of(begin).forward().z()) / kDegree;
+        EXPECT_NEAR(after, std::clamp(30.0 + pitch_deg, -88.0, 88.0), 1e-6);
+        return changeText(GizmoPart::Pitch, {}, change);
+    };
+    EXPECT_EQ(text(20), "Tilt: 20\u00b0");
+    EXPECT_EQ(text(90), "Tilt: 58\u00b0");
+    EXPECT_EQ(text(-150), "Tilt: -118\u00b0");
+}
+
 TEST(PoseChange, SnapsToStepsOfTheHeldKeys) {
     PoseChange change;
     change.offset_m = {0.26, -0.34, 0.04};

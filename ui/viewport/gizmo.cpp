@@ -256,7 +256,8 @@ GizmoActions drawGizmo(const GizmoView& view, GizmoState& state) {
             state.moved = state.moved || way > scaled(kClick_px);
             if (state.moved) {
                 actions.steps = snapSteps(io.KeyCtrl, io.KeyShift);
-                actions.change = snapped(state.dragged, {}, dragged(view, state), actions.steps);
+                actions.change = snapped(state.dragged, {}, dragged(view, state), actions.steps)
+                                     .appliedTo(state.begin);
                 actions.pose = actions.change.of(state.begin);
                 actions.changed = !(actions.pose == state.now);
                 state.now = actions.pose;

@@ -157,6 +157,7 @@ GizmoActions followKeys(KeyTransform& keys, const GizmoView& view) {
         actions.change =
             snapped(keys.part, {view.heading_rad, keys.own_axes}, actions.change, actions.steps);
     }
+    actions.change = actions.change.appliedTo(*keys.begin);
     actions.pose = actions.change.of(*keys.begin);
     actions.changed = !(actions.pose == keys.now);
     keys.now = actions.pose;

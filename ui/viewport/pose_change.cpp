@@ -10,12 +10,17 @@ namespace dollytrack::ui {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kSteepest_rad = 0.49 * std::numbers::pi;
+constexpr double kSteepest_rad = 88.0 / kDegrees;  // steeper views could tip over
 
 /// At most three decimals, without trailing zeros and without "-0".
 std::string shortNumber(double value) {
     const double rounded = std::round(value * 1e3) / 1e3;
     return fmt::format("{:.10g}", rounded == 0.0 ? 0.0 : rounded);
+}
+
+/// Angle of the view above level.
+double pitchOf(const Pose& pose) {
+    return std::asin(std::clamp(pose.forward().z(), -1.0, 1.0));
 }
 
 double snappedTo(double value, double step) {
@@ -56,14 +61,24 @@ Eigen::Vector3d MoveAxes::direction(int axis) const {
     return {std::cos(angle), std::sin(angle), 0.0};
 }
 
+PoseChange PoseChange::appliedTo(const Pose& begin) const {
+    PoseChange applied = *this;
+    if (pitch_rad == 0.0) return applied;
+    const double pitch = pitchOf(begin);
+    // A view that is already steeper may stay.
+    applied.pitch_rad = std::clamp(pitch + pitch_rad, std::min(pitch, -kSteepest_rad),
+                                   std::max(pitch, kSteepest_rad)) -
+                        pitch;
+    return applied;
+}
+
 Pose PoseChange::of(const Pose& begin) const {
     Pose pose = begin;
     pose.position += offset_m;
     if (yaw_rad == 0.0 && pitch_rad == 0.0) return pose;
     const Eigen::Vector3d way = begin.forward();
     const double yaw = std::atan2(way.y(), way.x()) + yaw_rad;
-    const double pitch = std::clamp(std::asin(std::clamp(way.z(), -1.0, 1.0)) + pitch_rad,
-                                    -kSteepest_rad, kSteepest_rad);
+    const double pitch = pitchOf(begin) + appliedTo(begin).pitch_rad;
     pose.rotation = lookAlong(
         {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)});
     return pose;

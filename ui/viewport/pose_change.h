@@ -32,7 +32,10 @@ struct PoseChange {
     double yaw_rad = 0.0;                                // about the vertical, counter-clockwise
     double pitch_rad = 0.0;                              // upwards
 
+    /// The pose after the change. Its view is at most 88 degrees from level.
     [[nodiscard]] Pose of(const Pose& begin) const;
+    /// The part of the change that of() applies.
+    [[nodiscard]] PoseChange appliedTo(const Pose& begin) const;
 };
 
 /// Steps that a change snaps to; 0: it does not snap.
