@@ -43,6 +43,7 @@ void Editor::drawPanel(const std::string& name) {
 }
 
 void Editor::drawDock(DockSide side) {
+    docks_.setBadge("Log", panels_.log.unseenWarnings(log_));
     docks_.draw(side, [this](const std::string& name) { drawPanel(name); });
 }
 
@@ -268,6 +269,13 @@ void Editor::drawStatus() {
                                                      ? "Local view (/ shows all)  "
                                                      : "Parts are hidden (see Layers)  ");
         ui::nameItem("status.parts_hidden");
+        ImGui::SameLine();
+    }
+    if (const unsigned unseen = panels_.log.unseenWarnings(log_); unseen > 0) {
+        const std::string text = fmt::format("{} warning{}", unseen, unseen == 1 ? "" : "s");
+        if (ui::link(text, "status.warnings", "Show the log")) {
+            docks_.open("Log");
+        }
         ImGui::SameLine();
     }
     if (gizmo_.dragging()) {

@@ -120,7 +120,7 @@ void PanelDocks::draw(DockSide side, const std::function<void(const std::string&
     if (!row.beginRow(fmt::format("{} {}", nameOf(side), row_ids_[indexOf(side)]).c_str())) return;
     bool opens_menu = false;
     for (const std::string& panel : places_.at(side)) {
-        const bool shown = row.begin(panel.c_str());
+        const bool shown = row.begin(panel.c_str(), badges_[panel]);
         tabs_.push_back({panel, side, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}});
         if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
             dragged_ = panel;

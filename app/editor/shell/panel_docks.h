@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ class PanelDocks {
     void hide(const std::string& panel);
     void reset();
 
+    /// A number shown on a panel's tab, in the colour of warnings; 0: none.
+    void setBadge(const std::string& panel, unsigned number) { badges_[panel] = number; }
     /// Draws the tabs of a side into the current window, and the selected panel by
     /// `draw_panel(name)`.
     void draw(DockSide side, const std::function<void(const std::string&)>& draw_panel);
@@ -71,6 +74,7 @@ class PanelDocks {
     std::array<TabRow, kDockSides.size()> rows_;
     // ImGui keeps the order of a row's tabs by the row's id; a new order needs a new id.
     std::array<int, kDockSides.size()> row_ids_{};
+    std::map<std::string, unsigned> badges_;
     std::string dragged_;  // the panel whose tab is dragged, or empty
     std::string menu_of_;  // the panel whose context menu was opened last
     // Of this window frame:

@@ -29,12 +29,18 @@ bool TabRow::beginRow(const char* id) {
     return shown;
 }
 
-bool TabRow::begin(const char* name) {
+bool TabRow::begin(const char* name, unsigned badge) {
     const bool wanted = wanted_ == name;
     met_wanted_ |= wanted;
+    // The tab's identity does not depend on its badge.
+    std::string label = name;
+    if (badge > 0) label += " (" + std::to_string(badge) + ")";
+    label += "###" + std::string(name);
     pushPadding();
+    if (badge > 0) ImGui::PushStyleColor(ImGuiCol_Text, ui::palette().warning);
     const bool shown =
-        ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+        ImGui::BeginTabItem(label.c_str(), nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+    if (badge > 0) ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     // A requested tab is selected in the next frame; until then another one is.
     if (wanted) {

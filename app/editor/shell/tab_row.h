@@ -16,9 +16,9 @@ class TabRow {
 
     /// Begins the row; if it returns true, ImGui::EndTabBar() follows the last tab.
     bool beginRow(const char* id);
-    /// To be called within the row. Returns whether the tab's content is to be drawn, followed by
-    /// ImGui::EndTabItem().
-    bool begin(const char* name);
+    /// To be called within the row. A `badge` above 0 is shown after the name, in the colour of
+    /// warnings. Returns whether the tab's content is to be drawn, followed by ImGui::EndTabItem().
+    bool begin(const char* name, unsigned badge = 0);
 
   private:
     std::string open_;

@@ -58,6 +58,7 @@ void LogBuffer::add(const log::Record& record) {
             return;
         }
     }
+    if (record.level >= log::Level::Warning) ++warnings_;
     records_.push_back(record);
     if (records_.size() > kKept) records_.pop_front();
 }
@@ -77,7 +78,13 @@ unsigned LogBuffer::version() const {
     return version_;
 }
 
+unsigned LogBuffer::warnings() const {
+    const std::lock_guard lock(mutex_);
+    return warnings_;
+}
+
 void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
+    state.seen_warnings = buffer.warnings();
     const std::deque<log::Record> all = buffer.records();
     std::vector<const log::Record*> rows;
     for (const log::Record& record : all) {
