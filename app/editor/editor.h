@@ -107,6 +107,8 @@ class Editor {
     void drawPanel(const std::string& name);
     void drawStatus();
     void drawDragStatus();
+    void drawPlanStatus(const Plan& plan);
+    void drawSceneStatus();
     void drawObjects();
     void drawHistory();
     void drawLayers();

@@ -296,38 +296,49 @@ void Editor::drawStatus() {
         ImGui::TextColored(ui::palette().bad, "%s: %s", shown.outdated ? "No new plan" : "No plan",
                            error.c_str());
     } else if (shown.plan && shown.measured) {
-        const CaptureMetrics& capture = shown.plan->capture_metrics;
-        const auto& frames = shown.plan->trajectory.frames;
-        const auto keys = std::count_if(frames.begin(), frames.end(), [](const auto& frame) {
-            return frame.position_point >= 0;
-        });
-        ImGui::Text("%zu frames, %td key frames, %d of %d objects captured, %d well", frames.size(),
-                    keys, capture.captured, capture.objects, capture.well_captured);
-        if (!drawing_.finalLight()) {
-            ImGui::SameLine();
-            ImGui::TextDisabled("   computing light …");
-        }
+        drawPlanStatus(*shown.plan);
     } else {
         ImGui::TextDisabled("%s", workspace_.isOpen() ? "" : "No scene is open.");
     }
-    std::string right = fmt::format("window {:.0f} ms, image {:.0f} ms", window_.lastFrame_ms(),
-                                    drawing_.view().milliseconds);
+    drawSceneStatus();
+}
+
+void Editor::drawPlanStatus(const Plan& plan) {
+    const CaptureMetrics& capture = plan.capture_metrics;
+    const auto& frames = plan.trajectory.frames;
+    const auto keys =
+        std::ranges::count_if(frames, [](const auto& frame) { return frame.position_point >= 0; });
+    const double seconds = frames.empty() ? 0.0 : frames.back().time_s;
+    ImGui::Text("%zu frames in %s, %d of %d targets captured", frames.size(),
+                ui::durationText(seconds).c_str(), capture.captured, capture.objects);
+    ui::nameItem("status.plan");
+    ui::tooltip(
+        fmt::format("{} targets fill at least 5 % of the image in one of the frames; {} of "
+                    "the frames are key frames. The Metrics panel tells more.",
+                    capture.well_captured, keys));
+    if (drawing_.finalLight()) return;
+    ImGui::SameLine();
+    ImGui::TextDisabled("   computing light \u2026");
+}
+
+void Editor::drawSceneStatus() {
+    const PlanOutcome& shown = workspace_.shown();
+    if (!shown.scene) return;
+    const auto targets = std::ranges::count(shown.scene->objects, Role::Target, &Object::role);
+    const std::size_t chosen = selected_.objects().size();
+    std::string text = fmt::format("{} objects, {} targets", shown.scene->objects.size(), targets);
+    if (chosen > 1) text = fmt::format("{} selected   ", chosen) + text;
     ImGui::SameLine();
     const float room = ImGui::GetContentRegionAvail().x;
-    if (shown.scene) {
-        const std::string size =
-            fmt::format("{:L} triangles, {} objects   ", shown.scene->triangles.size(),
-                        shown.scene->objects.size());
-        if (ImGui::CalcTextSize((size + right).c_str()).x < room) right = size + right;
-    }
-    right = ui::cutToWidth(right, room);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - ImGui::CalcTextSize(right.c_str()).x);
-    ImGui::TextDisabled("%s", right.c_str());
-    std::string more;
-    if (shown.scene) {
-        more = fmt::format("One unit of the scene file is {:g} m.\n", shown.scene->report.unit_m);
-    }
-    ui::tooltip(more + drawing_.rendererName());
+    text = ui::cutToWidth(text, room);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextDisabled("%s", text.c_str());
+    ui::nameItem("status.scene");
+    ui::tooltip(
+        fmt::format("{:L} triangles; one unit of the scene file is {:g} m\n"
+                    "drawn by {} in {:.0f} ms, the window in {:.0f} ms",
+                    shown.scene->triangles.size(), shown.scene->report.unit_m,
+                    drawing_.rendererName(), drawing_.view().milliseconds, window_.lastFrame_ms()));
 }
 
 }  // namespace dollytrack::editor
