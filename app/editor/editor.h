@@ -131,6 +131,8 @@ class Editor {
                       const std::function<void(const ui::ExportRequest&)>& add);
     void resumeExport(int id, const std::vector<ui::ExportJob>& jobs);
     [[nodiscard]] ui::ExportView exportView();
+    /// Queues an export of another project with the settings of the form.
+    void addOtherProject(const std::filesystem::path& project);
     [[nodiscard]] std::filesystem::path exportFolder() const;
 
     // editor_state.cpp

@@ -2,6 +2,7 @@
 #include "app/editor/export/export_folders.h"
 #include "app/editor/export/export_program.h"
 #include "app/editor/files/local_time.h"
+#include "app/project/read_project.h"
 #include "engine/core/log.h"
 #include "engine/io/files/bounded_json.h"
 #include "render/dataset/export_preset.h"
@@ -215,11 +216,11 @@ ui::ExportView Editor::exportView() {
         const ui::ExportJob* job =
             draft.folder.empty() ? nullptr : jobThatWillWrite(exportFolder(), view.jobs);
         if (job != nullptr) {
-            // Only a warning: this is the case after each export started here.
-            view.folder_warns = true;
+            // No warning: this is so after each export that is started here.
+            view.folder_warns = false;
             view.folder_says =
-                fmt::format("{} {} exported there: choose another folder.", job->request.name,
-                            job->active() ? "is being" : "will be");
+                fmt::format("{} by the export of {}. For one more, choose another folder.",
+                            job->active() ? "In use" : "Reserved", job->request.name);
             if (view.why_not.empty()) view.why_not = view.folder_says;
         }
     }
@@ -306,15 +307,44 @@ void Editor::answerExportFile(const ui::FileAnswer& answer) {
     if (answer.id == "export folder") panels_.export_draft.folder = answer.path.string();
     if (answer.id == "export rig") panels_.export_draft.rig = answer.path.string();
     if (answer.id == "export projects" && exports_) {
-        ui::ExportRequest request = ui::requestOf(exportView(), panels_.export_draft);
-        request.name = answer.path.stem().string();
-        request.rig = typedHere(panels_.export_draft.rig);
-        request.range = ui::rangeForOthers(panels_.export_draft);
-        request.frames = 0;
-        const std::filesystem::path beside = request.folder.empty() ? answer.path : exportFolder();
-        request.folder = folderBeside(beside, answer.path, exports_->jobs());
-        exports_->addFile(std::move(request), answer.path);
+        addOtherProject(answer.path);
     }
+}
+
+void Editor::addOtherProject(const std::filesystem::path& project) {
+    Result<ProjectContent> content = readProject(project);
+    if (!content) {
+        questions_.tell({true, "The project cannot be exported", describe(content.error()), {}});
+        return;
+    }
+    // What can be written depends on that project's parameters, not on those of the open one.
+    const ui::ExportDraft& draft = panels_.export_draft;
+    ui::ExportView view = exportView();
+    view.modalities = modalityChoices(content->params.picture.render_mode);
+    const std::string left_out = ui::leftOut(view, draft);
+    ui::ExportRequest request = ui::requestOf(view, draft);
+    if (request.modalities.empty() && !left_out.empty()) {
+        questions_.tell({true,
+                         "Nothing would be exported",
+                         fmt::format("{} cannot be written for {}, whose render_mode is fast.",
+                                     left_out, project.filename().string()),
+                         {}});
+        return;
+    }
+    request.name = project.stem().string();
+    request.rig = typedHere(draft.rig);
+    request.range = ui::rangeForOthers(draft);
+    request.frames = 0;
+    const std::filesystem::path beside = request.folder.empty() ? project : exportFolder();
+    request.folder = folderBeside(beside, project, exports_->jobs());
+    exports_->addFile(std::move(request), project);
+    if (left_out.empty()) return;
+    questions_.tell({false,
+                     "Some modalities are left out",
+                     fmt::format("{} is exported without {}, because its render_mode is fast.\n"
+                                 "Set it to traced or reference to write them.",
+                                 project.filename().string(), left_out),
+                     {}});
 }
 
 void Editor::drawSheet() {

@@ -86,6 +86,21 @@ struct Export {
     std::set<std::string> edited;  // names of all edited parameters
 };
 
+TEST(ExportDraft, NamesTheChosenModalitiesThatCannotBeWritten) {
+    Export panel;
+    EXPECT_EQ(leftOut(panel.view, panel.draft), "");
+    panel.view.modalities.push_back({"hdr", "", false, false, "", "The images are not traced."});
+    panel.view.modalities.push_back(
+        {"residual", "", false, false, "", "The images are not traced."});
+    EXPECT_EQ(leftOut(panel.view, panel.draft), "") << "none of them is wanted";
+    panel.draft.turned_modalities = {"hdr", "residual"};
+    EXPECT_EQ(leftOut(panel.view, panel.draft), "hdr, residual");
+    EXPECT_EQ(requestOf(panel.view, panel.draft).modalities,
+              (std::vector<std::string>{"rgb", "depth", "instance"}));
+    panel.view.modalities.back().why_not.clear();
+    EXPECT_EQ(leftOut(panel.view, panel.draft), "hdr");
+}
+
 TEST(ExportPanel, AsksForWhatItsButtonsSay) {
     Export panel;
     test::Screen screen([&] { panel.draw(); }, 380, 900);

@@ -309,6 +309,22 @@ class Exporting(Task):
         self.assertEqual([name for name in ours if ours[name] != theirs[name] and
                           name != "dataset.json"], [])
 
+    def test_another_project_is_judged_by_its_own_parameters(self):
+        self.start_project(*SMALL, "--set", "render_mode=traced", "--set", "traced_samples=1")
+        fast = self.folder / "fast.dolly"
+        plan(self.room, fast, *SMALL, "--max-frames", "2")
+        self.name_folder(self.folder / "dataset")
+        self.press_in_panel("export.modality.residual")
+        self.editor.click("export.add_files")
+        self.editor.choose_file(fast)
+        self.assertIn("without residual", self.notice())
+        self.dismiss("ok")
+        jobs = self.editor.wait(lambda now: now["exports"], "the job")["exports"]
+        self.finished(jobs[0]["id"])
+        written = pathlib.Path(jobs[0]["folder"])
+        self.assertTrue((written / "rgb").is_dir())
+        self.assertFalse((written / "residual").exists())
+
     def test_two_exports_do_not_go_into_one_folder(self):
         self.start_project(*SLOW)
         out = self.folder / "dataset"

@@ -120,6 +120,15 @@ std::string changesOfPreset(const ExportView& view, const ExportDraft& draft) {
     return text;
 }
 
+std::string leftOut(const ExportView& view, const ExportDraft& draft) {
+    std::string text;
+    for (const ExportChoice& choice : view.modalities) {
+        if (choice.why_not.empty() || !isWanted(choice, draft.turned_modalities)) continue;
+        text += (text.empty() ? "" : ", ") + choice.name;
+    }
+    return text;
+}
+
 std::string rangeNote(const ExportView& view, const ExportDraft& draft) {
     const int last = view.frame_count - 1;
     if (view.frame_count == 0 || draft.current_only) return {};

@@ -30,6 +30,9 @@ void choosePreset(const ExportView& view, const ExportPresetChoice& preset, Expo
 /// as "+ depth_exr, - coco"; empty if there are none.
 [[nodiscard]] std::string changesOfPreset(const ExportView& view, const ExportDraft& draft);
 
+/// The selected modalities that cannot be written, as "albedo, normals"; empty if there are none.
+[[nodiscard]] std::string leftOut(const ExportView& view, const ExportDraft& draft);
+
 [[nodiscard]] bool wantsFlow(const ExportView& view, const ExportDraft& draft);
 [[nodiscard]] bool wantsSensors(const ExportView& view, const ExportDraft& draft);
 [[nodiscard]] bool wantsPictures(const ExportView& view, const ExportDraft& draft);
