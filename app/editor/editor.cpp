@@ -420,7 +420,10 @@ void Editor::runKeys() {
         return;
     }
     // While the camera looks around, letters fly it.
-    if (panels_.viewport.drag == ui::ViewportState::Drag::Look) return;
+    if (panels_.viewport.drag == ui::ViewportState::Drag::Look &&
+        ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+        return;
+    }
     std::optional<std::string> refused = commands_.runShortcuts(&Window::signOfKey);
     if (refused) refused_key_ = std::move(*refused);
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) refused_key_.clear();

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -112,6 +113,21 @@ int leastHeight(const std::vector<Block>& blocks, int columns) {
     return height;
 }
 
+constexpr float kGap = 8.0F;      // between a text and its keys
+constexpr float kMargin = 16.0F;  // at either side of a column
+
+/// Width of the widest line, px.
+float widestOf(const std::vector<Block>& blocks) {
+    float widest = scaled(200);
+    for (const Block& block : blocks) {
+        for (const Line& line : block.lines) {
+            widest = std::max(widest, ImGui::CalcTextSize(line.text.c_str()).x + scaled(kGap) +
+                                          ImGui::CalcTextSize(line.keys.c_str()).x);
+        }
+    }
+    return widest;
+}
+
 void drawBlock(const Block& block) {
     ImGui::PushFont(fonts().bold);
     ImGui::TextUnformatted(block.title.c_str());
@@ -120,7 +136,7 @@ void drawBlock(const Block& block) {
         const float room = ImGui::GetContentRegionAvail().x;
         const float right = ImGui::GetCursorPosX() + room;
         const float keys = ImGui::CalcTextSize(line.keys.c_str()).x;
-        const float gap = line.keys.empty() ? 0.0F : scaled(8);
+        const float gap = line.keys.empty() ? 0.0F : scaled(kGap);
         cutText(line.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), {}, Cut::End,
                 room - keys - gap);
         if (line.keys.empty()) continue;
@@ -133,10 +149,12 @@ void drawBlock(const Block& block) {
 }
 
 void drawBlocks(const std::vector<Block>& blocks, float width) {
-    const int most_columns = std::clamp(static_cast<int>(width / scaled(270)), 1, 4);
+    // No line is cut unless it is wider than the window.
+    const float column = std::ceil(widestOf(blocks)) + 2 * scaled(kMargin) + 1.0F;
+    const int most_columns = std::clamp(static_cast<int>(width / column), 1, 4);
     const int height = leastHeight(blocks, most_columns);
     const int columns = columnsFor(blocks, height);
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(16), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {scaled(kMargin), 0});
     const bool begun = ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame);
     ImGui::PopStyleVar();
     if (!begun) return;
@@ -164,7 +182,7 @@ void drawHelpOverlay(const CommandTable& commands, HelpState& state) {
         ImGui::OpenPopup(kId);
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const ImVec2 size = {std::min(scaled(1180), screen.x - scaled(40)),
+    const ImVec2 size = {std::min(scaled(1600), screen.x - scaled(40)),
                          std::min(scaled(760), screen.y - scaled(40))};
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(size);
