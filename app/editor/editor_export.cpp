@@ -218,10 +218,11 @@ ui::ExportView Editor::exportView() {
         if (job != nullptr) {
             // No warning: this is so after each export that is started here.
             view.folder_warns = false;
-            view.folder_says =
-                fmt::format("{} by the export of {}. For one more, choose another folder.",
-                            job->active() ? "In use" : "Reserved", job->request.name);
-            if (view.why_not.empty()) view.why_not = view.folder_says;
+            view.folder_says = fmt::format("The export of {} {} here.", job->request.name,
+                                           job->active() ? "writes" : "will write");
+            if (view.why_not.empty()) {
+                view.why_not = view.folder_says + " Choose another folder for one more.";
+            }
         }
     }
     view.why_no_folder = why_no_folders_;

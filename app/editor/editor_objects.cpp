@@ -180,13 +180,13 @@ void Editor::addObjectCommands() {
     };
     commands_.add({"edit.clear_move",
                    "Edit",
-                   "Move the object back to its original position",
+                   "Clear the object's move",
                    {GLFW_KEY_G, false, false, true},
                    [putBack] { putBack("offset", ui::pointJson(Eigen::Vector3d::Zero())); },
                    needs_object});
     commands_.add({"edit.clear_turn",
                    "Edit",
-                   "Rotate the object back to its original heading",
+                   "Clear the object's rotation",
                    {GLFW_KEY_R, false, false, true},
                    [putBack] { putBack("turn_deg", 0.0); },
                    needs_object});
