@@ -12,13 +12,13 @@ namespace dollytrack {
 namespace {
 
 constexpr double kFarthest_m = 1e6;
-constexpr double kLastTime_s = 1e6;
 constexpr double kUnitLength = 1e-6;  // largest deviation of a quaternion's length from 1
 
-/// What is wrong with a frame; empty if nothing is. Comparisons are false for NaN.
-std::string faultOf(const MotionFrame& frame, const MotionFrame* before) {
-    if (!(frame.time_s >= 0.0 && frame.time_s <= kLastTime_s)) {
-        return fmt::format("The time must be from 0 to {:g} s.", kLastTime_s);
+/// What is wrong with a frame or key; empty if nothing is. Comparisons are false for NaN.
+template <class Frame>
+std::string faultOf(const Frame& frame, const Frame* before) {
+    if (!(frame.time_s >= 0.0 && frame.time_s <= kLastMotionTime_s)) {
+        return fmt::format("The time must be from 0 to {:g} s.", kLastMotionTime_s);
     }
     if (before && !(frame.time_s > before->time_s)) {
         return "The time is not later than the previous one.";
@@ -33,9 +33,29 @@ std::string faultOf(const MotionFrame& frame, const MotionFrame* before) {
     return {};
 }
 
+/// The first faulty frame or key of a list.
+template <class Frame>
+std::optional<MotionFault> faultIn(const std::vector<Frame>& frames) {
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        std::string text = faultOf(frames[i], i > 0 ? &frames[i - 1] : nullptr);
+        if (!text.empty()) return MotionFault{i, std::move(text)};
+    }
+    return {};
+}
+
 double anyNumber(const JsonReader& from) {
     using Limits = std::numeric_limits<double>;
     return from.number(Limits::lowest(), Limits::max());
+}
+
+/// Time and pose: the first eight numbers of a list.
+MotionKey readTimedPose(const JsonReader& from) {
+    const auto number = [&](std::size_t i) { return anyNumber(from.at(i)); };
+    MotionKey key;
+    key.time_s = number(0);
+    key.pose.position = {number(1), number(2), number(3)};
+    key.pose.rotation = Eigen::Quaterniond(number(7), number(4), number(5), number(6));
+    return key;
 }
 
 MotionFrame readMotionFrame(const JsonReader& from) {
@@ -46,34 +66,58 @@ MotionFrame readMotionFrame(const JsonReader& from) {
             "A frame is a list: time, x, y, z, qx, qy, qz, qw, and the number of its path.");
         return {};
     }
-    const auto number = [&](std::size_t i) { return anyNumber(from.at(i)); };
-    MotionFrame frame;
-    frame.time_s = number(0);
-    frame.pose.position = {number(1), number(2), number(3)};
-    frame.pose.rotation = Eigen::Quaterniond(number(7), number(4), number(5), number(6));
-    if (size == 9) frame.path = from.at(8).integer(0, kLargestPath);
-    return frame;
+    const MotionKey timed = readTimedPose(from);
+    return {timed.time_s, timed.pose, size == 9 ? from.at(8).integer(0, kLargestPath) : 0};
+}
+
+MotionKey readMotionKey(const JsonReader& from) {
+    if (from.size() == 8) return readTimedPose(from);
+    from.refuse("A key is a list: time, x, y, z, qx, qy, qz, qw.");
+    return {};
+}
+
+nlohmann::json timedPoseJson(double time_s, const Pose& pose) {
+    const Eigen::Vector3d& p = pose.position;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return nlohmann::json::array({time_s, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()});
+}
+
+/// Reads the list of frames or keys.
+template <class Frame, class Read>
+std::vector<Frame> readMotionList(const JsonReader& list, const Read& read) {
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; i < list.size() && list.good(); ++i) frames.push_back(read(list.at(i)));
+    return frames;
 }
 
 }  // namespace
 
+double GivenMotion::duration_s() const {
+    if (!keys.empty()) return keys.back().time_s - keys.front().time_s;
+    return frames.empty() ? 0.0 : frames.back().time_s - frames.front().time_s;
+}
+
 std::optional<MotionFault> findFault(const GivenMotion& motion) {
     const std::size_t count = motion.frames.size();
-    if (count == 0) return MotionFault{{}, "A camera motion needs at least one frame."};
+    if (!motion.keys.empty()) {
+        if (count > 0) return MotionFault{{}, "A camera motion has either frames or keys."};
+        if (motion.keys.size() <= kMostMotionKeys) return faultIn(motion.keys);
+        return MotionFault{{},
+                           fmt::format("The camera motion has {} keys, but at most {} are "
+                                       "possible; leave out some.",
+                                       motion.keys.size(), kMostMotionKeys)};
+    }
+    if (count == 0) return MotionFault{{}, "A camera motion needs at least one frame or key."};
     if (count > kMostMotionFrames) {
         return MotionFault{{},
                            fmt::format("The camera motion has {} frames, but at most {} are "
                                        "possible; leave out some.",
                                        count, kMostMotionFrames)};
     }
-    if (!(motion.frame_interval_s > 0.0 && motion.frame_interval_s <= kLastTime_s)) {
+    if (!(motion.frame_interval_s > 0.0 && motion.frame_interval_s <= kLastMotionTime_s)) {
         return MotionFault{{}, "The frame interval must be above 0 s."};
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        std::string text = faultOf(motion.frames[i], i > 0 ? &motion.frames[i - 1] : nullptr);
-        if (!text.empty()) return MotionFault{i, std::move(text)};
-    }
-    return {};
+    return faultIn(motion.frames);
 }
 
 GivenMotion givenMotion(std::string name, const Trajectory& trajectory) {
@@ -102,12 +146,17 @@ Trajectory trajectoryOf(const GivenMotion& motion) {
 }
 
 nlohmann::json motionJson(const GivenMotion& motion) {
+    if (!motion.keys.empty()) {
+        nlohmann::json keys = nlohmann::json::array();
+        for (const MotionKey& key : motion.keys) {
+            keys.push_back(timedPoseJson(key.time_s, key.pose));
+        }
+        return {{"name", motion.name}, {"keys", std::move(keys)}};
+    }
     nlohmann::json frames = nlohmann::json::array();
     for (const MotionFrame& frame : motion.frames) {
-        const Eigen::Vector3d& p = frame.pose.position;
-        const Eigen::Quaterniond& q = frame.pose.rotation;
-        frames.push_back(nlohmann::json::array(
-            {frame.time_s, p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w(), frame.path}));
+        frames.push_back(timedPoseJson(frame.time_s, frame.pose));
+        frames.back().push_back(frame.path);
     }
     return {{"name", motion.name},
             {"frame_interval_s", motion.frame_interval_s},
@@ -116,9 +165,14 @@ nlohmann::json motionJson(const GivenMotion& motion) {
 
 GivenMotion readMotion(const JsonReader& from) {
     GivenMotion motion;
-    const JsonReader frames = from.at("frames");
-    for (std::size_t i = 0; i < frames.size() && from.good(); ++i) {
-        motion.frames.push_back(readMotionFrame(frames.at(i)));
+    const JsonReader keys = from.at("keys");
+    const JsonReader frames = keys.absent() ? from.at("frames") : keys;
+    if (keys.absent()) {
+        motion.frames = readMotionList<MotionFrame>(frames, readMotionFrame);
+    } else if (!from.at("frames").absent()) {
+        keys.refuse("A camera motion has either frames or keys.");
+    } else {
+        motion.keys = readMotionList<MotionKey>(keys, readMotionKey);
     }
     if (const JsonReader name = from.at("name"); !name.absent()) motion.name = name.text();
     if (const JsonReader interval = from.at("frame_interval_s"); !interval.absent()) {

@@ -24,38 +24,53 @@ struct MotionFrame {
     bool operator==(const MotionFrame&) const = default;
 };
 
-/// A camera motion that the user gives instead of having one planned: imported, repaired, or made
-/// from a template. The plan takes its frames unchanged.
+/// A key frame of a camera motion: where the camera is at a time.
+struct MotionKey {
+    double time_s = 0.0;
+    Pose pose;  // world_from_camera; roll is possible
+    bool operator==(const MotionKey&) const = default;
+};
+
+/// A camera motion that the user gives instead of having one planned. It has either frames or keys.
+/// Frames are imported, repaired, or made from a template, and the plan takes them unchanged. Keys
+/// are recorded one by one; planning makes the smooth, collision-free motion through them.
 struct GivenMotion {
     std::string name;
-    double frame_interval_s = 0.1;
-    std::vector<MotionFrame> frames;  // by rising time; at least one
+    double frame_interval_s = 0.1;     // of the frames; keys have the frame rate of the plan
+    std::vector<MotionFrame> frames;   // by rising time; at least one, or none with keys
+    std::vector<MotionKey> keys = {};  // by rising time
     bool operator==(const GivenMotion&) const = default;
+
+    /// From the first to the last frame or key, s.
+    [[nodiscard]] double duration_s() const;
 };
 
 /// Largest number of frames: a project with such a motion and its plan is still small enough to be
 /// read (512 MiB, see readBoundedJson()).
 constexpr std::size_t kMostMotionFrames = 200'000;
+constexpr std::size_t kMostMotionKeys = 1000;
+/// Latest time of a frame or key, s.
+constexpr double kLastMotionTime_s = 1e6;
 
-/// What makes a motion unusable, as a sentence, and the frame concerned.
+/// What makes a motion unusable, as a sentence, and the frame or key concerned.
 struct MotionFault {
     std::optional<std::size_t> frame;
     std::string text;
 };
 
-/// Checks the number of frames, times (from 0 to 1e6 s, rising), positions (within 1000 km of the
-/// origin) and quaternions (length 1).
+/// Checks the number of frames or keys, times (from 0 to 1e6 s, rising), positions (within 1000 km
+/// of the origin) and quaternions (length 1).
 [[nodiscard]] std::optional<MotionFault> findFault(const GivenMotion& motion);
 
 /// Converts a trajectory; the times begin at 0.
 [[nodiscard]] GivenMotion givenMotion(std::string name, const Trajectory& trajectory);
 
-/// Converts a motion. Paths are numbered from 0 in the order of the frames; frames have the default
-/// component and position along the path.
+/// Converts the frames of a motion. Paths are numbered from 0 in the order of the frames; frames
+/// have the default component and position along the path.
 [[nodiscard]] Trajectory trajectoryOf(const GivenMotion& motion);
 
-/// A motion as JSON: name, frame_interval_s and frames, one list of nine numbers for each. The
-/// numbers are read back to the last bit.
+/// A motion as JSON: name, frame_interval_s and frames, one list of nine numbers for each; or name
+/// and keys, one list of eight numbers for each. The numbers are read back to the last bit.
 nlohmann::json motionJson(const GivenMotion& motion);
 
 /// Reads what motionJson() writes. The name, the frame interval, and the path's number at the end

@@ -31,6 +31,7 @@ const OperationField kPitch = {"pitch_deg", "number", false, "upward pitch, with
 const OperationField kTurn = {"quaternion_xyzw", "list", false,
                               "instead of target: orientation, world from camera, without roll"};
 const OperationField kPoint = {"point", "text", true, "the name of a pinned point"};
+const OperationField kKey = {"key", "number", true, "number of the key, from 1"};
 const OperationField kBoxName = {"name", "text", true, "the name of the box"};
 
 const OperationField kWeight = {"weight", "number", false,
@@ -155,17 +156,43 @@ const std::vector<OperationInfo>& infos() {
          {optional(kPoint), optional(kPosition), kTarget, kYaw, kPitch, kTurn}},
         {"set_motion",
          setMotion,
-         "Makes a given camera motion the trajectory, instead of a planned one.",
-         {{"frames", "list", true,
+         "Makes a given camera motion the trajectory, instead of a planned one; it has frames or "
+         "keys.",
+         {{"frames", "list", false,
            "[time_s, x, y, z, qx, qy, qz, qw] of each frame, world from camera (x right, y down), "
            "as "
            "in TUM files; after a jump of the camera, a ninth number differs: the path"},
+          {"keys", "list", false,
+           "instead of frames: [time_s, x, y, z, qx, qy, qz, qw] of each key frame"},
           {"frame_interval_s", "number", false, "s; default: between the first two frames"},
           {"name", "text", false, "name shown in lists"}}},
         {"clear_motion",
          clearMotion,
          "Removes the given camera motion; the trajectory is planned again.",
          {}},
+        {"add_camera_key",
+         addCameraKey,
+         "Adds a key frame to the camera path, or replaces the one at that time.",
+         {{"time_s", "number", true, "s; the camera passes the keys in the order of their times"},
+          kPosition,
+          kTarget,
+          kYaw,
+          kPitch,
+          kTurn}},
+        {"change_camera_key",
+         changeCameraKey,
+         "Retimes, moves or turns a key frame of the camera path.",
+         {kKey,
+          {"time_s", "number", false, "s; between the times of its neighbours"},
+          optional(kPosition),
+          kTarget,
+          kYaw,
+          kPitch,
+          kTurn}},
+        {"remove_camera_key",
+         removeCameraKey,
+         "Removes a key frame; without keys, the trajectory is planned again.",
+         {kKey}},
         {"add_no_go",
          addNoGo,
          "Adds an upright box that no part of the camera's sphere may enter.",

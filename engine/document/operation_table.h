@@ -38,6 +38,9 @@ std::string setStart(ProjectState&, const OperationContext&, const OperationRead
 std::string setEnd(ProjectState&, const OperationContext&, const OperationReader&);
 std::string setMotion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string clearMotion(ProjectState&, const OperationContext&, const OperationReader&);
+std::string addCameraKey(ProjectState&, const OperationContext&, const OperationReader&);
+std::string changeCameraKey(ProjectState&, const OperationContext&, const OperationReader&);
+std::string removeCameraKey(ProjectState&, const OperationContext&, const OperationReader&);
 std::string addRegion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string changeRegion(ProjectState&, const OperationContext&, const OperationReader&);
 std::string removeRegion(ProjectState&, const OperationContext&, const OperationReader&);

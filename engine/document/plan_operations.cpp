@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace dollytrack {
@@ -47,6 +48,35 @@ std::string endPoint(std::vector<PinnedPoint>& pinned, const OperationReader& fi
     }
     pinned.push_back({freeName(pinned, fields, name, "pinned points"), pose, {}});
     return pinned.back().name;
+}
+
+/// The keys of the camera path, to be changed; none if the trajectory is planned.
+std::vector<MotionKey> cameraKeys(const PlanEdits& plan, const OperationReader& fields) {
+    if (!plan.motion) return {};
+    if (plan.motion->keys.empty()) {
+        fields.refuse("The camera path has frames instead of keys; remove it before adding keys.");
+    }
+    return plan.motion->keys;
+}
+
+/// The index of the key with the number in the field `key`; 0 after an error.
+std::size_t keyIndex(const std::vector<MotionKey>& keys, const OperationReader& fields) {
+    if (keys.empty()) fields.refuse("The camera path has no keys.");
+    if (!fields.good()) return 0;
+    const int number = fields.field("key").integer(1, static_cast<int>(keys.size()));
+    return fields.good() ? static_cast<std::size_t>(number - 1) : 0;
+}
+
+double keyTime(const OperationReader& fields) {
+    return fields.field("time_s").number(0.0, kLastMotionTime_s);
+}
+
+/// Makes these keys the camera path, with its name; without keys, the trajectory is planned again.
+void setCameraKeys(PlanEdits& plan, std::vector<MotionKey> keys) {
+    GivenMotion motion;
+    if (plan.motion) motion.name = plan.motion->name;
+    motion.keys = std::move(keys);
+    plan.motion = motion.keys.empty() ? SharedMotion() : SharedMotion(std::move(motion));
 }
 
 /// Whether an edit refers to exactly these objects of the scene.
@@ -194,8 +224,10 @@ std::string setMotion(ProjectState& state, const OperationContext&, const Operat
     GivenMotion motion = fields.motion();
     if (!fields.good()) return {};
     const std::string done =
-        motion.name.empty() ? fmt::format("Set a camera motion of {} frames", motion.frames.size())
-                            : fmt::format("Set the camera motion {}", motion.name);
+        !motion.name.empty() ? fmt::format("Set the camera motion {}", motion.name)
+        : motion.keys.empty()
+            ? fmt::format("Set a camera motion of {} frames", motion.frames.size())
+            : fmt::format("Set a camera motion of {} keys", motion.keys.size());
     state.edits.plan.motion = std::move(motion);
     return done;
 }
@@ -206,6 +238,58 @@ std::string clearMotion(ProjectState& state, const OperationContext&,
     if (!motion) fields.refuse("There is no given camera motion.");
     motion = {};
     return "Remove the camera motion";
+}
+
+std::string addCameraKey(ProjectState& state, const OperationContext&,
+                         const OperationReader& fields) {
+    std::vector<MotionKey> keys = cameraKeys(state.edits.plan, fields);
+    const MotionKey key{keyTime(fields), fields.pose({})};
+    if (!fields.good()) return {};
+    const auto at = std::ranges::lower_bound(keys, key.time_s, {}, &MotionKey::time_s);
+    const auto number = at - keys.begin() + 1;
+    const bool is_there = at != keys.end() && at->time_s == key.time_s;
+    if (is_there) {
+        *at = key;
+    } else if (keys.size() < kMostMotionKeys) {
+        keys.insert(at, key);
+    } else {
+        fields.refuse(fmt::format("At most {} keys are possible; remove one.", kMostMotionKeys));
+    }
+    setCameraKeys(state.edits.plan, std::move(keys));
+    return fmt::format("{} camera key {}", is_there ? "Replace" : "Add", number);
+}
+
+std::string changeCameraKey(ProjectState& state, const OperationContext&,
+                            const OperationReader& fields) {
+    std::vector<MotionKey> keys = cameraKeys(state.edits.plan, fields);
+    const std::size_t at = keyIndex(keys, fields);
+    if (!fields.good()) return {};
+    const bool retimes = fields.has("time_s");
+    if (retimes) {
+        const double time_s = keyTime(fields);
+        if ((at > 0 && !(time_s > keys[at - 1].time_s)) ||
+            (at + 1 < keys.size() && !(time_s < keys[at + 1].time_s))) {
+            fields.field("time_s").refuse(
+                fmt::format("Key {} must stay between the keys before and after it.", at + 1));
+        }
+        keys[at].time_s = time_s;
+    }
+    const bool moves = std::ranges::any_of(
+        std::array{"position", "target", "yaw_deg", "pitch_deg", "quaternion_xyzw"},
+        [&](const char* name) { return fields.has(name); });
+    if (moves || !retimes) keys[at].pose = fields.pose(keys[at].pose);
+    setCameraKeys(state.edits.plan, std::move(keys));
+    return fmt::format("{} camera key {}", moves ? "Move" : "Retime", at + 1);
+}
+
+std::string removeCameraKey(ProjectState& state, const OperationContext&,
+                            const OperationReader& fields) {
+    std::vector<MotionKey> keys = cameraKeys(state.edits.plan, fields);
+    const std::size_t at = keyIndex(keys, fields);
+    if (!fields.good()) return {};
+    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(at));
+    setCameraKeys(state.edits.plan, std::move(keys));
+    return fmt::format("Remove camera key {}", at + 1);
 }
 
 std::string addNoGo(ProjectState& state, const OperationContext&, const OperationReader& fields) {

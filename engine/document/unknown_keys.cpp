@@ -100,7 +100,7 @@ void copyEntry(const json& from, const Entry& entry, json& into) {
 
 void keepUnknownKeys(const json& earlier, json& section) {
     if (section.contains("motion") && sameEntry(section["motion"], at(earlier, "motion"))) {
-        copyUnknown(at(earlier, "motion"), {"name", "frame_interval_s", "frames"},
+        copyUnknown(at(earlier, "motion"), {"name", "frame_interval_s", "frames", "keys"},
                     section["motion"]);
     }
     for (const Entry& entry : entries()) {

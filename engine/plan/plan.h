@@ -6,6 +6,7 @@
 #include "engine/plan/capture_ledger.h"
 #include "engine/plan/frame_series.h"
 #include "engine/plan/motion_metrics.h"
+#include "engine/plan/passed_key.h"
 #include "engine/plan/repair_report.h"
 #include "engine/plan/roadmap.h"
 #include "engine/plan/targets.h"
@@ -132,8 +133,9 @@ struct Plan {
     std::vector<CameraPath> paths;  // one a component of free space, largest room first
     std::vector<SmoothPath> smooth_paths;
     Trajectory trajectory;
-    bool given_motion = false;         // the trajectory is PlanEdits::motion, not planned
-    std::vector<TourRoom> tour_rooms;  // by number; empty: one trajectory for all
+    bool given_motion = false;           // the trajectory is PlanEdits::motion, not planned
+    std::vector<PassedKey> passed_keys;  // one for each of its keys
+    std::vector<TourRoom> tour_rooms;    // by number; empty: one trajectory for all
 
     std::vector<ObjectCapture> captures;  // estimated by rays
     CaptureMetrics capture_metrics;

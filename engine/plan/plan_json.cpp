@@ -162,6 +162,11 @@ json metricsJson(const Scene& scene, const Plan& plan) {
         result["given_motion"] = true;
         result["corner_collision_rate"] = nullptr;  // nothing was rounded
     }
+    for (const PassedKey& key : plan.passed_keys) {
+        json& one =
+            result["camera_keys"].emplace_back(json{{"frame", key.frame}, {"time_s", key.time_s}});
+        if (!key.note.empty()) one["note"] = key.note;
+    }
     if (!has_small) result["small_capture_rate"] = nullptr;
     if (motion.minimum_clearance.object_id == 0) result["min_clearance_m"] = nullptr;
     if (motion.minimum_clearance.object_id != 0) {

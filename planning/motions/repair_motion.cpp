@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace dollytrack::planning {
@@ -101,8 +102,12 @@ class MotionRepair {
     Status add(const Frames& frames, const JobContext& job) {
         const FreeParts parts = findFreeParts(check_, frames, job);
         const bool is_free = count(frames, parts);
+        const auto first = static_cast<double>(given_before_);
+        given_before_ += frames.size();
         if (is_free && !timing_.retime_all) {
-            addPath({frames.begin(), frames.end()}, frames.back());
+            TimedPath kept{{frames.begin(), frames.end()}, std::vector<double>(frames.size())};
+            std::iota(kept.given_frames.begin(), kept.given_frames.end(), 0.0);
+            addPath(std::move(kept), first, frames.back());
             return {};
         }
         const auto paths = repairPath(scene_, check_, frames, parts, job);
@@ -115,13 +120,14 @@ class MotionRepair {
         for (const std::vector<PathPoint>& points : paths) {
             measure(points, frames);
             auto timed = timePath(*scene_.sphere, timing_, frames, points);
-            if (timed.empty() || result_.frames.size() + timed.size() > kMostMotionFrames) {
+            if (timed.frames.empty() ||
+                result_.frames.size() + timed.frames.size() > kMostMotionFrames) {
                 return fail(ErrorCode::BadInput,
                             fmt::format("The repaired trajectory would have more than {} frames; "
                                         "correct its times, or raise the motion limits.",
                                         kMostMotionFrames));
             }
-            addPath(std::move(timed), frames[static_cast<std::size_t>(points.back().frame)]);
+            addPath(std::move(timed), first, frames[static_cast<std::size_t>(points.back().frame)]);
         }
         change_.paths_cut += std::max(0, static_cast<int>(paths.size()) - 1);
         changed_ = true;
@@ -133,11 +139,11 @@ class MotionRepair {
         change_.mean_shift_m /= frames;
         change_.mean_turn_rad /= frames;
         change_.given_length_m = change_.length_m = lengthOf(given);
-        if (!changed_) return {given, change_};
+        if (!changed_) return {given, change_, std::move(given_frames_)};
         change_.length_m = lengthOf(result_);
         result_.frame_interval_s = timing_.frame_interval_s;
         change_.time_added_s = late_s_;
-        return {std::move(result_), change_};
+        return {std::move(result_), change_, std::move(given_frames_)};
     }
 
   private:
@@ -170,9 +176,13 @@ class MotionRepair {
         }
     }
 
-    /// Appends frames as one path, later by the time added to those before. `given_last` is the
-    /// last frame as given.
-    void addPath(std::vector<TrajectoryFrame> frames, const TrajectoryFrame& given_last) {
+    /// Appends frames as one path, later by the time added to those before. `given_first` is the
+    /// number of the given frame where its given frames begin, `given_last` the last one as given.
+    void addPath(TimedPath path_frames, double given_first, const TrajectoryFrame& given_last) {
+        std::vector<TrajectoryFrame>& frames = path_frames.frames;
+        for (const double given : path_frames.given_frames) {
+            given_frames_.push_back(given_first + given);
+        }
         const int path = result_.frames.empty() ? 0 : result_.frames.back().path + 1;
         const double late_s = late_s_;
         late_s_ += frames.back().time_s - given_last.time_s;
@@ -195,11 +205,19 @@ class MotionRepair {
     PathTiming timing_;
     Trajectory result_;
     MotionChange change_;
+    std::vector<double> given_frames_;
+    std::size_t given_before_ = 0;  // given frames of the paths before
     bool changed_ = false;
     double late_s_ = 0.0;  // time added so far
 };
 
 }  // namespace
+
+RepairedMotion unrepaired(const Trajectory& given) {
+    RepairedMotion kept{given, {}, std::vector<double>(given.frames.size())};
+    std::iota(kept.given_frames.begin(), kept.given_frames.end(), 0.0);
+    return kept;
+}
 
 Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTiming& timing,
                                      const Trajectory& given, const JobContext& job) {

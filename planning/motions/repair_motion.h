@@ -5,6 +5,8 @@
 #include "engine/jobs/job.h"
 #include "planning/baselines/baseline_scene.h"
 
+#include <vector>
+
 namespace dollytrack::planning {
 
 /// What a repair changed. Frames and moves are those of the given trajectory; a move is the
@@ -28,7 +30,12 @@ struct MotionChange {
 struct RepairedMotion {
     Trajectory trajectory;
     MotionChange change;
+    // By frame: the given frame that it stands for, with a fraction between two given frames.
+    std::vector<double> given_frames = {};
 };
+
+/// A trajectory that is left as it is.
+[[nodiscard]] RepairedMotion unrepaired(const Trajectory& given);
 
 /// The nearest trajectory that is collision-free and within the motion limits (motionLimits();
 /// limits of the heading do not apply). A free trajectory within the limits is returned unchanged,

@@ -40,13 +40,6 @@ double timeAt(double frame, std::span<const TrajectoryFrame> given) {
     return given[i].time_s + (frame - static_cast<double>(i)) * secondsOf(given[i], given[i + 1]);
 }
 
-Eigen::Vector3d rotationVector(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
-    const Eigen::AngleAxisd turn(to * from.conjugate());
-    const double full = 2.0 * EIGEN_PI;
-    const double angle = turn.angle() > EIGEN_PI ? turn.angle() - full : turn.angle();
-    return angle * turn.axis();
-}
-
 /// Largest acceleration by differences between frames, m/s2.
 double largestAcceleration(const std::vector<Eigen::Vector3d>& positions,
                            const std::vector<double>& times) {
@@ -68,7 +61,7 @@ class PathTimer {
               std::span<const TrajectoryFrame> given, std::vector<PathPoint> points)
         : sphere_(sphere), timing_(timing), given_(given), points_(std::move(points)) {}
 
-    std::vector<TrajectoryFrame> run() {
+    TimedPath run() {
         if (!timing_.retime_all) keepFrames();
         divideMoves();
         makePieces();
@@ -79,19 +72,18 @@ class PathTimer {
             if (needsTooManyFrames()) return {};
         }
         const auto first = static_cast<std::size_t>(points_.front().frame);
-        frames_.push_back(given_[first]);
-        frames_.back().pose = poseAt(points_.front());
+        addFrame(points_.front(), given_[first].time_s);
         for (std::size_t i = 0; i < pieces_.size();) {
             const std::size_t end = changedUntil(i);
             if (end > i) {
                 placeFrames(i, end);
                 i = end;
             } else {
-                addFrame(points_[i + 1], frames_.back().time_s + pieces_[i].given_s);
+                addFrame(points_[i + 1], made_.frames.back().time_s + pieces_[i].given_s);
                 ++i;
             }
         }
-        return std::move(frames_);
+        return std::move(made_);
     }
 
   private:
@@ -225,7 +217,8 @@ class PathTimer {
         if (timing_.look_at) frame.target_in_world = *timing_.look_at;
         frame.time_s = time_s;
         frame.pose = poseAt(point);
-        frames_.push_back(frame);
+        made_.frames.push_back(frame);
+        made_.given_frames.push_back(point.frame);
     }
 
     struct Sample {
@@ -325,7 +318,7 @@ class PathTimer {
                 sample = {points_[last.piece + 1], last.piece + 1};
             }
             const double took = timing_.fixed_rate ? interval : std::max(next - time, kShortest_s);
-            addFrame(sample.point, frames_.back().time_s + took);
+            addFrame(sample.point, made_.frames.back().time_s + took);
             last = sample;
             time = next;
         }
@@ -336,10 +329,17 @@ class PathTimer {
     std::span<const TrajectoryFrame> given_;
     std::vector<PathPoint> points_;
     std::vector<TimedPiece> pieces_;  // one less than points
-    std::vector<TrajectoryFrame> frames_;
+    TimedPath made_;
 };
 
 }  // namespace
+
+Eigen::Vector3d rotationVector(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+    const Eigen::AngleAxisd turn(to * from.conjugate());
+    const double full = 2.0 * EIGEN_PI;
+    const double angle = turn.angle() > EIGEN_PI ? turn.angle() - full : turn.angle();
+    return angle * turn.axis();
+}
 
 bool isOverLimits(const TrajectoryFrame& from, const TrajectoryFrame& to,
                   const MotionLimits& limits) {
@@ -356,9 +356,8 @@ Eigen::Quaterniond orientationAt(const PathPoint& point, std::span<const Traject
     return given[i].pose.rotation.slerp(share, given[i + 1].pose.rotation).normalized();
 }
 
-std::vector<TrajectoryFrame> timePath(const SweptSphere& sphere, const PathTiming& timing,
-                                      std::span<const TrajectoryFrame> given,
-                                      std::vector<PathPoint> points) {
+TimedPath timePath(const SweptSphere& sphere, const PathTiming& timing,
+                   std::span<const TrajectoryFrame> given, std::vector<PathPoint> points) {
     return PathTimer(sphere, timing, given, std::move(points)).run();
 }
 

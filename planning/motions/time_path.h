@@ -38,6 +38,18 @@ inline constexpr double kLimitTolerance = 1.02;
                                                std::span<const TrajectoryFrame> given,
                                                const PathTiming& timing);
 
+/// The rotation from one orientation to another as a rotation vector in the world's axes, rad; at
+/// most half a turn.
+[[nodiscard]] Eigen::Vector3d rotationVector(const Eigen::Quaterniond& from,
+                                             const Eigen::Quaterniond& to);
+
+/// Frames along a repaired path, and for each of them the place along the given path that it stands
+/// for: the number of a given frame, with a fraction between two of them.
+struct TimedPath {
+    std::vector<TrajectoryFrame> frames;
+    std::vector<double> given_frames;
+};
+
 /// Frames along a repaired path. Given times are kept as far as the limits allow: repaired
 /// stretches keep one frame for each given one if these are within the limits of speed, turning and
 /// acceleration, or no more accelerated than the rest of the given path. Other repaired stretches,
@@ -45,8 +57,7 @@ inline constexpr double kLimitTolerance = 1.02;
 /// and get new frames at the frame interval. The straight lines between frames are
 /// proven to be collision-free. The first frame keeps its time. Empty if it would take more than
 /// kMostMotionFrames.
-std::vector<TrajectoryFrame> timePath(const SweptSphere& sphere, const PathTiming& timing,
-                                      std::span<const TrajectoryFrame> given,
-                                      std::vector<PathPoint> points);
+TimedPath timePath(const SweptSphere& sphere, const PathTiming& timing,
+                   std::span<const TrajectoryFrame> given, std::vector<PathPoint> points);
 
 }  // namespace dollytrack::planning

@@ -1,8 +1,10 @@
 #include "planning/pipeline/follow_motion.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/baselines/baseline_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
+#include "planning/motions/key_motion.h"
 
 #include <algorithm>
 #include <limits>
@@ -41,14 +43,22 @@ PlanParams paramsForMotion(PlanParams params) {
     return params;
 }
 
-Result<RepairedTrajectory> followMotion(const GivenMotion& motion, const FreeSpace& free_space,
-                                        const SweptSphere& sphere, const JobContext& job) {
-    RepairedTrajectory made;
-    made.trajectory = trajectoryOf(motion);
+Result<FollowedMotion> followMotion(const GivenMotion& motion, const BaselineScene& scene,
+                                    const TimingParams& timing, const JobContext& job) {
+    FollowedMotion followed;
+    RepairedTrajectory& made = followed.made;
+    if (motion.keys.empty()) {
+        made.trajectory = trajectoryOf(motion);
+    } else {
+        auto moved = moveThroughKeys(scene, timing, motion.keys, job);
+        if (!moved) return tl::unexpected(std::move(moved.error()));
+        made.trajectory = std::move(moved->trajectory);
+        followed.keys = std::move(moved->passed);
+    }
     int component = 0;  // outside of all rooms, that of the frame before
     for (TrajectoryFrame& frame : made.trajectory.frames) {
         const Eigen::Vector3d& position = frame.pose.position;
-        if (const int here = free_space.componentAt(position); here >= 0) component = here;
+        if (const int here = scene.free_space->componentAt(position); here >= 0) component = here;
         frame.component = component;
         if (frame.path == static_cast<int>(made.paths.size())) {
             made.paths.push_back({component, 0, {}});
@@ -67,9 +77,9 @@ Result<RepairedTrajectory> followMotion(const GivenMotion& motion, const FreeSpa
     }
     for (std::size_t i = 0; i < made.paths.size(); ++i) {
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
-        testMoves(made.smooth_paths[i], made.paths[i].vertices.front().position, sphere);
+        testMoves(made.smooth_paths[i], made.paths[i].vertices.front().position, *scene.sphere);
     }
-    return made;
+    return followed;
 }
 
 }  // namespace dollytrack::planning

@@ -3,23 +3,32 @@
 #include "engine/core/result.h"
 #include "engine/document/given_motion.h"
 #include "engine/jobs/job.h"
+#include "engine/plan/passed_key.h"
 #include "planning/plan_params.h"
 #include "planning/repair/repair.h"
 
+#include <vector>
+
 namespace dollytrack::planning {
 
-class FreeSpace;
-class SweptSphere;
+struct BaselineScene;
 
 /// The parameters without those that only affect planned trajectories: budgets, rooms=each,
 /// anchors, views of rooms, and repair.
 [[nodiscard]] PlanParams paramsForMotion(PlanParams params);
 
-/// A given motion as the trajectory of a plan. The paths are straight lines from frame to frame;
-/// those that collide are counted, not changed. Error: Cancelled.
-[[nodiscard]] Result<RepairedTrajectory> followMotion(const GivenMotion& motion,
-                                                      const FreeSpace& free_space,
-                                                      const SweptSphere& sphere,
-                                                      const JobContext& job);
+/// A given motion as the trajectory of a plan.
+struct FollowedMotion {
+    RepairedTrajectory made;
+    std::vector<PassedKey> keys;  // how it passes each key of the motion
+};
+
+/// Follows the frames of a motion, which are not changed, or moves through its keys (see
+/// moveThroughKeys()). The paths are straight lines from frame to frame; those that collide are
+/// counted. Errors: Cancelled; those of moveThroughKeys().
+[[nodiscard]] Result<FollowedMotion> followMotion(const GivenMotion& motion,
+                                                  const BaselineScene& scene,
+                                                  const TimingParams& timing,
+                                                  const JobContext& job);
 
 }  // namespace dollytrack::planning

@@ -53,6 +53,7 @@ Plan Pipeline::Stages::collectMoves() const {
     plan.smooth_paths = made().smooth_paths;
     plan.trajectory = made().trajectory;
     plan.given_motion = follows_motion;
+    if (follows_motion) plan.passed_keys = motion->keys;
     if (has_constraints) plan.tour_rooms = constraints->tour_rooms;
     if (has_constraints) plan.anchors = countAnchors(*constraints, plan.smooth_paths);
     plan.refused_pins = points().refused;

@@ -8,6 +8,7 @@
 #include "planning/free_space/surface_map.h"
 #include "planning/metrics/estimate_captures.h"
 #include "planning/path/time_budget.h"
+#include "planning/pipeline/follow_motion.h"
 #include "planning/pipeline/pipeline.h"
 #include "planning/pipeline/plan_cache.h"
 #include "planning/pipeline/stage.h"
@@ -68,7 +69,7 @@ struct Pipeline::Stages {
     Stage<GazeInputs, std::vector<SmoothPath>> gaze;
     Stage<TimingInputs, Trajectory> timing;
     Stage<RepairInputs, RepairedTrajectory> repair;
-    Stage<MotionInputs, RepairedTrajectory> motion;  // instead of the stages from key frames on
+    Stage<MotionInputs, FollowedMotion> motion;  // instead of the stages from key frames on
     Stage<MetricInputs, Metrics> metrics;
 
     // Whether the last run needed constraint viewpoints, so that `constraints` is valid.
@@ -85,7 +86,7 @@ struct Pipeline::Stages {
     // frames to repair are not.
     bool follows_motion = false;
     [[nodiscard]] const RepairedTrajectory& made() const {
-        return follows_motion ? *motion : *repair;
+        return follows_motion ? motion->made : *repair;
     }
     /// Version of made(); differs whenever the trajectory or what it is measured by does.
     [[nodiscard]] StageVersion madeVersion() const {

@@ -1,3 +1,4 @@
+#include "planning/baselines/baseline_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
 #include "planning/gaze/image_corners.h"
@@ -395,12 +396,22 @@ Status Pipeline::Stages::PlanRun::repairFrames() {
 
 Status Pipeline::Stages::PlanRun::takeMotion() {
     stages_.follows_motion = true;
-    const MotionInputs inputs{edits_.motion, stages_.region.version(), stages_.views.version(),
+    const bool has_keys = !edits_.motion->keys.empty();
+    const MotionInputs inputs{edits_.motion,
+                              has_keys ? params_.timing : TimingParams{},
+                              stages_.region.version(),
+                              stages_.views.version(),
                               stages_.pointsVersion(),
                               asksForTrackability(params_.gaze, params_.timing)};
     const JobContext job = job_.stage(0.7, 0.92, "motion");
     return stages_.run("motion", stages_.motion, inputs, job, [&] {
-        return followMotion(*edits_.motion, *stages_.free_space, environment_.sphere, job);
+        BaselineScene map;
+        map.scene = stages_.scene;
+        map.rays = stages_.rays.share();
+        map.free_space = stages_.free_space.share();
+        map.region = stages_.region.share();
+        map.sphere = std::make_shared<const SweptSphere>(environment_.sphere);
+        return followMotion(*edits_.motion, map, params_.timing, job);
     });
 }
 

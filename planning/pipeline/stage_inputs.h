@@ -169,9 +169,11 @@ struct RepairInputs {
     bool operator==(const RepairInputs&) const = default;
 };
 
-/// The trajectory is the given motion; the other inputs affect its metrics.
+/// The trajectory is the given motion, or goes through its keys; the timing only matters with keys,
+/// otherwise it keeps its defaults. The other inputs affect its metrics.
 struct MotionInputs {
     SharedMotion motion;
+    TimingParams timing;
     StageVersion region = 0;
     StageVersion views = 0;
     StageVersion points = 0;

@@ -43,6 +43,7 @@ json planForm() {
            {"seeable", "count"},
            {"seen", "count"},
            {"rate", "number"}}}},
+        {"camera_keys", {{{"frame!", "count"}, {"time_s!", "number"}, {"note", "text"}}}},
         {"anchors", {{{"kind", "text"}, {"found", "count"}, {"visited", "count"}}}},
         {"min_clearance_at", {{"position!", "point"}, {"object!", "text"}, {"frame!", "count"}}},
         {"repair",

@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::given_motion_test {
 namespace {
@@ -29,16 +31,30 @@ GivenMotion someMotion() {
     return motion;
 }
 
+/// Keys at whole seconds.
+GivenMotion someKeys(std::size_t count) {
+    GivenMotion motion;
+    const std::vector<MotionFrame> frames = someMotion().frames;
+    for (std::size_t i = 0; i < count; ++i) {
+        motion.keys.push_back({static_cast<double>(i), frames[i % frames.size()].pose});
+    }
+    return motion;
+}
+
 Edits withMotion() {
     Edits edits;
     edits.plan.motion = someMotion();
     return edits;
 }
 
-json setMotion() {
-    json operation = motionJson(someMotion());
+json motionOperation(const GivenMotion& motion) {
+    json operation = motionJson(motion);
     operation["op"] = "set_motion";
     return operation;
+}
+
+json setMotion() {
+    return motionOperation(someMotion());
 }
 
 }  // namespace
@@ -94,6 +110,101 @@ TEST(GivenMotion, BadValuesAreNamedWithTheirPlace) {
     EXPECT_EQ(where([](json& m) { m["name"] = 3; }), "edits.motion.name");
 }
 
+TEST(GivenMotion, KeysComeBackFromAProjectToTheLastBit) {
+    Edits edits;
+    edits.plan.motion = someKeys(4);
+    const json section = json::parse(editsJson(edits).dump(1));
+    EXPECT_FALSE(section["motion"].contains("frames"));
+    const Result<Edits> back = editsFromJson(section);
+    ASSERT_TRUE(back) << describe(back.error());
+    EXPECT_EQ(*back, edits);
+    EXPECT_DOUBLE_EQ(back->plan.motion->duration_s(), 3.0);
+    json other = section;
+    other["motion"]["frames"] = json::array();
+    EXPECT_EQ(editsJson(edits, other)["motion"], section["motion"]) << "the frames are replaced";
+}
+
+TEST(GivenMotion, BadKeysAreNamedWithTheirPlace) {
+    const auto where = [](const std::function<void(json&)>& spoil) {
+        Edits edits;
+        edits.plan.motion = someKeys(4);
+        json section = editsJson(edits);
+        spoil(section["motion"]);
+        const Result<Edits> result = editsFromJson(section);
+        EXPECT_FALSE(result) << section.dump();
+        return result ? std::string() : result.error().where;
+    };
+    EXPECT_EQ(where([](json& m) { m["keys"] = json::array(); }), "edits.motion.keys");
+    EXPECT_EQ(where([](json& m) { m["keys"] = json::object(); }), "edits.motion.keys");
+    EXPECT_EQ(where([](json& m) { m["frames"] = m["keys"]; }), "edits.motion.keys");
+    EXPECT_EQ(where([](json& m) { m["keys"][1] = 5; }), "edits.motion.keys[1]");
+    EXPECT_EQ(where([](json& m) { m["keys"][1].push_back(0); }), "edits.motion.keys[1]");
+    EXPECT_EQ(where([](json& m) { m["keys"][1].erase(7); }), "edits.motion.keys[1]");
+    EXPECT_EQ(where([](json& m) { m["keys"][2][3] = "x"; }), "edits.motion.keys[2][3]");
+    // JSON has no other way to write a number that is not finite.
+    EXPECT_EQ(where([](json& m) { m["keys"][2][3] = std::nan(""); }), "edits.motion.keys[2][3]");
+    EXPECT_EQ(where([](json& m) { m["keys"][2][3] = 1.1e6; }), "edits.motion.keys[2]");
+    EXPECT_EQ(where([](json& m) { m["keys"][2][5] = 0.9; }), "edits.motion.keys[2]");
+    EXPECT_EQ(where([](json& m) { m["keys"][2][0] = m["keys"][1][0]; }), "edits.motion.keys[2]");
+    EXPECT_EQ(where([](json& m) { std::swap(m["keys"][1], m["keys"][2]); }),
+              "edits.motion.keys[2]");
+    EXPECT_EQ(where([](json& m) { m["keys"][0][0] = -1; }), "edits.motion.keys[0]");
+    EXPECT_EQ(where([](json& m) { m["keys"][3][0] = 1e7; }), "edits.motion.keys[3]");
+    EXPECT_EQ(where([](json& m) { m = motionJson(someKeys(kMostMotionKeys + 1)); }),
+              "edits.motion.keys");
+    EXPECT_FALSE(findFault(someKeys(kMostMotionKeys)));
+}
+
+TEST(GivenMotion, KeysAreAddedRetimedMovedAndRemoved) {
+    test::Editing editing;
+    const auto apply = [&](const json& operation) {
+        const auto names = editing.apply(json::array({operation}));
+        return names ? names->front() : describe(names.error());
+    };
+    const auto keys = [&] { return editing.state.edits.plan.motion->keys; };
+    const json at_two = {{"op", "add_camera_key"},
+                         {"time_s", 2.0},
+                         {"position", {1.0, 1.0, 1.5}},
+                         {"target", {2.0, 1.0, 1.5}}};
+    EXPECT_EQ(apply(at_two), "Add camera key 1");
+    json first = at_two;
+    first["time_s"] = 0.5;
+    EXPECT_EQ(apply(first), "Add camera key 1") << "the keys are in the order of their times";
+    json last = at_two;
+    last["time_s"] = 4.0;
+    EXPECT_EQ(apply(last), "Add camera key 3");
+    json replaced = at_two;
+    replaced["position"] = {1.0, 2.0, 1.5};
+    EXPECT_EQ(apply(replaced), "Replace camera key 2");
+    ASSERT_EQ(keys().size(), 3U);
+    EXPECT_EQ(keys()[1].pose.position, Eigen::Vector3d(1.0, 2.0, 1.5));
+    const MotionKey before = keys()[1];
+    EXPECT_EQ(apply({{"op", "change_camera_key"}, {"key", 2}, {"time_s", 3.25}}),
+              "Retime camera key 2");
+    EXPECT_EQ(keys()[1].time_s, 3.25);
+    EXPECT_EQ(keys()[1].pose, before.pose);
+    EXPECT_EQ(apply({{"op", "change_camera_key"}, {"key", 2}, {"yaw_deg", 90.0}}),
+              "Move camera key 2");
+    EXPECT_EQ(keys()[1].pose.position, before.pose.position);
+    const ProjectState state = editing.state;
+    for (const json& bad : {json{{"op", "change_camera_key"}, {"key", 2}, {"time_s", 4.0}},
+                            json{{"op", "change_camera_key"}, {"key", 2}, {"time_s", 0.5}},
+                            json{{"op", "change_camera_key"}, {"key", 4}, {"time_s", 5.0}},
+                            json{{"op", "change_camera_key"}, {"key", 0}, {"time_s", 5.0}},
+                            json{{"op", "change_camera_key"}, {"key", 2}},
+                            json{{"op", "remove_camera_key"}, {"key", 1.5}}}) {
+        EXPECT_FALSE(editing.apply(json::array({bad}))) << bad.dump();
+        EXPECT_EQ(editing.state, state);
+    }
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(apply({{"op", "remove_camera_key"}, {"key", 1}}), "Remove camera key 1");
+    }
+    EXPECT_EQ(editing.state.edits, Edits{}) << "without keys, the trajectory is planned";
+    EXPECT_FALSE(editing.apply({{{"op", "remove_camera_key"}, {"key", 1}}}));
+    ASSERT_TRUE(editing.apply(json::array({setMotion()})));
+    EXPECT_FALSE(editing.apply(json::array({at_two}))) << "an imported path has no keys";
+}
+
 TEST(GivenMotion, HasALargestNumberOfFrames) {
     GivenMotion motion{"long", 0.1, std::vector<MotionFrame>(kMostMotionFrames)};
     for (std::size_t i = 0; i < motion.frames.size(); ++i) {
@@ -141,6 +252,8 @@ TEST(GivenMotion, IsUndoneAndSurvivesAnAutosave) {
     };
     step(setMotion());
     step({{"op", "exclude"}, {"object", "lamp"}});
+    step(motionOperation(someKeys(3)));
+    step({{"op", "change_camera_key"}, {"key", 2}, {"time_s", 1.5}});
     step({{"op", "clear_motion"}});
     step({{"op", "set"}, {"name", "fill"}, {"value", 0.5}});
     const json saved = json::parse(historyJson(stack.history()).dump());

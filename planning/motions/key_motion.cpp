@@ -1,0 +1,290 @@
+#include "planning/motions/key_motion.h"
+
+#include "planning/collision/swept_sphere.h"
+#include "planning/motions/key_curve.h"
+#include "planning/motions/motion_check.h"
+#include "planning/motions/time_path.h"
+#include "planning/plan_params.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace dollytrack::planning {
+namespace {
+
+using Eigen::Vector3d;
+
+// A segment becomes at most this much longer in a round: its neighbours may be the cause.
+constexpr double kLargestStep = 1.1;
+constexpr double kMostFrames = 1e6;  // of a segment; more than is allowed
+// From this round on all segments are slowed down together, which ends the search.
+constexpr int kRoundsBySegment = 100;
+constexpr int kMostRounds = 200;
+constexpr double kLate = 0.75;  // shorter delays are rounding, frames
+
+/// Sampled motion through keys that are at whole frames.
+class KeyFrames {
+  public:
+    KeyFrames(std::span<const MotionKey> keys, double interval_s)
+        : keys_(keys), interval_s_(interval_s), curve_(keys), least_(keys.size(), 1) {}
+
+    /// Finds frames for the keys within the limits. Error: BadInput.
+    Status settle(const MotionLimits& limits) {
+        setShortest(limits);
+        for (int round = 0; round < kMostRounds; ++round) {
+            if (!place()) {
+                return fail(ErrorCode::BadInput,
+                            fmt::format("The camera path through the keys would have more than {} "
+                                        "frames; move its keys closer together, or raise the "
+                                        "motion limits.",
+                                        kMostMotionFrames));
+            }
+            sample();
+            std::vector<double> over = excess(limits);
+            const double most = *std::ranges::max_element(over);
+            if (most <= kLimitTolerance) return {};
+            for (std::size_t i = 1; i < keys_.size(); ++i) {
+                const double factor =
+                    round < kRoundsBySegment ? std::min(over[i], kLargestStep) : most;
+                if (factor <= kLimitTolerance) continue;
+                const auto longer = static_cast<double>(duration(i)) * factor;
+                least_[i] = std::max(duration(i) + 1, static_cast<std::int64_t>(longer));
+            }
+        }
+        return {};
+    }
+
+    /// The frame of each key.
+    [[nodiscard]] const std::vector<std::int64_t>& frames() const { return frames_; }
+    [[nodiscard]] double timeOf(std::int64_t frame) const {
+        return keys_.front().time_s + static_cast<double>(frame) * interval_s_;
+    }
+
+    [[nodiscard]] Trajectory trajectory() const {
+        Trajectory made{interval_s_, {}};
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
+            TrajectoryFrame frame;
+            frame.time_s = timeOf(static_cast<std::int64_t>(i));
+            frame.pose = poses_[i];
+            frame.target_in_world = frame.pose.position + frame.pose.forward();
+            made.frames.push_back(frame);
+        }
+        return made;
+    }
+
+  private:
+    [[nodiscard]] std::int64_t duration(std::size_t i) const { return frames_[i] - frames_[i - 1]; }
+
+    /// Gives each segment the frames that it needs at the largest speed and turn rate.
+    void setShortest(const MotionLimits& limits) {
+        for (std::size_t i = 1; i < keys_.size(); ++i) {
+            const double least_s = std::max(curve_.length_m(i - 1) / limits.speed_mps,
+                                            curve_.turn_rad(i - 1) / limits.turn_rps);
+            const double frames = std::ceil(least_s / (kLimitTolerance * interval_s_));
+            least_[i] = static_cast<std::int64_t>(std::clamp(frames, 1.0, kMostFrames));
+        }
+        shortest_ = least_;
+    }
+
+    /// Whether the segment before key i, an inner one, has more time than the one after it,
+    /// compared with what they need at least.
+    [[nodiscard]] bool isSlower(std::size_t i) const {
+        return duration(i) * shortest_[i + 1] > duration(i + 1) * shortest_[i];
+    }
+
+    /// Places each key in the frame nearest to its time, or as early as the least durations of the
+    /// segments allow. Returns false if there would be too many frames.
+    bool place() {
+        frames_.assign(keys_.size(), 0);
+        for (std::size_t i = 1; i < keys_.size(); ++i) {
+            const double wanted = (keys_[i].time_s - keys_[0].time_s) / interval_s_;
+            if (!(wanted < static_cast<double>(kMostMotionFrames))) return false;
+            frames_[i] = std::max<std::int64_t>(std::llround(wanted), frames_[i - 1] + least_[i]);
+            if (frames_[i] >= static_cast<std::int64_t>(kMostMotionFrames)) return false;
+        }
+        return true;
+    }
+
+    void sample() {
+        std::vector<double> times;
+        for (const std::int64_t frame : frames_) times.push_back(static_cast<double>(frame));
+        curve_.setTimes(times);
+        poses_.assign(1, keys_.front().pose);
+        for (std::size_t i = 1; i < keys_.size(); ++i) {
+            for (std::int64_t k = frames_[i - 1] + 1; k < frames_[i]; ++k) {
+                poses_.push_back(curve_.at(i - 1, static_cast<double>(k)));
+            }
+            poses_.push_back(keys_[i].pose);
+        }
+    }
+
+    /// By key: the factor by which the segment before it is too short. Accelerations at a key are
+    /// due to the side with less time to spare. Before the first and after the last frame the
+    /// camera rests.
+    [[nodiscard]] std::vector<double> excess(const MotionLimits& limits) const {
+        std::vector<double> over(keys_.size(), 0.0);
+        const double dt = interval_s_;
+        Vector3d velocity = Vector3d::Zero();
+        Vector3d turning = Vector3d::Zero();
+        std::size_t segment = 1;
+        const auto count = [&](std::size_t i, double factor) {
+            if (i > 0 && i < over.size()) over[i] = std::max(over[i], factor);
+        };
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
+            const bool last = i + 1 == poses_.size();
+            const bool at_key = static_cast<std::int64_t>(i) == frames_[segment - 1];
+            const Vector3d next_velocity =
+                last ? Vector3d::Zero()
+                     : Vector3d((poses_[i + 1].position - poses_[i].position) / dt);
+            const Vector3d next_turning =
+                last ? Vector3d::Zero()
+                     : Vector3d(rotationVector(poses_[i].rotation, poses_[i + 1].rotation) / dt);
+            const double speed = std::max(next_velocity.norm() / limits.speed_mps,
+                                          next_turning.norm() / limits.turn_rps);
+            const double change =
+                std::max((next_velocity - velocity).norm() / dt / limits.acceleration_mps2,
+                         (next_turning - turning).norm() / dt / limits.turn_acceleration_rps2);
+            count(segment, speed);
+            const bool due_to_before = at_key && segment > 1 && !isSlower(segment - 1);
+            count(due_to_before ? segment - 1 : segment, std::sqrt(change));
+            velocity = next_velocity;
+            turning = next_turning;
+            if (!last && static_cast<std::int64_t>(i + 1) == frames_[segment] &&
+                segment + 1 < frames_.size()) {
+                ++segment;
+            }
+        }
+        return over;
+    }
+
+    std::span<const MotionKey> keys_;
+    double interval_s_;
+    KeyCurve curve_;
+    std::vector<std::int64_t> least_;     // by key: fewest frames since the key before it
+    std::vector<std::int64_t> shortest_;  // the same from speed and turn rate alone
+    std::vector<std::int64_t> frames_;    // by key
+    std::vector<Pose> poses_;             // by frame
+};
+
+/// What keeps the camera from the key's position, as a phrase.
+std::string whyNotThere(const BaselineScene& scene, const Vector3d& position) {
+    int object_id = 0;
+    switch (scene.sphere->verdict(position, object_id)) {
+        case Verdict::NoGo:
+            return "is in a no-go box";
+        case Verdict::HeightBand:
+            return "is outside the camera's limits of height";
+        case Verdict::OutsideRoom:
+            return "is outside the rooms";
+        default:
+            return object_id > 0 ? fmt::format("is in or too close to '{}'",
+                                               scene.scene->object(object_id).name)
+                                 : std::string("is in or too close to an obstacle");
+    }
+}
+
+/// Makes the notes of the keys along a repaired motion.
+class KeyNotes {
+  public:
+    KeyNotes(const BaselineScene& scene, const std::vector<MotionKey>& keys,
+             const RepairedMotion& motion, double interval_s)
+        : scene_(scene), check_(scene), keys_(keys), motion_(motion), interval_s_(interval_s) {}
+
+    /// `given_frames` are those of the keys before the repair.
+    [[nodiscard]] std::vector<PassedKey> passed(
+        const std::vector<std::int64_t>& given_frames) const {
+        std::vector<PassedKey> passed;
+        double late_s = 0.0;  // of the key before
+        for (std::size_t i = 0; i < keys_.size(); ++i) {
+            PassedKey key;
+            key.frame = frameOf(static_cast<double>(given_frames[i]));
+            const TrajectoryFrame& frame = frames()[static_cast<std::size_t>(key.frame)];
+            key.time_s = frame.time_s;
+            const double now_late_s = frame.time_s - keys_[i].time_s;
+            const bool later = now_late_s > late_s + kLate * interval_s_;
+            late_s = now_late_s;
+            if (!check_.isFree(keys_[i].pose.position)) {
+                key.note = collisionNote(i, frame);
+            } else if (i > 0 && frame.path != frames()[passed[i - 1].frame].path) {
+                key.note = fmt::format(
+                    "No collision-free path leads from key {} to key {}; remove one of them, or "
+                    "add keys that lead around the obstacle.",
+                    i, i + 1);
+            } else if (later) {
+                key.note = fmt::format(
+                    "Key {} is reached at {:.2f} s instead of {:.2f} s; move it later, or raise "
+                    "the "
+                    "motion limits (motion_preset).",
+                    i + 1, frame.time_s, keys_[i].time_s);
+            }
+            passed.push_back(std::move(key));
+        }
+        return passed;
+    }
+
+  private:
+    [[nodiscard]] const std::vector<TrajectoryFrame>& frames() const {
+        return motion_.trajectory.frames;
+    }
+
+    /// The frame nearest to a given one.
+    [[nodiscard]] int frameOf(double given) const {
+        const auto& all = motion_.given_frames;
+        const auto nearest = std::ranges::min_element(
+            all, {}, [&](double frame) { return std::abs(frame - given); });
+        return static_cast<int>(nearest - all.begin());
+    }
+
+    [[nodiscard]] std::string collisionNote(std::size_t i, const TrajectoryFrame& frame) const {
+        const Vector3d& position = keys_[i].pose.position;
+        const double away_m = (frame.pose.position - position).norm();
+        return fmt::format("Key {} {}: the camera {}; move the key.", i + 1,
+                           whyNotThere(scene_, position),
+                           away_m > 0.0 ? fmt::format("passes {:.2f} m beside it", away_m)
+                                        : std::string("collides there"));
+    }
+
+    const BaselineScene& scene_;
+    MotionCheck check_;
+    const std::vector<MotionKey>& keys_;
+    const RepairedMotion& motion_;
+    double interval_s_;
+};
+
+}  // namespace
+
+Result<std::vector<double>> keyTimes(std::span<const MotionKey> keys, const MotionLimits& limits,
+                                     double interval_s) {
+    KeyFrames frames(keys, interval_s);
+    if (Status status = frames.settle(limits); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    std::vector<double> times;
+    for (const std::int64_t frame : frames.frames()) times.push_back(frames.timeOf(frame));
+    return times;
+}
+
+Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
+                                  const std::vector<MotionKey>& keys, const JobContext& job) {
+    PathTiming of_path;
+    of_path.limits = motionLimits(timing);
+    of_path.frame_interval_s = of_path.smooth_over_s = 1.0 / timing.frame_rate;
+    KeyFrames frames(keys, of_path.frame_interval_s);
+    if (Status status = frames.settle(of_path.limits); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    const Trajectory given = frames.trajectory();
+    Result<RepairedMotion> repaired = repairAndTime(scene, of_path, given, job);
+    if (!repaired) {
+        if (repaired.error().code != ErrorCode::BadInput) return tl::unexpected(repaired.error());
+        repaired = unrepaired(given);  // nothing near it is free: its keys say so
+    }
+    const KeyNotes notes(scene, keys, *repaired, of_path.frame_interval_s);
+    return KeyMotion{repaired->trajectory, notes.passed(frames.frames())};
+}
+
+}  // namespace dollytrack::planning

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/document/given_motion.h"
+#include "engine/plan/passed_key.h"
+#include "planning/motions/repair_motion.h"
+#include "planning/timing/motion_limits.h"
+
+#include <span>
+#include <vector>
+
+namespace dollytrack::planning {
+
+struct TimingParams;
+
+/// The times at which a camera within the limits can be at the keys, s: the given ones, to whole
+/// frames after the first, or the earliest possible ones. Obstacles are left aside. Error: BadInput
+/// if the motion would take more than kMostMotionFrames.
+Result<std::vector<double>> keyTimes(std::span<const MotionKey> keys, const MotionLimits& limits,
+                                     double interval_s);
+
+struct KeyMotion {
+    Trajectory trajectory;
+    std::vector<PassedKey> passed;  // one for each key
+};
+
+/// The smooth motion through the keys (see KeyCurve) at the frame rate. The camera is at a key in
+/// the frame nearest to its time, or as soon after it as the motion limits and a way around
+/// obstacles allow; later keys are in time again where their times leave room for that. If a key is
+/// in collision or its time is not kept, its note says so. Where no motion near the keys is free,
+/// the trajectory collides, and the notes of all keys in collision say so. Errors: those of
+/// keyTimes(); Cancelled.
+Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
+                                  const std::vector<MotionKey>& keys, const JobContext& job);
+
+}  // namespace dollytrack::planning
