@@ -22,11 +22,13 @@ struct Selection {
         NoGoBox,
         Region,
         Candidate,
+        CameraKey,  // a key of the given camera motion
     };
     Kind kind = Kind::None;
     std::vector<int> objects;  // object ids, for Object and Objects
     int index = -1;            // index in the plan's list; for NoGoBox in PlanEdits::no_go, for
-                               // Region in PlanEdits::regions, for Candidate in its search
+                               // Region in PlanEdits::regions, for Candidate in its search, for
+                               // CameraKey in GivenMotion::keys
     int search = -1;           // Candidate only: the observation point it was tested for
     Eigen::Vector3d place = Eigen::Vector3d::Zero();  // Voxel only: its centre, m, world
 

@@ -107,6 +107,7 @@ void Editor::refreshScene() {
         scene_sync_.forget();
         remedies_.forget();
         motions_.cancel();
+        recorded_key_s_.reset();
         read_motion_ = {};
         repaired_motion_ = {};
         questions_.forgetProject();
@@ -123,6 +124,7 @@ void Editor::refreshScene() {
     selected_.follow(shown.objects);
     if (plan_timeline_.follow(shown.scene.get(), shown.plan)) {
         playback_.setFrameCount(frameCount());
+        goToRecordedKey();
         if (plan() != nullptr) {
             step_playback_.goTo(
                 std::min(step_playback_.taken(), plan()->roadmap.steps.steps.size()));
@@ -164,6 +166,7 @@ bool Editor::frame() {
     takeMotion();
     play();
     followTracks();
+    followKeys();
     // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing
     // else.
     if (!popup_was_open_ && !files_.isOpen() && !panels_.palette.open && !panels_.help.open &&

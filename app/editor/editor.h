@@ -208,6 +208,24 @@ class Editor {
     void readMotion(const MotionFile& file);
     void takeMotion();
 
+    // editor_keys.cpp: key frames of the camera path
+    void addCameraKeyCommands();
+    /// Keys of the newest edits; empty if there are none.
+    [[nodiscard]] const std::vector<MotionKey>& cameraKeys() const;
+    [[nodiscard]] const MotionKey* selectedKey() const;
+    /// How the plan on the screen passes the keys; empty while a plan for them is being made.
+    [[nodiscard]] const std::vector<PassedKey>& passedKeys() const;
+    [[nodiscard]] std::string whyNoKey() const;
+    void recordKey();
+    /// Moves the playhead to a recorded key as soon as a plan passes it.
+    void goToRecordedKey();
+    void moveSelectedKey(const Pose& pose);
+    /// Drops the selection of a key when keys were added or removed: its index means another one.
+    void followKeys();
+    void fitKeys();
+    [[nodiscard]] std::vector<ui::TimelineCameraKey> timelineCameraKeys() const;
+    void follow(const ui::TimelineActions& actions);
+
     // editor_dialogs.cpp
     void drawDialogs();
     void askForFile(const std::string& id);
@@ -238,7 +256,7 @@ class Editor {
     void runKeypad();
     [[nodiscard]] Eigen::AlignedBox3d selectedBox() const;
     [[nodiscard]] std::optional<OrientedBox> boxAroundSelection() const;
-    [[nodiscard]] OrientedBox boxInView();
+    [[nodiscard]] OrientedBox boxInView();  // editor_objects.cpp
     [[nodiscard]] int frameCount() const;
     [[nodiscard]] const Plan* plan() const { return workspace_.shown().plan.get(); }
 
@@ -302,10 +320,12 @@ class Editor {
     std::string refused_key_;  // why the command of the key pressed last cannot run; or empty
     RemedyFinder remedies_{&Window::wake};
     MotionWorker motions_{&Window::wake};
-    MotionFile motion_file_;        // file last read as a camera path
-    SharedMotion read_motion_;      // camera path from that file, perhaps repaired
-    SharedMotion repaired_motion_;  // result of the last repair
-    std::string motion_change_;     // what that changed
+    MotionFile motion_file_;                // file last read as a camera path
+    SharedMotion read_motion_;              // camera path from that file, perhaps repaired
+    SharedMotion repaired_motion_;          // result of the last repair
+    std::string motion_change_;             // what that changed
+    std::optional<double> recorded_key_s_;  // time of a key that the playhead shall move to
+    std::size_t key_count_ = 0;             // in the previous window frame
     PlanTimeline plan_timeline_;
     RenderSceneSync scene_sync_;
     ParameterDraft parameters_;

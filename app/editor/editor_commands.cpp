@@ -2,6 +2,7 @@
 
 #include "engine/plan/object_key.h"
 #include "ui/panels/edits/edit_parts.h"
+#include "ui/panels/edits/motion_section.h"
 #include "ui/panels/edits/region_rows.h"
 #include "ui/widgets/item_map.h"
 
@@ -36,6 +37,7 @@ void Editor::addCommands() {
     addPointCommands();
     addTransformCommands();
     addMotionCommands();
+    addCameraKeyCommands();
     addViewCommands();
     addLayerCommands();
     addTimelineCommands();
@@ -204,8 +206,9 @@ void Editor::addPointCommands() {
                        const bool can = selected_.is(Selection::Kind::PositionPoint) ||
                                         selected_.is(Selection::Kind::ObservationPoint) ||
                                         selected_.is(Selection::Kind::NoGoBox) ||
-                                        selected_.is(Selection::Kind::Region);
-                       return can ? "" : "Select a position point or a box first.";
+                                        selected_.is(Selection::Kind::Region) ||
+                                        selectedKey() != nullptr;
+                       return can ? "" : "Select a position point, a camera key or a box first.";
                    }});
     commands_.add(
         {"edit.add_no_go", "Edit", "Add a no-go box", key(GLFW_KEY_N),
@@ -301,6 +304,8 @@ void Editor::deleteSelected() {
     } else if (selected_.is(Selection::Kind::Region)) {
         const auto& regions = workspace_.state().edits.plan.regions;
         if (index < regions.size()) apply({{"op", "remove_region"}, {"name", regions[index].name}});
+    } else if (selectedKey() != nullptr) {
+        apply(ui::removeCameraKeyOperation(index));
     } else if (plan() != nullptr) {
         std::size_t target = index;
         if (selected_.is(Selection::Kind::PositionPoint)) {

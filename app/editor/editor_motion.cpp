@@ -44,13 +44,17 @@ void Editor::addMotionCommands() {
         if (std::string why = needs_plan(); !why.empty()) return why;
         return workspace_.state().edits.plan.motion ? "" : "Import a camera path first.";
     };
+    const auto needs_frames = [this, needs_motion]() -> std::string {
+        if (std::string why = needs_motion(); !why.empty()) return why;
+        return cameraKeys().empty() ? "" : "A path through keys avoids collisions anyway.";
+    };
     commands_.add(
         {"edit.repair_motion",
          "Edit",
          "Repair the camera path",
          {},
          [this] { motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown()); },
-         needs_motion});
+         needs_frames});
     commands_.add({"edit.clear_motion",
                    "Edit",
                    "Plan instead of following the camera path",
@@ -71,6 +75,8 @@ ui::MotionView Editor::motionView() const {
     view.plan_error = workspace_.planError();
     view.has_scene = shown.scene != nullptr;
     view.has_object = view.has_scene && selected_.objects().size() == 1;
+    if (selectedKey() != nullptr) view.selected_key = selected_.now().index;
+    view.why_no_key = whyNoKey();
     if (motion && motion == repaired_motion_) view.change = motion_change_;
     view.can_read_again = motion && motion == read_motion_;
     const auto worlds = ui::motionWorlds();
@@ -88,6 +94,12 @@ void Editor::follow(const ui::MotionActions& actions) {
     if (actions.repair) {
         motions_.repair(workspace_.state().edits.plan.motion, workspace_.shown());
     }
+    if (actions.add_key) recordKey();
+    if (actions.fit_keys) fitKeys();
+    if (actions.select_key >= 0) {
+        select(ui::Selection::ofItem(ui::Selection::Kind::CameraKey, actions.select_key));
+    }
+    if (actions.look_through) lookAlongPose(*actions.look_through);
     if (actions.cancel) motions_.cancel();
     if (actions.read_in_world >= 0) {
         const auto world = static_cast<std::size_t>(actions.read_in_world);

@@ -2,6 +2,7 @@
 
 #include "engine/document/apply_scene_edits.h"
 #include "engine/document/object_track.h"
+#include "engine/geometry/ray_caster.h"
 #include "engine/plan/object_key.h"
 #include "ui/panels/edits/edit_parts.h"
 #include "ui/panels/timeline/track_bar.h"
@@ -9,6 +10,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -142,6 +144,36 @@ void Editor::moveWithGizmo(const ui::GizmoView& view, int id) {
     if (gizmo_.dragging()) window_.animate();
     // The gizmo covers the centre of the selection; clicks go to what lies behind it.
     if (actions.clicked) clickAt(pane_.cursor, actions.with_ctrl, actions.with_alt);
+}
+
+OrientedBox Editor::boxInView() {
+    const ui::ViewImage& image = drawing_.view();
+    const ui::ViewerCamera& camera = panels_.viewport.camera;
+    const double size = std::clamp(std::round(camera.distance * 2.0) / 10.0, 0.3, 1.0);
+    Eigen::Vector3d base = camera.pivot;
+    const PlanOutcome& shown = workspace_.shown();
+    const bool is_shown = shown.hasObjectsOf(image.geometry);
+    if (const auto surface =
+            is_shown ? ui::surfaceAt(image, 0.5 * Eigen::Vector2d(pane_.width, pane_.height))
+                     : std::nullopt) {
+        // On a wall, the box is placed in front of it.
+        const Eigen::Vector3d way = image.view.pose.position - *surface;
+        const Eigen::Vector3d level = Eigen::Vector3d(way.x(), way.y(), 0.0).normalized();
+        const bool on_top =
+            shown.rays && shown.rays
+                                  ->cast(*surface + 0.02 * Eigen::Vector3d::UnitZ() + 0.02 * level,
+                                         -Eigen::Vector3d::UnitZ(), 0.1)
+                                  .object_id != 0;
+        base = on_top ? *surface : Eigen::Vector3d(*surface + 0.55 * size * level);
+    }
+    // The box is placed on the surface below, if there is one.
+    if (shown.rays) {
+        const RayHit below =
+            shown.rays->cast(base + 0.05 * Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ());
+        if (below.object_id != 0) base.z() += 0.05 - below.distance;
+    }
+    return {base + 0.5 * size * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Constant(0.5 * size),
+            0.0};
 }
 
 void Editor::addTransformCommands() {

@@ -223,9 +223,10 @@ void Editor::drawTimeline() {
         view.max_turn_dps = limits.turn_rps * 180.0 / std::numbers::pi;
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
     }
-    const ui::TimelineActions actions = ui::drawTimelinePanel(view, panels_.timeline);
-    if (actions.go_to) goToFrame(*actions.go_to);
-    if (actions.toggle_play) commands_.find("timeline.play")->run();
+    const std::vector<ui::TimelineCameraKey> keys = timelineCameraKeys();
+    view.camera_keys = &keys;
+    if (selectedKey() != nullptr) view.selected_key = selected_.now().index;
+    follow(ui::drawTimelinePanel(view, panels_.timeline));
 }
 
 void Editor::drawSteps() {

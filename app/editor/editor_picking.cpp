@@ -37,6 +37,8 @@ Selection selectionOf(const ui::PickedElement& element, int candidate_search) {
             return Selection::ofItem(Selection::Kind::Frame, index);
         case ui::Picked::Candidate:
             return Selection::ofCandidate(candidate_search, index);
+        case ui::Picked::CameraKey:
+            return Selection::ofItem(Selection::Kind::CameraKey, index);
         case ui::Picked::Sample:
         case ui::Picked::Nothing:
             break;

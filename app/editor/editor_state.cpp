@@ -83,6 +83,10 @@ void Editor::addSceneAndPlanTo(nlohmann::json& state) {
             }
         }
     }
+    for (const ui::TimelineCameraKey& key : timelineCameraKeys()) {
+        state["camera_keys"].push_back(
+            {{"time_s", key.time_s}, {"reached_s", key.reached_s}, {"note", key.note}});
+    }
     if (shown.plan) {
         int collisions = 0;
         for (const SmoothPath& path : shown.plan->smooth_paths) collisions += path.collisions;

@@ -106,6 +106,7 @@ void Editor::requestLayers() {
     for (const ui::MovedObject& one : movedObjects()) request.moved.push_back(one.object_id);
     request.no_go = workspace_.state().edits.plan.no_go;
     request.regions = workspace_.state().edits.plan.regions;
+    request.motion = workspace_.state().edits.plan.motion;
     request.step = step_playback_.taken();
     request.frame = through_camera_ ? -1 : playback_.frame();
     if (selected_.inLocalView()) {
@@ -182,36 +183,6 @@ void Editor::requestPreview() {
     drawing_.requestPreview(view, playback_.frame(), time_s, panels_.preview.modality);
 }
 
-OrientedBox Editor::boxInView() {
-    const ui::ViewImage& image = drawing_.view();
-    const ui::ViewerCamera& camera = panels_.viewport.camera;
-    const double size = std::clamp(std::round(camera.distance * 2.0) / 10.0, 0.3, 1.0);
-    Eigen::Vector3d base = camera.pivot;
-    const PlanOutcome& shown = workspace_.shown();
-    const bool is_shown = shown.hasObjectsOf(image.geometry);
-    if (const auto surface =
-            is_shown ? ui::surfaceAt(image, 0.5 * Eigen::Vector2d(pane_.width, pane_.height))
-                     : std::nullopt) {
-        // On a wall, the box is placed in front of it.
-        const Eigen::Vector3d way = image.view.pose.position - *surface;
-        const Eigen::Vector3d level = Eigen::Vector3d(way.x(), way.y(), 0.0).normalized();
-        const bool on_top =
-            shown.rays && shown.rays
-                                  ->cast(*surface + 0.02 * Eigen::Vector3d::UnitZ() + 0.02 * level,
-                                         -Eigen::Vector3d::UnitZ(), 0.1)
-                                  .object_id != 0;
-        base = on_top ? *surface : Eigen::Vector3d(*surface + 0.55 * size * level);
-    }
-    // The box is placed on the surface below, if there is one.
-    if (shown.rays) {
-        const RayHit below =
-            shown.rays->cast(base + 0.05 * Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ());
-        if (below.object_id != 0) base.z() += 0.05 - below.distance;
-    }
-    return {base + 0.5 * size * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Constant(0.5 * size),
-            0.0};
-}
-
 std::optional<ui::GizmoView> Editor::gizmoView() {
     if (!workspace_.isOpen() || through_camera_) return std::nullopt;
     const PlanEdits& edits = workspace_.state().edits.plan;
@@ -223,7 +194,8 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
     view.origin = pane_.origin;
     view.hovered = pane_.hovered && !preview_hovered_ && !panels_.legend.hovered &&
                    !panels_.viewport.box_select;
-    view.turns = point != nullptr;
+    const MotionKey* key = selectedKey();
+    view.turns = point != nullptr || key != nullptr;
     if (const int object = movableObject(); object != 0) {
         view.pose = objectPose(object);
         view.turns = true;
@@ -235,9 +207,9 @@ std::optional<ui::GizmoView> Editor::gizmoView() {
     } else if (region != nullptr) {
         view.pose.position = region->box.center;
         view.heading_rad = region->box.yaw;
-    } else if (point != nullptr) {
-        view.pose = point->pose;
-        const Eigen::Vector3d ahead = point->pose.forward();
+    } else if (point != nullptr || key != nullptr) {
+        view.pose = point != nullptr ? point->pose : key->pose;
+        const Eigen::Vector3d ahead = view.pose.forward();
         view.heading_rad = std::atan2(ahead.y(), ahead.x());
     } else {
         return std::nullopt;
@@ -283,6 +255,7 @@ void Editor::editWithGizmo() {
     if (gizmo_.draggedPose()) window_.animate();
     if (!moved) return;
     // A drag becomes one edit when it ends; meanwhile only the preview follows.
+    if (point == nullptr) return moveSelectedKey(*moved);
     const PositionPoint& here = *point;
     const nlohmann::json position = ui::pointJson(moved->position);
     const nlohmann::json turn = ui::turnJson(moved->rotation);

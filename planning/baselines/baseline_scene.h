@@ -5,6 +5,7 @@
 #include "engine/document/edits.h"
 #include "engine/jobs/job.h"
 #include "engine/scene/scene.h"
+#include "planning/collision/mapped_scene.h"
 #include "planning/plan_params.h"
 
 #include <Eigen/Core>
@@ -12,30 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace dollytrack {
-class RayCaster;
-}
-
 namespace dollytrack::planning {
-
-class AllowedRegion;
-class FreeSpace;
-class SweptSphere;
-class TextureCorners;
-class ViewEstimator;
-
-/// Shared input of all planners, Dollytrack's own included: one scene, its free space map and one
-/// camera. Immutable.
-struct BaselineScene {
-    std::shared_ptr<const Scene> scene;
-    PlanEdits edits;  // with object ids of this scene
-    std::shared_ptr<const RayCaster> rays;
-    std::shared_ptr<const FreeSpace> free_space;
-    std::shared_ptr<const AllowedRegion> region;
-    std::shared_ptr<const SweptSphere> sphere;
-    std::shared_ptr<const ViewEstimator> views;
-    std::shared_ptr<const TextureCorners> texture_corners;
-};
 
 /// Maps the scene. Errors: those of Pipeline::run() that concern the parameters and the map.
 Result<BaselineScene> mapBaselineScene(std::shared_ptr<const Scene> scene, const PlanEdits& edits,

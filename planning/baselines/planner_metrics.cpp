@@ -3,6 +3,7 @@
 #include "engine/geometry/ray_caster.h"
 #include "engine/jobs/parallel.h"
 #include "planning/baselines/median.h"
+#include "planning/collision/path_clearance.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/gaze/image_corners.h"
@@ -17,13 +18,6 @@
 
 namespace dollytrack::planning {
 namespace {
-
-// Longest step along a motion, so that the minimum clearance is found, and shortest step, so that
-// it gets past a contact.
-constexpr double kLongestStep = 0.02;
-constexpr double kShortestStep = 0.0005;
-// Clearance beyond which a step may be as long as the free distance.
-constexpr double kFar = 10.0;
 
 double lengthOf(const std::vector<Eigen::Vector3d>& way) {
     double length = 0.0;
@@ -105,26 +99,6 @@ void measureCollisions(const BaselineScene& scene, const PlannedMotion& motion,
 }
 
 }  // namespace
-
-double smallestClearance(const RayCaster& rays, const std::vector<Eigen::Vector3d>& way,
-                         double radius, const JobContext& job) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-        const Eigen::Vector3d move = way[i + 1] - way[i];
-        const double length = move.norm();
-        double walked = 0.0;
-        while (!job.cancelled()) {
-            const double share = length > 0.0 ? walked / length : 0.0;
-            const double distance = clearanceAt(rays, way[i] + share * move);
-            smallest = std::min(smallest, distance);
-            if (walked >= length) break;
-            const double step = distance < radius ? kLongestStep : distance - radius;
-            const double longest = std::max(kLongestStep, distance - kFar);
-            walked = std::min(length, walked + std::clamp(step, kShortestStep, longest));
-        }
-    }
-    return smallest;
-}
 
 Result<PlannerMetrics> measurePlannedMotion(const BaselineScene& scene, const PlannedMotion& motion,
                                             const JobContext& job) {

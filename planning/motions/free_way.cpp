@@ -1,7 +1,7 @@
 #include "planning/motions/free_way.h"
 
-#include "planning/baselines/baseline_scene.h"
 #include "planning/collision/allowed_region.h"
+#include "planning/collision/mapped_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 

@@ -1,7 +1,7 @@
 #include "planning/motions/motion_check.h"
 
-#include "planning/baselines/baseline_scene.h"
-#include "planning/baselines/planner_metrics.h"
+#include "planning/collision/mapped_scene.h"
+#include "planning/collision/path_clearance.h"
 #include "planning/free_space/free_space.h"
 
 namespace dollytrack::planning {

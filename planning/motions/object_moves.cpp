@@ -1,7 +1,7 @@
 #include "planning/motions/object_moves.h"
 
 #include "engine/geometry/ray_caster.h"
-#include "planning/baselines/baseline_scene.h"
+#include "planning/collision/mapped_scene.h"
 #include "planning/collision/swept_sphere.h"
 
 #include <algorithm>

@@ -3,7 +3,8 @@
 #include "engine/camera/trajectory.h"
 #include "engine/core/result.h"
 #include "engine/jobs/job.h"
-#include "planning/baselines/baseline_scene.h"
+#include "planning/collision/mapped_scene.h"
+#include "planning/plan_params.h"
 
 #include <vector>
 

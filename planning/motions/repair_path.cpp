@@ -1,7 +1,7 @@
 #include "planning/motions/repair_path.h"
 
 #include "engine/jobs/parallel.h"
-#include "planning/baselines/baseline_scene.h"
+#include "planning/collision/mapped_scene.h"
 #include "planning/motions/free_runs.h"
 #include "planning/motions/repair_stretch.h"
 

@@ -1,6 +1,6 @@
 #include "planning/motions/repair_stretch.h"
 
-#include "planning/baselines/baseline_scene.h"
+#include "planning/collision/mapped_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/motions/free_way.h"
 #include "planning/motions/relax_way.h"

@@ -1,4 +1,4 @@
-#include "planning/baselines/baseline_scene.h"
+#include "planning/collision/mapped_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
 #include "planning/gaze/image_corners.h"

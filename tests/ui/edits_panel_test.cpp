@@ -51,6 +51,10 @@ class EditsPanelTest : public testing::Test {
         const EditsActions now = drawEditsPanel(view);
         if (now.motion.edit.asks()) apply(now.motion.edit.operation);
         repairs = repairs || now.motion.repair;
+        fits = fits || now.motion.fit_keys;
+        adds_key = adds_key || now.motion.add_key;
+        if (now.motion.select_key >= 0) selected_key = now.motion.select_key;
+        if (now.motion.look_through) looked = now.motion.look_through;
         if (!now.motion.make.empty()) made = now.motion.make;
         if (now.edit.asks()) {
             asked.push_back(now.edit);
@@ -67,6 +71,9 @@ class EditsPanelTest : public testing::Test {
     std::optional<OrientedBox> around;
     MotionView motion;
     bool repairs = false;
+    bool fits = false;
+    bool adds_key = false;
+    int selected_key = -1;
     std::string made;
     std::vector<EditRequest> asked;
     bool drag_ended = false;
@@ -96,6 +103,36 @@ TEST_F(EditsPanelTest, AGivenMotionIsRepairedOrPlannedAgain) {
     ASSERT_TRUE(screen.click("edits.motion.clear"));
     EXPECT_FALSE(state.edits.plan.motion);
     EXPECT_FALSE(screen.shows("edits.motion.clear"));
+}
+
+TEST_F(EditsPanelTest, KeysOfTheCameraPathAreRetimedGoneToAndRemoved) {
+    for (const double time_s : {0.0, 2.0, 4.0}) {
+        apply({{"op", "add_camera_key"},
+               {"time_s", time_s},
+               {"position", {1.0, 1.0 + 0.1 * time_s, 1.5}},
+               {"target", {2.0, 1.0, 1.0}}});
+    }
+    plan.passed_keys = {
+        {0, 0.0, ""}, {30, 3.0, "Key 2 is reached at 3 s instead of 2 s."}, {40, 4.0, ""}};
+    screen.frame(2);
+    EXPECT_FALSE(screen.shows("edits.motion.repair")) << screen.names();
+    ASSERT_TRUE(screen.typeInto("edits.motion.key.1.time", "2.5"));
+    EXPECT_EQ(state.edits.plan.motion->keys[1].time_s, 2.5);
+    ASSERT_TRUE(screen.typeInto("edits.motion.key.1.time", "9"));
+    EXPECT_LT(state.edits.plan.motion->keys[1].time_s, 4.0) << "the order stays";
+    ASSERT_TRUE(screen.click("edits.motion.key.2.go_to"));
+    EXPECT_EQ(looked, state.edits.plan.motion->keys[2].pose);
+    ASSERT_TRUE(screen.click("edits.motion.key.0.select"));
+    EXPECT_EQ(selected_key, 0);
+    ASSERT_TRUE(screen.click("edits.motion.fit_keys"));
+    EXPECT_TRUE(fits);
+    ASSERT_TRUE(screen.click("edits.motion.key.0.delete"));
+    EXPECT_EQ(state.edits.plan.motion->keys.size(), 2U);
+    ASSERT_TRUE(screen.click("edits.motion.add_key"));
+    EXPECT_TRUE(adds_key);
+    motion.why_no_key = "No scene is open.";
+    screen.frame(2);
+    EXPECT_FALSE(screen.enabled("edits.motion.add_key"));
 }
 
 TEST_F(EditsPanelTest, MovesNeedTheObjectThatTheyAreAbout) {

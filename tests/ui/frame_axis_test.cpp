@@ -31,6 +31,19 @@ TEST(FrameAxis, ShowsAllFramesFromEdgeToEdge) {
     EXPECT_EQ(axis.frameAt(5000), 299);
 }
 
+TEST(FrameAxis, HasRoomAfterTheLastFrameIfWanted) {
+    FrameAxis axis(300, 100, 740, 0, 0, 20);
+    EXPECT_DOUBLE_EQ(axis.xOf(300), 700);
+    EXPECT_DOUBLE_EQ(axis.placeAt(740), 320);
+    EXPECT_EQ(axis.frameAt(740), 299);
+    EXPECT_EQ(axis.endFrame(), 300);
+    EXPECT_FALSE(axis.isZoomed());
+    axis.zoom(740, 0.5);
+    EXPECT_TRUE(axis.isZoomed());
+    EXPECT_DOUBLE_EQ(axis.first() + axis.shown(), 320);
+    EXPECT_DOUBLE_EQ(axis.margin(), 20);
+}
+
 TEST(FrameAxis, KeepsWhatIsUnderTheMouseWhileZooming) {
     FrameAxis axis(20'000, 0, 1000, 0, 0);
     const double place = axis.placeAt(617);

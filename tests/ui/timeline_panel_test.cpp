@@ -5,6 +5,7 @@
 
 #include "tests/ui/screen.h"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -115,6 +116,101 @@ TEST(TimelinePanel, GoesToTheFrameUnderTheMouse) {
     ASSERT_TRUE(key);
     clickAt(screen, (key->left + key->right) / 2 + 5, (key->top + key->bottom) / 2);
     EXPECT_EQ(timeline.view.frame, 100);
+}
+
+/// A timeline with camera keys at 0, 5 and 10 s of a trajectory of 10 s. Requests are carried out.
+struct KeyTimeline : Timeline {
+    KeyTimeline() : Timeline(101) {
+        keys = {{0, "Key 1"}, {50, "Key 2"}, {100, "Key 3"}};
+        bands.clear();
+        view.camera_keys = &camera_keys;
+    }
+    void draw() {
+        const TimelineActions actions = drawTimelinePanel(view, state);
+        if (actions.go_to) view.frame = *actions.go_to;
+        if (actions.select_key) view.selected_key = *actions.select_key;
+        if (actions.fly_to_key) flown_to = *actions.fly_to_key;
+        if (!actions.retime) return;
+        ++retimes;
+        camera_keys[actions.retime->key].time_s = actions.retime->time_s;
+        camera_keys[actions.retime->key].reached_s = actions.retime->time_s;
+    }
+    std::vector<TimelineCameraKey> camera_keys = {{0.0, 0.0, ""}, {5.0, 5.0, ""}, {10.0, 10.0, ""}};
+    int flown_to = -1;
+    int retimes = 0;
+};
+
+/// Pixels of a second on the axis, from the rulers' ticks.
+float pixelsPerSecond(test::Screen& screen) {
+    return (screen.find("timeline.tick.5")->left - screen.find("timeline.tick.0")->left) / 5.0F;
+}
+
+TEST(TimelinePanel, ACameraKeyIsSelectedByAClickAndGoneTo) {
+    KeyTimeline timeline;
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    ASSERT_TRUE(screen.click("timeline.camera_key.1")) << screen.names();
+    EXPECT_EQ(timeline.view.selected_key, 1);
+    EXPECT_EQ(timeline.view.frame, 50);
+    EXPECT_EQ(timeline.retimes, 0) << "a click retimes nothing";
+    EXPECT_EQ(timeline.flown_to, -1);
+    ASSERT_TRUE(screen.doubleClick("timeline.camera_key.2"));
+    EXPECT_EQ(timeline.flown_to, 2);
+    EXPECT_EQ(timeline.retimes, 0);
+    EXPECT_FALSE(screen.shows("timeline.key.50")) << "it has only one marker";
+}
+
+TEST(TimelinePanel, ADragRetimesACameraKeyOnceToAWholeFrame) {
+    KeyTimeline timeline;
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    screen.frame(2);
+    const float second = pixelsPerSecond(screen);
+    ASSERT_TRUE(screen.drag("timeline.camera_key.1", 2.03F * second, 0));
+    EXPECT_EQ(timeline.retimes, 1);
+    EXPECT_EQ(timeline.camera_keys[1].time_s, 7.0);
+    // Not past its neighbours.
+    ASSERT_TRUE(screen.drag("timeline.camera_key.1", 6.0F * second, 0));
+    EXPECT_NEAR(timeline.camera_keys[1].time_s, 9.9, 1e-9);
+    ASSERT_TRUE(screen.drag("timeline.camera_key.1", -20.0F * second, 0));
+    EXPECT_NEAR(timeline.camera_keys[1].time_s, 0.1, 1e-9);
+    // The last one may be moved beyond the end of the trajectory.
+    ASSERT_TRUE(screen.drag("timeline.camera_key.2", 1.5F * second, 0));
+    EXPECT_NEAR(timeline.camera_keys[2].time_s, 11.5, 1e-9);
+    EXPECT_EQ(timeline.retimes, 4);
+}
+
+TEST(TimelinePanel, EscapeCancelsTheDragOfACameraKey) {
+    KeyTimeline timeline;
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    ASSERT_TRUE(screen.hover("timeline.camera_key.1"));
+    ImGuiIO& io = ImGui::GetIO();
+    io.MouseDown[0] = true;
+    screen.frame();
+    io.MousePos.x += 100;
+    screen.frame(2);
+    EXPECT_TRUE(timeline.state.dragged_to_s);
+    screen.press(GLFW_KEY_ESCAPE);
+    const int frame = timeline.view.frame;
+    io.MousePos.x += 50;
+    screen.frame(2);
+    io.MouseDown[0] = false;
+    screen.frame(2);
+    EXPECT_EQ(timeline.retimes, 0);
+    EXPECT_EQ(timeline.view.frame, frame) << "the rest of the drag must not scrub";
+    EXPECT_EQ(timeline.camera_keys[1].time_s, 5.0);
+}
+
+// A key that is reached later than it should keeps its marker at its own time.
+TEST(TimelinePanel, ALateKeyIsDraggedFromItsOwnTime) {
+    KeyTimeline timeline;
+    timeline.camera_keys[1] = {2.0, 5.0, "Key 2 is reached at 5 s instead of 2 s."};
+    test::Screen screen([&] { timeline.draw(); }, 1280, 180);
+    screen.frame(2);
+    const auto marker = screen.find("timeline.camera_key.1");
+    ASSERT_TRUE(marker);
+    const float tick = screen.find("timeline.tick.2")->left;
+    EXPECT_NEAR((marker->left + marker->right) / 2, tick, 1.5);
+    ASSERT_TRUE(screen.drag("timeline.camera_key.1", pixelsPerSecond(screen), 0));
+    EXPECT_EQ(timeline.camera_keys[1].time_s, 3.0);
 }
 
 TEST(TimelinePanel, ZoomsWithTheWheelAndShowsAllAgain) {

@@ -16,6 +16,7 @@ enum class Picked : std::uint8_t {
     Sample,            // index in Roadmap::samples
     Frame,             // index in Trajectory::frames
     Candidate,         // index in ViewpointSearch::candidates
+    CameraKey,         // index in GivenMotion::keys
 };
 
 struct PickTag {

@@ -177,9 +177,11 @@ std::vector<EditRow> rowsOf(const Edits& edits) {
         rows.push_back({"end", edits.plan.end, "the trajectory ends there"});
     }
     if (const SharedMotion& motion = edits.plan.motion) {
+        const bool has_keys = !motion->keys.empty();
         rows.push_back({"motion", motion->name,
-                        fmt::format("the trajectory, {} frames in {:.1f} s", motion->frames.size(),
-                                    motion->frames.back().time_s - motion->frames.front().time_s)});
+                        fmt::format("the trajectory, {} {} in {:.1f} s",
+                                    has_keys ? motion->keys.size() : motion->frames.size(),
+                                    has_keys ? "key frames" : "frames", motion->duration_s())});
     }
     for (const RemovedPoint& one : edits.plan.removed) {
         rows.push_back({"removed", wordsOf(one.objects), "gets no position point"});

@@ -10,7 +10,9 @@
 #include "planning/baselines/baseline_scene.h"
 #include "planning/free_space/free_space.h"
 #include "planning/motions/camera_moves.h"
+#include "planning/motions/key_motion.h"
 #include "planning/motions/repair_motion.h"
+#include "planning/timing/motion_limits.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -19,6 +21,8 @@
 #include <filesystem>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::cli {
 namespace {
@@ -30,6 +34,7 @@ struct RepairArguments {
     std::string trajectory;
     TrajectoryArguments reading;
     std::string move;
+    std::string keys;
     std::string out;
     bool no_repair = false;
     bool as_json = false;
@@ -42,11 +47,14 @@ struct RepairArguments {
 struct ImportedMotion {
     GivenMotion motion;
     std::optional<planning::MotionChange> change;
+    std::vector<PassedKey> passed = {};  // how the camera passes its keys
 };
 
 Status checkUsage(const RepairArguments& arguments) {
-    if (!arguments.trajectory.empty() && !arguments.move.empty()) {
-        return fail(ErrorCode::Usage, "Give either a --trajectory or a --move, not both.");
+    const int sources =
+        !arguments.trajectory.empty() + !arguments.move.empty() + !arguments.keys.empty();
+    if (sources > 1) {
+        return fail(ErrorCode::Usage, "Give only one of --trajectory, --keys and --move.");
     }
     if (arguments.no_repair && arguments.trajectory.empty()) {
         return fail(ErrorCode::Usage,
@@ -127,6 +135,58 @@ Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const 
     return repairGiven(given, opened, map, job);
 }
 
+/// The keys as a motion, with how the camera passes them.
+Result<ImportedMotion> passKeys(GivenMotion motion, const OpenedScene& opened,
+                                const planning::BaselineScene& map, const JobContext& job) {
+    return planning::moveThroughKeys(map, opened.params.timing, motion.keys, job)
+        .map([&](const planning::KeyMotion& made) {
+            return ImportedMotion{std::move(motion), {}, made.passed};
+        });
+}
+
+/// Reads key frames. Without times in the file they follow as fast as the limits allow.
+Result<ImportedMotion> importKeys(const RepairArguments& arguments, const OpenedScene& opened,
+                                  const planning::BaselineScene& map, const JobContext& job) {
+    const std::string& file = arguments.keys;
+    const auto loaded = loadGivenTrajectory(file, arguments.reading, opened, "repair");
+    if (!loaded) return tl::unexpected(loaded.error());
+    if (loaded->trajectory.frames.empty()) {
+        return fail(ErrorCode::BadInput, "The file has no poses.", file);
+    }
+    if (Status status = checkPlace(file, loaded->trajectory, *map.free_space); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    GivenMotion motion;
+    motion.name = cleanText(std::filesystem::path(file).filename().string());
+    for (const MotionFrame& frame : givenMotion({}, loaded->trajectory).frames) {
+        motion.keys.push_back({frame.time_s, frame.pose});
+    }
+    if (const auto fault = findFault(motion)) {
+        return tl::unexpected(
+            Error{ErrorCode::BadInput, fault->text,
+                  fault->frame ? fmt::format("{}, key {}", file, *fault->frame + 1) : file});
+    }
+    if (!loaded->timed) {
+        const planning::TimingParams& timing = opened.params.timing;
+        const auto times = planning::keyTimes(motion.keys, planning::motionLimits(timing),
+                                              1.0 / timing.frame_rate);
+        if (!times) return tl::unexpected(times.error());
+        for (std::size_t i = 0; i < times->size(); ++i) motion.keys[i].time_s = (*times)[i];
+    }
+    return passKeys(std::move(motion), opened, map, job);
+}
+
+/// Gives the keys of the project the times at which the camera reaches them.
+Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::BaselineScene& map,
+                               const JobContext& job) {
+    auto made = passKeys(*opened.plan_edits.motion, opened, map, job);
+    if (!made) return made;
+    for (std::size_t i = 0; i < made->passed.size(); ++i) {
+        made->motion.keys[i].time_s = made->passed[i].time_s;
+    }
+    return passKeys(made->motion, opened, map, job);
+}
+
 Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const OpenedScene& opened,
                                   const JobContext& job) {
     std::optional<planning::MoveRequest> request;
@@ -134,9 +194,11 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
         auto parsed = planning::parseMove(arguments.move);
         if (!parsed) return tl::unexpected(std::move(parsed.error()));
         request = std::move(*parsed);
-    } else if (arguments.trajectory.empty() && !opened.plan_edits.motion) {
+    } else if (arguments.trajectory.empty() && arguments.keys.empty() &&
+               !opened.plan_edits.motion) {
         return fail(ErrorCode::Usage,
-                    "Give a --trajectory or a --move; there is no camera motion to repair again.");
+                    "Give a --trajectory, --keys or a --move; there is no camera motion to repair "
+                    "again.");
     }
     const auto map = planning::mapBaselineScene(opened.scene, opened.plan_edits, opened.params,
                                                 job.stage(0.0, 0.3, "free space"));
@@ -151,6 +213,10 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
                    });
     } else if (!arguments.trajectory.empty()) {
         made = importTrajectory(arguments, opened, *map, part);
+    } else if (!arguments.keys.empty()) {
+        made = importKeys(arguments, opened, *map, part);
+    } else if (!opened.plan_edits.motion->keys.empty()) {
+        made = fitKeys(opened, *map, part);
     } else {
         made = repairGiven(*opened.plan_edits.motion, opened, *map, part);
     }
@@ -177,19 +243,31 @@ nlohmann::json changeJson(const planning::MotionChange& change) {
 }
 
 nlohmann::json reportJson(const RepairArguments& arguments, const ImportedMotion& made) {
-    const auto& frames = made.motion.frames;
-    nlohmann::json json = {{"name", made.motion.name},
-                           {"frames", frames.size()},
-                           {"duration_s", frames.back().time_s},
-                           {"out", arguments.project()}};
+    const GivenMotion& motion = made.motion;
+    nlohmann::json json = {
+        {"name", motion.name}, {"duration_s", motion.duration_s()}, {"out", arguments.project()}};
+    if (motion.keys.empty()) json["frames"] = motion.frames.size();
+    for (std::size_t i = 0; i < made.passed.size(); ++i) {
+        const PassedKey& passed = made.passed[i];
+        json["keys"].push_back({{"time_s", motion.keys[i].time_s},
+                                {"reached_s", passed.time_s},
+                                {"note", passed.note}});
+    }
     if (made.change) json["change"] = changeJson(*made.change);
     return json;
 }
 
 std::string reportText(const RepairArguments& arguments, const ImportedMotion& made) {
-    std::string text = fmt::format("{}: {} frames, {:.1f} s, stored in {}\n", made.motion.name,
-                                   made.motion.frames.size(), made.motion.frames.back().time_s,
-                                   arguments.project());
+    const GivenMotion& motion = made.motion;
+    const bool has_keys = !motion.keys.empty();
+    std::string text = fmt::format(
+        "{}: {} {}, {:.1f} s, stored in {}\n", motion.name.empty() ? "camera path" : motion.name,
+        has_keys ? motion.keys.size() : motion.frames.size(), has_keys ? "keys" : "frames",
+        motion.duration_s(), arguments.project());
+    for (std::size_t i = 0; i < made.passed.size(); ++i) {
+        text += fmt::format("  key {:<4} {:8.2f} s  {}\n", i + 1, motion.keys[i].time_s,
+                            made.passed[i].note);
+    }
     if (!made.change || !arguments.move.empty()) return text;
     const planning::MotionChange& change = *made.change;
     const auto row = [&](const char* title, const std::string& value) {
@@ -254,6 +332,11 @@ void addRepairCommand(CLI::App& app, Session& session) {
                      "Trajectory from another program; it is changed only where the camera would "
                      "collide or exceed the motion limits; default: the project's own motion")
         ->type_name("FILE");
+    command
+        ->add_option("--keys", arguments->keys,
+                     "Instead of a trajectory: key frames, in the same formats; the camera moves "
+                     "smoothly through them at their times, or as fast as it may without times")
+        ->type_name("FILE");
     addTrajectoryArguments(*command, arguments->reading);
     command
         ->add_option("--move", arguments->move,
@@ -266,8 +349,11 @@ void addRepairCommand(CLI::App& app, Session& session) {
                      "Project to write, with the motion; default: the given project")
         ->type_name("FILE.dolly");
     command->add_flag("--json", arguments->as_json, "Print what was changed as JSON");
-    command->footer(planning::moveHelp() +
-                    "\nExample: dollytrack repair room.glb --trajectory drone.txt -o room.dolly");
+    command->footer(
+        planning::moveHelp() +
+        "\nExample: dollytrack repair room.glb --trajectory drone.txt -o room.dolly"
+        "\nA project with key frames, without further options: gives the keys the times "
+        "at which the camera reaches them");
     command->callback([&session, arguments] {
         session.action = [&session, arguments] { return runRepair(*arguments, session); };
     });

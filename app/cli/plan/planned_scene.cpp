@@ -101,8 +101,12 @@ void warnOfSeparateMotions(const Plan& plan, const planning::ConstraintParams& c
                                           : ""));
 }
 
-/// Warns about collisions of a given motion, and about parameters that do not apply to it.
+/// Warns about keys that a given motion cannot keep, about its collisions, and about parameters
+/// that do not apply to it.
 void warnOfMotion(const Plan& plan, const planning::PlanParams& params) {
+    for (const PassedKey& key : plan.passed_keys) {
+        if (!key.note.empty()) log::warn("planning", key.note);
+    }
     const int moves = plan.trajectory_metrics.straight_lines_that_hit;
     const double frames = plan.trajectory_metrics.frame_collision_rate *
                           static_cast<double>(plan.trajectory.frames.size());

@@ -40,6 +40,11 @@ const Region* SelectionTracker::region(const std::vector<Region>& regions) const
     return is(SelectionKind::Region) && index() < regions.size() ? &regions[index()] : nullptr;
 }
 
+const MotionKey* SelectionTracker::cameraKey(const SharedMotion& motion) const {
+    const bool is_there = is(SelectionKind::CameraKey) && motion && index() < motion->keys.size();
+    return is_there ? &motion->keys[index()] : nullptr;
+}
+
 void SelectionTracker::set(ui::Selection selection, const Plan* plan,
                            const std::vector<PinnedPoint>& pinned) {
     now_ = std::move(selection);
@@ -110,9 +115,9 @@ bool SelectionTracker::keepIn(const Plan* plan, const std::vector<PinnedPoint>& 
 }
 
 bool SelectionTracker::keepPlace(const Plan* plan, const std::vector<PinnedPoint>& pinned) {
-    // Objects, cells and boxes do not depend on the plan.
+    // Objects, cells, boxes and camera keys do not depend on the plan.
     if (is(SelectionKind::None) || is(SelectionKind::Voxel) || is(SelectionKind::NoGoBox) ||
-        is(SelectionKind::Region) || !now_.objects.empty()) {
+        is(SelectionKind::Region) || is(SelectionKind::CameraKey) || !now_.objects.empty()) {
         return true;
     }
     const auto fits = [&](std::size_t count) {
@@ -205,6 +210,7 @@ Eigen::AlignedBox3d SelectionTracker::box(const Scene& scene, const Plan* plan,
     if (const PositionPoint* point = positionPoint(plan)) around(point->pose.position);
     if (const NoGoBox* one = noGoBox(edits.no_go)) include(one->box);
     if (const Region* one = region(edits.regions)) include(one->box);
+    if (const MotionKey* key = cameraKey(edits.motion)) around(key->pose.position);
     if (plan == nullptr) return box;
     if (is(SelectionKind::ObservationPoint) && index() < plan->observation_points.size()) {
         around(plan->observation_points[index()].position);

@@ -31,6 +31,9 @@ class SelectionTracker {
     /// The selected region; null if none is selected.
     [[nodiscard]] const Region* region(const std::vector<Region>& regions) const;
 
+    /// The selected key of the given motion; null if none is selected.
+    [[nodiscard]] const MotionKey* cameraKey(const SharedMotion& motion) const;
+
     /// Changes the selection. `pinned` are the pinned points that the plan was made with.
     void set(ui::Selection selection, const Plan* plan, const std::vector<PinnedPoint>& pinned);
     void clear();

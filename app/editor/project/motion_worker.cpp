@@ -1,6 +1,7 @@
 #include "app/editor/project/motion_worker.h"
 
 #include "engine/io/trajectories/trajectory_file.h"
+#include "planning/baselines/baseline_scene.h"
 #include "planning/motions/repair_motion.h"
 #include "render/formats/poses/camera_json.h"
 

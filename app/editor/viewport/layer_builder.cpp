@@ -2,6 +2,7 @@
 
 #include "render/draw/storey_cutaway.h"
 #include "render/overlays/trajectory_overlay.h"
+#include "ui/overlays/camera_keys_overlay.h"
 #include "ui/overlays/edge_shape.h"
 #include "ui/overlays/grid_overlay.h"
 #include "ui/overlays/palette.h"
@@ -188,8 +189,8 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
            in_cone == other.in_cone && moved == other.moved && local == other.local &&
-           no_go == other.no_go && regions == other.regions && step == other.step &&
-           frame == other.frame;
+           no_go == other.no_go && regions == other.regions && motion == other.motion &&
+           step == other.step && frame == other.frame;
 }
 
 bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
@@ -203,7 +204,7 @@ struct LayerBuilder::WorkerState {
         std::any of;
         std::shared_ptr<const PlanLayer> layer;
     };
-    std::array<Made, 11> made;
+    std::array<Made, 12> made;
 
     template <class Inputs, class Make>
     void add(Layers& layers, std::size_t place, const Inputs& inputs, Make&& make) {
@@ -291,6 +292,16 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
         if (request.frame >= 0) {
             layers.layers.push_back(std::make_shared<const PlanLayer>(cameraLayer(request)));
         }
+    }
+    if (on.trajectory && !request.stepping && request.motion && !request.motion->keys.empty()) {
+        const int selected =
+            request.selection.kind == Selection::Kind::CameraKey ? request.selection.index : -1;
+        add(layers, 11, std::tuple(request.motion, request.plan, request.camera, selected), [&] {
+            return ui::cameraKeysLayer(
+                request.motion->keys,
+                request.plan ? request.plan->passed_keys : std::vector<PassedKey>(), request.camera,
+                selected);
+        });
     }
     add(layers, 7, std::tuple(request.scene, request.free_space, request.selection, request.moved),
         [&] { return selectionLayer(request); });

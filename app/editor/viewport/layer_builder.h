@@ -31,6 +31,7 @@ struct LayersRequest {
     std::vector<int> local;  // object ids: only their points are shown; empty: all points
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;
+    SharedMotion motion;    // the given camera motion, for its keys
     bool stepping = false;  // show the algorithm's steps instead of the roadmap
     double cone_half_angle_deg = 40.0;
     bool in_cone = false;  // the camera is inside the cone of the displayed candidates

@@ -102,3 +102,106 @@ class Motions(Task):
         self.editor.run_command("repair the camera path")
         self.editor.wait(lambda now: len(now["edits"]["motion"]["frames"]) != FRAMES, "the repair")
         self.assertEqual(self.editor.idle()["plan"]["moves_in_collision"], 0)
+
+
+class CameraKeys(Task):
+    """Key frames of the camera path, recorded from the view."""
+
+    def keys(self):
+        motion = self.editor.state()["edits"].get("motion") or {}
+        return motion.get("keys", [])
+
+    def look(self, dx, dy=0):
+        """Turns the view about the eye."""
+        left, top, right, bottom = self.editor.item("viewport")[:4]
+        middle = ((left + right) / 2, (top + bottom) / 2)
+        self.editor.drag(middle, (middle[0] + dx, middle[1] + dy), button="right")
+
+    def record(self, count):
+        """Stands at the plan's camera and records keys; between them it looks around."""
+        self.start_room()
+        self.show_preview(False)
+        self.editor.key("0")
+        self.editor.key("0")  # the free camera stands where the plan's was
+        for i in range(count):
+            if i > 0:
+                self.look(120)
+            self.editor.key("k")
+            self.editor.wait(lambda now: len(now.get("camera_keys", [])) == i + 1, "the key")
+            state = self.editor.idle()
+            # The playhead stands at the new key, so that the next one follows it.
+            self.assertEqual(state["frame"], state["plan"]["frames"] - 1)
+        return self.editor.idle()
+
+    def test_keys_are_recorded_dragged_and_removed(self):
+        state = self.record(3)
+        before = self.keys()
+        self.assertEqual(len(before), 3)
+        self.assertEqual(before[0][0], 0.0)
+        self.assertEqual(state["plan"]["moves_in_collision"], 0)
+        for key in state["camera_keys"]:
+            self.assertEqual(key["note"], "")
+            self.assertAlmostEqual(key["time_s"], key["reached_s"], places=6)
+        steps = len(state["history"])
+        # Halfway towards the last key.
+        self.editor.click("tab.timeline")
+        marker = [self.editor.item(f"timeline.camera_key.{i}") for i in (1, 2)]
+        x = [(left + right) / 2 for left, _, right, *_ in marker]
+        y = (marker[0][1] + marker[0][3]) / 2
+        self.editor.drag((x[0], y), (x[0] + 0.5 * (x[1] - x[0]), y))
+        self.editor.wait(lambda now: now["edits"]["motion"]["keys"] != before, "the new time")
+        state = self.editor.idle()
+        dragged = self.keys()
+        self.assertAlmostEqual(dragged[1][0], 0.5 * (before[1][0] + before[2][0]), delta=0.11)
+        self.assertEqual(dragged[1][1:], before[1][1:])
+        self.assertEqual(len(state["history"]), steps + 1)
+        self.editor.key("ctrl+z")
+        self.editor.idle()
+        self.assertEqual(self.keys(), before)
+        self.editor.click("timeline.camera_key.1")
+        self.editor.key("del")
+        self.editor.idle()
+        self.assertEqual([key[0] for key in self.keys()], [before[0][0], before[2][0]])
+        for _ in range(2):
+            self.editor.click("timeline.camera_key.0")
+            self.editor.key("del")
+            state = self.editor.idle()
+        self.assertNotIn("motion", state["edits"])
+        self.assertGreater(state["plan"]["key_frames"], 0)
+
+    def test_a_selected_key_is_replaced_and_gone_to(self):
+        self.record(2)
+        before = self.keys()
+        self.editor.click("timeline.camera_key.0")
+        self.look(-90)
+        self.editor.key("k")
+        self.editor.wait(lambda now: now["edits"]["motion"]["keys"] != before, "the other view")
+        self.editor.idle()
+        now = self.keys()
+        self.assertEqual(now[1], before[1])
+        self.assertEqual(now[0][0], before[0][0])
+        self.assertNotEqual(now[0][4:], before[0][4:])
+        self.look(200)
+        away = self.editor.state()["camera"]
+        self.editor.key("enter")
+        back = self.editor.state()["camera"]
+        self.assertNotAlmostEqual(away["azimuth"], back["azimuth"], places=2)
+        # The view looks from the key's position.
+        eye = [p + back["distance"] * b for p, b in zip(back["pivot"], (
+            math.cos(back["elevation"]) * math.cos(back["azimuth"]),
+            math.cos(back["elevation"]) * math.sin(back["azimuth"]), math.sin(back["elevation"])))]
+        for a, b in zip(eye, now[0][1:4]):
+            self.assertAlmostEqual(a, b, places=3)
+
+    def test_keys_too_close_in_time_get_reachable_times(self):
+        self.record(2)
+        self.editor.click("tab.by hand")
+        self.editor.type_value("edits.motion.key.1.time", "0.3")
+        state = self.editor.idle()
+        late = state["camera_keys"][1]
+        self.assertGreater(late["reached_s"], 0.4)
+        self.assertIn("Key 2 is reached at", late["note"])
+        self.editor.reach("edits.motion.fit_keys", "edits.boxes")
+        self.editor.click("edits.motion.fit_keys")
+        self.editor.wait(lambda now: now["camera_keys"][1]["note"] == "", "the reachable time")
+        self.assertAlmostEqual(self.keys()[1][0], late["reached_s"], places=6)

@@ -115,6 +115,80 @@ class Repair(FolderCase):
         self.assertEqual(motion["frames"][0][0], 0.0)
         self.assertAlmostEqual(report["duration_s"], 4.0, delta=1e-6)
 
+    def keys_project(self, *arguments):
+        """A project with three keys in front of the table; its keys, and the printed report."""
+        keys = [self.free[0][:], self.free[20][:], self.free[40][:]]
+        for key, time_s in zip(keys, (0.0, 4.0, 9.0)):
+            key[0] = time_s
+        path = self.write("keys.txt", keys)
+        project = self.folder / "keys.dolly"
+        project.unlink(missing_ok=True)
+        done = run("repair", self.room, "--keys", path, "-o", project, "--json", *SMALL, *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return project, keys, json.loads(done.stdout)
+
+    def test_keys_become_a_smooth_motion_that_is_exported(self):
+        project, keys, report = self.keys_project()
+        stored = json.loads(project.read_text())["edits"]["motion"]
+        self.assertNotIn("frames", stored)
+        self.assertEqual([key[0] for key in stored["keys"]], [0.0, 4.0, 9.0])
+        self.assertEqual([key["note"] for key in report["keys"]], ["", "", ""])
+        out = self.folder / "keys"
+        done = run("export", project, "--out", out, *EXPORT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        written = read_tum(out / "groundtruth.txt")
+        self.assertEqual(len(written), 91)
+        for frame, key in zip((written[0], written[40], written[90]), keys):
+            for a, b in zip(frame[:4], key[:4]):
+                self.assertAlmostEqual(a, b, delta=1e-6)
+        # It starts and ends at rest and does not jump.
+        moves = [math.dist(a[1:4], b[1:4]) for a, b in zip(written, written[1:])]
+        self.assertLess(max(moves), 0.05)
+        self.assertLess(moves[0], 0.005)
+        self.assertLess(moves[-1], 0.005)
+        self.assertEqual(run("verify", out).returncode, 0)
+
+    def test_keys_are_edited_and_fitted_to_the_limits(self):
+        project, _, _ = self.keys_project()
+        done = run("edit", project, "--op", '{"op":"change_camera_key","key":2,"time_s":0.2}',
+                   "--op", '{"op":"add_camera_key","time_s":12,"position":[2.4,-2.2,1.5],'
+                   '"target":[2.4,0,1]}')
+        self.assertEqual(done.returncode, 0, done.stderr)
+        planned = run("plan", project, "--json")
+        self.assertEqual(planned.returncode, 0, planned.stderr)
+        self.assertIn("Key 2 is reached at", planned.stderr)
+        keys = json.loads(planned.stdout)["camera_keys"]
+        self.assertEqual(len(keys), 4)
+        self.assertGreater(keys[1]["time_s"], 1.0)
+        fitted = run("repair", project, "--json")
+        self.assertEqual(fitted.returncode, 0, fitted.stderr)
+        report = json.loads(fitted.stdout)
+        self.assertEqual([key["note"] for key in report["keys"]], [""] * 4)
+        self.assertAlmostEqual(report["keys"][1]["time_s"], keys[1]["time_s"], places=6)
+        self.assertNotIn("Key 2", run("plan", project).stderr)
+        listed = run("edit", project)
+        self.assertIn("4 key frames in 12.0 s", listed.stdout)
+
+    def test_keys_that_cannot_be_used_are_refused(self):
+        path = self.write("keys.txt", self.free)
+        both = run("repair", self.room, "--keys", path, "--move", "walk", "-o", "a.dolly")
+        self.assertEqual(both.returncode, 2)
+        many = self.write("many.txt", line((1.4, -2.4, 1.5), (2.4, -2.4, 1.5), 1001, 90))
+        done = run("repair", self.room, "--keys", many, "-o", self.folder / "many.dolly")
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("1001 keys", done.stderr)
+        project = self.folder / "hostile.dolly"
+        good, _, _ = self.keys_project()
+        for spoil in (lambda keys: keys.reverse(), lambda keys: keys[1].pop(),
+                      lambda keys: keys[1].__setitem__(2, 1e300),
+                      lambda keys: keys[1].__setitem__(0, "soon"), lambda keys: keys.clear()):
+            content = json.loads(good.read_text())
+            spoil(content["edits"]["motion"]["keys"])
+            project.write_text(json.dumps(content))
+            done = run("plan", project)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn("edits.motion.keys", done.stderr)
+
     def test_a_collision_is_repaired_or_reported(self):
         # Through the table, 0.74 m high.
         path = self.write("table.txt", line((2.0, -1.5, 0.5), (3.8, -1.5, 0.5), 61, 180))

@@ -1,6 +1,7 @@
 #include "planning/motions/camera_moves.h"
 
 #include "engine/plan/motion_metrics.h"
+#include "planning/baselines/baseline_scene.h"
 #include "planning/timing/motion_limits.h"
 #include "tests/planning/support/slow_checker.h"
 #include "tests/support/scene_builder.h"

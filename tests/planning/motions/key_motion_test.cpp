@@ -1,6 +1,7 @@
 #include "planning/motions/key_motion.h"
 
 #include "engine/jobs/parallel.h"
+#include "planning/baselines/baseline_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/motions/key_curve.h"

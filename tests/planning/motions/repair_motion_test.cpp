@@ -2,6 +2,7 @@
 
 #include "engine/jobs/parallel.h"
 #include "engine/plan/motion_metrics.h"
+#include "planning/baselines/baseline_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
 #include "planning/timing/motion_limits.h"

@@ -4,8 +4,11 @@
 #include "engine/plan/plan.h"
 #include "ui/edit_request.h"
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace dollytrack::ui {
 
@@ -16,6 +19,8 @@ struct MotionView {
     std::string plan_error;               // why there is none; empty if planning has not failed
     bool has_scene = false;               // whether paths can be read and made
     bool has_object = false;              // whether one object is selected, for moves about it
+    int selected_key = -1;                // index of the selected key; -1: none
+    std::string why_no_key;               // why no key can be added now; empty: it can
     std::string change;                   // what the last repair changed; empty: none
     bool can_read_again = false;          // whether the path is from a file
     int world = 0;                        // its coordinate system, index in motionWorlds()
@@ -32,10 +37,20 @@ struct MotionActions {
     bool cancel = false;
     int read_in_world = -1;  // read the file again, in this coordinate system; -1: no
     std::string make;        // kind of the move to make, about the selected object; empty: none
+    bool add_key = false;    // from the viewport's view
+    bool fit_keys = false;   // give all keys the times at which they are reached
+    int select_key = -1;     // index of a key; -1: none
+    std::optional<Pose> look_through;
 };
 
 /// The coordinate systems of trajectory files; the first is the format's own, "".
 std::span<const char* const> motionWorlds();
+
+/// A field for the time of a key, limited by the keys before and after it.
+void keyTimeField(const std::vector<MotionKey>& keys, std::size_t key, const std::string& name,
+                  EditRequest& edit);
+/// The operation that removes a key, by its index.
+[[nodiscard]] nlohmann::json removeCameraKeyOperation(std::size_t key);
 
 /// Draws the section on the given camera motion: import, repair, moves made from templates.
 MotionActions drawMotionSection(const MotionView& view);

@@ -1,6 +1,7 @@
 #include "ui/panels/selection/selection_panel.h"
 
 #include "ui/panels/edits/edit_parts.h"
+#include "ui/panels/edits/motion_section.h"
 #include "ui/panels/edits/region_rows.h"
 #include "ui/panels/selection/selection_details.h"
 #include "ui/theme.h"
@@ -34,6 +35,9 @@ bool isThere(const SelectionView& view) {
         case Kind::Region:
             return view.edits != nullptr &&
                    within(selection.index, view.edits->plan.regions.size());
+        case Kind::CameraKey:
+            return view.edits != nullptr && view.edits->plan.motion &&
+                   within(selection.index, view.edits->plan.motion->keys.size());
         case Kind::Voxel:
             return view.free_space != nullptr;
         default:
@@ -97,6 +101,30 @@ void drawRegion(const SelectionView& view, SelectionActions& actions) {
     }
 }
 
+void drawCameraKey(const SelectionView& view, SelectionActions& actions) {
+    const std::vector<MotionKey>& keys = view.edits->plan.motion->keys;
+    const auto at = static_cast<std::size_t>(view.selection->index);
+    const std::string title = "Key " + std::to_string(at + 1) + " of the camera path";
+    heading(title.c_str());
+    paragraph("The camera passes this view at its time. K replaces it by the view of the viewport.",
+              palette().text_dim);
+    if (beginForm("camera key")) {
+        formLabel("Time", "Between the times of the keys before and after it");
+        keyTimeField(keys, at, "selection.key.time", actions.edit);
+        formText("Position", placeText(keys[at].pose.position) + " m");
+        endForm();
+    }
+    if (view.plan != nullptr && view.plan->passed_keys.size() == keys.size()) {
+        const std::string& note = view.plan->passed_keys[at].note;
+        if (!note.empty()) paragraph(note, palette().bad);
+    }
+    if (button("Look through", "selection.look", {.tip = "Fly the viewport's view here (Enter)"})) {
+        actions.look_through = keys[at].pose;
+    }
+    ImGui::SameLine();
+    if (button("Delete", "selection.delete")) actions.edit.operation = removeCameraKeyOperation(at);
+}
+
 void drawKind(const SelectionView& view, SelectionState& state, SelectionActions& actions) {
     switch (view.selection->kind) {
         case Kind::None:
@@ -135,6 +163,9 @@ void drawKind(const SelectionView& view, SelectionState& state, SelectionActions
             break;
         case Kind::Candidate:
             drawCandidate(view, actions);
+            break;
+        case Kind::CameraKey:
+            drawCameraKey(view, actions);
             break;
     }
 }

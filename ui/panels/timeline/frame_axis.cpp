@@ -10,17 +10,19 @@ constexpr double kFewestFrames = 8.0;
 
 }  // namespace
 
-FrameAxis::FrameAxis(int count, double left, double right, double first, double shown)
+FrameAxis::FrameAxis(int count, double left, double right, double first, double shown,
+                     double margin)
     : count_(std::max(count, 1)),
+      length_(count_ + margin),
       left_(left),
       right_(std::max(right, left + 1.0)),
       first_(first),
-      shown_(shown > 0.0 ? shown : count_) {
+      shown_(shown > 0.0 ? shown : length_) {
     clamp();
 }
 
 void FrameAxis::clamp() {
-    const double most = count_;
+    const double most = length_;
     shown_ = std::clamp(shown_, std::min(kFewestFrames, most), most);
     first_ = std::clamp(first_, 0.0, most - shown_);
 }
@@ -46,7 +48,7 @@ void FrameAxis::zoom(double x, double factor) {
     const double kept = placeAt(x);
     const double share = (x - left_) / (right_ - left_);
     shown_ *= factor;
-    shown_ = std::clamp(shown_, std::min(kFewestFrames, double(count_)), double(count_));
+    shown_ = std::clamp(shown_, std::min(kFewestFrames, length_), length_);
     first_ = kept - share * shown_;
     clamp();
 }

@@ -6,16 +6,21 @@
 namespace dollytrack::ui {
 
 /// The horizontal frame axis of a timeline. Frame i covers [i, i + 1); zoom and scroll choose the
-/// part of 0..count that lies between `left` and `right` (px on the screen). At least 8 frames are
-/// shown, if there are that many.
+/// part of the axis that lies between `left` and `right` (px on the screen). The axis is 0..count
+/// with room for `margin` more frames after the last one. At least 8 frames are shown, if there are
+/// that many.
 class FrameAxis {
   public:
-    FrameAxis(int count, double left, double right, double first, double shown);
+    FrameAxis(int count, double left, double right, double first, double shown,
+              double margin = 0.0);
 
     [[nodiscard]] double left() const { return left_; }
     [[nodiscard]] double right() const { return right_; }
     [[nodiscard]] double first() const { return first_; }  // in frames, may be fractional
     [[nodiscard]] double shown() const { return shown_; }
+    [[nodiscard]] double margin() const { return length_ - count_; }
+    /// Whether only a part of the axis is visible.
+    [[nodiscard]] bool isZoomed() const { return shown_ < length_; }
     [[nodiscard]] double pixelsPerFrame() const { return (right_ - left_) / shown_; }
 
     /// Screen position (px) of an axis position in frames. A frame's centre is at i + 0.5.
@@ -37,6 +42,7 @@ class FrameAxis {
     void clamp();
 
     int count_;
+    double length_;  // of the axis, in frames
     double left_, right_;
     double first_, shown_;
 };

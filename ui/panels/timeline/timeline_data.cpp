@@ -31,6 +31,9 @@ std::vector<TimelineKey> timelineKeys(const Scene& scene, const Plan& plan) {
         key.text = captured.empty() ? "Captures nothing" : "Captures " + namesOf(scene, captured);
         keys.push_back(std::move(key));
     }
+    for (std::size_t i = 0; i < plan.passed_keys.size(); ++i) {
+        keys.push_back({plan.passed_keys[i].frame, "Key " + std::to_string(i + 1)});
+    }
     return keys;
 }
 

@@ -123,7 +123,7 @@ void drawRightEnd(const TimelineView& view, TimelineState& state) {
         ImGui::TextColored(palette().text_dim, "%s", counter.c_str());
         ImGui::SameLine();
     }
-    const bool zoomed = state.shown > 0.0 && state.shown < view.frame_count;
+    const bool zoomed = state.shown > 0.0;
     if (button("Show all", "timeline.fit",
                {zoomed ? "" : "All frames are shown; the mouse wheel zooms.", "Show all frames"})) {
         state.shown = 0.0;
@@ -169,11 +169,11 @@ TimelineActions drawTimelinePanel(const TimelineView& view, TimelineState& state
     ImGui::SameLine();
     drawPlace(view, actions);
     drawRightEnd(view, state);
-    if (const std::optional<int> scrubbed = drawTimelineTracks(view, state)) {
-        actions.go_to = scrubbed;
-    }
+    TimelineActions in_tracks = drawTimelineTracks(view, state);
+    if (!in_tracks.go_to) in_tracks.go_to = actions.go_to;
+    in_tracks.toggle_play = actions.toggle_play;
     state.last_frame = view.frame;
-    return actions;
+    return in_tracks;
 }
 
 }  // namespace dollytrack::ui

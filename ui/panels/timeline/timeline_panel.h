@@ -16,6 +16,13 @@ struct TimelineKey {
     std::string text;  // the captured objects, for display
 };
 
+/// A key of the given camera motion, which can be dragged to another time.
+struct TimelineCameraKey {
+    double time_s = 0.0;     // as set
+    double reached_s = 0.0;  // of the frame that passes it
+    std::string note;        // what could not be kept, for display; empty: all is kept
+};
+
 /// A range of frames in one room, or on one path within a room.
 struct TimelineBand {
     int begin = 0;
@@ -30,7 +37,9 @@ struct TimelineView {
     const std::vector<double>* times_s = nullptr;  // time of each frame; null: equal intervals
     int frame = 0;                                 // current frame
     bool playing = false;
-    const std::vector<TimelineKey>* keys = nullptr;  // sorted by frame
+    const std::vector<TimelineKey>* keys = nullptr;               // sorted by frame
+    const std::vector<TimelineCameraKey>* camera_keys = nullptr;  // null or empty: there are none
+    int selected_key = -1;                                        // index of a camera key
     const std::vector<TimelineBand>* bands = nullptr;
     const FrameSeries* series = nullptr;   // null or of a different length: being measured
     const FrameSeries* earlier = nullptr;  // the previous plan's, drawn until then; or null
@@ -56,11 +65,25 @@ struct TimelineState {
     double shown = 0.0;
     int count = 0;       // frame count for which the range was chosen
     int last_frame = 0;  // current frame in the previous window frame
+    // The camera key that is pressed or dragged. Its edit is requested when it is let go.
+    int pressed_key = -1;                // -1: none
+    double grip_px = 0.0;                // from its middle to the mouse when it was pressed
+    std::optional<double> dragged_to_s;  // set while it is dragged
+    bool drag_cancelled = false;         // the button is still pressed
+};
+
+/// A camera key, by its index, that was dragged to another time.
+struct RetimedKey {
+    int key = 0;
+    double time_s = 0.0;
 };
 
 struct TimelineActions {
     std::optional<int> go_to;  // frame index within the trajectory
     bool toggle_play = false;
+    std::optional<int> select_key;  // index of a camera key
+    std::optional<int> fly_to_key;  // the viewport should look along this camera key
+    std::optional<RetimedKey> retime;
 };
 
 /// Draws the playback controls, the scrubber with key frames and rooms, and a strip for each

@@ -1,5 +1,6 @@
 #include "ui/panels/timeline/timeline_tracks.h"
 
+#include "ui/panels/timeline/camera_keys.h"
 #include "ui/panels/timeline/frame_axis.h"
 #include "ui/panels/timeline/timeline_strips.h"
 #include "ui/panels/timeline/timeline_time.h"
@@ -95,7 +96,7 @@ void drawKeys(const TimelineView& view, const FrameAxis& axis, const Rows& rows)
             list->AddRectFilled({x - 1, rows.strips - scaled(6)}, {x + 1, rows.strips}, good);
         }
     }
-    if (view.keys == nullptr) return;
+    if (view.keys == nullptr || hasCameraKeys(view)) return;
     // Smaller symbols if they would overlap.
     const auto shown = std::ranges::count_if(*view.keys, [&](const TimelineKey& key) {
         return key.frame >= axis.first() && key.frame < axis.endFrame();
@@ -178,7 +179,7 @@ void drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const Frame
     before.frame_count = static_cast<int>(view.earlier->size());
     const double stretch = static_cast<double>(before.frame_count) / view.frame_count;
     const FrameAxis stretched(before.frame_count, axis.left(), axis.right(), axis.first() * stretch,
-                              axis.shown() * stretch);
+                              axis.shown() * stretch, axis.margin() * stretch);
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
     drawStrip(before, strip, stretched, top, bottom);
     ImGui::PopStyleVar();
@@ -257,8 +258,8 @@ void navigate(FrameAxis& axis, bool hovered, bool active) {
 
 }  // namespace
 
-std::optional<int> drawTimelineTracks(const TimelineView& view, TimelineState& state) {
-    std::optional<int> go_to;
+TimelineActions drawTimelineTracks(const TimelineView& view, TimelineState& state) {
+    TimelineActions actions;
     const float label_width = std::round(scaled(232));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool over_names = ImGui::GetIO().MousePos.x < corner.x + label_width;
@@ -267,14 +268,14 @@ std::optional<int> drawTimelineTracks(const TimelineView& view, TimelineState& s
     if (view.frame_count == 0) {
         ImGui::TextDisabled("There is no trajectory yet.");
         ImGui::EndChild();
-        return go_to;
+        return actions;
     }
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const Rows rows = layOut(view, state, {std::floor(origin.x), std::floor(origin.y)}, room.y);
     const double left = std::floor(origin.x) + label_width;
     const double right = std::floor(origin.x + room.x);
-    FrameAxis axis(view.frame_count, left, right, state.first, state.shown);
+    FrameAxis axis(view.frame_count, left, right, state.first, state.shown, cameraKeyMargin(view));
     if (view.frame != state.last_frame) axis.reveal(view.frame);
 
     ImGui::SetCursorScreenPos({float(left), rows.ruler});
@@ -285,26 +286,29 @@ std::optional<int> drawTimelineTracks(const TimelineView& view, TimelineState& s
     const bool active = ImGui::IsItemActive();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     navigate(axis, hovered, active);
+    const CameraKeyRow key_row{rows.keys, rows.strips, hovered, active};
+    const bool on_camera_key = editCameraKeys(view, axis, key_row, state, actions);
     const TimelineKey* key = hovered || active ? keyAt(view, axis, rows, mouse) : nullptr;
-    if (active && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    if (active && !on_camera_key && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         const int frame = key != nullptr ? key->frame : axis.frameAt(mouse.x);
-        if (frame != view.frame) go_to = frame;
+        if (frame != view.frame) actions.go_to = frame;
     }
     state.first = axis.first();
-    state.shown = axis.shown() < view.frame_count ? axis.shown() : 0.0;
+    state.shown = axis.isZoomed() ? axis.shown() : 0.0;
 
     drawRuler(view, axis, rows);
     drawBands(view, axis, rows);
     drawStrips(view, state, axis, rows);
     drawKeys(view, axis, rows);
     drawPlayhead(view, axis, rows);
+    drawCameraKeys(view, state, axis, key_row);
     ImGui::GetWindowDrawList()->AddText({rows.labels, rows.keys}, ImGui::GetColorU32(ImGuiCol_Text),
                                         "Key frames");
-    if (hovered && !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
+    if (hovered && !on_camera_key && !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
         drawTooltip(view, state, axis.frameAt(mouse.x), key);
     }
     ImGui::EndChild();
-    return go_to;
+    return actions;
 }
 
 }  // namespace dollytrack::ui
