@@ -60,6 +60,16 @@ bool isPreposition(const std::string& word) {
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
+/// An adjective of shape, size, state or style. One that follows a noun describes it together with
+/// the words behind it: a "bookcase closed doors" is a bookcase.
+bool isTrailingAdjective(const std::string& word) {
+    static constexpr std::array<std::string_view, 17> kWords = {
+        "closed", "open",   "round",   "rounded", "square", "rectangular",
+        "oval",   "modern", "vintage", "large",   "narrow", "wide",
+        "tall",   "high",   "low",     "long",    "short"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
 }  // namespace
 
 bool isStructureClass(int nyu40) {
@@ -214,6 +224,13 @@ bool LabelTable::mentions(std::string_view name, int nyu40) const {
     });
 }
 
+bool LabelTable::beginsPattern(const std::vector<std::string>& words, std::size_t at) const {
+    for (std::size_t n = std::min(longest_, words.size() - at); n > 1; --n) {
+        if (entries_.contains(join(words, at, n))) return true;
+    }
+    return false;
+}
+
 Label LabelTable::find(std::string_view name) const {
     const auto whole = whole_names_.find(inSmallLetters(trimmed(name)));
     if (whole != whole_names_.end()) {
@@ -230,6 +247,9 @@ Label LabelTable::find(std::string_view name) const {
     std::size_t spanned = 0;  // words before this index belong to a matched pattern
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i >= spanned && i > 0 && isPreposition(words[i])) described = true;
+        if (best.kind == LabelKind::Target && i == best_end && isTrailingAdjective(words[i])) {
+            described = described || !beginsPattern(words, i);  // not at a "baby high chair"
+        }
         if (described && best.kind != LabelKind::None) break;
         for (std::size_t n = std::min(longest_, words.size() - i); n > 0; --n) {
             const std::string text = join(words, i, n);

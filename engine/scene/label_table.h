@@ -29,10 +29,12 @@ struct Label {
 /// digits and punctuation ("SofaC_01" gives sofa, c). Of all patterns found in the name, the one
 /// that ends last counts, and of those the longest: "coffee_table_book" is a book,
 /// "coffee_table_01" a coffee table. Words after "with", "of", "for", "in" or "on" only describe
-/// the object and are ignored. A component is an object of its own unless another object is named
-/// before it: "frame" is a picture, but "chair frame" is a part of a chair ("picture frame" is a
-/// pattern of its own). A pattern "=text" matches only names that are equal to the text, ignoring
-/// case, and takes precedence; it is used for the categories and numbers of data sets.
+/// the object and are ignored, and so are the words from an adjective on that follows a noun:
+/// "lampRoundTable" is a lamp, "bookcaseClosedDoors" a bookcase. A component is an object of its
+/// own unless another object is named before it: "frame" is a picture, but "chair frame" is a part
+/// of a chair ("picture frame" is a pattern of its own). A pattern "=text" matches only names that
+/// are equal to the text, ignoring case, and takes precedence; it is used for the categories and
+/// numbers of data sets.
 class LabelTable {
   public:
     /// The built-in tables, assets/labels/*.csv.
@@ -58,6 +60,9 @@ class LabelTable {
         int nyu40 = 0;
         bool component = false;  // a part where a thing is named before it
     };
+    /// Whether a pattern of two or more words begins at words[at].
+    [[nodiscard]] bool beginsPattern(const std::vector<std::string>& words, std::size_t at) const;
+
     std::map<std::string, Entry, std::less<>> entries_;      // words in singular, one space between
     std::map<std::string, Entry, std::less<>> whole_names_;  // lower case
     std::size_t longest_ = 1;                                // words in the longest pattern

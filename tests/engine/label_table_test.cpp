@@ -78,7 +78,7 @@ TEST(LabelTable, WholeNamesGoBeforeWords) {
 }
 
 struct DatasetCase {
-    const char* category;
+    const char* name;
     const char* nyu40;
 };
 
@@ -111,8 +111,58 @@ TEST(LabelTable, KnowsTheCategoriesOfDataSets) {
              {"03928116", "otherfurniture"},
              {"02691156", "otherprop"},
              {"20000039", "table"}}) {
-        const Label label = LabelTable::builtIn().find(c.category);
-        EXPECT_EQ(nyu40Name(label.nyu40), c.nyu40) << c.category;
+        const Label label = LabelTable::builtIn().find(c.name);
+        EXPECT_EQ(nyu40Name(label.nyu40), c.nyu40) << c.name;
+    }
+}
+
+// Real names of furniture, from Kenney's furniture kit (main noun first) and the catalogues of
+// Sweet Home 3D (main noun last), with the classes that the models show.
+TEST(LabelTable, KnowsTheMainNounOfRealNames) {
+    for (const DatasetCase& c :
+         std::initializer_list<DatasetCase>{{"bookcaseClosedDoors", "bookshelf"},
+                                            {"bookcaseClosedDoors(Clone)", "bookshelf"},
+                                            {"bookcaseOpenLow", "bookshelf"},
+                                            {"lampRoundTable", "lamp"},
+                                            {"lampSquareTable", "lamp"},
+                                            {"lampRoundFloor", "lamp"},
+                                            {"lampSquareFloor", "lamp"},
+                                            {"lampSquareCeiling", "lamp"},
+                                            {"lampWall", "lamp"},
+                                            {"chairModernCushion", "chair"},
+                                            {"chairModernFrameCushion", "chair"},
+                                            {"chairDesk", "chair"},
+                                            {"stoolBarSquare", "chair"},
+                                            {"tableCoffeeGlassSquare", "table"},
+                                            {"tableCrossCloth", "table"},
+                                            {"tableRound", "table"},
+                                            {"sideTableDrawers", "table"},
+                                            {"cabinetTelevision", "cabinet"},
+                                            {"cabinetTelevisionDoors", "cabinet"},
+                                            {"cabinetBedDrawerTable", "night stand"},
+                                            {"kitchenCabinetDrawer", "cabinet"},
+                                            {"bathroomSinkSquare", "sink"},
+                                            {"cardboardBoxOpen", "box"},
+                                            {"kitchenFridgeLarge", "refrigerator"},
+                                            {"loungeSofaLong", "sofa"},
+                                            {"pillowBlueLong", "pillow"},
+                                            {"rugRectangle", "floor mat"},
+                                            {"televisionVintage", "television"},
+                                            {"wallWindowSlide", "window"},
+                                            {"doorwayOpen", "door"},
+                                            {"floorCornerRound", "floor"},
+                                            {"Baby_high_chair_7", "chair"},
+                                            {"Bedside table", "night stand"},
+                                            {"Coffee table", "table"},
+                                            {"Dresser with drawers", "dresser"},
+                                            {"kitchenDrawersCabinet", "cabinet"},
+                                            {"Sliding doors", "door"},
+                                            {"wardrobeWithSlidingDoors", "cabinet"},
+                                            {"Table lamp", "lamp"},
+                                            {"Toilet paper dispenser", "otherprop"},
+                                            {"Wall lamp", "lamp"}}) {
+        const Label label = LabelTable::builtIn().find(c.name);
+        EXPECT_EQ(nyu40Name(label.nyu40), c.nyu40) << c.name << " by pattern " << label.pattern;
     }
 }
 
