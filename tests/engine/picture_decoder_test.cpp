@@ -121,5 +121,22 @@ TEST(PictureDecoder, OutlivesDamage) {
     }
 }
 
+// stb_image does not end at an HDR file that ends within a run.
+TEST(PictureDecoder, RefusesHdrFilesThatAreCut) {
+    cv::Mat image;
+    gradient(16, 16, CV_8UC3).convertTo(image, CV_32FC3, 1.0 / 255.0);
+    const auto whole = encoded(".hdr", image);
+    Texture texture;
+    ASSERT_TRUE(decodePicture(whole, 1024, false, texture));
+    EXPECT_EQ(texture.width, 16);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(decodePicture(std::span(whole).first(size), 1024, false, texture)) << size;
+    }
+    // A line that stb_image ends earlier than its line break.
+    auto zero = whole;
+    zero[2] = 0;
+    EXPECT_FALSE(decodePicture(zero, 1024, false, texture));
+}
+
 }  // namespace
 }  // namespace dollytrack::picture_decoder_test
