@@ -1,4 +1,5 @@
 #include "engine/io/assimp/collada_asset.h"
+#include "engine/io/assimp/model_text_repair.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,27 @@ TEST(ColladaAsset, ReadsNothingBeyondACut) {
         EXPECT_EQ(asset.unit_m, length < 20 ? 1.0 : 0.01) << length;
         EXPECT_EQ(asset.up_axis, length < 30 ? 'y' : 'z') << length;
     }
+}
+
+TEST(ColladaIndices, NamesTheLineOfAListThatIsNotOfWholeNumbers) {
+    const auto inTriangles = [](const std::string& list) {
+        return lineOfBadIndices("<COLLADA>\n<triangles count=\"1\">\n" + list + "</triangles>");
+    };
+    for (const std::string sound :
+         {"<p>0 1 2</p>", "<p>0 1\n2</p>", "<p>+0 -1\t2</p>", "<p/>", "<p></p>",
+          "<p id=\"x\">3</p>", "<!-- <p>x</p> --><p>1</p>", "<phong>x</phong>"}) {
+        EXPECT_EQ(inTriangles(sound), 0U) << sound;
+    }
+    for (const std::string bad :
+         {"<p>0 1e999 2</p>", "<p>0 %n 2</p>", "<p>1.5</p>", "<p id=\"x\">a</p>", "<p>1,2</p>"}) {
+        EXPECT_EQ(inTriangles(bad), 3U) << bad;
+    }
+    // Other elements may be named <p>, too.
+    EXPECT_EQ(lineOfBadIndices("<extra><p>text</p></extra>"), 0U);
+    EXPECT_EQ(lineOfBadIndices("<lines><p>1</p></lines><p>text</p>"), 0U);
+    EXPECT_EQ(lineOfBadIndices("<triangles><p>1"), 0U);
+    EXPECT_EQ(lineOfBadIndices("<triangles><!-- <p>x"), 0U);
+    EXPECT_EQ(lineOfBadIndices("<triangles><p"), 0U);
 }
 
 }  // namespace

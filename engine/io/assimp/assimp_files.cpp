@@ -62,7 +62,7 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
     if (material) repairs_.noteMaterial(name, bytes && *bytes);
     if (!bytes || !*bytes) return nullptr;
     if (material && (**bytes).size() < kLeastMaterialBytes) return nullptr;
-    return mendText(openBytes(std::move(**bytes)), lowerExtension(name), repairs_.mended_faces);
+    return mendText(openBytes(std::move(**bytes)), lowerExtension(name), repairs_);
 }
 
 }  // namespace dollytrack

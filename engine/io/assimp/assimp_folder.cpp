@@ -60,8 +60,7 @@ Assimp::IOStream* AssimpFolder::Open(const char* file, const char* mode) {
     if (material) repairs_.noteMaterial(file, opened.has_value());
     if (!opened) return nullptr;
     if (material && opened->size() < kLeastMaterialBytes) return nullptr;
-    return mendText(new FileStream(std::move(*opened)), lowerExtension(file),
-                    repairs_.mended_faces);
+    return mendText(new FileStream(std::move(*opened)), lowerExtension(file), repairs_);
 }
 
 void AssimpFolder::Close(Assimp::IOStream* stream) {

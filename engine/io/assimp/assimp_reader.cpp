@@ -396,7 +396,8 @@ Result<RawScene> read(std::unique_ptr<Assimp::Importer> importer, const Path& pa
         const aiScene* scene = importer->ReadFile(path.string(), 0);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "import was cancelled", where);
         if (!scene || !scene->mRootNode) {
-            std::string reason = importer->GetErrorString();
+            std::string reason =
+                repairs.refusal.empty() ? importer->GetErrorString() : repairs.refusal;
             std::replace(reason.begin(), reason.end(), '\n', ' ');
             reason = cleanText(reason);
             return fail(ErrorCode::BadInput,

@@ -2,7 +2,10 @@
 
 #include "engine/io/assimp/assimp_files.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <iterator>
@@ -205,8 +208,36 @@ bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text) {
     return true;
 }
 
+std::size_t lineOfBadIndices(std::string_view collada) {
+    static constexpr std::array<std::string_view, 7> kPrimitives = {
+        "triangles", "polylist", "polygons", "lines", "linestrips", "trifans", "tristrips"};
+    bool in_primitives = false;
+    for (std::size_t at = collada.find('<'); at != collada.npos; at = collada.find('<', at + 1)) {
+        const std::string_view tag = collada.substr(at + 1);
+        if (tag.starts_with("!--")) {
+            at = collada.find("-->", at);
+            if (at == collada.npos) return 0;
+            continue;
+        }
+        const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n>/"));
+        if (std::ranges::find(kPrimitives, name) != kPrimitives.end()) in_primitives = true;
+        if (tag.starts_with('/') &&
+            std::ranges::find(kPrimitives, tag.substr(1, tag.find('>') - 1)) != kPrimitives.end()) {
+            in_primitives = false;
+        }
+        if (name != "p" || !in_primitives) continue;
+        at = collada.find('>', at);
+        if (at == collada.npos) return 0;
+        const std::size_t other = collada.find_first_not_of("0123456789+- \t\r\n", at + 1);
+        if (other == collada.npos || collada[other] == '<') continue;
+        return 1 +
+               static_cast<std::size_t>(std::count(collada.begin(), collada.begin() + other, '\n'));
+    }
+    return 0;
+}
+
 Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
-                           std::size_t& mended_faces) {
+                           ModelTextRepairs& repairs) {
     const bool collada = extension == ".dae";
     if (!stream || stream->FileSize() > kLargest || !(collada || extension == ".obj")) {
         return stream;
@@ -216,12 +247,19 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
     bool changed = false;
     if (!text.empty() && stream->Read(text.data(), 1, text.size()) == text.size()) {
         if (collada) {
+            const std::size_t line =
+                lineOfBadIndices({reinterpret_cast<const char*>(text.data()), text.size()});
+            if (line > 0) {
+                repairs.refusal = fmt::format(
+                    "an index list in line {} contains something that is not a whole number", line);
+                return nullptr;
+            }
             changed = removeBlanksBeforeColors(text);
         } else {
             changed = hasBarePoints(text);
             if (changed) text = withLeadingZeros(text);
-            mended_faces = 0;  // assimp may open the file again; its faces are counted once
-            changed = mendObjLines(text, mended_faces) || changed;
+            repairs.mended_faces = 0;  // assimp may open the file again; its faces count once
+            changed = mendObjLines(text, repairs.mended_faces) || changed;
         }
     }
     if (changed) return openBytes(std::move(text));

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dollytrack {
@@ -16,6 +17,7 @@ struct ModelTextRepairs {
     std::size_t mended_faces = 0;            // of the OBJ file; see mendText()
     std::set<std::string> sought_materials;  // names of the .mtl files that assimp asked for
     std::set<std::string> opened_materials;  // those of them that were opened
+    std::string refusal;                     // why assimp must not read the file; empty: it may
 
     /// Notes that assimp asked for a .mtl file. It asks for one name in several folders.
     void noteMaterial(const std::filesystem::path& file, bool opened);
@@ -41,11 +43,17 @@ bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 /// whether there were any.
 bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
 
+/// The line of the first index list (<p> of a Collada file's <triangles>, <polylist> and so on)
+/// that contains anything but whole numbers, counted from 1; 0 if there is none. assimp 5.2 reads
+/// such a list without end.
+[[nodiscard]] std::size_t lineOfBadIndices(std::string_view collada);
+
 /// Mends an OBJ or Collada file before assimp reads it; `extension` says which of them it is.
 /// assimp does not read ".5" as a number and drops the vertex. Takes ownership of the stream and
 /// returns it rewound, or returns a stream of the mended text. If the file is OBJ, sets
-/// `mended_faces` to the number of faces that lost their texture coordinates.
+/// `repairs.mended_faces` to the number of faces that lost their texture coordinates. Returns null
+/// and sets `repairs.refusal` for a file that assimp must not read.
 [[nodiscard]] Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extension,
-                                         std::size_t& mended_faces);
+                                         ModelTextRepairs& repairs);
 
 }  // namespace dollytrack
