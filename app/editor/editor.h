@@ -92,6 +92,7 @@ class Editor {
 
     // editor_view_commands.cpp
     void addViewCommands();
+    void addHidingCommands();
     void addLayerCommands();
     void addWindowCommands();
     /// The handles of the clipping box, if it is on.

@@ -39,6 +39,7 @@ void Editor::addCommands() {
     addMotionCommands();
     addCameraKeyCommands();
     addViewCommands();
+    addHidingCommands();
     addLayerCommands();
     addTimelineCommands();
     addWindowCommands();

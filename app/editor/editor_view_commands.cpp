@@ -85,6 +85,19 @@ void Editor::addViewCommands() {
          [this]() -> std::string { return frameCount() > 0 ? "" : "There is no trajectory."; },
          [this] { return through_camera_; }});
     keypad_.push_back({GLFW_KEY_KP_0, false, through});
+    commands_.add({"view.preview",
+                   "View",
+                   "Preview of the camera",
+                   {GLFW_KEY_C},
+                   [this] { panels_.preview.open = !panels_.preview.open; },
+                   {},
+                   [this] { return panels_.preview.open; }});
+}
+
+void Editor::addHidingCommands() {
+    const auto needs_scene = [this]() -> std::string {
+        return workspace_.shown().scene ? "" : "No scene is open.";
+    };
     commands_.add({"view.hide",
                    "View",
                    "Hide the selection",
@@ -129,13 +142,6 @@ void Editor::addViewCommands() {
                    },
                    needs_scene,
                    [this] { return clip_.hides_above; }});
-    commands_.add({"view.preview",
-                   "View",
-                   "Preview of the camera",
-                   {GLFW_KEY_C},
-                   [this] { panels_.preview.open = !panels_.preview.open; },
-                   {},
-                   [this] { return panels_.preview.open; }});
 }
 
 void Editor::addLayerCommands() {
