@@ -3,24 +3,17 @@
 #include "app/cli/export/object_motions.h"
 #include "app/cli/export/object_relations.h"
 #include "app/cli/export/room_exports.h"
+#include "app/cli/export/scene_licenses.h"
 #include "app/cli/plan/metrics_table.h"
-#include "engine/core/clean_lines.h"
-#include "engine/core/clean_text.h"
-#include "engine/core/log.h"
-#include "engine/core/name_pattern.h"
 #include "engine/document/edits_json.h"
-#include "engine/io/files/guarded_folder.h"
 #include "engine/io/settings/annotation_file.h"
+#include "engine/io/settings/import_settings.h"
 #include "engine/io/settings/rig_file.h"
 #include "engine/plan/plan_json.h"
 #include "render/encoders/modalities.h"
-#include "render/formats/tables/dataset_card.h"
 #include "render/sensors/sensor_lens.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <set>
 #include <utility>
 
 namespace dollytrack::cli {
@@ -61,64 +54,6 @@ Result<Annotations> annotationsOf(const OpenedScene& opened) {
         given = opened.import["annotations"].get<std::string>();
     }
     return findAnnotations(opened.imported->source, given);
-}
-
-/// Whether a file is a licence file by its name: LICENSE, Licence.txt, ATTRIBUTION.md and so on.
-bool isLicenseFile(const std::string& name) {
-    static const std::set<std::string> kStems = {"license",  "licenses", "licence",
-                                                 "licences", "copying",  "attribution"};
-    static const std::set<std::string> kEndings = {"", ".txt", ".md"};
-    const std::filesystem::path path = inSmallLetters(name);
-    return kStems.contains(path.stem().string()) && kEndings.contains(path.extension().string());
-}
-
-/// The texts of the licence files beside the scene, in the order of their names. Warns of files
-/// that are left out.
-std::string licensesBeside(const std::filesystem::path& scene,
-                           const std::filesystem::path& dataset) {
-    const std::filesystem::path around = scene.has_parent_path() ? scene.parent_path() : ".";
-    const auto folder = GuardedFolder::open(around);
-    const auto names = folder.and_then([](const GuardedFolder& open) { return open.list(""); });
-    if (!names) {
-        log::warn("export", fmt::format("licences beside the scene are not in the dataset: {}",
-                                        describe(names.error())));
-        return {};
-    }
-    std::error_code error;
-    const bool is_dataset = std::filesystem::equivalent(around, dataset, error);
-    std::string all;
-    for (const std::string& name : *names) {
-        if (!isLicenseFile(name)) continue;
-        const auto warn = [&, where = cleanText((around / name).string())](const char* what) {
-            log::warn("export", fmt::format("{}: {}", where, what));
-        };
-        if (is_dataset) {
-            warn("left out of the dataset, whose folder contains it; export into another folder");
-            continue;
-        }
-        // A link may lead to a private file, which would be published.
-        const auto text = folder->openInput(name).and_then(
-            [](const InputFile& file) { return file.readAll(render::kMostLicenseBytes); });
-        const std::string clean = cleanLines(text.value_or(""));
-        if (!text) {
-            warn(
-                "left out of the dataset: it is a link, too large or unreadable; replace it by a "
-                "readable file below 1 MB");
-            continue;
-        }
-        if (all.size() + clean.size() + 2 > render::kMostLicenseBytes) {
-            warn("left out of the dataset: all licence files together exceed 1 MB; shorten them");
-            continue;
-        }
-        constexpr const char* kReplaced = "\uFFFD";
-        if (clean.find(kReplaced) != std::string::npos &&
-            text->find(kReplaced) == std::string::npos) {
-            warn("some characters are not UTF-8 and are replaced; save the file as UTF-8");
-        }
-        if (!all.empty() && !clean.empty()) all += all.ends_with('\n') ? "\n" : "\n\n";
-        all += clean;
-    }
-    return all;
 }
 
 bool wants(const render::DatasetSettings& settings, std::string_view modality) {
@@ -174,7 +109,9 @@ Result<render::DatasetSummary> renderTrajectory(
     Result<render::DatasetOrigin> origin =
         originOf(trajectory, rays, settings, order.still, opened, planned);
     if (!origin) return tl::unexpected(std::move(origin.error()));
-    origin->licenses = licensesBeside(opened.imported->source, settings.folder);
+    const Result<ImportOptions> import = importOptionsFromJson(opened.import);
+    if (!import) return tl::unexpected(import.error());
+    origin->licenses = licensesOf(opened.imported->source, import->model_folders, settings.folder);
     return render::exportDataset(std::move(context), *planned.scene, rays, trajectory,
                                  planned.params.camera, std::move(settings), std::move(*origin),
                                  job);

@@ -9,8 +9,9 @@ import shutil
 import signal
 import tempfile
 import unittest
+import zipfile
 
-from support import tiny_room
+from support import small_models, tiny_room
 from support.program import FolderCase, hashes, hold, lines_in, run, start, wait_for
 
 SIZE = ["--set", "width_px=64", "--set", "height_px=48"]
@@ -213,6 +214,30 @@ class ExportFolder(FolderCase):
             del files["dataset.json"]
         del with_them["LICENSES"]
         self.assertEqual(with_them, without)
+
+    def test_licences_of_a_home_and_of_its_models_are_in_the_dataset(self):
+        """Those beside the home, inside it, and of folders and archives of models, each text
+        once."""
+        scene = self.scene_with(LICENSE=b"beside\n")
+        home = scene / "flat.sh3d"
+        home.write_bytes(small_models.sh3d())
+        with zipfile.ZipFile(home, "a") as archive:
+            archive.writestr("4/LICENSE.TXT", "inside\n")
+            archive.writestr("5/license", "beside\n")
+            archive.writestr("6/chair.txt", "no licence\n")
+        models = self.new_folder()
+        models.mkdir()
+        (models / "Copying").write_text("folder\n")
+        library = self.folder / "library.sh3f"
+        with zipfile.ZipFile(library, "w") as archive:
+            archive.writestr("LICENSE.md", "archive\n")
+            archive.writestr("large/LICENSE", "x" * ((1 << 20) + 1))
+        out = self.new_folder()
+        result = run("export", home, "--models", models, "--models", library, "--out", out,
+                     "--max-frames", 2, *SIZE, "--modalities", "depth")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((out / "LICENSES").read_text(), "beside\n\ninside\n\nfolder\n\narchive\n")
+        self.assertIn("large/LICENSE: left out of the dataset", result.stderr)
 
     def test_other_licences_make_another_dataset(self):
         scene = self.scene_with(LICENSE=b"first\n")
