@@ -166,7 +166,7 @@ bool Editor::frame() {
     takeMotion();
     play();
     followTracks();
-    followKeys();
+    dropOutdatedKeySelection();
     // Keys belong to an open menu or popup: Escape closes it (already handled) and must do nothing
     // else.
     if (!popup_was_open_ && !files_.isOpen() && !panels_.palette.open && !panels_.help.open &&
@@ -313,6 +313,7 @@ void Editor::apply(const nlohmann::json& operation, const std::string& merge_key
         merge_key.empty() && (operation["op"] == "pin" || operation["op"] == "add_point");
     std::vector<PinnedPoint> pinned_before;
     if (places_point && workspace_.isOpen()) pinned_before = workspace_.state().edits.plan.pinned;
+    recorded_key_s_.reset();
     const Status done = workspace_.apply(operation, merge_key);
     tellRefusal(done);
     if (!done || !places_point) return;

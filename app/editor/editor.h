@@ -85,6 +85,7 @@ class Editor {
     void addEditCommands();
     void addTargetCommands();
     void addPointCommands();
+    void addSelectionCommands();
     void addTimelineCommands();
     void addTransformCommands();  // editor_objects.cpp
     void addObjectCommands();
@@ -222,7 +223,7 @@ class Editor {
     void goToRecordedKey();
     void moveSelectedKey(const Pose& pose);
     /// Drops the selection of a key when keys were added or removed: its index means another one.
-    void followKeys();
+    void dropOutdatedKeySelection();
     void fitKeys();
     [[nodiscard]] std::vector<ui::TimelineCameraKey> timelineCameraKeys() const;
     void follow(const ui::TimelineActions& actions);

@@ -35,6 +35,7 @@ void Editor::addCommands() {
     addEditCommands();
     addTargetCommands();
     addPointCommands();
+    addSelectionCommands();
     addTransformCommands();
     addMotionCommands();
     addCameraKeyCommands();
@@ -228,6 +229,9 @@ void Editor::addPointCommands() {
                  {ui::addRegionOperation(boxAroundSelection().value_or(boxInView())), {}, false});
          },
          [this]() -> std::string { return workspace_.shown().scene ? "" : "No scene is open."; }});
+}
+
+void Editor::addSelectionCommands() {
     commands_.add(
         {"edit.box_select", "Edit", "Select objects with a box", key(GLFW_KEY_B),
          [this] { panels_.viewport.box_select = true; },
@@ -241,7 +245,9 @@ void Editor::addPointCommands() {
          }});
     commands_.add(
         {"edit.cancel", "Edit", "Cancel, or select nothing", key(GLFW_KEY_ESCAPE), [this] {
-             if (gizmo_.dragging()) {
+             if (panels_.timeline.pressed_key >= 0) {
+                 return;  // the timeline cancels the drag of its key
+             } else if (gizmo_.dragging()) {
                  cancelDrag();
              } else if (panels_.viewport.cancelBoxSelect()) {
                  return;

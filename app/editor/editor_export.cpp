@@ -216,7 +216,7 @@ ui::ExportView Editor::exportView() {
         const ui::ExportJob* job =
             draft.folder.empty() ? nullptr : jobThatWillWrite(exportFolder(), view.jobs);
         if (job != nullptr) {
-            // No warning: this is so after each export that is started here.
+            // Not a warning: every export that is started here leads to this state.
             view.folder_warns = false;
             view.folder_says = fmt::format("The export of {} {} here.", job->request.name,
                                            job->active() ? "writes" : "will write");

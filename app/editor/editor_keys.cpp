@@ -102,10 +102,15 @@ void Editor::recordKey() {
 }
 
 void Editor::moveSelectedKey(const Pose& pose) {
-    if (selectedKey() != nullptr) apply(changeOperation(selected_.index(), pose));
+    const MotionKey* key = selectedKey();
+    if (key == nullptr) return;
+    nlohmann::json operation = changeOperation(selected_.index(), pose);
+    // A rotation that is given loses its roll; one that is not given stays as it is.
+    if (pose.rotation.coeffs() == key->pose.rotation.coeffs()) operation.erase("quaternion_xyzw");
+    apply(operation);
 }
 
-void Editor::followKeys() {
+void Editor::dropOutdatedKeySelection() {
     const std::size_t before = std::exchange(key_count_, cameraKeys().size());
     if (before == key_count_ || !selected_.is(Selection::Kind::CameraKey)) return;
     dropGizmo();
@@ -113,7 +118,7 @@ void Editor::followKeys() {
 }
 
 void Editor::goToRecordedKey() {
-    if (!recorded_key_s_ || passedKeys().empty()) return;
+    if (!recorded_key_s_ || !workspace_.planIsCurrent() || passedKeys().empty()) return;
     const auto& keys = cameraKeys();
     const auto at = std::ranges::find(keys, *recorded_key_s_, &MotionKey::time_s);
     recorded_key_s_.reset();

@@ -179,6 +179,7 @@ void Editor::drawSelection() {
     view.measured = shown.measured;
     if (workspace_.isOpen()) view.edits = &workspace_.state().edits;
     view.free_space = shown.free_space.get();
+    view.keys_planned = !passedKeys().empty();
     view.track_time_s = track_time_.now();
     if (selected_.is(Selection::Kind::Object)) {
         view.piece_sizes_m = pieces_.of(shown.scene, selected_.objects().front());
@@ -309,7 +310,7 @@ void Editor::drawPlanStatus(const Plan& plan) {
     const auto& frames = plan.trajectory.frames;
     const auto keys =
         std::ranges::count_if(frames, [](const auto& frame) { return frame.position_point >= 0; });
-    const double seconds = frames.empty() ? 0.0 : frames.back().time_s;
+    const double seconds = frames.empty() ? 0.0 : frames.back().time_s - frames.front().time_s;
     ImGui::Text("%zu frames in %s, %d of %d targets captured", frames.size(),
                 ui::durationText(seconds).c_str(), capture.captured, capture.objects);
     ui::nameItem("status.plan");

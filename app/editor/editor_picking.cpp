@@ -194,9 +194,15 @@ std::string Editor::nameOf(const Selection& selection) const {
             return "Candidate for " + objectsOf(selection.search);
         case Selection::Kind::Voxel:
             return "Cell of the free-space map";
-        default:
-            return {};
+        case Selection::Kind::CameraKey:
+            return fmt::format("Key {} of the camera path", selection.index + 1);
+        case Selection::Kind::None:
+        case Selection::Kind::Objects:
+        case Selection::Kind::NoGoBox:
+        case Selection::Kind::Region:
+            break;  // a click does not find these
     }
+    return {};
 }
 
 void Editor::selectInBox(const Eigen::AlignedBox2d& pixels, bool add, bool remove) {

@@ -201,7 +201,7 @@ void Editor::addWindowCommands() {
     for (const auto& [side, title] :
          {std::pair(DockSide::Left, "Left panels"), std::pair(DockSide::Right, "Right panels"),
           std::pair(DockSide::Bottom, "Bottom panels")}) {
-        commands_.add({fmt::format("window.{}", nameOf(side)),
+        commands_.add({fmt::format("window.{}", sideName(side)),
                        "Window",
                        title,
                        {},

@@ -107,6 +107,7 @@ void Editor::requestLayers() {
     request.no_go = workspace_.state().edits.plan.no_go;
     request.regions = workspace_.state().edits.plan.regions;
     request.motion = workspace_.state().edits.plan.motion;
+    request.keys_planned = !passedKeys().empty();
     request.step = step_playback_.taken();
     request.frame = through_camera_ ? -1 : playback_.frame();
     if (selected_.inLocalView()) {

@@ -248,7 +248,7 @@ Label LabelTable::find(std::string_view name) const {
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i >= spanned && i > 0 && isPreposition(words[i])) described = true;
         if (best.kind == LabelKind::Target && i == best_end && isTrailingAdjective(words[i])) {
-            described = described || !beginsPattern(words, i);  // not at a "baby high chair"
+            described = described || !beginsPattern(words, i);  // 'high chair' is a pattern of its own
         }
         if (described && best.kind != LabelKind::None) break;
         for (std::size_t n = std::min(longest_, words.size() - i); n > 0; --n) {

@@ -36,7 +36,8 @@ struct PickedElement {
                                                        double pixel_scale = 1.0);
 
 /// Whether `a` is the better pick: visible elements win over hidden ones, then those under the
-/// pointer over those beside it, marks over lines over boxes, the closer and at last the nearer.
+/// pointer over those beside it, marks over lines over boxes, then the smaller distance in
+/// the image, then the smaller depth.
 [[nodiscard]] bool isBetterPick(const PickedElement& a, const PickedElement& b);
 
 }  // namespace dollytrack::ui

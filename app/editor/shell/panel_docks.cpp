@@ -86,12 +86,12 @@ void PanelDocks::reset() {
 void PanelDocks::drawPlaces(const std::string& panel) {
     const std::optional<DockSide> now = places_.sideOf(panel);
     for (const DockSide side : kDockSides) {
-        const std::string text = fmt::format("Dock on the {}", nameOf(side));
+        const std::string text = fmt::format("Dock on the {}", sideName(side));
         if (ImGui::MenuItem(text.c_str(), nullptr, now == side, now != side)) {
             wanted_places_ = places_;
             wanted_places_->dock(panel, side);
         }
-        ui::nameItem(fmt::format("place.{}", nameOf(side)));
+        ui::nameItem(fmt::format("place.{}", sideName(side)));
     }
     if (ImGui::MenuItem("Hidden", nullptr, !now, now.has_value())) {
         wanted_places_ = places_;
@@ -117,7 +117,7 @@ void PanelDocks::draw(DockSide side, const std::function<void(const std::string&
     const ImVec2 size = ImGui::GetWindowSize();
     sides_[indexOf(side)] = Rectangle{at, {at.x + size.x, at.y + size.y}};
     TabRow& row = rows_[indexOf(side)];
-    if (!row.beginRow(fmt::format("{} {}", nameOf(side), row_ids_[indexOf(side)]).c_str())) return;
+    if (!row.beginRow(fmt::format("{} {}", sideName(side), row_ids_[indexOf(side)]).c_str())) return;
     bool opens_menu = false;
     for (const std::string& panel : places_.at(side)) {
         const bool shown = row.begin(panel.c_str(), badges_[panel]);

@@ -5,7 +5,7 @@
 
 namespace dollytrack::editor {
 
-std::string_view nameOf(DockSide side) {
+std::string_view sideName(DockSide side) {
     constexpr std::array<std::string_view, kDockSides.size()> kNames = {"left", "right", "bottom"};
     return kNames[static_cast<std::size_t>(side)];
 }

@@ -13,7 +13,7 @@ enum class DockSide { Left, Right, Bottom };
 inline constexpr std::array<DockSide, 3> kDockSides = {DockSide::Left, DockSide::Right,
                                                        DockSide::Bottom};
 /// As settings files and messages name them: "left", "right", "bottom".
-[[nodiscard]] std::string_view nameOf(DockSide side);
+[[nodiscard]] std::string_view sideName(DockSide side);
 
 /// On which side each panel is docked, by the panels' names. The panels of a side are tabs, in this
 /// order.

@@ -37,7 +37,7 @@ void readPanels(const nlohmann::json& from, Layout& layout) {
     PanelPlaces places;
     for (const DockSide side : kDockSides) {
         const auto i = static_cast<std::size_t>(side);
-        const std::string name(nameOf(side));
+        const std::string name(sideName(side));
         places.tabs[i] = panels.value(name, std::vector<std::string>());
         places.side_on[i] = from.value("show_" + name, true);
         layout.open_tabs[i] = from.value(name + "_tab", "");
@@ -49,7 +49,7 @@ void readPanels(const nlohmann::json& from, Layout& layout) {
 void writePanels(const Layout& layout, nlohmann::json& to) {
     for (const DockSide side : kDockSides) {
         const auto i = static_cast<std::size_t>(side);
-        const std::string name(nameOf(side));
+        const std::string name(sideName(side));
         to["panels"][name] = layout.panels.tabs[i];
         to["show_" + name] = layout.panels.side_on[i];
         to[name + "_tab"] = layout.open_tabs[i];

@@ -31,7 +31,7 @@ void visitLayerSwitches(Layers& switches, Visitor&& visit) {
     visit("grid", switches.grid);
 }
 
-/// Sizes of the panels, px at 96 dots per inch.
+/// Sizes of the panels, px at 96 dots per inch, and where each is.
 struct Layout {
     float left = 280;
     float right = 330;

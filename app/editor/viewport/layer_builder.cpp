@@ -190,7 +190,7 @@ bool LayersRequest::operator==(const LayersRequest& other) const {
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
            in_cone == other.in_cone && moved == other.moved && local == other.local &&
            no_go == other.no_go && regions == other.regions && motion == other.motion &&
-           step == other.step && frame == other.frame;
+           keys_planned == other.keys_planned && step == other.step && frame == other.frame;
 }
 
 bool looksFromCone(const LayersRequest& request, const Eigen::Vector3d& eye) {
@@ -296,12 +296,15 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
     if (on.trajectory && !request.stepping && request.motion && !request.motion->keys.empty()) {
         const int selected =
             request.selection.kind == Selection::Kind::CameraKey ? request.selection.index : -1;
-        add(layers, 11, std::tuple(request.motion, request.plan, request.camera, selected), [&] {
-            return ui::cameraKeysLayer(
-                request.motion->keys,
-                request.plan ? request.plan->passed_keys : std::vector<PassedKey>(), request.camera,
-                selected);
-        });
+        add(layers, 11,
+            std::tuple(request.motion, request.plan, request.keys_planned, request.camera,
+                       selected),
+            [&] {
+                return ui::cameraKeysLayer(
+                    request.motion->keys,
+                    request.keys_planned ? request.plan->passed_keys : std::vector<PassedKey>(),
+                    request.camera, selected);
+            });
     }
     add(layers, 7, std::tuple(request.scene, request.free_space, request.selection, request.moved),
         [&] { return selectionLayer(request); });

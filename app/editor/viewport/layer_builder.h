@@ -26,13 +26,14 @@ struct LayersRequest {
     CameraParams camera;
     ui::LayerSettings settings;
     ui::Selection selection;
-    std::vector<int>
-        moved;  // object ids: not where the scene has them, so their boxes are left out
+    // Ids of objects that were moved since the scene was built; their boxes are not drawn.
+    std::vector<int> moved;
     std::vector<int> local;  // object ids: only their points are shown; empty: all points
     std::vector<NoGoBox> no_go;
     std::vector<Region> regions;
-    SharedMotion motion;    // the given camera motion, for its keys
-    bool stepping = false;  // show the algorithm's steps instead of the roadmap
+    SharedMotion motion;        // the given camera motion, for its keys
+    bool keys_planned = false;  // the plan is of this motion
+    bool stepping = false;      // show the algorithm's steps instead of the roadmap
     double cone_half_angle_deg = 40.0;
     bool in_cone = false;  // the camera is inside the cone of the displayed candidates
     std::size_t step = 0;  // number of steps shown

@@ -1,4 +1,5 @@
 """The window itself: its size, its theme, help and the log."""
+import json
 import time
 
 from screen import Screen
@@ -135,7 +136,14 @@ class Window(Task):
         self.editor.drag("tab.history", (1275, items["viewport"][1] + 100))
         self.assertEqual(side("history", tabs("history", "log")), "right")
         self.assertInside((1280, 720))
-        time.sleep(1.0)  # the settings are stored
+        settings = self.editor.home / "config/dollytrack/editor.json"
+
+        def stored(_):
+            if not settings.exists():
+                return False
+            panels = json.loads(settings.read_text())["layout"]["panels"]
+            return panels["hidden"] == ["Selection"] and "History" in panels["right"]
+        self.editor.wait(stored, "the settings to be stored")
         self.editor.kill()
         self.start_room(size=(1280, 720))
         items = tabs("log", "history", "parameters")

@@ -114,7 +114,7 @@ void drawCameraKey(const SelectionView& view, SelectionActions& actions) {
         formText("Position", placeText(keys[at].pose.position) + " m");
         endForm();
     }
-    if (view.plan != nullptr && view.plan->passed_keys.size() == keys.size()) {
+    if (view.keys_planned && view.plan->passed_keys.size() == keys.size()) {
         const std::string& note = view.plan->passed_keys[at].note;
         if (!note.empty()) paragraph(note, palette().bad);
     }

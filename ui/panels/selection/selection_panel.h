@@ -26,6 +26,7 @@ struct SelectionView {
     const planning::FreeSpace* free_space = nullptr;  // null before planning
     RemedySearch remedy;                              // for the selected object
     double track_time_s = 0.0;                        // time at which the tracks are evaluated
+    bool keys_planned = false;                        // the plan is of the camera keys as they are
     const std::vector<double>* piece_sizes_m = nullptr;  // sizes of its pieces; null: computing
 };
 
