@@ -4,8 +4,6 @@
 #include "engine/core/clean_text.h"
 #include "engine/core/log.h"
 #include "engine/core/name_pattern.h"
-#include "engine/io/files/file_source.h"
-#include "engine/io/files/file_type.h"
 #include "engine/io/files/guarded_folder.h"
 #include "render/formats/tables/dataset_card.h"
 
@@ -62,21 +60,6 @@ class LicenseTexts {
         }
     }
 
-    /// The licence files in any folder of an archive.
-    void addArchive(const fs::path& path) {
-        const auto archive = openArchive(path);
-        if (!archive) return warnOfAll(path, archive.error());
-        for (const std::string& name : (*archive)->names()) {
-            if (!isLicenseFile(fs::path(name).filename().string())) continue;
-            const auto bytes = (*archive)->read(name);
-            if (bytes && *bytes && (*bytes)->size() <= render::kMostLicenseBytes) {
-                add(path / name, {(*bytes)->begin(), (*bytes)->end()});
-            } else {
-                warn(path / name, "left out of the dataset: it is damaged or larger than 1 MB");
-            }
-        }
-    }
-
     /// Nothing if the dataset's folder contains licence files, which LICENSES might replace.
     [[nodiscard]] std::string take() { return in_dataset_ ? std::string() : std::move(all_); }
 
@@ -120,10 +103,10 @@ std::string licensesOf(const fs::path& scene, const std::vector<fs::path>& model
                        const fs::path& dataset) {
     LicenseTexts texts(dataset);
     texts.addFolder(scene.has_parent_path() ? scene.parent_path() : ".");
-    if (lowerExtension(scene) == ".sh3d") texts.addArchive(scene);
+    // Archives are opened only in the sandboxed importer, because libzip may crash on them.
     for (const fs::path& models : model_folders) {
         std::error_code error;
-        fs::is_directory(models, error) ? texts.addFolder(models) : texts.addArchive(models);
+        if (!fs::is_regular_file(models, error)) texts.addFolder(models);
     }
     return texts.take();
 }

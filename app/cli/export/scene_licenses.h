@@ -6,11 +6,10 @@
 
 namespace dollytrack::cli {
 
-/// The texts of the licence files of a scene, each text once: those beside it, those inside it (any
-/// folder of a home's archive), and those of its folders and archives of models (at the top of a
-/// folder, in any folder of an archive). Licence files are LICENSE, Licence.txt, ATTRIBUTION.md and
-/// so on. Warns of files that are left out. Empty if the dataset's own folder contains licence
-/// files.
+/// The texts of the licence files of a scene, each text once: those beside it and those at the top
+/// of its folders of models. Archives are not opened. Licence files are LICENSE, Licence.txt,
+/// ATTRIBUTION.md and so on. Warns of files that are left out. Empty if the dataset's own folder
+/// contains licence files.
 std::string licensesOf(const std::filesystem::path& scene,
                        const std::vector<std::filesystem::path>& model_folders,
                        const std::filesystem::path& dataset);
