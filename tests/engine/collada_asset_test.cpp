@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,8 @@ TEST(ColladaIndices, NamesTheLineOfAListThatIsNotOfWholeNumbers) {
     };
     for (const std::string sound :
          {"<p>0 1 2</p>", "<p>0 1\n2</p>", "<p>+0 -1\t2</p>", "<p/>", "<p></p>",
-          "<p id=\"x\">3</p>", "<!-- <p>x</p> --><p>1</p>", "<phong>x</phong>"}) {
+          "<p id=\"x\">3</p>", "<!-- <p>x</p> --><p>1</p>", "<phong>x</phong>",
+          "<![CDATA[<p>x</p>]]><p>1</p>", "<p id='>' >3</p >"}) {
         EXPECT_EQ(inTriangles(sound), 0U) << sound;
     }
     for (const std::string bad :
@@ -59,6 +61,33 @@ TEST(ColladaIndices, NamesTheLineOfAListThatIsNotOfWholeNumbers) {
     EXPECT_EQ(lineOfBadIndices("<triangles><p>1"), 0U);
     EXPECT_EQ(lineOfBadIndices("<triangles><!-- <p>x"), 0U);
     EXPECT_EQ(lineOfBadIndices("<triangles><p"), 0U);
+}
+
+TEST(ColladaIndices, FindsListsBehindOtherMarkup) {
+    const auto inTriangles = [](const std::string& list) {
+        return lineOfBadIndices("<triangles>\n" + list + "</triangles>");
+    };
+    // Without the markup, assimp would read "x" as the list.
+    for (const std::string bad :
+         {"<p><!-- c -->x</p>", "<p><![CDATA[x]]></p>", "<p>1<?x?></p>", "<p id='/>'>x</p>",
+          "<q id='<!--'/><p>x</p>", "<![CDATA[<!--]]><p>x</p>", "<?q <!-- ?><p>x</p>",
+          "<lines></lines><p>x</p>", "<lines/><p>x</p>", "<q id='</triangles>'/><p>x</p>"}) {
+        EXPECT_EQ(inTriangles(bad), 2U) << bad;
+    }
+    EXPECT_EQ(lineOfBadIndices("<!DOCTYPE a [<!-- ' -->]><lines><p>x</p><q id=''/></lines>"), 1U);
+    EXPECT_EQ(lineOfBadIndices("<triangles/><p>text</p>"), 0U);
+    EXPECT_EQ(lineOfBadIndices("<triangles count='1' /><p>text</p>"), 0U);
+    EXPECT_EQ(lineOfBadIndices("<triangles><p>1</p></triangles ><p>text</p>"), 0U);
+}
+
+TEST(ColladaIndices, ReadsLargeTextsOnce) {
+    constexpr std::size_t kLength = 2'000'000;
+    EXPECT_EQ(lineOfBadIndices(std::string(kLength, '<')), 0U);
+    std::string tags = "<lines>";
+    while (tags.size() < kLength) tags += "<x>\n";
+    const auto lines = static_cast<std::size_t>(std::count(tags.begin(), tags.end(), '\n'));
+    EXPECT_EQ(lineOfBadIndices(tags), 0U);
+    EXPECT_EQ(lineOfBadIndices(tags + "<p>x</p>"), lines + 1);
 }
 
 }  // namespace

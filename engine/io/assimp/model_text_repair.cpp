@@ -122,6 +122,29 @@ void appendWithoutCoordinates(std::string_view face, std::string& text) {
     });
 }
 
+/// The end of the tag, comment or other markup that begins at `at`, behind its '>'; npos if it has
+/// none. A DOCTYPE ends at its '[': the declarations in it are markup of their own.
+std::size_t markupEnd(std::string_view xml, std::size_t at) {
+    struct Section {
+        std::string_view begin, end;
+    };
+    static constexpr std::array<Section, 3> kSections = {
+        Section{"<!--", "-->"}, Section{"<![", "]]>"}, Section{"<?", "?>"}};
+    for (const Section& section : kSections) {
+        if (!xml.substr(at).starts_with(section.begin)) continue;
+        at = xml.find(section.end, at + section.begin.size());
+        return at == xml.npos ? at : at + section.end.size();
+    }
+    while (true) {
+        at = xml.find_first_of("\"'>[", at);
+        if (at == xml.npos) return at;
+        if (xml[at] == '>' || xml[at] == '[') return at + 1;
+        at = xml.find(xml[at], at + 1);  // the value of an attribute may contain a '>'
+        if (at == xml.npos) return at;
+        ++at;
+    }
+}
+
 }  // namespace
 
 void ModelTextRepairs::noteMaterial(const std::filesystem::path& file, bool opened) {
@@ -211,25 +234,24 @@ bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text) {
 std::size_t lineOfBadIndices(std::string_view collada) {
     static constexpr std::array<std::string_view, 7> kPrimitives = {
         "triangles", "polylist", "polygons", "lines", "linestrips", "trifans", "tristrips"};
-    bool in_primitives = false;
-    for (std::size_t at = collada.find('<'); at != collada.npos; at = collada.find('<', at + 1)) {
-        const std::string_view tag = collada.substr(at + 1);
-        if (tag.starts_with("!--")) {
-            at = collada.find("-->", at);
-            if (at == collada.npos) return 0;
-            continue;
+    std::size_t open_primitives = 0;
+    std::size_t end = 0;
+    for (std::size_t at = collada.find('<'); at != collada.npos; at = collada.find('<', end)) {
+        end = markupEnd(collada, at);
+        if (end == collada.npos) return 0;  // no XML; assimp refuses it
+        const std::string_view tag = collada.substr(at + 1, end - at - 2);
+        const bool closing = tag.starts_with('/');
+        const bool empty = tag.ends_with('/');
+        const std::string_view word = tag.substr(closing ? 1 : 0);
+        const std::string_view name = word.substr(0, word.find_first_of(" \t\r\n/"));
+        if (std::ranges::find(kPrimitives, name) != kPrimitives.end() && !empty) {
+            if (!closing) ++open_primitives;
+            if (closing && open_primitives > 0) --open_primitives;
         }
-        const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n>/"));
-        if (std::ranges::find(kPrimitives, name) != kPrimitives.end()) in_primitives = true;
-        if (tag.starts_with('/') &&
-            std::ranges::find(kPrimitives, tag.substr(1, tag.find('>') - 1)) != kPrimitives.end()) {
-            in_primitives = false;
-        }
-        if (name != "p" || !in_primitives) continue;
-        at = collada.find('>', at);
-        if (at == collada.npos) return 0;
-        const std::size_t other = collada.find_first_not_of("0123456789+- \t\r\n", at + 1);
-        if (other == collada.npos || collada[other] == '<') continue;
+        if (name != "p" || closing || empty || open_primitives == 0) continue;
+        const std::size_t other = collada.find_first_not_of("0123456789+- \t\r\n", end);
+        if (other == collada.npos) return 0;
+        if (collada.substr(other).starts_with("</")) continue;
         return 1 +
                static_cast<std::size_t>(std::count(collada.begin(), collada.begin() + other, '\n'));
     }
@@ -250,8 +272,7 @@ Assimp::IOStream* mendText(Assimp::IOStream* stream, const std::string& extensio
             const std::size_t line =
                 lineOfBadIndices({reinterpret_cast<const char*>(text.data()), text.size()});
             if (line > 0) {
-                repairs.refusal = fmt::format(
-                    "an index list in line {} contains something that is not a whole number", line);
+                repairs.refusal = fmt::format("an index in line {} is not a whole number", line);
                 return nullptr;
             }
             changed = removeBlanksBeforeColors(text);

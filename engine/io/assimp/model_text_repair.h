@@ -44,8 +44,9 @@ bool mendObjLines(std::vector<std::uint8_t>& text, std::size_t& mended_faces);
 bool removeBlanksBeforeColors(std::vector<std::uint8_t>& text);
 
 /// The line of the first index list (<p> of a Collada file's <triangles>, <polylist> and so on)
-/// that contains anything but whole numbers, counted from 1; 0 if there is none. assimp 5.2 reads
-/// such a list without end.
+/// that contains anything but whole numbers, counted from 1; 0 if there is none or the text is not
+/// XML. assimp 5.2 reads such a list without end. Comments and other markup within a list count as
+/// such, too.
 [[nodiscard]] std::size_t lineOfBadIndices(std::string_view collada);
 
 /// Mends an OBJ or Collada file before assimp reads it; `extension` says which of them it is.
