@@ -124,6 +124,9 @@ TEST_F(EditsPanelTest, KeysOfTheCameraPathAreRetimedGoneToAndRemoved) {
     EXPECT_EQ(looked, state.edits.plan.motion->keys[2].pose);
     ASSERT_TRUE(screen.click("edits.motion.key.0.select"));
     EXPECT_EQ(selected_key, 0);
+    EXPECT_FALSE(screen.shows("edits.motion.fit_keys")) << "the camera is in time now";
+    plan.passed_keys[1].time_s = 6.0;
+    screen.frame(2);
     ASSERT_TRUE(screen.click("edits.motion.fit_keys"));
     EXPECT_TRUE(fits);
     ASSERT_TRUE(screen.click("edits.motion.key.0.delete"));
