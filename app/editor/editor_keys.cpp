@@ -128,9 +128,8 @@ void Editor::goToRecordedKey() {
 
 void Editor::fitKeys() {
     GivenMotion motion = *workspace_.state().edits.plan.motion;
-    for (std::size_t i = 0; i < motion.keys.size(); ++i) {
-        motion.keys[i].time_s = passedKeys()[i].time_s;
-    }
+    motion.keys = planning::withReachedTimes(std::move(motion.keys), passedKeys(),
+                                             1.0 / workspace_.shown().params.timing.frame_rate);
     nlohmann::json operation = motionJson(motion);
     operation["op"] = "set_motion";
     apply(operation);

@@ -102,7 +102,7 @@ void KeyCurve::makePath() {
         const Vector3d& to = poses_[i + 1].position;
         Vector3d near_from = from + width / 3.0 * tangents[i];
         Vector3d near_to = to - width / 3.0 * tangents[i + 1];
-        // The outer ends bend no more than the tangent at their other end asks.
+        // Natural end condition: the curvature is zero at the first and the last key.
         if (i == 0) near_from = 0.5 * (from + (count == 2 ? to : near_to));
         if (i + 2 == count) near_to = 0.5 * (to + (count == 2 ? from : near_from));
         Segment& segment = segments_[i];

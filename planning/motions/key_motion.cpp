@@ -11,37 +11,49 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <utility>
 
 namespace dollytrack::planning {
 namespace {
 
 using Eigen::Vector3d;
 
-// A segment becomes at most this much longer in a round: its neighbours may be the cause.
+// A segment is lengthened by at most 10 % a round, because its neighbours may cause the excess.
 constexpr double kLargestStep = 1.1;
-constexpr double kMostFrames = 1e6;  // of a segment; more than is allowed
+// Upper bound of a segment's frames; above kMostMotionFrames, so that place() refuses it.
+constexpr double kMostFrames = 1e6;
 // From this round on all segments are slowed down together, which ends the search.
 constexpr int kRoundsBySegment = 100;
 constexpr int kMostRounds = 200;
-constexpr double kLate = 0.75;  // shorter delays are rounding, frames
+// Delays below this many frames are rounding.
+constexpr double kLate = 0.75;
+// A key is reached if the camera is at most this far from it, m.
+constexpr double kReached_m = 1e-3;
 
 /// Sampled motion through keys that are at whole frames.
 class KeyFrames {
   public:
-    KeyFrames(std::span<const MotionKey> keys, double interval_s)
-        : keys_(keys), interval_s_(interval_s), curve_(keys), least_(keys.size(), 1) {}
+    KeyFrames(std::span<const MotionKey> keys, double interval_s,
+              std::size_t most_frames = kMostMotionFrames)
+        : keys_(keys),
+          interval_s_(interval_s),
+          most_frames_(most_frames),
+          curve_(keys),
+          least_(keys.size(), 1) {}
 
-    /// Finds frames for the keys within the limits. Error: BadInput.
-    Status settle(const MotionLimits& limits) {
+    /// Finds frames for the keys within the limits. Errors: BadInput, Cancelled.
+    Status settle(const MotionLimits& limits, const JobContext& job) {
         setShortest(limits);
         for (int round = 0; round < kMostRounds; ++round) {
+            if (job.cancelled()) {
+                return fail(ErrorCode::Cancelled, "Timing the key frames was cancelled.");
+            }
             if (!place()) {
                 return fail(ErrorCode::BadInput,
                             fmt::format("The camera path through the keys would have more than {} "
-                                        "frames; move its keys closer together, or raise the "
-                                        "motion limits.",
-                                        kMostMotionFrames));
+                                        "frames; give its keys earlier times or nearer positions, "
+                                        "or raise the motion limits.",
+                                        most_frames_));
             }
             sample();
             std::vector<double> over = excess(limits);
@@ -102,21 +114,21 @@ class KeyFrames {
         frames_.assign(keys_.size(), 0);
         for (std::size_t i = 1; i < keys_.size(); ++i) {
             const double wanted = (keys_[i].time_s - keys_[0].time_s) / interval_s_;
-            if (!(wanted < static_cast<double>(kMostMotionFrames))) return false;
+            if (!(wanted < static_cast<double>(most_frames_))) return false;
             frames_[i] = std::max<std::int64_t>(std::llround(wanted), frames_[i - 1] + least_[i]);
-            if (frames_[i] >= static_cast<std::int64_t>(kMostMotionFrames)) return false;
+            if (frames_[i] >= static_cast<std::int64_t>(most_frames_)) return false;
         }
         return true;
     }
 
     void sample() {
         std::vector<double> times;
-        for (const std::int64_t frame : frames_) times.push_back(static_cast<double>(frame));
-        curve_.setTimes(times);
+        for (const std::int64_t frame : frames_) times.push_back(timeOf(frame));
+        curve_.setTimes(std::move(times));
         poses_.assign(1, keys_.front().pose);
         for (std::size_t i = 1; i < keys_.size(); ++i) {
             for (std::int64_t k = frames_[i - 1] + 1; k < frames_[i]; ++k) {
-                poses_.push_back(curve_.at(i - 1, static_cast<double>(k)));
+                poses_.push_back(curve_.at(i - 1, timeOf(k)));
             }
             poses_.push_back(keys_[i].pose);
         }
@@ -163,6 +175,7 @@ class KeyFrames {
 
     std::span<const MotionKey> keys_;
     double interval_s_;
+    std::size_t most_frames_;
     KeyCurve curve_;
     std::vector<std::int64_t> least_;     // by key: fewest frames since the key before it
     std::vector<std::int64_t> shortest_;  // the same from speed and turn rate alone
@@ -198,17 +211,21 @@ class KeyNotes {
     [[nodiscard]] std::vector<PassedKey> passed(
         const std::vector<std::int64_t>& given_frames) const {
         std::vector<PassedKey> passed;
-        double late_s = 0.0;  // of the key before
+        double late_s = 0.0;  // of the key before; rounding to a frame may make a key early
         for (std::size_t i = 0; i < keys_.size(); ++i) {
             PassedKey key;
             key.frame = frameOf(static_cast<double>(given_frames[i]));
             const TrajectoryFrame& frame = frames()[static_cast<std::size_t>(key.frame)];
             key.time_s = frame.time_s;
-            const double now_late_s = frame.time_s - keys_[i].time_s;
+            const double now_late_s = std::max(0.0, frame.time_s - keys_[i].time_s);
             const bool later = now_late_s > late_s + kLate * interval_s_;
             late_s = now_late_s;
             if (!check_.isFree(keys_[i].pose.position)) {
                 key.note = collisionNote(i, frame);
+            } else if (!isReached(i, given_frames[i], key.frame)) {
+                key.note = fmt::format(
+                    "Key {} is not reached: the camera passes {:.3f} m beside it; move it.", i + 1,
+                    distance_m(i, frame));
             } else if (i > 0 && frame.path != frames()[passed[i - 1].frame].path) {
                 key.note = fmt::format(
                     "No collision-free path leads from key {} to key {}; remove one of them, or "
@@ -217,8 +234,7 @@ class KeyNotes {
             } else if (later) {
                 key.note = fmt::format(
                     "Key {} is reached at {:.2f} s instead of {:.2f} s; move it later, or raise "
-                    "the "
-                    "motion limits (motion_preset).",
+                    "the motion limits (motion_preset).",
                     i + 1, frame.time_s, keys_[i].time_s);
             }
             passed.push_back(std::move(key));
@@ -239,11 +255,32 @@ class KeyNotes {
         return static_cast<int>(nearest - all.begin());
     }
 
+    [[nodiscard]] double distance_m(std::size_t i, const TrajectoryFrame& frame) const {
+        return (frame.pose.position - keys_[i].pose.position).norm();
+    }
+
+    /// Whether the camera passes key i, given in frame `given`, at its nearest frame or, where the
+    /// frames of a retimed stretch stand for other moments, between it and its neighbours.
+    [[nodiscard]] bool isReached(std::size_t i, std::int64_t given, int nearest) const {
+        const auto k = static_cast<std::size_t>(nearest);
+        const TrajectoryFrame& frame = frames()[k];
+        double most_m = kReached_m;
+        const auto allowMoveTo = [&](const TrajectoryFrame& next) {
+            if (next.path != frame.path) return;
+            const double move_m = (next.pose.position - frame.pose.position).norm();
+            most_m = std::max(most_m, move_m);
+        };
+        if (motion_.given_frames[k] != static_cast<double>(given)) {
+            if (k > 0) allowMoveTo(frames()[k - 1]);
+            if (k + 1 < frames().size()) allowMoveTo(frames()[k + 1]);
+        }
+        return distance_m(i, frame) <= most_m;
+    }
+
     [[nodiscard]] std::string collisionNote(std::size_t i, const TrajectoryFrame& frame) const {
-        const Vector3d& position = keys_[i].pose.position;
-        const double away_m = (frame.pose.position - position).norm();
+        const double away_m = distance_m(i, frame);
         return fmt::format("Key {} {}: the camera {}; move the key.", i + 1,
-                           whyNotThere(scene_, position),
+                           whyNotThere(scene_, keys_[i].pose.position),
                            away_m > 0.0 ? fmt::format("passes {:.2f} m beside it", away_m)
                                         : std::string("collides there"));
     }
@@ -258,9 +295,10 @@ class KeyNotes {
 }  // namespace
 
 Result<std::vector<double>> keyTimes(std::span<const MotionKey> keys, const MotionLimits& limits,
-                                     double interval_s) {
-    KeyFrames frames(keys, interval_s);
-    if (Status status = frames.settle(limits); !status) {
+                                     double interval_s, const JobContext& job,
+                                     std::size_t most_frames) {
+    KeyFrames frames(keys, interval_s, most_frames);
+    if (Status status = frames.settle(limits, job); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     std::vector<double> times;
@@ -274,17 +312,24 @@ Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams
     of_path.limits = motionLimits(timing);
     of_path.frame_interval_s = of_path.smooth_over_s = 1.0 / timing.frame_rate;
     KeyFrames frames(keys, of_path.frame_interval_s);
-    if (Status status = frames.settle(of_path.limits); !status) {
+    if (Status status = frames.settle(of_path.limits, job); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     const Trajectory given = frames.trajectory();
-    Result<RepairedMotion> repaired = repairAndTime(scene, of_path, given, job);
-    if (!repaired) {
-        if (repaired.error().code != ErrorCode::BadInput) return tl::unexpected(repaired.error());
-        repaired = unrepaired(given);  // nothing near it is free: its keys say so
-    }
+    // If no free space is near, the notes of the colliding keys say so.
+    const auto repaired = repairAndTime(scene, of_path, given, job, FarPath::Keep);
+    if (!repaired) return tl::unexpected(repaired.error());
     const KeyNotes notes(scene, keys, *repaired, of_path.frame_interval_s);
     return KeyMotion{repaired->trajectory, notes.passed(frames.frames())};
+}
+
+std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,
+                                        std::span<const PassedKey> passed, double interval_s) {
+    for (std::size_t i = 0; i < std::min(keys.size(), passed.size()); ++i) {
+        keys[i].time_s = passed[i].time_s;
+        if (i > 0) keys[i].time_s = std::max(keys[i].time_s, keys[i - 1].time_s + interval_s);
+    }
+    return keys;
 }
 
 }  // namespace dollytrack::planning

@@ -5,6 +5,7 @@
 #include "planning/motions/repair_motion.h"
 #include "planning/timing/motion_limits.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -13,10 +14,11 @@ namespace dollytrack::planning {
 struct TimingParams;
 
 /// The times at which a camera within the limits can be at the keys, s: the given ones, to whole
-/// frames after the first, or the earliest possible ones. Obstacles are left aside. Error: BadInput
-/// if the motion would take more than kMostMotionFrames.
+/// frames after the first, or the earliest possible ones. Obstacles are left aside. Errors:
+/// BadInput if the motion would take more than `most_frames`; Cancelled.
 Result<std::vector<double>> keyTimes(std::span<const MotionKey> keys, const MotionLimits& limits,
-                                     double interval_s);
+                                     double interval_s, const JobContext& job,
+                                     std::size_t most_frames = kMostMotionFrames);
 
 struct KeyMotion {
     Trajectory trajectory;
@@ -26,10 +28,16 @@ struct KeyMotion {
 /// The smooth motion through the keys (see KeyCurve) at the frame rate. The camera is at a key in
 /// the frame nearest to its time, or as soon after it as the motion limits and a way around
 /// obstacles allow; later keys are in time again where their times leave room for that. If a key is
-/// in collision or its time is not kept, its note says so. Where no motion near the keys is free,
-/// the trajectory collides, and the notes of all keys in collision say so. Errors: those of
-/// keyTimes(); Cancelled.
+/// in collision, not reached, or its time is not kept, its note says so. Where no motion near the
+/// keys is free, the trajectory collides, and the notes of all keys in collision say so. Errors:
+/// those of keyTimes(); BadInput if the way around obstacles would take more than
+/// kMostMotionFrames.
 Result<KeyMotion> moveThroughKeys(const BaselineScene& scene, const TimingParams& timing,
                                   const std::vector<MotionKey>& keys, const JobContext& job);
+
+/// The keys at the times at which the camera reaches them. Where one frame passes several keys,
+/// they follow each other at the frame interval, because the times of keys must rise.
+std::vector<MotionKey> withReachedTimes(std::vector<MotionKey> keys,
+                                        std::span<const PassedKey> passed, double interval_s);
 
 }  // namespace dollytrack::planning

@@ -95,8 +95,8 @@ PathTiming timingOf(const PlanParams& params, const Trajectory& given,
 
 class MotionRepair {
   public:
-    MotionRepair(const BaselineScene& scene, const PathTiming& timing)
-        : scene_(scene), check_(scene), timing_(timing) {}
+    MotionRepair(const BaselineScene& scene, const PathTiming& timing, FarPath far_path)
+        : scene_(scene), check_(scene), timing_(timing), far_path_(far_path) {}
 
     /// Adds the repaired path to the result. Error: BadInput.
     Status add(const Frames& frames, const JobContext& job) {
@@ -105,13 +105,15 @@ class MotionRepair {
         const auto first = static_cast<double>(given_before_);
         given_before_ += frames.size();
         if (is_free && !timing_.retime_all) {
-            TimedPath kept{{frames.begin(), frames.end()}, std::vector<double>(frames.size())};
-            std::iota(kept.given_frames.begin(), kept.given_frames.end(), 0.0);
-            addPath(std::move(kept), first, frames.back());
+            addUnchanged(frames, first);
             return {};
         }
         const auto paths = repairPath(scene_, check_, frames, parts, job);
         if (paths.empty() && !job.cancelled()) {
+            if (far_path_ == FarPath::Keep) {
+                addUnchanged(frames, first);
+                return {};
+            }
             return fail(ErrorCode::BadInput,
                         fmt::format("No frame of the path of {} frames from {:.2f} s on is within "
                                     "1 m of free space; check its units, axes and origin.",
@@ -176,6 +178,13 @@ class MotionRepair {
         }
     }
 
+    /// Appends a path as it is.
+    void addUnchanged(const Frames& frames, double given_first) {
+        TimedPath kept{{frames.begin(), frames.end()}, std::vector<double>(frames.size())};
+        std::iota(kept.given_frames.begin(), kept.given_frames.end(), 0.0);
+        addPath(std::move(kept), given_first, frames.back());
+    }
+
     /// Appends frames as one path, later by the time added to those before. `given_first` is the
     /// number of the given frame where its given frames begin, `given_last` the last one as given.
     void addPath(TimedPath path_frames, double given_first, const TrajectoryFrame& given_last) {
@@ -203,6 +212,7 @@ class MotionRepair {
     const BaselineScene& scene_;
     MotionCheck check_;
     PathTiming timing_;
+    FarPath far_path_;
     Trajectory result_;
     MotionChange change_;
     std::vector<double> given_frames_;
@@ -213,14 +223,9 @@ class MotionRepair {
 
 }  // namespace
 
-RepairedMotion unrepaired(const Trajectory& given) {
-    RepairedMotion kept{given, {}, std::vector<double>(given.frames.size())};
-    std::iota(kept.given_frames.begin(), kept.given_frames.end(), 0.0);
-    return kept;
-}
-
 Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTiming& timing,
-                                     const Trajectory& given, const JobContext& job) {
+                                     const Trajectory& given, const JobContext& job,
+                                     FarPath far_path) {
     if (given.frames.empty()) {
         return fail(ErrorCode::BadInput, "The trajectory has no frames; nothing can be repaired.");
     }
@@ -232,7 +237,7 @@ Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTimin
                                 broken - given.frames.begin()));
     }
     const std::vector<Frames> paths = pathsOf(given);
-    MotionRepair repair(scene, timing);
+    MotionRepair repair(scene, timing, far_path);
     for (std::size_t i = 0; i < paths.size(); ++i) {
         job.report(static_cast<double>(i) / static_cast<double>(paths.size()));
         const Status status = repair.add(paths[i], job);

@@ -35,9 +35,6 @@ struct RepairedMotion {
     std::vector<double> given_frames = {};
 };
 
-/// A trajectory that is left as it is.
-[[nodiscard]] RepairedMotion unrepaired(const Trajectory& given);
-
 /// The nearest trajectory that is collision-free and within the motion limits (motionLimits();
 /// limits of the heading do not apply). A free trajectory within the limits is returned unchanged,
 /// and so is every part of one. Frames and the straight moves between them are free for the camera
@@ -50,8 +47,13 @@ Result<RepairedMotion> repairMotion(const BaselineScene& scene, const PlanParams
 
 struct PathTiming;
 
-/// The same with this timing instead of one found from parameters and trajectory.
+/// What is done with a path that is nowhere near free space.
+enum class FarPath { Refuse, Keep };
+
+/// The same with this timing instead of one found from parameters and trajectory. Errors: also
+/// BadInput if the result would have more than kMostMotionFrames.
 Result<RepairedMotion> repairAndTime(const BaselineScene& scene, const PathTiming& timing,
-                                     const Trajectory& given, const JobContext& job);
+                                     const Trajectory& given, const JobContext& job,
+                                     FarPath far_path = FarPath::Refuse);
 
 }  // namespace dollytrack::planning

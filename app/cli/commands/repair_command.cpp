@@ -104,9 +104,12 @@ Status checkPlace(const std::string& file, const Trajectory& trajectory,
     return {};
 }
 
-Error errorOf(const MotionFault& fault, const std::string& name) {
+/// Names the frame, counted from 0, or the key, counted from 1.
+Error errorOf(const MotionFault& fault, const GivenMotion& motion, const std::string& name) {
+    if (!fault.frame) return {ErrorCode::BadInput, fault.text, name};
     return {ErrorCode::BadInput, fault.text,
-            fault.frame ? fmt::format("{}, frame {}", name, *fault.frame) : name};
+            motion.keys.empty() ? fmt::format("{}, frame {}", name, *fault.frame)
+                                : fmt::format("{}, key {}", name, *fault.frame + 1)};
 }
 
 Result<ImportedMotion> repairGiven(const GivenMotion& given, const OpenedScene& opened,
@@ -130,7 +133,7 @@ Result<ImportedMotion> importTrajectory(const RepairArguments& arguments, const 
     }
     const std::string name = cleanText(std::filesystem::path(file).filename().string());
     GivenMotion given = givenMotion(name, loaded->trajectory);
-    if (const auto fault = findFault(given)) return tl::unexpected(errorOf(*fault, file));
+    if (const auto fault = findFault(given)) return tl::unexpected(errorOf(*fault, given, file));
     if (arguments.no_repair) return ImportedMotion{std::move(given), {}};
     return repairGiven(given, opened, map, job);
 }
@@ -161,15 +164,11 @@ Result<ImportedMotion> importKeys(const RepairArguments& arguments, const Opened
     for (const MotionFrame& frame : givenMotion({}, loaded->trajectory).frames) {
         motion.keys.push_back({frame.time_s, frame.pose});
     }
-    if (const auto fault = findFault(motion)) {
-        return tl::unexpected(
-            Error{ErrorCode::BadInput, fault->text,
-                  fault->frame ? fmt::format("{}, key {}", file, *fault->frame + 1) : file});
-    }
+    if (const auto fault = findFault(motion)) return tl::unexpected(errorOf(*fault, motion, file));
     if (!loaded->timed) {
         const planning::TimingParams& timing = opened.params.timing;
         const auto times = planning::keyTimes(motion.keys, planning::motionLimits(timing),
-                                              1.0 / timing.frame_rate);
+                                              1.0 / timing.frame_rate, job);
         if (!times) return tl::unexpected(times.error());
         for (std::size_t i = 0; i < times->size(); ++i) motion.keys[i].time_s = (*times)[i];
     }
@@ -181,10 +180,10 @@ Result<ImportedMotion> fitKeys(const OpenedScene& opened, const planning::Baseli
                                const JobContext& job) {
     auto made = passKeys(*opened.plan_edits.motion, opened, map, job);
     if (!made) return made;
-    for (std::size_t i = 0; i < made->passed.size(); ++i) {
-        made->motion.keys[i].time_s = made->passed[i].time_s;
-    }
-    return passKeys(made->motion, opened, map, job);
+    GivenMotion fitted = std::move(made->motion);
+    fitted.keys = planning::withReachedTimes(std::move(fitted.keys), made->passed,
+                                             1.0 / opened.params.timing.frame_rate);
+    return passKeys(std::move(fitted), opened, map, job);
 }
 
 Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const OpenedScene& opened,
@@ -222,7 +221,7 @@ Result<ImportedMotion> makeMotion(const RepairArguments& arguments, const Opened
     }
     if (!made) return made;
     if (const auto fault = findFault(made->motion)) {
-        return tl::unexpected(errorOf(*fault, made->motion.name));
+        return tl::unexpected(errorOf(*fault, made->motion, made->motion.name));
     }
     return made;
 }
@@ -335,7 +334,8 @@ void addRepairCommand(CLI::App& app, Session& session) {
     command
         ->add_option("--keys", arguments->keys,
                      "Instead of a trajectory: key frames, in the same formats; the camera moves "
-                     "smoothly through them at their times, or as fast as it may without times")
+                     "smoothly through them at their times; if the file has no times, as fast as "
+                     "the motion limits allow")
         ->type_name("FILE");
     addTrajectoryArguments(*command, arguments->reading);
     command

@@ -12,6 +12,8 @@ namespace {
 // Keys of nearly the same view are at least this far apart, s, so that both can be seen and
 // dragged.
 constexpr double kLeastStep_s = 0.5;
+// The window waits while the time of a new key is computed: more frames than this are estimated.
+constexpr std::size_t kMostFrames = 2000;
 
 /// The time on a whole frame, without the rounding error of the multiplication.
 double onFrame(double time_s, double interval_s) {
@@ -25,9 +27,17 @@ double timeAfterLast(const std::vector<MotionKey>& keys, const Pose& view,
     std::vector<MotionKey> end(keys.end() - std::min<std::ptrdiff_t>(std::ssize(keys), 2),
                                keys.end());
     const double last_s = end.back().time_s;
+    const Pose last = end.back().pose;
+    const double longest_s = 0.5 * kMostFrames * interval_s;
+    end.front().time_s = std::max(end.front().time_s, last_s - longest_s);
     end.push_back({last_s + interval_s, view});
-    const auto times = planning::keyTimes(end, planning::motionLimits(timing), interval_s);
-    const double later_s = times ? (*times)[end.size() - 1] - (*times)[end.size() - 2] : 0.0;
+    const planning::MotionLimits limits = planning::motionLimits(timing);
+    const auto times = planning::keyTimes(end, limits, interval_s, {}, kMostFrames);
+    // A long move is at the largest speed or turn rate nearly all the time.
+    const double later_s =
+        times ? (*times)[end.size() - 1] - (*times)[end.size() - 2]
+              : std::max((view.position - last.position).norm() / limits.speed_mps,
+                         angleBetween(last.rotation, view.rotation) / limits.turn_rps);
     return onFrame(last_s + std::max(later_s, kLeastStep_s), interval_s);
 }
 

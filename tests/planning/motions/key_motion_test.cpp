@@ -10,10 +10,15 @@
 #include "tests/planning/support/slow_checker.h"
 #include "tests/support/scene_builder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace dollytrack::planning::key_motion_test {
 namespace {
@@ -55,24 +60,41 @@ KeyMotion moved(const BaselineScene& scene, const std::vector<MotionKey>& keys,
     return made.value_or(KeyMotion{});
 }
 
-/// Largest speed, acceleration, turn rate and its change between frames, as differences.
+/// Angular velocity from one orientation to another.
+Vector3d turnRate(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double seconds) {
+    Eigen::Quaterniond turn = to * from.conjugate();
+    if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+    const Eigen::AngleAxisd angle_axis(turn);
+    return angle_axis.angle() / seconds * angle_axis.axis();
+}
+
+/// Largest differences between frames, from rest before the first to rest after the last one.
 struct Largest {
-    double speed_mps = 0.0, acceleration_mps2 = 0.0, turn_rps = 0.0;
+    double speed_mps = 0.0, acceleration_mps2 = 0.0, turn_rps = 0.0, turn_acceleration_rps2 = 0.0;
 };
 Largest largestOf(const Trajectory& trajectory) {
     Largest largest;
     Vector3d before = Vector3d::Zero();
-    for (std::size_t i = 0; i + 1 < trajectory.frames.size(); ++i) {
-        const TrajectoryFrame& a = trajectory.frames[i];
-        const TrajectoryFrame& b = trajectory.frames[i + 1];
-        const double seconds = b.time_s - a.time_s;
-        const Vector3d velocity = (b.pose.position - a.pose.position) / seconds;
+    Vector3d turn_before = Vector3d::Zero();
+    double seconds = trajectory.frame_interval_s;
+    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
+        Vector3d velocity = Vector3d::Zero();
+        Vector3d turn = Vector3d::Zero();
+        if (i + 1 < trajectory.frames.size()) {
+            const TrajectoryFrame& a = trajectory.frames[i];
+            const TrajectoryFrame& b = trajectory.frames[i + 1];
+            seconds = b.time_s - a.time_s;
+            velocity = (b.pose.position - a.pose.position) / seconds;
+            turn = turnRate(a.pose.rotation, b.pose.rotation, seconds);
+        }
         largest.speed_mps = std::max(largest.speed_mps, velocity.norm());
         largest.acceleration_mps2 =
             std::max(largest.acceleration_mps2, (velocity - before).norm() / seconds);
-        largest.turn_rps =
-            std::max(largest.turn_rps, angleBetween(a.pose.rotation, b.pose.rotation) / seconds);
+        largest.turn_rps = std::max(largest.turn_rps, turn.norm());
+        largest.turn_acceleration_rps2 =
+            std::max(largest.turn_acceleration_rps2, (turn - turn_before).norm() / seconds);
         before = velocity;
+        turn_before = turn;
     }
     return largest;
 }
@@ -98,6 +120,7 @@ void expectWithinLimits(const Trajectory& trajectory, const TimingParams& timing
     EXPECT_LE(largest.speed_mps, kTolerance * limits.speed_mps);
     EXPECT_LE(largest.acceleration_mps2, kTolerance * limits.acceleration_mps2);
     EXPECT_LE(largest.turn_rps, kTolerance * limits.turn_rps);
+    EXPECT_LE(largest.turn_acceleration_rps2, kTolerance * limits.turn_acceleration_rps2);
 }
 
 }  // namespace
@@ -227,6 +250,51 @@ TEST(KeyMotion, SaysBetweenWhichKeysThereIsNoWay) {
         << made.passed[1].note;
 }
 
+// The third of five keys is behind a wall without a door: the camera stays in the first room.
+TEST(KeyMotion, SaysWhichFreeKeyIsNotReached) {
+    test::SceneBuilder builder;
+    builder.room({0, 0, 0}, {3, 3, 2.5});
+    builder.room({3.1, 0, 0}, {6.1, 3, 2.5});
+    std::vector<MotionKey> keys;
+    for (const auto& [time_s, x] : std::vector<std::pair<double, double>>{
+             {0.0, 1.0}, {20.0, 2.4}, {24.0, 3.4}, {28.0, 2.4}, {60.0, 1.0}}) {
+        keys.push_back(key(time_s, {x, 1.0, 1.2}, {x, 3.0, 1.2}));
+    }
+    const KeyMotion made = moved(mapped(builder.build()), keys);
+    for (const std::size_t i : {0U, 1U, 3U, 4U}) EXPECT_EQ(made.passed[i].note, "") << i;
+    const double beside_m =
+        (made.trajectory.frames[made.passed[2].frame].pose.position - keys[2].pose.position).norm();
+    EXPECT_GT(beside_m, 0.3) << "the wall with the camera's radius on both sides";
+    EXPECT_EQ(made.passed[2].note,
+              fmt::format("Key 3 is not reached: the camera passes {:.3f} m beside it; move it.",
+                          beside_m));
+}
+
+TEST(KeyMotion, RoundingToFramesIsNoDelay) {
+    const BaselineScene scene = mapped(roomWithPillar());
+    const KeyMotion made = moved(scene, {key(0.0, {1.0, 0.6, 1.2}, {1.0, 4.0, 1.0}),
+                                         key(1.04, {1.02, 0.6, 1.2}, {1.02, 4.0, 1.0}),
+                                         key(3.06, {1.06, 0.6, 1.2}, {1.06, 4.0, 1.0})});
+    EXPECT_NEAR(made.passed[1].time_s, 1.0, 1e-9);
+    EXPECT_NEAR(made.passed[2].time_s, 3.1, 1e-9);
+    for (const PassedKey& passed : made.passed) EXPECT_EQ(passed.note, "");
+}
+
+// Keys that one frame passes follow each other by a frame, because equal times are refused.
+TEST(KeyMotion, ReachedTimesRise) {
+    GivenMotion motion;
+    motion.keys = slowKeys();
+    motion.keys = withReachedTimes(
+        motion.keys,
+        std::vector<PassedKey>{{0, 0.0, ""}, {30, 3.0, ""}, {30, 3.0, ""}, {50, 5.0, ""}},
+        kInterval_s);
+    EXPECT_EQ(motion.keys[1].time_s, 3.0);
+    EXPECT_EQ(motion.keys[2].time_s, 3.0 + kInterval_s);
+    EXPECT_EQ(motion.keys[3].time_s, 5.0);
+    EXPECT_EQ(motion.keys[2].pose, slowKeys()[2].pose);
+    EXPECT_FALSE(findFault(motion));
+}
+
 // Keys at one place, reversals, a turn through the vertical, roll.
 TEST(KeyMotion, KeepsLimitsForAwkwardKeys) {
     test::SceneBuilder builder;
@@ -278,9 +346,31 @@ TEST(KeyMotion, TooManyFramesAreRefused) {
     EXPECT_FALSE(moveThroughKeys(scene, {}, keys, {}));
     keys = slowKeys();
     keys.back().pose.position.x() = 9e5;  // takes too long at any speed that is allowed
-    const auto far = keyTimes(keys, motionLimits({}), kInterval_s);
+    const auto far = keyTimes(keys, motionLimits({}), kInterval_s, {});
     ASSERT_FALSE(far);
     EXPECT_EQ(far.error().code, ErrorCode::BadInput);
+    EXPECT_TRUE(keyTimes(slowKeys(), motionLimits({}), kInterval_s, {}, 171));
+    EXPECT_FALSE(keyTimes(slowKeys(), motionLimits({}), kInterval_s, {}, 170));
+}
+
+// The way around the pillar takes longer than the straight line, on which the keys fit.
+TEST(KeyMotion, TooManyFramesAfterARepairAreRefused) {
+    const Vector3d after(5.0, 2.0, 1.3);
+    const std::vector<MotionKey> keys = {key(0.0, {1.0, 2.0, 1.3}, {6.0, 2.0, 1.3}),
+                                         key(1.0, after, {6.0, 2.0, 1.3}),
+                                         key(19999.8, after, {6.0, 2.0, 1.3})};
+    const auto made = moveThroughKeys(mapped(roomWithPillar()), {}, keys, {});
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, ErrorCode::BadInput);
+    EXPECT_NE(made.error().message.find("more than 200000 frames"), std::string::npos);
+}
+
+TEST(KeyMotion, TimingIsCancelled) {
+    const auto cancelled = std::make_shared<std::atomic<bool>>(true);
+    const auto times =
+        keyTimes(slowKeys(), motionLimits({}), kInterval_s, JobContext(cancelled, {}));
+    ASSERT_FALSE(times);
+    EXPECT_EQ(times.error().code, ErrorCode::Cancelled);
 }
 
 TEST(KeyMotion, APlanFollowsKeysAndNotesThem) {

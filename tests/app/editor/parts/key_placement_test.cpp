@@ -62,6 +62,9 @@ TEST(KeyPlacement, AfterTheLastKeyItTakesTheTimeThatTheLimitsNeed) {
     EXPECT_NEAR(10.0 * place.time_s, std::round(10.0 * place.time_s), 1e-6);
     placing.view = keyAt(0, 12).pose;
     EXPECT_GE(placing.at(50).time_s, 24.0);
+    // Twenty minutes away: estimated from the largest speed, at once.
+    placing.view = keyAt(0, 602).pose;
+    EXPECT_NEAR(placing.at(50).time_s, 4.0 + 1200.0, 1.0);
     placing.view = placing.keys.back().pose;
     EXPECT_NEAR(placing.at(50).time_s, 4.5, 1e-9) << "not on top of the last one";
 }
