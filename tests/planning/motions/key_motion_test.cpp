@@ -261,7 +261,7 @@ TEST(KeyMotion, SaysWhichFreeKeyIsNotReached) {
         keys.push_back(key(time_s, {x, 1.0, 1.2}, {x, 3.0, 1.2}));
     }
     const KeyMotion made = moved(mapped(builder.build()), keys);
-    for (const std::size_t i : {0U, 1U, 3U, 4U}) EXPECT_EQ(made.passed[i].note, "") << i;
+    for (const std::size_t i : {0U, 1U, 4U}) EXPECT_EQ(made.passed[i].note, "") << i;
     const double beside_m =
         (made.trajectory.frames[made.passed[2].frame].pose.position - keys[2].pose.position).norm();
     EXPECT_GT(beside_m, 0.3) << "the wall with the camera's radius on both sides";
