@@ -374,6 +374,7 @@ void Editor::drawMenus() {
     ui::nameItem("menu.timeline");
     menu("Window", [this] {
         ImGui::Separator();
+        ImGui::TextDisabled("Places of panels");
         docks_.drawMenu();
     });
     ui::nameItem("menu.window");

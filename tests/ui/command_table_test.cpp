@@ -52,6 +52,11 @@ TEST_F(CommandTableTest, ACommandMayHaveTwoShortcuts) {
     EXPECT_EQ(commands.find("open")->keys(), "Ctrl+O");
 }
 
+TEST_F(CommandTableTest, NamesKeysThatWriteNothing) {
+    EXPECT_EQ(Shortcut{GLFW_KEY_ENTER}.text(), "Enter");
+    EXPECT_EQ((Shortcut{GLFW_KEY_DELETE, true}.text()), "Ctrl+Delete");
+}
+
 // On a German keyboard + is right of Ü, at the position of ] on an American one.
 TEST_F(CommandTableTest, FindsPlusAndMinusWhereTheKeyboardHasThem) {
     screen.press(GLFW_KEY_RIGHT_BRACKET, true);

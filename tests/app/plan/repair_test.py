@@ -297,7 +297,7 @@ class Repair(FolderCase):
         empty.write_text("# nothing\n")
         for arguments, code, words in (
                 ((self.room, *out), 2, ("--trajectory", "--move")),
-                ((self.room, *out, "--trajectory", free, "--move", "orbit"), 2, ("either",)),
+                ((self.room, *out, "--trajectory", free, "--move", "orbit"), 2, ("only one",)),
                 ((self.room, "--trajectory", free), 2, ("-o",)),
                 ((self.room, "--trajectory", free, "-o", self.folder / "a.json"), 2, (".dolly",)),
                 ((self.room, *out, "--trajectory", in_mm), 4,

@@ -41,6 +41,8 @@ std::string keyName(int key) {
             return "Delete";
         case GLFW_KEY_ESCAPE:
             return "Esc";
+        case GLFW_KEY_ENTER:
+            return "Enter";
         case GLFW_KEY_PERIOD:
             return ".";
         case GLFW_KEY_COMMA:
