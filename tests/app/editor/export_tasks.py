@@ -310,11 +310,13 @@ class Exporting(Task):
                           name != "dataset.json"], [])
 
     def test_another_project_is_judged_by_its_own_parameters(self):
-        self.start_project(*SMALL, "--set", "render_mode=traced", "--set", "traced_samples=1")
+        self.start_project(*SMALL, "--set", "render_mode=traced", "--set", "traced_samples=2")
         fast = self.folder / "fast.dolly"
-        plan(self.room, fast, *SMALL, "--max-frames", "2")
+        plan(self.room, fast, *SMALL)
         self.name_folder(self.folder / "dataset")
-        self.press_in_panel("export.modality.residual")
+        self.editor.click("export.filter")
+        self.editor.type("residual")
+        self.editor.click("export.modality.residual")
         self.editor.click("export.add_files")
         self.editor.choose_file(fast)
         self.assertIn("without residual", self.notice())
