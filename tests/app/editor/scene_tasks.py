@@ -3,7 +3,7 @@ import math
 import os
 import time
 
-from task import BOOK, MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
+from task import MUG, NONE, OBJECT, OBJECTS, SOFA, TABLE, Task
 
 SOFA_TOP = (0.5, -1.5, 0.7)
 TABLE_TOP = (3.3, -1.9, 0.74)
@@ -32,7 +32,10 @@ class Selecting(Task):
 
     def test_points_in_an_object_do_not_take_its_click(self):
         middles = self.over_the_room()
-        for object_id in (TABLE, MUG, BOOK, SOFA):
+        self.editor.key("F5")  # without the trajectory, which is drawn over one of the objects
+        self.wait_picture()
+        # The points of mug and book are visible, and are selected by a click on their marks.
+        for object_id in (TABLE, SOFA):
             state = self.editor.click(middles[object_id])
             self.assertEqual(state["selection_kind"], OBJECT, object_id)
             self.assertEqual(state["selected"], [object_id])
