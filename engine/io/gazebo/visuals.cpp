@@ -1,6 +1,7 @@
 #include "engine/io/gazebo/visuals.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/name_pattern.h"
 #include "engine/core/object_names.h"
 #include "engine/core/text_lists.h"
 #include "engine/io/datasets/model_library.h"
@@ -127,7 +128,7 @@ class SceneOfLinks {
                 if (at->second) {
                     wanted[&visual] = *at->second;
                 } else {
-                    missing_.push_back(visual.uri);
+                    leaveOut(visual, link.name);
                 }
             }
         }
@@ -155,6 +156,21 @@ class SceneOfLinks {
     }
 
   private:
+    void leaveOut(const Visual& visual, const std::string& link) {
+        incomplete_.push_back(link.empty() ? "link" : link);
+        switch (files_.absenceOf(visual.folder, visual.uri)) {
+            case ModelPath::Absence::NoFolder:
+                missing_.push_back(visual.uri);
+                break;
+            case ModelPath::Absence::NoFile:
+                absent_.push_back(visual.uri);
+                break;
+            case ModelPath::Absence::OtherCase:
+                other_case_.push_back(visual.uri);
+                break;
+        }
+    }
+
     void addDoubts(const std::vector<std::string>& doubts) {
         constexpr std::size_t kMostDoubts = 20;
         const std::size_t shown = std::min(doubts.size(), kMostDoubts);
@@ -280,6 +296,17 @@ class SceneOfLinks {
             "model or mesh was not found and is left out; give the folder around it with --models",
             "models or meshes were not found and are left out; give the folder around them with "
             "--models");
+        say(absent_,
+            "mesh is not in the folder of its model and is left out; copy or download the whole "
+            "model",
+            "meshes are not in the folders of their models and are left out; copy or download the "
+            "whole models");
+        say(other_case_,
+            "mesh is left out, since its file's name differs in upper and lower case; rename the "
+            "file",
+            "meshes are left out, since their files' names differ in upper and lower case; rename "
+            "the files");
+        say(incomplete_, "object lacks a mesh", "objects lack a mesh");
         say(unreadable_, "mesh cannot be read and is left out; export it again",
             "meshes cannot be read and are left out; export them again");
         say(unmatched_, "submesh is not in its mesh and is left out; correct its name",
@@ -315,7 +342,10 @@ class SceneOfLinks {
     std::map<std::size_t, Submeshes> submeshes_;
     /// Indices of materials by the original material's index, colour and opacity.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
-    std::vector<std::string> missing_;
+    std::vector<std::string> missing_;     // models and meshes, by address
+    std::vector<std::string> absent_;      // meshes that a model's folder lacks
+    std::vector<std::string> other_case_;  // meshes found only by ignoring upper and lower case
+    std::vector<std::string> incomplete_;  // objects with such meshes
     UnknownShapes unknown_shapes_;
     std::vector<std::string> unreadable_;
     std::vector<std::string> unmatched_;
@@ -355,6 +385,35 @@ std::optional<fs::path> ModelPath::find(const fs::path& folder, const std::strin
         if (xml) return std::nullopt;
     }
     return std::nullopt;
+}
+
+std::vector<fs::path> ModelPath::rootsFor(const fs::path& folder) const {
+    std::vector<fs::path> roots = files_.folders();
+    for (const fs::path& around : foldersAround(folder)) {
+        if (files_.reaches(around)) roots.push_back(around);
+    }
+    return roots;
+}
+
+ModelPath::Absence ModelPath::absenceOf(const fs::path& folder, const std::string& uri) const {
+    if (isWebAddress(uri)) return Absence::NoFolder;
+    std::string name = percentDecoded(uri);
+    for (const char* scheme : {"package://", "model://", "file://"}) takeScheme(name, scheme);
+    Absence absence = Absence::NoFolder;
+    const fs::path relative = fs::path(name).relative_path();
+    for (const fs::path& root : rootsFor(folder)) {
+        const fs::path around = absoluteNormal(root / relative.parent_path());
+        if (!relative.has_parent_path() || !files_.reaches(around)) continue;
+        absence = Absence::NoFile;
+        const Result<std::vector<std::string>> names = files_.namesIn(around);
+        if (!names) continue;
+        const std::string wanted = inSmallLetters(relative.filename().string());
+        if (std::ranges::any_of(*names,
+                                [&](const auto& one) { return inSmallLetters(one) == wanted; })) {
+            return Absence::OtherCase;
+        }
+    }
+    return absence;
 }
 
 const std::string& ModelPath::nameOf(const fs::path& config) const {

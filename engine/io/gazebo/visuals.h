@@ -66,7 +66,19 @@ class ModelPath {
     [[nodiscard]] std::optional<std::filesystem::path> findModel(
         const std::filesystem::path& folder, const std::string& uri) const;
 
+    /// Why find() did not find a mesh.
+    enum class Absence {
+        NoFolder,   // the folder that its address names is not there either
+        NoFile,     // only the file is not there
+        OtherCase,  // a file is there whose name differs in upper and lower case
+    };
+    [[nodiscard]] Absence absenceOf(const std::filesystem::path& folder,
+                                    const std::string& uri) const;
+
   private:
+    /// The folders that may contain `name`, the path of a file in a model or package.
+    [[nodiscard]] std::vector<std::filesystem::path> rootsFor(
+        const std::filesystem::path& folder) const;
     const std::string& nameOf(const std::filesystem::path& config) const;
 
     ReachableFiles files_;

@@ -68,8 +68,7 @@ std::vector<std::vector<Primitive>> readPlacedMeshes(
     std::vector<std::size_t> used;
     for (const MeshPlacement& placement : placements) used.push_back(placement.mesh);
     std::ranges::sort(used);
-    const auto repeated = std::ranges::unique(used);
-    used.erase(repeated.begin(), repeated.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
     if (!used.empty()) static_cast<void>(document.entry("meshes", used.back()));  // throws
     std::vector<std::vector<Primitive>> meshes(used.empty() ? 0 : used.back() + 1);
     parallelFor(used.size(), [&](std::size_t i) {

@@ -1,8 +1,9 @@
 #include "engine/io/import/redundant_parts.h"
 
+#include "engine/core/name_pattern.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <map>
 #include <string_view>
@@ -13,14 +14,9 @@ namespace {
 
 enum class Proxy { No, Maybe, Yes };
 
-std::string lowerCase(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 /// A name in lower case without trailing numbers: "ucx_sofa" for "UCX_sofa_01".
 std::string plainName(const std::string& name) {
-    std::string plain = lowerCase(name);
+    std::string plain = inSmallLetters(name);
     const std::size_t end = plain.find_last_not_of("0123456789_.- ");
     plain.resize(end == std::string::npos ? 0 : end + 1);
     return plain;

@@ -1,13 +1,13 @@
 #include "engine/io/pictures/texture_loader.h"
 
 #include "engine/core/clean_text.h"
+#include "engine/core/name_pattern.h"
 #include "engine/io/files/confined_folder.h"
 #include "engine/io/files/percent_text.h"
 #include "engine/io/pictures/picture_decoder.h"
 #include "engine/jobs/parallel.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,11 +21,6 @@ namespace fs = std::filesystem;
 constexpr int kLargestSide = 1024;
 constexpr std::uint64_t kMostTextureFileBytes = std::uint64_t{1} << 29;
 
-std::string lowerName(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 /// The file name of a path with slashes or backslashes, such as "C:\maps\Wood.PNG".
 std::string baseName(const std::string& name) {
     const auto slash = name.find_last_of("/\\");
@@ -36,7 +31,7 @@ std::string baseName(const std::string& name) {
 struct PictureFolder {
     explicit PictureFolder(const fs::path& folder) : files(folder) {
         for (const fs::path& file : files.list()) {
-            by_name.try_emplace(lowerName(file.filename().string()), file);
+            by_name.try_emplace(inSmallLetters(file.filename().string()), file);
         }
     }
     ConfinedFolder files;
@@ -55,7 +50,7 @@ std::optional<fs::path> locate(const std::string& name, bool only_there,
             return direct;
         }
         if (only_there) continue;
-        const auto found = folder.by_name.find(lowerName(baseName(relative)));
+        const auto found = folder.by_name.find(inSmallLetters(baseName(relative)));
         if (found != folder.by_name.end()) return found->second;
     }
     return std::nullopt;

@@ -86,6 +86,29 @@ TEST(Gazebo, MeshesOutsideAreLeftOut) {
               nullptr);
 }
 
+// The message says which object lacks a mesh, and whether the mesh alone is missing, or its folder.
+TEST(Gazebo, TheCauseOfAMissingMeshIsNamed) {
+    const TempFolder folder;
+    static_cast<void>(folder.write("models/sofa/meshes/sofa.obj", test::lShapedModel()));
+    const std::pair<const char*, const char*> kCases[] = {
+        {"model://sofa/meshes/Sofa.obj",
+         "differs in upper and lower case; rename the file: "
+         "model://sofa/meshes/Sofa.obj"},
+        {"model://sofa/meshes/leg.obj",
+         "copy or download the whole model: "
+         "model://sofa/meshes/leg.obj"},
+        {"model://table/meshes/table.obj",
+         "give the folder around it with --models: "
+         "model://table/meshes/table.obj"}};
+    for (const auto& [uri, cause] : kCases) {
+        const Scene scene =
+            imported(folder.write("room.world", world(modelAt(0, "ball", kBall) +
+                                                      modelAt(5, "red sofa", meshVisual(uri)))));
+        EXPECT_TRUE(says(scene.report.warnings, cause)) << uri;
+        EXPECT_TRUE(says(scene.report.warnings, "1 object lacks a mesh: red sofa")) << uri;
+    }
+}
+
 TEST(Gazebo, IncludesThatAreMissingCountToo) {
     const TempFolder folder;
     std::string text = modelAt(0, "ball", kBall);
