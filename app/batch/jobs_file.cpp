@@ -298,14 +298,13 @@ Result<BatchOrder> readJobsFile(const fs::path& file) {
     std::error_code error;
     const Result<std::string> text = readText(file, kMostMebibytes);
     if (!text || text->empty()) {
-        return fail(
-            ErrorCode::BadInput,
-            fs::is_directory(file, error) ? "this is a folder; give the jobs file in it"
-            : !fs::exists(file, error)
-                ? "there is no such file; see the guide app/guides/batches.md for an example"
-            : text ? "the jobs file is empty"
-                   : text.error().message,
-            file.string());
+        return fail(ErrorCode::BadInput,
+                    fs::is_directory(file, error) ? "this is a folder; give the jobs file in it"
+                    : !fs::exists(file, error)
+                        ? "there is no such file; the guide Batches has an example"
+                    : text ? "the jobs file is empty"
+                           : text.error().message,
+                    file.string());
     }
     if (Status status = checkTomlDepth(*text, file.string()); !status) {
         return tl::unexpected(std::move(status.error()));

@@ -224,18 +224,18 @@ class KeyNotes {
                 key.note = collisionNote(i, frame);
             } else if (!isReached(i, given_frames[i], key.frame)) {
                 key.note = fmt::format(
-                    "Key {} is not reached: the camera passes {:.3f} m beside it; move it.", i + 1,
-                    distance_m(i, frame));
+                    "Key {} is not reached: the camera passes at a distance of {:.3f} m; move it.",
+                    i + 1, distance_m(i, frame));
             } else if (i > 0 && frame.path != frames()[passed[i - 1].frame].path) {
                 key.note = fmt::format(
                     "No collision-free path leads from key {} to key {}; remove one of them, or "
                     "add keys that lead around the obstacle.",
                     i, i + 1);
+            }
+            if (later && key.note.empty()) {
+                key.note = lateNote(i, frame.time_s);
             } else if (later) {
-                key.note = fmt::format(
-                    "Key {} is reached at {:.2f} s instead of {:.2f} s; move it later, or raise "
-                    "the motion limits (motion_preset).",
-                    i + 1, frame.time_s, keys_[i].time_s);
+                key.note += fmt::format(" It is passed {:.2f} s late.", now_late_s);
             }
             passed.push_back(std::move(key));
         }
@@ -277,11 +277,19 @@ class KeyNotes {
         return distance_m(i, frame) <= most_m;
     }
 
+    [[nodiscard]] std::string lateNote(std::size_t i, double time_s) const {
+        return fmt::format(
+            "Key {} is reached at {:.2f} s instead of {:.2f} s; move it later, fit the keys' "
+            "times, "
+            "or raise the motion limits (motion_preset).",
+            i + 1, time_s, keys_[i].time_s);
+    }
+
     [[nodiscard]] std::string collisionNote(std::size_t i, const TrajectoryFrame& frame) const {
         const double away_m = distance_m(i, frame);
         return fmt::format("Key {} {}: the camera {}; move the key.", i + 1,
                            whyNotThere(scene_, keys_[i].pose.position),
-                           away_m > 0.0 ? fmt::format("passes {:.2f} m beside it", away_m)
+                           away_m > 0.0 ? fmt::format("passes at a distance of {:.2f} m", away_m)
                                         : std::string("collides there"));
     }
 

@@ -286,7 +286,7 @@ void addExportCommand(CLI::App& app, Session& session) {
     command
         ->add_option("--rig", arguments->rig,
                      "Additional cameras mounted on the planned one, a JSON file (see the guide "
-                     "app/guides/cameras.md); their images go to cameras/")
+                     "Cameras); their images go to cameras/")
         ->type_name("FILE");
     command
         ->add_option(

@@ -266,8 +266,9 @@ TEST(KeyMotion, SaysWhichFreeKeyIsNotReached) {
         (made.trajectory.frames[made.passed[2].frame].pose.position - keys[2].pose.position).norm();
     EXPECT_GT(beside_m, 0.3) << "the wall with the camera's radius on both sides";
     EXPECT_EQ(made.passed[2].note,
-              fmt::format("Key 3 is not reached: the camera passes {:.3f} m beside it; move it.",
-                          beside_m));
+              fmt::format("Key 3 is not reached: the camera passes at a distance of {:.3f} m; move "
+                          "it. It is passed {:.2f} s late.",
+                          beside_m, made.passed[2].time_s - keys[2].time_s));
 }
 
 TEST(KeyMotion, RoundingToFramesIsNoDelay) {
