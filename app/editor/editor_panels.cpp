@@ -1,5 +1,6 @@
 #include "app/editor/editor.h"
 
+#include "engine/core/text_lists.h"
 #include "engine/plan/object_key.h"
 #include "planning/free_space/free_space.h"
 #include "planning/timing/motion_limits.h"
@@ -311,7 +312,8 @@ void Editor::drawPlanStatus(const Plan& plan) {
     const auto keys =
         std::ranges::count_if(frames, [](const auto& frame) { return frame.position_point >= 0; });
     const double seconds = frames.empty() ? 0.0 : frames.back().time_s - frames.front().time_s;
-    ImGui::Text("%zu frames in %s, %d of %d targets captured", frames.size(),
+    ImGui::Text("%s in %s, %d of %d targets captured",
+                counted(frames.size(), "frame", "frames").c_str(),
                 ui::durationText(seconds).c_str(), capture.captured, capture.objects);
     ui::nameItem("status.plan");
     ui::tooltip(

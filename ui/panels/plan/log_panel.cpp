@@ -28,11 +28,13 @@ bool matches(const log::Record& record, const LogPanelState& state) {
            containsIgnoringCase(record.subsystem, state.filter);
 }
 
+std::string messageOf(const log::Record& record) {
+    if (record.repeats <= 1) return record.message;
+    return record.message + " (" + std::to_string(record.repeats) + " times)";
+}
+
 std::string asText(const log::Record& record) {
-    std::string text =
-        std::string(log::name(record.level)) + " " + record.subsystem + ": " + record.message;
-    if (record.repeats > 1) text += " (" + std::to_string(record.repeats) + " times)";
-    return text;
+    return std::string(log::name(record.level)) + " " + record.subsystem + ": " + messageOf(record);
 }
 
 /// Continues the line after the last widget if the panel has room for this width, px.
@@ -41,6 +43,17 @@ void continueLine(float width) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width < end) {
         ImGui::SameLine();
     }
+}
+
+/// One message, wrapped to the width of the panel.
+void drawRecord(const log::Record& record) {
+    ImGui::TextColored(levelColor(record.level), "%-7s", log::name(record.level));
+    ImGui::SameLine(scaled(70));
+    ImGui::TextColored(palette().text_dim, "%s", record.subsystem.c_str());
+    ImGui::SameLine(scaled(150));
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(messageOf(record).c_str());
+    ImGui::PopTextWrapPos();
 }
 
 }  // namespace
@@ -112,26 +125,7 @@ void drawLogPanel(LogBuffer& buffer, LogPanelState& state) {
     ImGui::TextDisabled("%zu of %zu", rows.size(), all.size());
 
     ImGui::BeginChild("messages");
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()));
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const log::Record& record = *rows[i];
-            ImGui::TextColored(levelColor(record.level), "%-7s", log::name(record.level));
-            ImGui::SameLine(scaled(70));
-            ImGui::TextColored(palette().text_dim, "%s", record.subsystem.c_str());
-            ImGui::SameLine(scaled(150));
-            ImGui::TextUnformatted(record.message.c_str());
-            if (ImGui::IsItemHovered() &&
-                ImGui::CalcTextSize(record.message.c_str()).x > ImGui::GetContentRegionAvail().x) {
-                ImGui::SetTooltip("%s", record.message.c_str());
-            }
-            if (record.repeats > 1) {
-                ImGui::SameLine();
-                ImGui::TextColored(palette().accent, "× %d", record.repeats);
-            }
-        }
-    }
+    for (const log::Record* record : rows) drawRecord(*record);
     if (state.seen_version != buffer.version()) {
         state.seen_version = buffer.version();
         // Keeps the position if the user has scrolled up.
