@@ -109,8 +109,16 @@ TEST(BadInput, WrongFirstBytes) {
     expectRefused(folder.write("room.dae", "{}"), "wrong extension");
 }
 
-TEST(BadInput, ScenesOfMitsubaAreNamed) {
+TEST(BadInput, ScenesOfOtherProgramsAreNamed) {
     const TempFolder folder;
+    expectRefused(folder.write("kitchen.xml", "<mujoco model=\"kitchen\">"), "MuJoCo");
+    expectRefused(folder.write("room.spz", "x"), "uncompressed PLY");
+    expectRefused(folder.write("meta.json", "{\"means\": {\"shape\": [307128, 3]}}"),
+                  "uncompressed PLY");
+    expectRefused(folder.write("room.compressed.ply",
+                               "ply\nformat binary_little_endian 1.0\nelement vertex 1\n"
+                               "property uint packed_position\nend_header\n1234"),
+                  "uncompressed PLY");
     expectRefused(folder.write("scene.xml", "<?xml version=\"1.0\"?>\n<scene version=\"0.5.0\">"),
                   "Mitsuba");
     expectRefused(folder.write("other.xml", "<?xml version=\"1.0\"?>\n<html>"),

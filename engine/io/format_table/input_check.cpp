@@ -84,6 +84,10 @@ std::string_view adviceForJson(std::string_view head) {
         return "this is a house of ProcTHOR (AI2-THOR), whose meshes are in Unity's files; use the "
                "same house as a Habitat scene instance (AI2-THOR-Hab)";
     }
+    if (all({"\"means\"", "\"shape\""}) || all({"\"means\"", "\"codebook\""})) {
+        return "this lists the files of Gaussian splats in the SOG format; save them as an "
+               "uncompressed PLY, for example in SuperSplat";
+    }
     if (all({"\"dimensions\"", "\"transform\"", "\"confidence\""})) {
         return "this is a scan of RoomPlan as boxes without meshes; export the scan's USDZ, and "
                "from that glTF with Blender 4";
@@ -166,12 +170,17 @@ std::string adviceForProgram(const std::string& extension) {
     static constexpr std::string_view kAssimp =
         "convert it to OBJ with \"assimp export IN out.obj\" (Debian's assimp-utils)";
     static constexpr std::string_view kBlender = "open it in Blender and export glTF";
+    static constexpr std::string_view kSplats =
+        "save the Gaussian splats as an uncompressed PLY, for example in SuperSplat";
     static constexpr std::string_view kFreeCad = "open it in FreeCAD and export OBJ";
     static constexpr std::string_view kCloudCompare =
         "save it as PLY with CloudCompare from cloudcompare.org (Debian's CloudCompare does not "
         "open it)";
-    static constexpr std::array<Converted, 13> kConverted = {
+    static constexpr std::array<Converted, 16> kConverted = {
         {{".3ds", kAssimp},
+         {".spz", kSplats},
+         {".sog", kSplats},
+         {".ksplat", kSplats},
          {".dxf", kAssimp},
          {".x3d", kBlender},
          {".wrl", kBlender},
@@ -239,6 +248,12 @@ Result<const SceneFormat*> formatOf(const Path& path, const std::string& where) 
         return fail(ErrorCode::BadInput,
                     "Mitsuba scenes cannot be read; open the OBJ or PLY file of its mesh, or "
                     "combine its meshes in Blender and export glTF",
+                    where);
+    }
+    if (extension == ".xml" && head.find("<mujoco") != std::string_view::npos) {
+        return fail(ErrorCode::BadInput,
+                    "MuJoCo models cannot be read; export the scene as glTF or URDF from the "
+                    "program that made it",
                     where);
     }
     std::string kinds;

@@ -95,8 +95,9 @@ Eigen::Quaterniond rotationFromRollPitchYaw(const Eigen::Vector3d& roll_pitch_ya
 }
 
 bool isPlainLinkName(std::string_view name) {
-    static constexpr std::array<std::string_view, 10> kPlain = {
-        "link", "base", "body", "part", "root", "visual", "mesh", "object", "node", "child"};
+    static constexpr std::array<std::string_view, 11> kPlain = {"link", "base",   "body", "part",
+                                                                "root", "visual", "mesh", "object",
+                                                                "node", "child",  "clone"};
     const std::vector<std::string> words = wordsOfName(name);
     return std::ranges::all_of(words, [](const std::string& word) {
         return word.size() < 2 || std::ranges::find(kPlain, word) != kPlain.end();

@@ -327,8 +327,30 @@ class SdfReader {
         }
     }
 
-    /// Joins links that are connected by joints into one object, named after the first.
+    void join(std::size_t one, std::size_t other) {
+        const std::size_t a = firstOf(one);
+        const std::size_t b = firstOf(other);
+        first_[std::max(a, b)] = std::min(a, b);
+    }
+
+    /// Joins the links of a model that Gazebo's model editor has named link_0, link_1 and so on:
+    /// they are parts of one thing. A model of many such links may be a whole room.
+    void joinNamelessLinks(const Scope& scope) {
+        constexpr std::size_t kMostParts = 12;
+        std::vector<std::size_t> links;
+        for (const Frame& frame : scope.frames) {
+            if (!frame.link) continue;
+            if (!isPlainLinkName(links_[*frame.link].name)) return;
+            links.push_back(*frame.link);
+        }
+        if (scope.name.empty() || links.size() > kMostParts) return;
+        for (const std::size_t link : links) join(links.front(), link);
+    }
+
+    /// Joins links that are connected by joints, or have generic names, into one object, named
+    /// after the first.
     Status joinLinks(Scope& scope) {
+        joinNamelessLinks(scope);
         for (Frame& frame : scope.frames) {
             if (frame.model) {
                 if (Status joined = joinLinks(*frame.model); !joined) return joined;
@@ -339,9 +361,7 @@ class SdfReader {
             const auto parent = linkOf(scope, textOf(frame.node.child("parent")));
             const auto child = linkOf(scope, textOf(frame.node.child("child")));
             if (!parent || !child) continue;
-            const std::size_t a = firstOf(*parent);
-            const std::size_t b = firstOf(*child);
-            first_[std::max(a, b)] = std::min(a, b);
+            join(*parent, *child);
         }
         return {};
     }

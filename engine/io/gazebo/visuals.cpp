@@ -213,8 +213,12 @@ class SceneOfLinks {
             scaled = scaled * Eigen::Translation3d(-box.center());
         }
         ModelPlacement& placement = placements_.try_emplace(number, *model, scene_).first->second;
-        append(placement.place(object.name, visual.scene_from_visual * scaled, parts), visual,
-               object);
+        const std::vector<std::size_t> placed =
+            placement.place(object.name, visual.scene_from_visual * scaled, parts);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            name_in_mesh_[placed[i]] = model->nodes[model->parts[parts[i]].node].name;
+        }
+        append(placed, visual, object);
         return {};
     }
 
@@ -262,6 +266,35 @@ class SceneOfLinks {
         return at->second;
     }
 
+    /// If the only object with meshes is as large as a room and has meshes of several names, it is
+    /// a building with its furniture: its objects are then found by these names, as in the mesh
+    /// file alone.
+    void splitBuilding() {
+        constexpr float kRoom_m = 4.0F;
+        constexpr std::size_t kFewestNames = 4;
+        const auto hasMeshes = [&](const SourceObject& object) {
+            return name_in_mesh_.contains(object.parts.front());
+        };
+        if (std::ranges::count_if(scene_.objects, hasMeshes) != 1) return;
+        const SourceObject& building = *std::ranges::find_if(scene_.objects, hasMeshes);
+        Eigen::AlignedBox3f box;
+        std::map<std::string, int> nodes;
+        for (const std::size_t part : building.parts) {
+            box.extend(scene_.parts[part].bounds);
+            nodes[name_in_mesh_[part]] = 0;
+        }
+        if (box.sizes().head<2>().minCoeff() < kRoom_m || nodes.size() < kFewestNames) return;
+        for (auto& [name, node] : nodes) {
+            node = static_cast<int>(scene_.nodes.size());
+            scene_.nodes.push_back({name, 0, 0});
+            ++scene_.nodes.front().children;
+        }
+        for (const std::size_t part : building.parts) {
+            scene_.parts[part].node = nodes[name_in_mesh_[part]];
+        }
+        scene_.objects.clear();
+    }
+
     static tl::unexpected<Error> cancelled() {
         return fail(ErrorCode::Cancelled, "import was cancelled");
     }
@@ -269,17 +302,22 @@ class SceneOfLinks {
     Result<RawScene> finish() {
         const auto say = [&](std::vector<std::string> names, const char* one, const char* many) {
             if (names.empty()) return;
-            const std::size_t count = names.size();
             for (std::string& name : names) name = cleanText(name);
             std::sort(names.begin(), names.end());
             names.erase(std::unique(names.begin(), names.end()), names.end());
-            scene_.warnings.push_back(counted(count, one, many) + ": " + listOf(names));
+            scene_.warnings.push_back(counted(names.size(), one, many) + ": " + listOf(names));
         };
         std::vector<std::string> fuel;
         std::vector<std::string> web;
         std::erase_if(missing_, [&](const std::string& uri) {
             if (!isWebAddress(uri)) return false;
-            (fuelUriOf(uri) ? fuel : web).push_back(uri);
+            const auto address = fuelUriOf(uri);
+            // The program downloads whole models.
+            if (address && !address->file.empty()) {
+                fuel.push_back(uri.substr(0, uri.rfind("/files/", uri.size())));
+            } else {
+                (address ? fuel : web).push_back(uri);
+            }
             return true;
         });
         say(fuel,
@@ -322,6 +360,7 @@ class SceneOfLinks {
             for (const std::string& warning : scene_.warnings) message += "; " + warning;
             return fail(ErrorCode::BadInput, message, where_);
         }
+        splitBuilding();
         return std::move(scene_);
     }
 
@@ -342,8 +381,9 @@ class SceneOfLinks {
     std::map<std::size_t, Submeshes> submeshes_;
     /// Indices of materials by the original material's index, colour and opacity.
     std::map<std::tuple<std::uint32_t, float, float, float, float>, std::uint32_t> painted_;
-    std::vector<std::string> missing_;     // models and meshes, by address
-    std::vector<std::string> absent_;      // meshes that a model's folder lacks
+    std::map<std::size_t, std::string> name_in_mesh_;  // the node's name in the file, by part
+    std::vector<std::string> missing_;                 // models and meshes, by address
+    std::vector<std::string> absent_;                  // meshes that a model's folder lacks
     std::vector<std::string> other_case_;  // meshes found only by ignoring upper and lower case
     std::vector<std::string> incomplete_;  // objects with such meshes
     UnknownShapes unknown_shapes_;

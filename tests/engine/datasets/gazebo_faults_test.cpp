@@ -252,6 +252,52 @@ TEST(Gazebo, PlainNamesOfLinksComeWithTheirModel) {
     EXPECT_NE(find(scene, "handle"), nullptr);
 }
 
+// Gazebo's model editor names the parts of a chair link_0, link_0_clone and so on.
+TEST(Gazebo, LinksWithoutNamesOfTheirOwnArePartsOfOneObject) {
+    const TempFolder folder;
+    const auto chairOf = [](int links) {
+        std::string text = "<model name='chair'><static>1</static>";
+        for (int i = 0; i < links; ++i) {
+            text += fmt::format("<link name='link_{}{}'><pose>{} 0 0 0 0 0</pose>{}</link>", i / 2,
+                                i % 2 == 0 ? "" : "_clone", i, kBall);
+        }
+        return world(text + "</model>");
+    };
+    const Scene chair = imported(folder.write("room.world", chairOf(7)));
+    ASSERT_EQ(chair.objects.size(), 1U);
+    EXPECT_EQ(chair.objects[0].name, "chair");
+    EXPECT_NEAR(2.0 * chair.objects[0].box.half_size.x(), 8.0, 0.05)
+        << "seven balls of radius 1, 1 m apart";
+    EXPECT_EQ(imported(folder.write("room.world", chairOf(13))).objects.size(), 13U)
+        << "too many for one thing";
+}
+
+// An office that is one mesh file in one model.
+TEST(Gazebo, ABuildingOfOneMeshFileIsSplitByTheNamesInIt) {
+    const TempFolder folder;
+    for (const double size_m : {6.0, 2.0}) {
+        std::string mesh;
+        int vertices = 0;
+        for (const char* name : {"floor", "desk", "lamp", "sofa"}) {
+            const double x = size_m * vertices / 12.0;
+            mesh += fmt::format("o {}\n", name);
+            for (const auto& [dx, dz] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+                mesh += fmt::format("v {} {} {}\n", x + dx * size_m / 4, dx * size_m, dz);
+            }
+            mesh += fmt::format("f {} {} {} {}\n", vertices + 1, vertices + 2, vertices + 3,
+                                vertices + 4);
+            vertices += 4;
+        }
+        static_cast<void>(folder.write("office.obj", mesh));
+        const Scene scene = imported(
+            folder.write("room.world", world(modelAt(0, "office", meshVisual("office.obj")))));
+        const bool is_building = size_m > 4.0;
+        EXPECT_EQ(find(scene, "desk") != nullptr, is_building) << size_m;
+        EXPECT_EQ(find(scene, "office") == nullptr, is_building) << size_m;
+        EXPECT_EQ(scene.objects.size(), is_building ? 4U : 1U) << size_m;
+    }
+}
+
 TEST(Gazebo, ModelsOnFuelAreLookedUpAmongDownloadedOnes) {
     const TempFolder folder;
     const std::string chair = "https://fuel.gazebosim.org/1.0/OpenRobotics/models/Office%20Chair";

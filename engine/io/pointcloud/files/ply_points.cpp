@@ -143,6 +143,14 @@ Result<PointCloud> readPlyCloud(const fs::path& path) {
     const std::string& bytes = *text;
     const Result<PlyHeader> header = readPlyHeader(path, bytes);
     if (!header) return tl::unexpected(header.error());
+    const auto isPacked = [](const PlyProperty& one) { return one.name == "packed_position"; };
+    for (const PlyElement& element : header->elements) {
+        if (std::ranges::none_of(element.properties, isPacked)) continue;
+        return wrong(
+            "These are Gaussian splats in compressed form; save them as an uncompressed "
+            "PLY, for example in SuperSplat.",
+            path.string());
+    }
     PlyNumbers numbers(std::string_view(bytes).substr(header->size), header->format);
     PointCloud cloud;
     for (const PlyElement& element : header->elements) {
