@@ -33,9 +33,9 @@ bool isShare(std::string_view metric) {
 std::string_view reasonOfNoValue(std::string_view metric) {
     const std::string_view name = withoutPrefix(metric);
     if (name == "trackable_rate") {
-        return "only trackability=on and motion_preset=slam measure it";
+        return "only trackability=on, motion_preset=slam and --quality measure it";
     }
-    if (name.starts_with("surface_")) return "only objective=surface and both measure it";
+    if (name.starts_with("surface_")) return "only objective=surface, both and --quality measure it";
     return "there is nothing to measure";
 }
 

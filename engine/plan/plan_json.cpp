@@ -1,6 +1,7 @@
 #include "engine/plan/plan_json.h"
 
 #include "engine/io/files/bounded_json.h"
+#include "engine/plan/frame_quality.h"
 #include "engine/plan/ledger_json.h"
 
 #include <fmt/format.h>
@@ -201,14 +202,7 @@ json metricsJson(const Scene& scene, const Plan& plan) {
             {{"kind", one.kind}, {"found", one.found}, {"visited", one.visited}});
     }
     result["must_see_rate"] = least;  // 1 if there is no must-see region
-    if (plan.surface) {
-        const SurfaceShare& surface = *plan.surface;
-        result["surface_seen_rate"] = surface.rateOf(surface.seen);
-        result["surface_covered_rate"] = surface.rateOf(surface.covered);
-        result["surface_coverable_rate"] = surface.rateOf(surface.coverable);
-        result["surface_patches"] = surface.patches;
-        result["surface_patch_m"] = surface.patch_m;
-    }
+    if (plan.surface) addSurface(result, *plan.surface);
     if (!plan.tour_rooms.empty()) result["rooms"] = roomToursJson(plan);
     if (plan.scanned_share) result["scanned_share"] = *plan.scanned_share;
     return result;

@@ -1,6 +1,8 @@
 #include "planning/baselines/median.h"
 #include "planning/baselines/planner_metrics.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 namespace dollytrack::planning {
@@ -20,6 +22,16 @@ MetricsRow byColumn(const std::vector<MetricsRow>& rows, Combine&& combine) {
 }
 
 }  // namespace
+
+std::string metricNumber(const MetricInfo& info, const std::optional<double>& value) {
+    if (!value) return "-";
+    if (info.unit == "%") return fmt::format("{:.1f}", 100.0 * *value);
+    const bool is_score = info.name.ends_with("score");
+    if ((info.unit.empty() && !is_score) || info.unit == "ms") return fmt::format("{:.0f}", *value);
+    if (info.unit == "deg/s" || info.unit == "s") return fmt::format("{:.1f}", *value);
+    if (info.name == "path_length_m") return fmt::format("{:.1f}", *value);
+    return fmt::format("{:.2f}", *value);
+}
 
 const std::vector<MetricInfo>& plannerMetricInfos() {
     static const std::vector<MetricInfo> metrics = [] {

@@ -5,6 +5,7 @@
 #include "planning/baselines/planned_motion.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,6 +48,9 @@ struct MetricInfo {
     std::string_view unit;   // "%": the value is a rate, 0..1
     Better better = Better::Neither;
 };
+
+/// A value as text without its unit, rates in percent, with the digits that matter; "-" if empty.
+std::string metricNumber(const MetricInfo& info, const std::optional<double>& value);
 
 /// Visits all values. Calls visit(info, value); the value is a number or an optional number.
 template <class Metrics, class Visitor>

@@ -1,6 +1,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands/outcomes_command.h"
 #include "app/cli/compare/comparison.h"
+#include "app/cli/compare/project_comparison.h"
 #include "app/cli/given_trajectory.h"
 #include "app/cli/plan/metrics_table.h"
 #include "app/cli/scene_arguments.h"
@@ -21,6 +22,7 @@ namespace {
 struct CompareArguments {
     SceneArguments each;  // import and planning options of every scene; its path is set for each
     std::vector<std::string> scenes;
+    std::vector<std::string> projects;  // two, whose plans are compared instead of planners
     std::vector<std::string> planners = {"all"};
     std::vector<std::string> trajectories;
     TrajectoryArguments reading;
@@ -209,6 +211,38 @@ SceneArguments withFrames(SceneArguments each) {
     return each;
 }
 
+/// Compares the plans of two projects instead of planners.
+Result<ExitCode> runProjects(const CompareArguments& arguments, const Session& session) {
+    const CompareArguments usual;
+    for (const auto& [given, option] :
+         {std::pair(!arguments.scenes.empty(), "SCENE"),
+          std::pair(arguments.planners != usual.planners, "--planners"),
+          std::pair(arguments.seeds != usual.seeds, "--seeds"),
+          std::pair(arguments.bound, "--bound"), std::pair(!arguments.picture.empty(), "--picture"),
+          std::pair(!arguments.trajectories.empty(), "--trajectory"),
+          std::pair(!arguments.outcomes.judges.empty(), "--outcomes")}) {
+        if (!given) continue;
+        return fail(ErrorCode::Usage,
+                    "It cannot be combined with --projects; leave out one of the two.", option);
+    }
+    if (Status status = checkWritable(arguments.csv); !status) {
+        return tl::unexpected(std::move(status.error()));
+    }
+    const auto compared = compareProjects(arguments.projects, arguments.each, session.job());
+    if (!compared) return tl::unexpected(compared.error());
+    if (arguments.as_json) {
+        fmt::print("{}\n", comparisonJson(*compared));
+    } else {
+        fmt::print("{}", comparisonTable(*compared));
+    }
+    if (!arguments.csv.empty()) {
+        if (Status status = writeWhole(arguments.csv, comparisonCsv(*compared)); !status) {
+            return tl::unexpected(std::move(status.error()));
+        }
+    }
+    return kDone;
+}
+
 Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& session) {
     const bool outcomes = !arguments.outcomes.judges.empty();
     if (Status status = checkOutcomesGiven(arguments.outcomes); !status) {
@@ -217,6 +251,7 @@ Result<ExitCode> runCompare(const CompareArguments& arguments, const Session& se
     if (arguments.list) {
         return outcomes ? listOutcomes(arguments.outcomes, session) : listPlanners();
     }
+    if (!arguments.projects.empty()) return runProjects(arguments, session);
     if (Status status = checkUsage(arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
@@ -288,6 +323,11 @@ void addCompareCommand(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<CompareArguments>();
     command->add_option("scenes", arguments->scenes, "Scenes or .dolly projects")
         ->type_name("SCENE...");
+    command
+        ->add_option("--projects", arguments->projects,
+                     "Compare the plans of two projects of one scene instead of planners")
+        ->type_name("A.dolly B.dolly")
+        ->expected(2);
     command
         ->add_option("--planners", arguments->planners,
                      "Planners, separated by commas (see --list); default: all")

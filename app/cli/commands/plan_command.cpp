@@ -14,9 +14,11 @@
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/png_writer.h"
 #include "engine/io/settings/project_file.h"
+#include "engine/plan/frame_quality.h"
 #include "engine/plan/ledger_json.h"
 #include "engine/plan/plan_json.h"
 #include "planning/analysis/capture_bound.h"
+#include "planning/analysis/frame_quality.h"
 #include "planning/collision/allowed_region.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/free_space/free_space.h"
@@ -44,30 +46,65 @@ struct PlanArguments {
     int storey = 0;         // storey shown in the image; 0: the topmost
     BackendOption backend;  // OpenGL backend for the image
     std::vector<std::string> coverage;
+    std::string frames;  // table of the frames
     std::vector<std::string> requirements;
     std::string planner = "dollytrack";
     bool as_json = false;
     bool bound = false;
+    bool quality = false;
     bool explain = false;
+};
+
+bool asksForQuality(const PlanArguments& arguments) {
+    return arguments.quality || !arguments.frames.empty();
+}
+
+/// The environment of searches in the scene of a plan.
+class PlanSearch {
+  public:
+    PlanSearch(const OpenedScene& opened, const planning::Pipeline& pipeline)
+        : rays_(pipeline.rays()),
+          free_space_(pipeline.freeSpace()),
+          region_(pipeline.region()),
+          views_(*opened.scene, *rays_, opened.params.camera),
+          sphere_(*rays_, *free_space_, opened.params.camera.camera_radius_m, region_.get()),
+          environment_{views_, *free_space_, sphere_,
+                       planning::pitchBand(opened.params.constraints)} {}
+
+    [[nodiscard]] const planning::PlanningEnvironment& environment() const { return environment_; }
+
+  private:
+    std::shared_ptr<const RayCaster> rays_;
+    std::shared_ptr<const planning::FreeSpace> free_space_;
+    std::shared_ptr<const planning::AllowedRegion> region_;
+    planning::ViewEstimator views_;
+    planning::SweptSphere sphere_;
+    planning::PlanningEnvironment environment_;
 };
 
 Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
                       const Plan& plan, nlohmann::json& metrics, const JobContext& job) {
     const auto begin = std::chrono::steady_clock::now();
-    const auto rays = pipeline.rays();
-    const auto free_space = pipeline.freeSpace();
-    const planning::ViewEstimator views(*opened.scene, *rays, opened.params.camera);
-    const auto region = pipeline.region();
-    const planning::SweptSphere sphere(*rays, *free_space, opened.params.camera.camera_radius_m,
-                                       region.get());
-    const auto bound = planning::boundCaptures(
-        {views, *free_space, sphere, planning::pitchBand(opened.params.constraints)}, plan,
-        opened.params.seed, job);
+    const PlanSearch search(opened, pipeline);
+    const auto bound = planning::boundCaptures(search.environment(), plan, opened.params.seed, job);
     if (!bound) return tl::unexpected(bound.error());
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - begin;
     addBound(metrics, *bound, spent.count());
     return {};
+}
+
+/// Measures how well other programs can use the frames: adds that to the metrics, and writes the
+/// table of the frames.
+Status addQuality(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
+                  const PlanArguments& arguments, nlohmann::json& metrics, const JobContext& job) {
+    const PlanSearch search(opened, pipeline);
+    const auto quality =
+        planning::measureFrameQuality(search.environment(), opened.params, plan, job);
+    if (!quality) return tl::unexpected(quality.error());
+    addFrameQuality(metrics, plan.trajectory, *quality);
+    if (arguments.frames.empty()) return {};
+    return writeWhole(arguments.frames, frameTable(plan.trajectory, plan.series, *quality));
 }
 
 /// Adds remedies to the ledger, also in the plan's metrics and in the result to be stored.
@@ -118,9 +155,10 @@ Status saveCoverage(const OpenedScene& opened, planning::Pipeline& pipeline, con
 }
 
 /// Checked before the work: a misspelt metric must not cost minutes.
-Status knowsMetrics(const std::vector<Requirement>& requirements, bool with_bound) {
+Status knowsMetrics(const std::vector<Requirement>& requirements, const PlanArguments& arguments) {
     nlohmann::json metrics = metricsOf("dollytrack");
-    if (with_bound) addBound(metrics, {}, 0.0);
+    if (arguments.bound) addBound(metrics, {}, 0.0);
+    if (asksForQuality(arguments)) addFrameQuality(metrics, {}, {});
     return checkNames(requirements, metrics);
 }
 
@@ -131,6 +169,8 @@ Status checkBaselineUsage(const PlanArguments& arguments) {
         {!arguments.picture.empty(), "--picture"},
         {!arguments.coverage.empty(), "--coverage"},
         {arguments.bound, "--bound"},
+        {arguments.quality, "--quality"},
+        {!arguments.frames.empty(), "--frames"},
         {arguments.explain, "--explain"},
     };
     for (const auto& [given, option] : ours) {
@@ -166,6 +206,25 @@ Result<ExitCode> runBaseline(const PlanArguments& arguments,
     return areMet(requirements, planned->metrics) ? kDone : kPartial;
 }
 
+/// Writes the project, the picture and the coverage that were asked for.
+Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
+                  const PlannedScene& planned, const PlanArguments& arguments,
+                  const JobContext& job) {
+    if (!arguments.out.empty()) {
+        ProjectFile project = projectOf(opened);
+        project.result = planned.result;
+        if (Status status = saveProject(project, arguments.out); !status) return status;
+    }
+    if (!arguments.picture.empty()) {
+        if (Status status = savePicture(opened, pipeline, *planned.plan, arguments); !status) {
+            return status;
+        }
+    }
+    if (arguments.coverage.empty()) return {};
+    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage,
+                        job.stage(0.5, 1.0, "coverage"));
+}
+
 Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
     const auto requirements = parseRequirements(arguments.requirements);
     if (!requirements) return tl::unexpected(requirements.error());
@@ -180,7 +239,7 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         std::filesystem::path(arguments.picture).extension() != ".png") {
         return fail(ErrorCode::Usage, "The image's name must end in .png.", arguments.picture);
     }
-    for (const std::string& file : {arguments.out, arguments.picture}) {
+    for (const std::string& file : {arguments.out, arguments.picture, arguments.frames}) {
         if (Status status = checkWritable(file); !status) {
             return tl::unexpected(std::move(status.error()));
         }
@@ -188,14 +247,15 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     if (Status status = checkCoverageFiles(arguments.coverage); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    if (Status status = knowsMetrics(*requirements, arguments.bound); !status) {
+    if (Status status = knowsMetrics(*requirements, arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     const JobContext job = session.job();
     const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
     if (!opened) return tl::unexpected(opened.error());
     planning::Pipeline pipeline(opened->scene);
-    const bool goes_on = arguments.bound || arguments.explain || !arguments.coverage.empty();
+    const bool goes_on = arguments.bound || arguments.explain || !arguments.coverage.empty() ||
+                         asksForQuality(arguments);
     Result<PlannedScene> planned =
         planScene(*opened, pipeline, job.stage(0.3, goes_on ? 0.5 : 1.0, "planning"));
     if (!planned) return tl::unexpected(std::move(planned.error()));
@@ -207,30 +267,22 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         }
         planned->result["metrics"] = withoutTimes(planned->metrics);
     }
+    if (asksForQuality(arguments)) {
+        if (Status status = addQuality(*opened, pipeline, *planned->plan, arguments,
+                                       planned->metrics, job.stage(0.5, 1.0, "frames"));
+            !status) {
+            return tl::unexpected(std::move(status.error()));
+        }
+        planned->result["metrics"] = withoutTimes(planned->metrics);
+    }
     std::vector<LedgerRow> ledger;
     if (arguments.explain) {
         auto rows = explain(*opened, *planned, job.stage(0.5, 1.0, "remedies"));
         if (!rows) return tl::unexpected(std::move(rows.error()));
         ledger = std::move(*rows);
     }
-    if (!arguments.out.empty()) {
-        ProjectFile project = projectOf(*opened);
-        project.result = planned->result;
-        if (Status status = saveProject(project, arguments.out); !status) {
-            return tl::unexpected(std::move(status.error()));
-        }
-    }
-    if (!arguments.picture.empty()) {
-        if (Status status = savePicture(*opened, pipeline, *planned->plan, arguments); !status) {
-            return tl::unexpected(std::move(status.error()));
-        }
-    }
-    if (!arguments.coverage.empty()) {
-        if (Status status = saveCoverage(*opened, pipeline, *planned->plan, arguments.coverage,
-                                         job.stage(0.5, 1.0, "coverage"));
-            !status) {
-            return tl::unexpected(std::move(status.error()));
-        }
+    if (Status status = writeFiles(*opened, pipeline, *planned, arguments, job); !status) {
+        return tl::unexpected(std::move(status.error()));
     }
     if (arguments.as_json) {
         fmt::print("{}\n", jsonText(planned->metrics));
@@ -278,9 +330,17 @@ void addPlanCommand(CLI::App& app, Session& session) {
                      "coverage, as a table or image by the file's extension; repeatable")
         ->type_name("FILE.csv|svg|png")
         ->allow_extra_args(false);
+    command
+        ->add_option("--frames", arguments->frames,
+                     "Table of measurements of each frame to write, such as clearance, image "
+                     "corners and overlap with the frame before; includes --quality")
+        ->type_name("FILE.csv");
     command->add_flag("--json", arguments->as_json, "Print the metrics as JSON");
     command->add_flag("--bound", arguments->bound,
                       "Also compute an upper bound by a dense viewpoint search (slow)");
+    command->add_flag("--quality", arguments->quality,
+                      "Also measure surface that no frame shows, frames with few image corners, "
+                      "and gaps between consecutive frames");
     command->add_flag("--explain", arguments->explain,
                       "List for every object the frame that captures it and how well, or the "
                       "reason why none does and a remedy");

@@ -6,18 +6,6 @@
 #include <filesystem>
 
 namespace dollytrack::cli {
-namespace {
-
-std::string cell(const planning::MetricInfo& metric, const std::optional<double>& value) {
-    if (!value) return "-";
-    if (metric.unit == "%") return fmt::format("{:.1f}", 100.0 * *value);
-    if (metric.unit.empty() || metric.unit == "ms") return fmt::format("{:.0f}", *value);
-    if (metric.unit == "deg/s") return fmt::format("{:.1f}", *value);
-    if (metric.name == "path_length_m") return fmt::format("{:.1f}", *value);
-    return fmt::format("{:.2f}", *value);
-}
-
-}  // namespace
 
 std::vector<std::string> sceneNames(const std::vector<std::string>& paths) {
     std::vector<std::string> names;
@@ -56,7 +44,7 @@ std::string comparisonTable(const ComparedScene& scene) {
         std::size_t width = std::max(metrics[m].title.size(), metrics[m].unit.size());
         std::vector<std::string> cells;
         for (const ComparedRow& row : scene.rows) {
-            cells.push_back(cell(metrics[m], row.values[m]));
+            cells.push_back(planning::metricNumber(metrics[m], row.values[m]));
             width = std::max(width, cells.back().size());
         }
         lines[0] += fmt::format("  {:>{}}", metrics[m].title, width);

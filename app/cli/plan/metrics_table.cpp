@@ -1,5 +1,7 @@
 #include "app/cli/plan/metrics_table.h"
 
+#include "engine/plan/frame_quality.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -187,6 +189,12 @@ std::string metricsTable(const nlohmann::json& m) {
     text += row("repeats", percent(m, "repeat_rate"));
     if (m.contains("trackable_rate")) {
         text += row("trackable", percent(m, "trackable_rate") + " of the frames");
+    }
+    if (m.contains("overlap_min_rate")) {
+        text += row("overlap of frames",
+                    fmt::format("{} median, {} least; {} gaps below {:.0f} %",
+                                percent(m, "overlap_median_rate"), percent(m, "overlap_min_rate"),
+                                m.value("wide_gaps", 0), 100.0 * kLeastOverlap));
     }
     text += scoreRows(m.value("repair", nlohmann::json::object()));
     text += motionRows(m) + coverageRows(m);

@@ -57,7 +57,8 @@ json planForm() {
         {"ledger", {ledger_row}},
         {"rooms", {room_tour}}};
     for (const char* name : {"objects", "captured", "well_captured", "frames", "key_frames",
-                             "straight_lines_that_hit", "surface_patches"}) {
+                             "straight_lines_that_hit", "surface_patches", "untrackable_frames",
+                             "wide_gaps"}) {
         metrics[name] = "count";
     }
     for (const char* name :
@@ -65,7 +66,7 @@ json planForm() {
           "area_share_mask", "repeat_rate", "corner_collision_rate", "frame_collision_rate",
           "must_see_rate", "capturable_rate", "well_capturable_rate", "scanned_share",
           "surface_seen_rate", "surface_covered_rate", "surface_coverable_rate",
-          "trackable_rate"}) {
+          "trackable_rate", "overlap_median_rate", "overlap_min_rate"}) {
         metrics[name] = "rate?";
     }
     for (const char* name : {"object_pixels", "min_clearance_m"}) metrics[name] = "number?";

@@ -312,6 +312,50 @@ class Compare(FolderCase):
             frames = [row["frames"] for row in csv.DictReader(file)]
         self.assertEqual(frames[0], frames[1])
 
+    def test_two_projects_are_compared_by_their_stored_plans(self):
+        projects = [self.folder / "a.dolly", self.folder / "b.dolly"]
+        metrics = []
+        for project, frames in zip(projects, (40, 20)):
+            planned = run("plan", self.room, "--max-frames", frames, "-o", project, "--json")
+            metrics.append(json.loads(planned.stdout))
+        table = self.folder / "projects.csv"
+        result = run("compare", "--projects", *projects, "--json", "--csv", table)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = {row["name"]: row for row in json.loads(result.stdout)["metrics"]}
+        for name in ("capture_rate", "repeat_rate", "path_length_m", "frames", "jerk_max_mps3"):
+            self.assertEqual([rows[name]["a"], rows[name]["b"]], [m[name] for m in metrics], name)
+        self.assertEqual(rows["capture_rate"]["better"], "higher")
+        self.assertEqual(rows["frames"]["better"], "")
+        frames = json.loads(projects[1].read_text())["result"]["trajectory"]["frames"]
+        interval = metrics[1]["frame_interval_s"]
+        self.assertAlmostEqual(rows["duration_s"]["b"],
+                               frames[-1]["time_s"] - frames[0]["time_s"] + interval, 9)
+        with open(table) as file:
+            self.assertEqual([row["metric"] for row in csv.DictReader(file)], list(rows))
+        text = run("compare", "--projects", *projects).stdout
+        frames_row = next(line for line in text.splitlines() if line.split()[:1] == ["frames"])
+        counts = [m["frames"] for m in metrics]
+        self.assertEqual(frames_row.split()[1:],
+                         [*map(str, counts), f"{counts[0] - counts[1]:+}"])
+        same = run("compare", "--projects", projects[0], projects[0]).stdout
+        self.assertNotIn("better", same)
+
+    def test_wrong_projects_are_refused(self):
+        project = self.folder / "one.dolly"
+        run("plan", self.room, "--max-frames", 10, "-o", project)
+        other_room, other = self.folder / "two.obj", self.folder / "two.dolly"
+        tiny_room.write_two(other_room)
+        run("plan", other_room, "--max-frames", 10, "-o", other)
+        for arguments, code, word in [
+            ((project, other), 2, "different scenes"),
+            ((project, self.room), 2, "not a project"),
+            ((project, self.folder / "missing.dolly"), 4, "missing.dolly"),
+            ((project, project, "--planners", "uniform"), 2, "--planners"),
+        ]:
+            result = run("compare", "--projects", *arguments)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn(word, result.stderr)
+
     def test_a_file_that_cannot_be_written_is_said_before_the_work(self):
         nowhere = self.folder / "nowhere" / "table.csv"
         for command in (["compare"], ["sweep", "--param", "fill=0.5"]):
