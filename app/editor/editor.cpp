@@ -106,6 +106,7 @@ void Editor::refreshScene() {
         through_camera_ = false;
         scene_sync_.forget();
         remedies_.forget();
+        comparison_.drop();
         motions_.cancel();
         recorded_key_s_.reset();
         read_motion_ = {};
@@ -164,6 +165,7 @@ bool Editor::frame() {
     layers_.poll();
     refreshScene();
     takeMotion();
+    followComparison();
     play();
     followTracks();
     dropOutdatedKeySelection();

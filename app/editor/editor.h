@@ -7,8 +7,10 @@
 #include "app/editor/objects/remedy_finder.h"
 #include "app/editor/objects/selection_tracker.h"
 #include "app/editor/project/autosave.h"
+#include "app/editor/project/kept_plan.h"
 #include "app/editor/project/motion_worker.h"
 #include "app/editor/project/parameter_draft.h"
+#include "app/editor/project/quality_worker.h"
 #include "app/editor/project/workspace.h"
 #include "app/editor/questions.h"
 #include "app/editor/shell/panel_docks.h"
@@ -30,6 +32,7 @@
 #include "ui/overlays/layers.h"
 #include "ui/panels/edits/motion_section.h"
 #include "ui/panels/export/export_panel.h"
+#include "ui/panels/plan/comparison_section.h"
 #include "ui/panels/plan/log_panel.h"
 #include "ui/viewport/clip_handles.h"
 #include "ui/viewport/clip_settings.h"
@@ -228,6 +231,19 @@ class Editor {
     [[nodiscard]] std::vector<ui::TimelineCameraKey> timelineCameraKeys() const;
     void follow(const ui::TimelineActions& actions);
 
+    // editor_comparison.cpp: the kept plan, and the quality of the frames
+    void addComparisonCommands();
+    [[nodiscard]] ui::ComparisonView comparisonView();
+    void follow(const ui::ComparisonActions& actions);
+    void followComparison();  // takes results of the background
+    [[nodiscard]] std::string whyPlanNotCurrent() const;
+    void addComparison(LayersRequest& request) const;
+    /// Has small images of all frames drawn and classified, while that is wanted.
+    void probePictures();
+    /// The tooltip of the frame under the mouse, while weak frames are shown.
+    void drawFrameTip();
+    [[nodiscard]] nlohmann::json comparisonJson() const;
+
     // editor_dialogs.cpp
     void drawDialogs();
     void askForFile(const std::string& id);
@@ -321,6 +337,11 @@ class Editor {
     CommandStack::History history_before_drag_;
     std::string refused_key_;  // why the command of the key pressed last cannot run; or empty
     RemedyFinder remedies_{&Window::wake};
+    QualityWorker quality_{&Window::wake};
+    PlanComparison comparison_{&Window::wake};
+    std::shared_ptr<const ui::RenderThread::Views> probes_;  // of the frames of probed_plan_
+    std::shared_ptr<const Plan> probed_plan_;
+    ui::PictureClasses frame_classes_;  // of the frames of probed_plan_; null: not all are known
     MotionWorker motions_{&Window::wake};
     MotionFile motion_file_;                // file last read as a camera path
     SharedMotion read_motion_;              // camera path from that file, perhaps repaired

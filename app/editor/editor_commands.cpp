@@ -39,6 +39,7 @@ void Editor::addCommands() {
     addTransformCommands();
     addMotionCommands();
     addCameraKeyCommands();
+    addComparisonCommands();
     addViewCommands();
     addHidingCommands();
     addLayerCommands();

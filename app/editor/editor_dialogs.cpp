@@ -65,6 +65,10 @@ void Editor::askForFile(const std::string& id) {
         request.accept = "Import";
         request.filters = {
             {"Trajectories", {".txt", ".json", ".csv", ".tum", ".kitti", ".xml", ".sh3d"}}};
+    } else if (id == "kept plan") {
+        request.title = "Compare with the plan of another project of this scene";
+        request.accept = "Compare";
+        request.filters = {{"Projects", {".dolly"}}};
     } else if (id == "export folder") {
         request.purpose = ui::FileRequest::Purpose::ChooseFolder;
         request.title = "Folder for the dataset";
@@ -109,6 +113,8 @@ void Editor::answerFile(const ui::FileAnswer& answer) {
         workspace_.readAgain(import);
     } else if (answer.id == "camera path") {
         readMotion({answer.path, {}});
+    } else if (answer.id == "kept plan") {
+        comparison_.read(answer.path, workspace_);
     } else if (answer.id == "preview.png") {
         if (picture_to_save_ && picture_to_save_->record.width > 0) {
             pictures_.save(answer.path, std::move(*picture_to_save_));

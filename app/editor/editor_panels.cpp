@@ -89,6 +89,10 @@ void Editor::drawLayers() {
     view.has_plan = shown.plan != nullptr;
     view.measured = shown.measured;
     view.has_surface = view.has_plan && shown.plan->surface;
+    const BackgroundWorker::State quality = quality_.state();
+    view.measuring_quality = quality.busy;
+    view.quality_fraction = quality.fraction;
+    view.has_kept_plan = comparison_.kept() != nullptr;
     view.stepping = step_playback_.shown();
     const int search = layers_.candidateSearch();
     if (shown.plan && search >= 0 &&
@@ -167,8 +171,10 @@ void Editor::drawMetrics() {
     view.stage = job.stage;
     view.fraction = job.fraction;
     view.last_run_ms = workspace_.lastLatency_ms();
+    view.comparison = comparisonView();
     const ui::MetricsActions actions = ui::drawMetricsPanel(view);
     if (actions.select_object != 0) selectObject(actions.select_object, false);
+    follow(actions.comparison);
 }
 
 void Editor::drawSelection() {
@@ -216,6 +222,7 @@ void Editor::drawTimeline() {
         view.keys = &plan_timeline_.keys();
         view.bands = &plan_timeline_.bands();
         view.series = &now->series;
+        view.quality = quality_.of(workspace_.shown().plan).get();
         view.earlier = plan_timeline_.measured();
         view.target_count = now->capture_metrics.objects;
         const planning::PlanParams& params = workspace_.shown().params;
@@ -224,6 +231,11 @@ void Editor::drawTimeline() {
         view.max_speed_mps = limits.speed_mps;
         view.max_turn_dps = limits.turn_rps * 180.0 / std::numbers::pi;
         view.object_name = [this](int id) { return workspace_.shown().scene->object(id).name; };
+        if (const KeptPlan* kept = comparison_.kept()) {
+            view.kept_s = planning::durationOf(*kept->trajectory);
+            view.kept_text =
+                fmt::format("{} frames, {:.1f} s", kept->trajectory->frames.size(), view.kept_s);
+        }
     }
     const std::vector<ui::TimelineCameraKey> keys = timelineCameraKeys();
     view.camera_keys = &keys;

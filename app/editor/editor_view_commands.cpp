@@ -193,6 +193,7 @@ void Editor::addLayerCommands() {
     layer("roadmap", "Roadmap", {GLFW_KEY_F4}, layers.roadmap);
     layer("trajectory", "Trajectory", {GLFW_KEY_F5}, layers.trajectory);
     layer("candidates", "Candidates of the selection", {GLFW_KEY_F6}, layers.candidates);
+    layer("quality", "Weak frames and unseen surface", {}, layers.quality);
     layer("no_go", "No-go boxes, regions", {GLFW_KEY_F7}, layers.no_go_boxes);
     layer("ceilings", "Cut ceilings away", {GLFW_KEY_F8}, layers.ceiling_cut);
 }

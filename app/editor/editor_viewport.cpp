@@ -97,6 +97,7 @@ void Editor::requestLayers() {
     LayersRequest request;
     request.scene = shown.scene;
     request.plan = shown.plan;
+    addComparison(request);
     request.free_space = shown.free_space;
     request.camera = shown.params.camera;
     request.settings = layer_settings_;
@@ -114,6 +115,7 @@ void Editor::requestLayers() {
         // Only the points and candidates of its objects remain.
         ui::LayerSettings& on = request.settings;
         on.free_space = on.no_go_boxes = on.roadmap = on.trajectory = on.surface = false;
+        on.quality = on.kept_plan = false;
         request.stepping = false;
         request.frame = -1;
         request.local = selected_.localObjects();
@@ -429,6 +431,7 @@ void Editor::drawCentre() {
     editWithGizmo();
     drawPickList();
     if (!panels_.preview.full) drawLegend();
+    drawFrameTip();
     preview_hovered_ = false;
     if (!previewIsDocked()) drawPreview();
 }

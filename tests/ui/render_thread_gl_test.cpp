@@ -97,6 +97,62 @@ TEST_F(RenderThreadGl, TexturesFollowTheFirstImage) {
     EXPECT_EQ(drawing_->takeError(), "");
 }
 
+TEST_F(RenderThreadGl, ProbesAreClassifiedInTheLightOfTheScene) {
+    CameraParams camera;
+    camera.width_px = 80;
+    camera.height_px = 60;
+    const RenderThread::Views views(
+        3, render::makeView(camera, lookAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX())));
+    const auto probes = std::make_shared<const RenderThread::Views>(views);
+    const auto classesOf = [&](float brightness) {
+        render::LightVolume light = uniformLight();
+        light.ambient.assign(1, Eigen::Vector3f::Constant(brightness));
+        setScene(texturedWall({128, 128, 128, 255}), brightness > 0.5F ? 1 : 2,
+                 std::make_shared<const render::LightVolume>(light));
+        requestView();
+        drawing_->requestProbes(probes);
+        std::unique_lock lock(mutex_);
+        while (drawing_->probes().size() < probes->size()) {
+            woken_.wait_for(lock, std::chrono::milliseconds(20));
+        }
+        return drawing_->probes();
+    };
+    using render::PictureQuality;
+    EXPECT_EQ(classesOf(0.0F), std::vector<PictureQuality>(3, PictureQuality::Dark));
+    EXPECT_EQ(classesOf(1.0F), std::vector<PictureQuality>(3, PictureQuality::Flat));
+    drawing_->requestProbes(nullptr);
+    EXPECT_TRUE(drawing_->probes().empty());
+    EXPECT_EQ(drawing_->takeError(), "");
+}
+
+TEST_F(RenderThreadGl, ProbesShowNoObjectWhereADragHasIt) {
+    CameraParams camera;
+    camera.width_px = 80;
+    camera.height_px = 60;
+    const auto probes = std::make_shared<const RenderThread::Views>(
+        3, render::makeView(camera, lookAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX())));
+    setScene(texturedWall({128, 128, 128, 255}), 1,
+             std::make_shared<const render::LightVolume>(uniformLight()));
+    requestView();
+    settledColor();
+    MovedObject aside{1, Eigen::Isometry3d::Identity()};  // the probes would be black
+    for (const double way_m : {10.0, 20.0, 30.0}) {
+        aside.motion = Eigen::Translation3d(-way_m, 0, 0);
+        requestView({0, 0, 0}, {aside});
+        drawing_->requestProbes(probes);
+        settledColor();
+        EXPECT_TRUE(drawing_->probes().empty());
+    }
+    requestView();
+    std::unique_lock lock(mutex_);
+    while (drawing_->probes().size() < probes->size()) {
+        woken_.wait_for(lock, std::chrono::milliseconds(20));
+    }
+    EXPECT_EQ(drawing_->probes(),
+              std::vector<render::PictureQuality>(3, render::PictureQuality::Flat));
+    EXPECT_EQ(drawing_->takeError(), "");
+}
+
 TEST_F(RenderThreadGl, ASceneWhoseTexturesCannotBeUploadedStaysPlainAndMovable) {
     Scene scene = texturedWall();
     scene.textures[0].height = 0;  // OpenGL refuses it, as it refuses one too large for its memory

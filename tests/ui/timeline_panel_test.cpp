@@ -261,7 +261,7 @@ TEST(TimelinePanel, ShowsImageCornersOnlyWhereTheyWereCounted) {
     EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::Speed));
     timeline.series.image_corners.assign(300, 220.0);
     EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
-    EXPECT_EQ(stripText(timeline.series, TimelineStrip::ImageCorners, 7), "220");
+    EXPECT_EQ(stripText(timeline.view, TimelineStrip::ImageCorners, 7), "220");
     test::Screen screen([&] { timeline.draw(); });
     // While a plan is measured, the strip of the plan before stays.
     timeline.view.earlier = &timeline.series;
@@ -278,6 +278,38 @@ TEST(TimelinePanel, ShowsImageCornersOnlyWhereTheyWereCounted) {
     timeline.view.series = &timeline.series;
     timeline.state.strips[static_cast<std::size_t>(TimelineStrip::ImageCorners)] = false;
     EXPECT_FALSE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
+}
+
+TEST(TimelinePanel, ShowsOverlapAndImageCornersOfAMeasuredQuality) {
+    Timeline timeline(300);
+    EXPECT_FALSE(isShown(timeline.view, timeline.state, TimelineStrip::Overlap));
+    FrameQuality quality;
+    quality.image_corners.assign(300, 90.0);
+    quality.overlap.assign(300, 0.875);
+    timeline.view.quality = &quality;
+    EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::Overlap));
+    EXPECT_TRUE(isShown(timeline.view, timeline.state, TimelineStrip::ImageCorners));
+    EXPECT_EQ(stripText(timeline.view, TimelineStrip::Overlap, 7), "0.88");
+    EXPECT_EQ(stripText(timeline.view, TimelineStrip::ImageCorners, 7), "90");
+    test::Screen screen([&] { timeline.draw(); });
+    ASSERT_TRUE(screen.click("timeline.strips"));
+    EXPECT_TRUE(screen.enabled("timeline.strip.overlap"));
+}
+
+TEST(TimelinePanel, ShowsTheLengthOfTheKeptPlanOnTheSameAxis) {
+    Timeline timeline(300);
+    test::Screen screen([&] { timeline.draw(); }, 1280, 300);
+    EXPECT_FALSE(screen.shows("timeline.kept"));
+    timeline.view.kept_text = "180 frames, 18.0 s";
+    timeline.view.kept_s = 180 * timeline.view.frame_interval_s;
+    screen.frame(2);
+    const ui::NamedItem axis = *screen.find("timeline.axis");
+    const ui::NamedItem kept = *screen.find("timeline.kept");
+    EXPECT_NEAR(kept.left, axis.left, 1.0F);
+    EXPECT_NEAR(kept.right - kept.left, 0.6F * (axis.right - axis.left), 2.0F);
+    timeline.view.kept_s = 1000.0;  // longer than the axis
+    screen.frame(2);
+    EXPECT_NEAR(screen.find("timeline.kept")->right, axis.right, 1.0F);
 }
 
 TEST(TimelineTime, FollowsTheTimesWhereFramesWereLeftOut) {

@@ -3,6 +3,7 @@
 #include "ui/overlays/candidates_overlay.h"
 #include "ui/overlays/free_space_overlay.h"
 #include "ui/overlays/points_overlay.h"
+#include "ui/overlays/quality_overlay.h"
 #include "ui/overlays/roadmap_overlay.h"
 #include "ui/overlays/slice.h"
 #include "ui/overlays/surface_overlay.h"
@@ -36,6 +37,9 @@ struct LayerSettings {
     ShownVerdicts candidate_kinds = allButOutside();
     bool surface = true;  // what the frames show of all surface, if the plan aims at it
     SurfaceOverlayOptions surface_options;
+    bool quality = false;  // weak frames and unseen surface, measured when first shown
+    QualityOverlayOptions quality_options;
+    bool kept_plan = true;  // the trajectory of the plan that is kept for comparison
     bool no_go_boxes = true;
     bool ceiling_cut = true;  // cut away ceilings, for views from above
     int storey = 0;           // the storey shown by the cut, 1 the lowest; 0: the topmost

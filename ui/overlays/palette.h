@@ -17,6 +17,11 @@ inline const Eigen::Vector4f kSampleColor(0.60F, 0.35F, 0.85F, 1.0F);
 inline const Eigen::Vector4f kDroppedColor(0.45F, 0.45F, 0.48F, 1.0F);
 inline const Eigen::Vector4f kPathColor(1.0F, 1.0F, 1.0F, 1.0F);
 
+inline const Eigen::Vector4f kWarningColor(1.0F, 0.60F, 0.0F, 1.0F);
+inline const Eigen::Vector4f kGapColor(0.93F, 0.25F, 0.55F, 1.0F);
+inline const Eigen::Vector4f kUnusableColor(0.50F, 0.45F, 1.0F, 1.0F);
+inline const Eigen::Vector4f kKeptPlanColor(0.80F, 0.72F, 0.95F, 0.85F);
+
 /// The colour with its alpha set to `opacity`.
 [[nodiscard]] Eigen::Vector4f withOpacity(const Eigen::Vector4f& rgba, float opacity);
 

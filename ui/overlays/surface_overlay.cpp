@@ -56,9 +56,8 @@ void addSquare(render::Overlay& overlay, const MeasuredPatch& patch, double side
 
 }  // namespace
 
-PlanLayer surfaceLayer(const Plan& plan, const SurfaceOverlayOptions& options) {
+PlanLayer surfaceLayer(const SurfaceShare& surface, const SurfaceOverlayOptions& options) {
     PlanLayer layer;
-    if (!plan.surface) return layer;
     layer.legend.title = "Surface";
     // Ceilings that are cut away, and walls seen from behind, must not hide the room.
     layer.overlay.one_sided_triangles = true;
@@ -68,9 +67,9 @@ PlanLayer surfaceLayer(const Plan& plan, const SurfaceOverlayOptions& options) {
         if (!isDrawn(state, options)) continue;
         const StateStyle style = styleOf(state);
         int count = 0;
-        for (const MeasuredPatch& patch : plan.surface->measured) {
+        for (const MeasuredPatch& patch : surface.measured) {
             if (patch.state != state) continue;
-            addSquare(layer.overlay, patch, kSide * plan.surface->patch_m,
+            addSquare(layer.overlay, patch, kSide * surface.patch_m,
                       withOpacity(style.rgba, kOpacity));
             ++count;
         }

@@ -13,8 +13,8 @@ struct SurfaceOverlayOptions {
     bool operator==(const SurfaceOverlayOptions&) const = default;
 };
 
-/// The patches of Plan::surface as squares on the surface, coloured by what the frames show of
-/// them. Empty without Plan::surface.
-[[nodiscard]] PlanLayer surfaceLayer(const Plan& plan, const SurfaceOverlayOptions& options);
+/// The patches as squares on the surface, coloured by what the frames show of them.
+[[nodiscard]] PlanLayer surfaceLayer(const SurfaceShare& surface,
+                                     const SurfaceOverlayOptions& options);
 
 }  // namespace dollytrack::ui

@@ -169,4 +169,19 @@ PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& opti
     return layer;
 }
 
+PlanLayer keptPlanLayer(const Trajectory& trajectory, const std::string& name) {
+    constexpr double kThin = 1.6;  // px
+    PlanLayer layer;
+    const auto& frames = trajectory.frames;
+    for (std::size_t i = 1; i < frames.size(); ++i) {
+        if (frames[i].path != frames[i - 1].path) continue;
+        layer.overlay.lines.push_back(
+            {frames[i - 1].pose.position, frames[i].pose.position, kKeptPlanColor, kThin});
+    }
+    layer.legend.title = "Kept plan";
+    layer.legend.entries.push_back(
+        {"B: " + name, Shape::Line, kKeptPlanColor, static_cast<int>(frames.size())});
+    return layer;
+}
+
 }  // namespace dollytrack::ui

@@ -3,6 +3,8 @@
 #include "engine/plan/plan.h"
 #include "ui/overlays/legend.h"
 
+#include <string>
+
 namespace dollytrack::ui {
 
 /// The value from Plan::series that colours the trajectory.
@@ -19,5 +21,8 @@ struct TrajectoryOverlayOptions {
 /// NewlyCaptured, frames that capture new objects also get a dot that grows with their number.
 /// Colliding segments of a given motion are red.
 [[nodiscard]] PlanLayer trajectoryLayer(const Plan& plan, const TrajectoryOverlayOptions& options);
+
+/// The trajectory of another plan as a thin pale line, for comparison; `name` is that plan's.
+[[nodiscard]] PlanLayer keptPlanLayer(const Trajectory& trajectory, const std::string& name);
 
 }  // namespace dollytrack::ui

@@ -1,17 +1,18 @@
 #include "ui/viewport/render_thread.h"
 
 #include "engine/scene/scene.h"
-#include "render/draw/passes/render_target.h"
 #include "render/draw/scene_renderer.h"
 #include "render/gl/picture_texture.h"
 #include "render/light/traced_reflections.h"
 #include "render/overlays/overlay_renderer.h"
 #include "ui/viewport/adaptive_resolution.h"
 #include "ui/viewport/false_color.h"
+#include "ui/viewport/image_relay.h"
 #include "ui/viewport/layer_cache.h"
+#include "ui/viewport/plain_light.h"
+#include "ui/viewport/view_canvas.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -21,55 +22,11 @@
 namespace dollytrack::ui {
 namespace {
 
-/// Nearly uniform ambient light, used until the scene's own light is computed.
-render::LightVolume plainLight(const Scene& scene) {
-    render::LightVolume light;
-    const Eigen::AlignedBox3d& room = scene.room_bounds;
-    light.low = room.isEmpty() ? Eigen::Vector3d::Zero().eval() : room.min().eval();
-    light.cell_m = room.isEmpty() ? 1.0 : std::max(room.sizes().maxCoeff(), 1.0);
-    light.cells = {1, 1, 1};
-    light.ambient = {Eigen::Vector3f::Constant(0.75F)};
-    light.lamps = {Eigen::Vector3f(0.1F, -0.15F, 0.35F)};
-    return light;
-}
-
 struct PreviewRequest {
     render::View view;
     int frame = -1;
     double time_s = 0.0;
     Modality modality = Modality::Rgb;
-};
-
-/// Triple buffer between the threads: one image is shown, one is finished, one is being drawn.
-template <class Image>
-struct Relay {
-    std::array<Image, 3> images;
-    int shown = 0;
-    int finished = 1;
-    int drawn = 2;
-    bool news = false;
-
-    /// Window's thread: takes the finished image and uploads it to the texture.
-    void takeNews(std::mutex& mutex, gl::PictureTexture& picture) {
-        {
-            const std::lock_guard lock(mutex);
-            if (!std::exchange(news, false)) return;
-            std::swap(shown, finished);
-        }
-        // The render thread does not touch the shown image.
-        Image& image = images[shown];
-        picture.upload(image.width, image.height, image.rgba);
-        image.texture = picture.get();
-    }
-
-    [[nodiscard]] const Image& newest() const { return images[shown]; }
-};
-
-/// Render targets of the viewport at one resolution.
-struct ViewCanvas {
-    std::optional<render::RenderTarget> target;
-    std::optional<render::OverlayCanvas> canvas;
-    std::optional<render::View> drawn;  // the view in `target`, if it is valid
 };
 
 }  // namespace
@@ -83,8 +40,10 @@ struct RenderThread::Impl {
     std::optional<SceneRequest> next_scene;
     std::optional<ViewRequest> next_view;
     std::optional<PreviewRequest> next_preview;
-    Relay<ViewImage> views;
-    Relay<PreviewImage> previews;
+    std::shared_ptr<const Views> probe_views;           // null: none are wanted
+    std::vector<render::PictureQuality> probe_classes;  // of the first of these views
+    ImageRelay<ViewImage> views;
+    ImageRelay<PreviewImage> previews;
     std::string error;
     std::string renderer_name;
     bool stopping = false;
@@ -105,6 +64,7 @@ struct RenderThread::Impl {
     ViewCanvas whole;
     ViewCanvas coarse;
     std::optional<render::RenderTarget> preview_target;
+    std::optional<render::RenderTarget> probe_target;
     std::optional<render::OverlayRenderer> overlays;
     LayerCache layers;
     std::uint64_t serial = 0;
@@ -136,25 +96,20 @@ struct RenderThread::Impl {
     /// Returns whether the scene was drawn again, rather than only the overlays.
     Result<bool> drawOn(ViewCanvas& canvas, const ViewRequest& request, int shrink);
     Status drawPreview(const PreviewRequest& request);
+    /// Whether a probe can be drawn now: with all textures, and with every object where the scene
+    /// has it. Requires a locked mutex.
+    [[nodiscard]] bool probeIsDue() const {
+        return final_light && !plain && moved.empty() && !next_scene && probe_views &&
+               probe_classes.size() < probe_views->size();
+    }
+    /// Draws and classifies the next probe.
+    void drawProbe();
     void say(const Status& status) {
         if (status) return;
         const std::lock_guard lock(mutex);
         error = status.error().message;
     }
 };
-
-namespace {
-
-Status fitTarget(std::optional<render::RenderTarget>& target, const Intrinsics& image) {
-    if (target && target->width() == image.width && target->height() == image.height) return {};
-    target.reset();
-    Result<render::RenderTarget> made = render::RenderTarget::create(image.width, image.height);
-    if (!made) return tl::unexpected(std::move(made.error()));
-    target.emplace(std::move(*made));
-    return {};
-}
-
-}  // namespace
 
 void RenderThread::Impl::loop() {
     Status current = context->makeCurrent();
@@ -172,9 +127,15 @@ void RenderThread::Impl::loop() {
         if (owed) {
             rests = !arrived.wait_until(lock, resolution.restsAt(), news);
         } else {
-            arrived.wait(lock, news);
+            arrived.wait(lock, [&] { return news() || probeIsDue(); });
         }
         if (stopping) break;
+        if (!rests && !news()) {
+            lock.unlock();
+            drawProbe();
+            lock.lock();
+            continue;
+        }
         busy = true;
         auto scene_request = std::exchange(next_scene, std::nullopt);
         auto view_request = std::exchange(rests ? owed : next_view, std::nullopt);
@@ -204,6 +165,7 @@ void RenderThread::Impl::release() {
     whole = {};
     coarse = {};
     preview_target.reset();
+    probe_target.reset();
     layers.entries.clear();
     overlays.reset();
     context.reset();
@@ -341,15 +303,10 @@ Result<bool> RenderThread::Impl::drawOn(ViewCanvas& on, const ViewRequest& reque
     const bool draws = !on.drawn || !samePicture(*on.drawn, view);
     if (draws) {
         on.drawn.reset();
-        Status status = fitTarget(on.target, size);
+        Status status = on.fit(size);
         if (status) status = renderer->draw(view, *on.target);
         if (!status) return tl::unexpected(std::move(status.error()));
         on.drawn = view;
-    }
-    if (!on.canvas || on.canvas->width() != size.width || on.canvas->height() != size.height) {
-        Result<render::OverlayCanvas> made = render::OverlayCanvas::create(size.width, size.height);
-        if (!made) return tl::unexpected(std::move(made.error()));
-        on.canvas.emplace(std::move(*made));
     }
     const std::vector<render::OverlayLayer> prepared = layers.prepare(request.layers);
     if (Status status =
@@ -393,6 +350,34 @@ Status RenderThread::Impl::drawPreview(const PreviewRequest& request) {
     return gl::checkErrors("drawing the preview");
 }
 
+void RenderThread::Impl::drawProbe() {
+    constexpr std::size_t kWakesEvery = 16;  // probes: to show the progress
+    std::unique_lock lock(mutex);
+    if (!probeIsDue()) return;
+    const std::shared_ptr<const Views> wanted = probe_views;
+    const std::size_t index = probe_classes.size();
+    lock.unlock();
+    const render::View& view = (*wanted)[index];
+    Status status = renderer ? fitTarget(probe_target, view.intrinsics)
+                             : fail(ErrorCode::NoOpenGl, "There is no scene to draw.");
+    if (status) status = renderer->draw(view, *probe_target);
+    std::vector<std::uint8_t> rgb;
+    if (status) probe_target->readRgb(rgb);
+    lock.lock();
+    if (!status) {
+        error = status.error().message;
+        probe_views.reset();
+        return;
+    }
+    // Another scene or request may have arrived meanwhile.
+    if (next_scene || probe_views != wanted || probe_classes.size() != index) return;
+    probe_classes.push_back(
+        render::pictureQuality(probe_target->width(), probe_target->height(), rgb));
+    const bool shows = index + 1 == wanted->size() || index % kWakesEvery == 0;
+    lock.unlock();
+    if (shows) wake();
+}
+
 RenderThread::RenderThread(std::unique_ptr<gl::Context> context, std::function<void()> wake)
     : impl_(std::make_unique<Impl>()) {
     impl_->context = std::move(context);
@@ -416,6 +401,7 @@ void RenderThread::setScene(SceneRequest request) {
         // Pending requests belong to the previous scene.
         impl_->next_view.reset();
         impl_->next_preview.reset();
+        impl_->probe_classes.clear();
     }
     impl_->asked_view.reset();
     impl_->asked_preview.reset();
@@ -449,6 +435,21 @@ void RenderThread::requestPreview(const render::View& view, int frame, double ti
         impl_->next_preview = impl_->asked_preview;
     }
     impl_->arrived.notify_one();
+}
+
+void RenderThread::requestProbes(std::shared_ptr<const Views> views) {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        if (impl_->probe_views == views) return;
+        impl_->probe_views = std::move(views);
+        impl_->probe_classes.clear();
+    }
+    impl_->arrived.notify_one();
+}
+
+std::vector<render::PictureQuality> RenderThread::probes() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->probe_classes;
 }
 
 void RenderThread::takeNews() {

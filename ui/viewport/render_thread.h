@@ -5,6 +5,7 @@
 #include "render/gl/context.h"
 #include "render/light/light_volume.h"
 #include "render/overlays/overlay.h"
+#include "render/pictures/picture_quality.h"
 #include "render/view/view.h"
 
 #include <Eigen/Geometry>
@@ -107,6 +108,15 @@ class RenderThread {
     void setScene(SceneRequest request);
     void requestView(ViewRequest request);
     void requestPreview(const render::View& view, int frame, double time_s, Modality modality);
+
+    using Views = std::vector<render::View>;
+    /// Draws these views one by one while nothing else is waiting, and classifies their images
+    /// (pictureQuality()): in the final light, after the scene's first image, and not while an
+    /// object is drawn elsewhere (ViewRequest::moved). Replaces an earlier request; null: no views.
+    /// Views are compared by pointer.
+    void requestProbes(std::shared_ptr<const Views> views);
+    /// The classes of the views requested last, in their order, as far as they are drawn.
+    [[nodiscard]] std::vector<render::PictureQuality> probes() const;
 
     /// Takes the finished images and uploads them to textures. To be called once per window frame
     /// before drawing: earlier images and their textures become invalid. Only on the window's

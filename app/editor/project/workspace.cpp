@@ -327,6 +327,12 @@ void Workspace::setParameters(const nlohmann::json& parameters, const std::strin
     if (stack_.state() != before) replan();
 }
 
+void Workspace::setState(const ProjectState& state, const std::string& name) {
+    const CommandStack::State before = stack_.state();
+    stack_.push(name, state);
+    if (stack_.state() != before) replan();
+}
+
 void Workspace::undo() {
     if (!stack_.canUndo()) return;
     stack_.undo();

@@ -69,6 +69,8 @@ class Workspace {
     /// Sets the parameters, given as JSON sections of fields; `name` is the step's name.
     void setParameters(const nlohmann::json& parameters, const std::string& name,
                        const std::string& merge_key);
+    /// Replaces parameters and edits, as one undo step with this name.
+    void setState(const ProjectState& state, const std::string& name);
     void endMerge() { stack_.endMerge(); }
     void undo();
     void redo();
@@ -93,6 +95,8 @@ class Workspace {
     }
     [[nodiscard]] const nlohmann::json& importSettings() const { return opened_->import; }
     [[nodiscard]] const ImportReport& importReport() const { return opened_->imported->report; }
+    /// The open scene as imported, without edits.
+    [[nodiscard]] const Scene& importedScene() const { return *opened_->imported; }
     [[nodiscard]] const CommandStack& history() const { return stack_; }
     [[nodiscard]] const ProjectState& state() const { return *stack_.state(); }
     [[nodiscard]] bool unsaved() const { return isOpen() && !stack_.isSaved(); }

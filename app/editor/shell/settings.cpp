@@ -16,7 +16,7 @@ namespace {
 
 /// Names in the order of TimelineStrip.
 constexpr std::array<std::string_view, ui::kTimelineStrips> kStripNames = {
-    "clearance", "speed", "turn", "score", "in_view", "captured", "image_corners"};
+    "clearance", "speed", "turn", "score", "in_view", "captured", "image_corners", "overlap"};
 
 constexpr std::size_t kMostRecent = 10;
 

@@ -26,6 +26,8 @@ void visitLayerSwitches(Layers& switches, Visitor&& visit) {
     visit("candidates", switches.candidates);
     visit("cone", switches.cone);
     visit("surface", switches.surface);
+    visit("quality", switches.quality);
+    visit("kept_plan", switches.kept_plan);
     visit("no_go_boxes", switches.no_go_boxes);
     visit("ceiling_cut", switches.ceiling_cut);
     visit("grid", switches.grid);

@@ -185,7 +185,9 @@ ui::FreeSpaceOverlayOptions cellOptions(const ui::LayerSettings& settings) {
 }
 
 bool LayersRequest::operator==(const LayersRequest& other) const {
-    return scene == other.scene && plan == other.plan && free_space == other.free_space &&
+    return scene == other.scene && plan == other.plan && quality == other.quality &&
+           pictures == other.pictures && kept_plan == other.kept_plan &&
+           kept_name == other.kept_name && free_space == other.free_space &&
            camera == other.camera && settings == other.settings && stepping == other.stepping &&
            cone_half_angle_deg == other.cone_half_angle_deg && selection == other.selection &&
            in_cone == other.in_cone && moved == other.moved && local == other.local &&
@@ -204,7 +206,7 @@ struct LayerBuilder::WorkerState {
         std::any of;
         std::shared_ptr<const PlanLayer> layer;
     };
-    std::array<Made, 12> made;
+    std::array<Made, 15> made;
 
     template <class Inputs, class Make>
     void add(Layers& layers, std::size_t place, const Inputs& inputs, Make&& make) {
@@ -217,6 +219,7 @@ struct LayerBuilder::WorkerState {
     }
 
     void addSurface(Layers& layers, const LayersRequest& request);
+    void addQuality(Layers& layers, const LayersRequest& request);
     Layers build(const LayersRequest& request);
 
     std::string surface_of;  // the scene of the last surface layer, by its hash
@@ -229,12 +232,26 @@ void LayerBuilder::WorkerState::addSurface(Layers& layers, const LayersRequest& 
     if (plan.surface) {
         const ui::SurfaceOverlayOptions& options = request.settings.surface_options;
         add(layers, kSlot, std::tuple(request.plan, options),
-            [&] { return ui::surfaceLayer(plan, options); });
+            [&] { return ui::surfaceLayer(*plan.surface, options); });
         surface_of = request.scene->source_sha256;
     } else if (plan.series.size() == 0 && made[kSlot].layer &&
                surface_of == request.scene->source_sha256) {
         layers.layers.push_back(made[kSlot].layer);
     }
+}
+
+/// Weak frames and unseen surface; surface that the plan itself has measured has a layer of its
+/// own.
+void LayerBuilder::WorkerState::addQuality(Layers& layers, const LayersRequest& request) {
+    const Plan& plan = *request.plan;
+    const ui::QualityOverlayOptions& options = request.settings.quality_options;
+    if (options.unseen_surface && !(plan.surface && request.settings.surface)) {
+        constexpr ui::SurfaceOverlayOptions kUnseen = {.seen = false};
+        add(layers, 14, request.quality,
+            [&] { return ui::surfaceLayer(request.quality->surface, kUnseen); });
+    }
+    add(layers, 12, std::tuple(request.plan, request.quality, request.pictures, options),
+        [&] { return ui::qualityLayer(plan, *request.quality, request.pictures, options); });
 }
 
 Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
@@ -277,7 +294,12 @@ Layers LayerBuilder::WorkerState::build(const LayersRequest& request) {
             add(layers, 4, std::tuple(request.plan, on.trajectory_options),
                 [&] { return ui::trajectoryLayer(plan, on.trajectory_options); });
         }
+        if (request.kept_plan && on.kept_plan && !request.stepping) {
+            add(layers, 13, std::tuple(request.kept_plan, request.kept_name),
+                [&] { return ui::keptPlanLayer(*request.kept_plan, request.kept_name); });
+        }
         if (on.surface && !request.stepping) addSurface(layers, request);
+        if (on.quality && request.quality && !request.stepping) addQuality(layers, request);
         const ui::CandidatesOverlayOptions candidates = candidatesOptions(request);
         if (on.candidates && candidates.observation_point >= 0) {
             layers.candidates_of = candidates.observation_point;

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace dollytrack::editor {
@@ -22,6 +23,10 @@ namespace dollytrack::editor {
 struct LayersRequest {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const Plan> plan;
+    std::shared_ptr<const FrameQuality> quality;  // of the plan; null: not measured
+    ui::PictureClasses pictures;                  // of its frames; null: not known
+    std::shared_ptr<const Trajectory> kept_plan;  // for comparison; null: none
+    std::string kept_name;
     std::shared_ptr<const planning::FreeSpace> free_space;
     CameraParams camera;
     ui::LayerSettings settings;

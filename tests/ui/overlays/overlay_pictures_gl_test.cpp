@@ -160,7 +160,7 @@ TEST_F(OverlayPicturesGl, EveryOverlayShows) {
         Eigen::Vector3f at = point.pose.position.cast<float>();
         surface.measured.push_back({at, Eigen::Vector3f::UnitZ(), PatchState::Unseen});
     }
-    show("surface", surfaceLayer(seen, {}));
+    show("surface", surfaceLayer(*seen.surface, {}));
     CandidatesOverlayOptions candidates;
     for (std::size_t o = 0; o < plan.searches.size(); ++o) {
         const std::size_t tried = plan.searches[o].candidates.size();

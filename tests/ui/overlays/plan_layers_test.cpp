@@ -287,9 +287,8 @@ TEST(TrajectoryLayer, ColoursFramesByTheirValues) {
 }
 
 TEST(SurfaceLayer, DrawsASquareOnEachPatchOfTheStatesAskedFor) {
-    Plan plan;
-    EXPECT_TRUE(surfaceLayer(plan, {}).overlay.triangles.empty());
-    SurfaceShare& surface = plan.surface.emplace();
+    SurfaceShare surface;
+    EXPECT_TRUE(surfaceLayer(surface, {}).overlay.triangles.empty());
     surface.patch_m = 0.1;
     const Eigen::Vector3f normal = Eigen::Vector3f(1, 2, -2) / 3.0F;
     surface.measured = {{{0, 0, 0}, normal, PatchState::Unseen},
@@ -298,12 +297,12 @@ TEST(SurfaceLayer, DrawsASquareOnEachPatchOfTheStatesAskedFor) {
                         {{3, 0, 0}, normal, PatchState::Covered},
                         {{4, 0, 0}, normal, PatchState::Covered}};
     SurfaceOverlayOptions options;
-    const PlanLayer missing = surfaceLayer(plan, options);
+    const PlanLayer missing = surfaceLayer(surface, options);
     EXPECT_EQ(missing.overlay.triangles.size(), 6U);
     EXPECT_EQ(countOf(missing.legend, "Surface that no frame shows"), 1);
     options.covered = true;
     options.unseen = options.seen = false;
-    const PlanLayer covered = surfaceLayer(plan, options);
+    const PlanLayer covered = surfaceLayer(surface, options);
     ASSERT_EQ(covered.overlay.triangles.size(), 4U);
     EXPECT_EQ(countOf(covered.legend, "Covered"), 2);
     double area_m2 = 0.0;

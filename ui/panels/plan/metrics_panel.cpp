@@ -1,5 +1,6 @@
 #include "ui/panels/plan/metrics_panel.h"
 
+#include "planning/analysis/plan_comparison.h"
 #include "ui/theme.h"
 #include "ui/widgets/cut_text.h"
 #include "ui/widgets/item_map.h"
@@ -55,13 +56,6 @@ void drawCaptures(const Plan& plan) {
     ImGui::EndTable();
 }
 
-/// Duration from the first frame to the end of the last.
-double durationOf(const Trajectory& trajectory) {
-    if (trajectory.frames.empty()) return 0.0;
-    return trajectory.frames.back().time_s - trajectory.frames.front().time_s +
-           trajectory.frame_interval_s;
-}
-
 void drawScores(const RepairReport& repair) {
     constexpr const char* kMeaning =
         "Mean image score, and the number of low-scoring frames, which show few objects or none";
@@ -96,7 +90,7 @@ void drawTrajectory(const Plan& plan, bool measured) {
         std::count_if(plan.trajectory.frames.begin(), plan.trajectory.frames.end(),
                       [](const TrajectoryFrame& frame) { return frame.position_point >= 0; });
     row("Frames", fmt::format("{}, {} key frames", frames, keys));
-    row("Duration", fmt::format("{:.1f} s", durationOf(plan.trajectory)));
+    row("Duration", fmt::format("{:.1f} s", planning::durationOf(plan.trajectory)));
     double length = 0.0;
     double clearance = plan.smooth_paths.empty() ? 0.0 : 1e9;
     for (const SmoothPath& path : plan.smooth_paths) {
@@ -202,6 +196,7 @@ MetricsActions drawMetricsPanel(const MetricsView& view) {
         ImGui::EndChild();
         return actions;
     }
+    actions.comparison = drawComparison(view.comparison);
     title("Objects");
     if (view.measured) {
         drawCaptures(*view.plan);

@@ -244,6 +244,37 @@ void drawSurface(const LayersView& view, LayerSettings& settings, Switches& swit
     ImGui::Unindent();
 }
 
+/// Weak frames are measured on request, since that takes seconds.
+void drawQuality(const LayersView& view, LayerSettings& settings, Switches& switches,
+                 const std::string& why_not) {
+    if (!switches.check("Weak frames", "quality", settings.quality,
+                        "What SLAM and reconstruction programs miss: frames with few image "
+                        "corners, wide gaps, and surface that no frame shows",
+                        why_not)) {
+        return;
+    }
+    ImGui::Indent();
+    QualityOverlayOptions& options = settings.quality_options;
+    switches.check("few corners", "quality.untrackable", options.untrackable,
+                   "Fewer estimated image corners than SLAM programs need to track a frame");
+    flowToSwitch("wide gaps");
+    switches.check("wide gaps", "quality.wide_gaps", options.wide_gaps,
+                   "Frames that show too little of what the frame before shows");
+    flowToSwitch("dark or flat");
+    switches.check("dark or flat", "quality.unusable", options.unusable,
+                   "Images that are dark, white or flat, as 'dollytrack export' names them");
+    flowToSwitch("unseen surface");
+    switches.check("unseen surface", "quality.unseen_surface", options.unseen_surface,
+                   "Surface within sight of the camera's positions that no frame shows");
+    if (view.measuring_quality) {
+        ImGui::ProgressBar(static_cast<float>(view.quality_fraction),
+                           {scaled(90), ImGui::GetFrameHeight()}, "measuring");
+        ImGui::SameLine();
+        if (button("Stop", "layers.quality.stop")) settings.quality = false;
+    }
+    ImGui::Unindent();
+}
+
 /// A switch for each verdict that occurs; none if no target is selected.
 void drawCandidates(const LayersView& view, LayerSettings& settings, Switches& switches) {
     ImGui::Indent();
@@ -315,6 +346,10 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, C
         drawCandidates(view, settings, switches);
     }
     drawSurface(view, settings, switches, why_not);
+    drawQuality(view, settings, switches, why_not);
+    if (view.has_kept_plan)
+        switches.check("Kept plan (B)", "kept_plan", settings.kept_plan,
+                       "The trajectory that is kept for comparison, thin and pale");
     drawFreeSpace(view, settings, switches);
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
     switches.check("Cut ceilings away", "ceiling_cut", settings.ceiling_cut,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plan/frame_quality.h"
 #include "engine/plan/frame_series.h"
 
 #include <array>
@@ -41,8 +42,13 @@ struct TimelineView {
     const std::vector<TimelineCameraKey>* camera_keys = nullptr;  // null or empty: there are none
     int selected_key = -1;                                        // index of a camera key
     const std::vector<TimelineBand>* bands = nullptr;
-    const FrameSeries* series = nullptr;   // null or of a different length: being measured
-    const FrameSeries* earlier = nullptr;  // the previous plan's, drawn until then; or null
+    const FrameSeries* series = nullptr;    // null or of a different length: being measured
+    const FrameSeries* earlier = nullptr;   // the previous plan's, drawn until then; or null
+    const FrameQuality* quality = nullptr;  // of the same frames as `series`; null: not measured
+    // The plan that is kept for comparison: its length as text, "312 frames, 31.2 s", and in
+    // seconds; empty: none is kept.
+    std::string kept_text = {};
+    double kept_s = 0.0;
     int target_count = 0;
     std::function<std::string(int)> object_name = {};  // name of an object id
     // Limits drawn as dashed lines across the strips; 0: none.
@@ -51,15 +57,15 @@ struct TimelineView {
     double max_turn_dps = 0.0;
 };
 
-enum class TimelineStrip { Clearance, Speed, Turn, Score, InView, Captured, ImageCorners };
-constexpr std::size_t kTimelineStrips = 7;
+enum class TimelineStrip { Clearance, Speed, Turn, Score, InView, Captured, ImageCorners, Overlap };
+constexpr std::size_t kTimelineStrips = 8;
 
 /// State kept between window frames. The editor plays at `speed` and restarts at the end if `loop`
 /// is set.
 struct TimelineState {
     double speed = 1.0;  // multiple of real time
     bool loop = false;
-    std::array<bool, kTimelineStrips> strips = {true, true, false, false, true, true, true};
+    std::array<bool, kTimelineStrips> strips = {true, true, false, false, true, true, true, true};
     // Visible range of the axis, in frames; `shown` 0: all frames.
     double first = 0.0;
     double shown = 0.0;

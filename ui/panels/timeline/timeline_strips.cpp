@@ -1,5 +1,6 @@
 #include "ui/panels/timeline/timeline_strips.h"
 
+#include "engine/plan/frame_quality.h"
 #include "ui/theme.h"
 
 #include <fmt/format.h>
@@ -17,11 +18,13 @@ constexpr std::array<StripStyle, kTimelineStrips> kStyles = {{
     {"in_view", "Objects in view", "", 0, 0.50F},
     {"captured", "Captured so far", "", 0, 0.33F},
     {"image_corners", "Image corners", "", 0, 0.04F},
+    {"overlap", "Overlap", "", 2, 0.90F},
 }};
 
 /// Calls `use` with the strip's values as a typed vector (double or int).
 template <class Use>
-auto withValues(const FrameSeries& series, TimelineStrip strip, const Use& use) {
+auto withValues(const TimelineView& view, TimelineStrip strip, const Use& use) {
+    const FrameSeries& series = *view.series;
     switch (strip) {
         case TimelineStrip::Clearance:
             return use(series.clearance_m);
@@ -37,8 +40,10 @@ auto withValues(const FrameSeries& series, TimelineStrip strip, const Use& use) 
             return use(series.captured_so_far);
         case TimelineStrip::ImageCorners:
             break;
+        case TimelineStrip::Overlap:
+            return use(view.quality->overlap);
     }
-    return use(series.image_corners);
+    return use(view.quality != nullptr ? view.quality->image_corners : series.image_corners);
 }
 
 struct Extremes {
@@ -46,8 +51,8 @@ struct Extremes {
     double high = 0.0;
 };
 
-Extremes extremesOf(const FrameSeries& series, TimelineStrip strip, int begin, int end) {
-    return withValues(series, strip, [&](const auto& values) {
+Extremes extremesOf(const TimelineView& view, TimelineStrip strip, int begin, int end) {
+    return withValues(view, strip, [&](const auto& values) {
         const auto range = std::minmax_element(values.begin() + begin, values.begin() + end);
         return Extremes{static_cast<double>(*range.first), static_cast<double>(*range.second)};
     });
@@ -58,6 +63,7 @@ double limitOf(const TimelineView& view, TimelineStrip strip) {
     if (strip == TimelineStrip::Speed) return view.max_speed_mps;
     if (strip == TimelineStrip::Turn) return view.max_turn_dps;
     if (strip == TimelineStrip::ImageCorners) return kTrackableCorners;
+    if (strip == TimelineStrip::Overlap) return kLeastOverlap;
     return 0.0;
 }
 
@@ -65,7 +71,7 @@ double limitOf(const TimelineView& view, TimelineStrip strip) {
 double topOf(const TimelineView& view, TimelineStrip strip) {
     double top = limitOf(view, strip);
     if (strip == TimelineStrip::Captured) top = view.target_count;
-    top = std::max(top, extremesOf(*view.series, strip, 0, view.frame_count).high);
+    top = std::max(top, extremesOf(view, strip, 0, view.frame_count).high);
     return top > 0.0 ? top : 1.0;
 }
 
@@ -94,7 +100,8 @@ bool hasSeries(const TimelineView& view) {
 }
 
 bool isMeasured(const TimelineView& view, TimelineStrip strip) {
-    if (strip != TimelineStrip::ImageCorners) return true;
+    if (strip == TimelineStrip::Overlap) return view.quality != nullptr;
+    if (strip != TimelineStrip::ImageCorners || view.quality != nullptr) return true;
     const FrameSeries* series = hasSeries(view) ? view.series : view.earlier;
     return series != nullptr && !series->image_corners.empty();
 }
@@ -103,14 +110,14 @@ bool isShown(const TimelineView& view, const TimelineState& state, TimelineStrip
     return state.strips[static_cast<std::size_t>(strip)] && isMeasured(view, strip);
 }
 
-std::string stripText(const FrameSeries& series, TimelineStrip strip, int frame) {
+std::string stripText(const TimelineView& view, TimelineStrip strip, int frame) {
     const double value = withValues(
-        series, strip, [&](const auto& values) { return static_cast<double>(values[frame]); });
+        view, strip, [&](const auto& values) { return static_cast<double>(values[frame]); });
     return number(strip, value) + stripStyle(strip).unit;
 }
 
-std::string stripRange(const FrameSeries& series, TimelineStrip strip, const FrameAxis& axis) {
-    const Extremes shown = extremesOf(series, strip, axis.frameAt(axis.left()), axis.endFrame());
+std::string stripRange(const TimelineView& view, TimelineStrip strip, const FrameAxis& axis) {
+    const Extremes shown = extremesOf(view, strip, axis.frameAt(axis.left()), axis.endFrame());
     return number(strip, shown.low) + " – " + number(strip, shown.high) + stripStyle(strip).unit;
 }
 
@@ -121,7 +128,7 @@ void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& a
     const auto yOf = [&](double value) {
         return bottom - static_cast<float>(value / scale) * height;
     };
-    const auto columns = withValues(*view.series, strip, [&](const auto& values) {
+    const auto columns = withValues(view, strip, [&](const auto& values) {
         return plotColumns(axis, view.frame_count, [&](int i) { return values[i]; });
     });
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -141,8 +148,9 @@ void drawStrip(const TimelineView& view, TimelineStrip strip, const FrameAxis& a
     }
     if (const double limit = limitOf(view, strip); limit > 0.0) {
         const float y = yOf(limit);
-        const bool is_least =
-            strip == TimelineStrip::Clearance || strip == TimelineStrip::ImageCorners;
+        const bool is_least = strip == TimelineStrip::Clearance ||
+                              strip == TimelineStrip::ImageCorners ||
+                              strip == TimelineStrip::Overlap;
         const ImU32 color = ImGui::GetColorU32(is_least ? palette().bad : palette().warning);
         for (auto x = static_cast<float>(axis.left()); x < axis.right(); x += scaled(7)) {
             const float end = std::min(x + scaled(4), static_cast<float>(axis.right()));

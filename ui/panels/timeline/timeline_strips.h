@@ -19,16 +19,17 @@ struct StripStyle {
 
 /// Whether `view.series` matches the trajectory's frame count.
 [[nodiscard]] bool hasSeries(const TimelineView& view);
-/// Whether the plan has values for the strip: image corners only with trackability. While a new
-/// plan is being measured, the earlier one decides.
+/// Whether the plan has values for the strip: image corners only with trackability or
+/// TimelineView::quality, overlap only with the latter. While a new plan is being measured, the
+/// earlier one decides.
 [[nodiscard]] bool isMeasured(const TimelineView& view, TimelineStrip strip);
 /// Whether the strip is switched on and measured.
 [[nodiscard]] bool isShown(const TimelineView& view, const TimelineState& state,
                            TimelineStrip strip);
 /// The value at a frame as text: "0.42 m".
-[[nodiscard]] std::string stripText(const FrameSeries& series, TimelineStrip strip, int frame);
+[[nodiscard]] std::string stripText(const TimelineView& view, TimelineStrip strip, int frame);
 /// Minimum and maximum over the visible frames: "0.10 – 1.92 m".
-[[nodiscard]] std::string stripRange(const FrameSeries& series, TimelineStrip strip,
+[[nodiscard]] std::string stripRange(const TimelineView& view, TimelineStrip strip,
                                      const FrameAxis& axis);
 
 /// Plots the values over the visible part of `axis`, between screen rows `top` and `bottom` (px).

@@ -1,5 +1,6 @@
 #include "ui/panels/timeline/timeline_tracks.h"
 
+#include "ui/overlays/palette.h"
 #include "ui/panels/timeline/camera_keys.h"
 #include "ui/panels/timeline/frame_axis.h"
 #include "ui/panels/timeline/timeline_strips.h"
@@ -20,6 +21,7 @@ namespace {
 struct Rows {
     float labels = 0;  // left edge of the row names
     float ruler = 0;
+    float kept = 0;   // top of the kept plan's row, which has no height if no plan is kept
     float bands = 0;  // top of the room row, which has no height if there is only one room
     float keys = 0;
     float strips = 0;
@@ -61,6 +63,31 @@ void drawRuler(const TimelineView& view, const FrameAxis& axis, const Rows& rows
                           text.c_str());
         }
     }
+}
+
+/// The length of the kept plan as a bar; one that is longer than the axis ends with an arrow.
+void drawKept(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
+    if (view.kept_text.empty()) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddText({rows.labels, rows.kept}, ImGui::GetColorU32(palette().text_dim),
+                  ("B: " + view.kept_text).c_str());
+    const double interval = view.frame_interval_s > 0.0 ? view.frame_interval_s : 1.0;
+    const double end = frameAt(view, timeOf(view, 0) + view.kept_s - interval) + 1.0;
+    constexpr double kEqual = 0.01;  // frames
+    const bool longer = end > view.frame_count + kEqual && axis.xOf(end) > axis.right();
+    const auto left = static_cast<float>(std::max(axis.xOf(0.0), axis.left()));
+    const auto right = static_cast<float>(std::min(axis.xOf(end), axis.right()));
+    if (right <= left) return;
+    const Eigen::Vector4f& c = kKeptPlanColor;
+    const ImU32 color = ImGui::GetColorU32(ImVec4(c.x(), c.y(), c.z(), c.w()));
+    const float middle = std::floor((rows.kept + rows.bands) / 2);
+    const float half = scaled(2.5F);
+    list->AddRectFilled({left, middle - half}, {right, middle + half}, color, half);
+    if (longer) {
+        list->AddTriangleFilled({right - scaled(9), middle - scaled(6)}, {right, middle},
+                                {right - scaled(9), middle + scaled(6)}, color);
+    }
+    nameArea("timeline.kept", left, middle - half, right, middle + half);
 }
 
 void drawBands(const TimelineView& view, const FrameAxis& axis, const Rows& rows) {
@@ -159,7 +186,7 @@ void drawTooltip(const TimelineView& view, const TimelineState& state, int frame
             if (!isShown(view, state, strip)) continue;
             ImGui::TextColored(palette().text_dim, "%s", stripStyle(strip).title);
             ImGui::SameLine(scaled(120));
-            ImGui::TextUnformatted(stripText(*view.series, strip, frame).c_str());
+            ImGui::TextUnformatted(stripText(view, strip, frame).c_str());
         }
         const auto& fresh = view.series->newly_captured[frame];
         if (!fresh.empty()) {
@@ -176,6 +203,7 @@ void drawEarlierStrip(const TimelineView& view, TimelineStrip strip, const Frame
                       float top, float bottom) {
     TimelineView before = view;
     before.series = view.earlier;
+    before.quality = nullptr;
     before.frame_count = static_cast<int>(view.earlier->size());
     const double stretch = static_cast<double>(before.frame_count) / view.frame_count;
     const FrameAxis stretched(before.frame_count, axis.left(), axis.right(), axis.first() * stretch,
@@ -199,7 +227,7 @@ void drawStrips(const TimelineView& view, const TimelineState& state, const Fram
                       stripStyle(strip).title);
         if (hasSeries(view)) {
             drawStrip(view, strip, axis, top, bottom - 1);
-            const std::string range = stripRange(*view.series, strip, axis);
+            const std::string range = stripRange(view, strip, axis);
             const float width = ImGui::CalcTextSize(range.c_str()).x;
             list->AddText({float(axis.left()) - width - scaled(10), text_y}, dim, range.c_str());
         } else {
@@ -232,7 +260,8 @@ Rows layOut(const TimelineView& view, const TimelineState& state, ImVec2 origin,
     Rows rows;
     rows.labels = origin.x;
     rows.ruler = origin.y;
-    rows.bands = rows.ruler + rowHeight();
+    rows.kept = rows.ruler + rowHeight();
+    rows.bands = rows.kept + (view.kept_text.empty() ? 0.0F : rowHeight());
     const bool several = view.bands != nullptr && view.bands->size() > 1;
     rows.keys = rows.bands + (several ? rowHeight() : 0.0F);
     rows.strips = rows.keys + rowHeight();
@@ -297,6 +326,7 @@ TimelineActions drawTimelineTracks(const TimelineView& view, TimelineState& stat
     state.shown = axis.isZoomed() ? axis.shown() : 0.0;
 
     drawRuler(view, axis, rows);
+    drawKept(view, axis, rows);
     drawBands(view, axis, rows);
     drawStrips(view, state, axis, rows);
     drawKeys(view, axis, rows);

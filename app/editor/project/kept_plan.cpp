@@ -1,0 +1,120 @@
+#include "app/editor/project/kept_plan.h"
+
+#include "app/project/read_project.h"
+#include "engine/core/field_list.h"
+#include "engine/plan/plan_json.h"
+
+#include <exception>
+#include <utility>
+
+namespace dollytrack::editor {
+namespace {
+
+/// The scene that a project must have, and how it must be imported.
+struct WantedScene {
+    std::string sha256;
+    nlohmann::json import;
+};
+
+nlohmann::json metricsOf(const PlanOutcome& shown, const FrameQuality* quality) {
+    nlohmann::json metrics = metricsJson(*shown.scene, *shown.plan);
+    if (quality != nullptr) addFrameQuality(metrics, shown.plan->trajectory, *quality);
+    return metrics;
+}
+
+KeptPlan currentPlan(const Workspace& workspace, const FrameQuality* quality) {
+    const PlanOutcome& shown = workspace.shown();
+    const CommandStack& history = workspace.history();
+    KeptPlan plan;
+    plan.name = history.position() > 0     ? history.names()[history.position()]
+                : workspace.path().empty() ? workspace.sceneFile().filename().string()
+                                           : workspace.path().filename().string();
+    plan.state = history.state();
+    plan.trajectory = std::shared_ptr<const Trajectory>(shown.plan, &shown.plan->trajectory);
+    plan.metrics = metricsOf(shown, quality);
+    return plan;
+}
+
+Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& wanted) {
+    const std::string name = path.filename().string();
+    Result<ProjectContent> content = readProject(path);
+    if (!content) return tl::unexpected(std::move(content.error()));
+    if (!isProjectFile(path) || content->result.is_null()) {
+        return fail(ErrorCode::BadInput,
+                    "It has no plan; open it here and save it, or write it with 'dollytrack plan'.",
+                    name);
+    }
+    if (content->planned_sha256 != wanted.sha256 || content->import != wanted.import) {
+        return fail(ErrorCode::BadInput,
+                    "Its plan is for another scene, or for other import settings; choose a project "
+                    "of the open scene.",
+                    name);
+    }
+    auto trajectory =
+        trajectoryFromJson(content->result.value("trajectory", nlohmann::json::object()));
+    if (!trajectory) return tl::unexpected(std::move(trajectory.error()));
+    KeptPlan plan;
+    plan.name = name;
+    plan.state = std::make_shared<const ProjectState>(
+        ProjectState{toJson(planning::listFields(content->params)), content->edits});
+    plan.trajectory = std::make_shared<const Trajectory>(std::move(*trajectory));
+    plan.metrics = content->result.value("metrics", nlohmann::json::object());
+    return plan;
+}
+
+}  // namespace
+
+void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
+    kept_ = currentPlan(workspace, quality);
+    metrics_of_.reset();
+}
+
+void PlanComparison::read(const std::filesystem::path& project, const Workspace& workspace) {
+    worker_.start([question = ++question_, project, latest = answers_,
+                   wanted = WantedScene{workspace.importedScene().source_sha256,
+                                        workspace.importSettings()}](const JobContext&) {
+        try {
+            latest->put({question, readPlan(project, wanted)});
+        } catch (const std::exception& error) {
+            latest->put({question, fail(ErrorCode::Failed, error.what())});
+        }
+    });
+}
+
+void PlanComparison::swap(Workspace& workspace, const FrameQuality* quality) {
+    KeptPlan current = currentPlan(workspace, quality);
+    workspace.setState(*kept_->state, "Swap with " + kept_->name);
+    kept_ = std::move(current);
+    metrics_of_.reset();
+}
+
+void PlanComparison::drop() {
+    ++question_;
+    kept_.reset();
+    metrics_.clear();
+    metrics_of_.reset();
+}
+
+std::optional<Error> PlanComparison::poll() {
+    std::optional<Answer> answer = answers_->take();
+    if (!answer || answer->question != question_) return std::nullopt;
+    if (!answer->plan) return answer->plan.error();
+    kept_ = std::move(*answer->plan);
+    metrics_of_.reset();
+    return std::nullopt;
+}
+
+const std::vector<planning::ComparedMetric>& PlanComparison::metrics(
+    const PlanOutcome& shown, const std::shared_ptr<const FrameQuality>& quality) {
+    if (metrics_of_ == shown.plan && metrics_quality_ == quality) return metrics_;
+    metrics_of_ = shown.plan;
+    metrics_quality_ = quality;
+    metrics_.clear();
+    if (kept_ && shown.plan && shown.measured) {
+        metrics_ = planning::comparePlans({metricsOf(shown, quality.get()), shown.plan->trajectory},
+                                          {kept_->metrics, *kept_->trajectory});
+    }
+    return metrics_;
+}
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "app/editor/project/workspace.h"
+#include "engine/jobs/background_worker.h"
+#include "engine/plan/frame_quality.h"
+#include "planning/analysis/plan_comparison.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dollytrack::editor {
+
+/// A plan beside the current one.
+struct KeptPlan {
+    std::string name;
+    CommandStack::State state;  // that it was planned from
+    std::shared_ptr<const Trajectory> trajectory;
+    nlohmann::json metrics;  // see metricsJson()
+};
+
+/// Compares the current plan (A) with one that is kept (B): an earlier one of this project, or that
+/// of another project of the same scene.
+class PlanComparison {
+  public:
+    explicit PlanComparison(std::function<void()> wake) : worker_(std::move(wake)) {}
+
+    /// Keeps the current plan; `quality` may be null. Requires Workspace::planIsCurrent().
+    void keep(const Workspace& workspace, const FrameQuality* quality);
+    /// Reads another project in the background, whose plan is then kept.
+    void read(const std::filesystem::path& project, const Workspace& workspace);
+    /// Makes the kept plan's parameters and edits those of the project, and keeps the current plan.
+    /// Requires a kept plan and Workspace::planIsCurrent().
+    void swap(Workspace& workspace, const FrameQuality* quality);
+    void drop();
+    /// Takes the project that was read; returns why it could not be, once.
+    [[nodiscard]] std::optional<Error> poll();
+
+    [[nodiscard]] const KeptPlan* kept() const { return kept_ ? &*kept_ : nullptr; }
+    [[nodiscard]] bool reading() const { return worker_.state().busy; }
+    /// The metrics of both plans; empty while the shown plan is not measured.
+    [[nodiscard]] const std::vector<planning::ComparedMetric>& metrics(
+        const PlanOutcome& shown, const std::shared_ptr<const FrameQuality>& quality);
+
+  private:
+    struct Answer {
+        std::uint64_t question = 0;
+        Result<KeptPlan> plan;
+    };
+
+    std::optional<KeptPlan> kept_;
+    std::vector<planning::ComparedMetric> metrics_;
+    std::shared_ptr<const Plan> metrics_of_;  // null: to be computed
+    std::shared_ptr<const FrameQuality> metrics_quality_;
+    std::uint64_t question_ = 0;
+    std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
+    BackgroundWorker worker_;
+};
+
+}  // namespace dollytrack::editor

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/editor/project/live_planner.h"
+#include "engine/jobs/background_worker.h"
+#include "engine/plan/frame_quality.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace dollytrack::editor {
+
+/// Measures in the background how well other programs can use the frames of the shown plan, once
+/// per plan and only while that is wanted.
+class QualityWorker {
+  public:
+    explicit QualityWorker(std::function<void()> wake) : worker_(std::move(wake)) {}
+
+    /// To be called every frame: starts or cancels the measurement, and takes its result.
+    void follow(const PlanOutcome& shown, bool wanted);
+    /// The measurement of this plan; null if there is none yet.
+    [[nodiscard]] std::shared_ptr<const FrameQuality> of(
+        const std::shared_ptr<const Plan>& plan) const {
+        return plan && plan == measured_plan_ ? quality_ : nullptr;
+    }
+    [[nodiscard]] BackgroundWorker::State state() const { return worker_.state(); }
+
+  private:
+    struct Answer {
+        std::shared_ptr<const Plan> plan;
+        std::shared_ptr<const FrameQuality> quality;
+    };
+
+    std::shared_ptr<const Plan> asked_plan_;  // being measured, or measured
+    std::shared_ptr<const Plan> measured_plan_;
+    std::shared_ptr<const FrameQuality> quality_;
+    std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
+    BackgroundWorker worker_;
+};
+
+}  // namespace dollytrack::editor
