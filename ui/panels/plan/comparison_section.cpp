@@ -35,6 +35,7 @@ void drawRow(const ComparedMetric& metric) {
     ImGui::TableNextColumn();
     if (differs) ImGui::PushFont(fonts().bold);
     cutText(metric.title(), ImGui::GetStyleColorVec4(ImGuiCol_Text), tipOf(metric));
+    nameItem("comparison." + std::string(metric.info.name));
     ImGui::TableNextColumn();
     number(planning::metricNumber(metric.info, metric.a));
     ImGui::TableNextColumn();
@@ -49,7 +50,6 @@ void drawRow(const ComparedMetric& metric) {
         ImGui::PopStyleColor();
     }
     if (differs) ImGui::PopFont();
-    nameItem("comparison." + std::string(metric.info.name));
 }
 
 void drawTable(const ComparisonView& view) {

@@ -347,15 +347,18 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, C
     }
     drawSurface(view, settings, switches, why_not);
     drawQuality(view, settings, switches, why_not);
-    if (view.has_kept_plan)
+    if (view.has_kept_plan) {
+        flowToSwitch("Kept plan (B)");
         switches.check("Kept plan (B)", "kept_plan", settings.kept_plan,
                        "The trajectory that is kept for comparison, thin and pale");
+    }
     drawFreeSpace(view, settings, switches);
     switches.check("No-go boxes, regions", "no_go_boxes", settings.no_go_boxes);
+    flowToSwitch("Grid");
+    switches.check("Grid", "grid", settings.grid, "At floor height, below and around the room");
     switches.check("Cut ceilings away", "ceiling_cut", settings.ceiling_cut,
                    "Show rooms from above without ceilings");
     if (settings.ceiling_cut && view.storeys > 1) drawStoreys(view, settings, switches);
-    switches.check("Grid", "grid", settings.grid, "At floor height, below and around the room");
     drawClip(view, clip, switches);
     if (!view.legends.empty()) {
         ImGui::Separator();
