@@ -240,6 +240,7 @@ class Editor {
     void addComparison(LayersRequest& request) const;
     /// Has small images of all frames drawn and classified, while that is wanted.
     void probePictures();
+    [[nodiscard]] double probedShare() const;  // of the frames whose images are wanted
     /// The tooltip of the frame under the mouse, while weak frames are shown.
     void drawFrameTip();
     [[nodiscard]] nlohmann::json comparisonJson() const;
@@ -339,7 +340,7 @@ class Editor {
     RemedyFinder remedies_{&Window::wake};
     QualityWorker quality_{&Window::wake};
     PlanComparison comparison_{&Window::wake};
-    std::shared_ptr<const ui::RenderThread::Views> probes_;  // of the frames of probed_plan_
+    std::shared_ptr<const ui::RenderThread::Views> probes_;  // being drawn; null: none
     std::shared_ptr<const Plan> probed_plan_;
     ui::PictureClasses frame_classes_;  // of the frames of probed_plan_; null: not all are known
     MotionWorker motions_{&Window::wake};

@@ -83,6 +83,7 @@ void Editor::follow(const ui::ComparisonActions& actions) {
 void Editor::followComparison() {
     quality_.follow(workspace_.shown(), layer_settings_.quality);
     probePictures();
+    if (workspace_.isOpen()) comparison_.followUndo(workspace_.history().state());
     if (const std::optional<Error> error = comparison_.poll()) {
         log::error("comparison", describe(*error));
         questions_.tell({true, "Cannot compare with this project", describe(*error), {}});
@@ -93,14 +94,16 @@ void Editor::probePictures() {
     constexpr int kWidth_px = 160;
     const PlanOutcome& shown = workspace_.shown();
     const bool wanted = layer_settings_.quality && layer_settings_.quality_options.unusable &&
-                        shown.plan && shown.measured && scene_sync_.isSent();
-    if (!wanted || shown.plan != probed_plan_) {
+                        shown.plan && !shown.plan->trajectory.frames.empty() && shown.measured &&
+                        scene_sync_.isSent();
+    // The classes of a plan are kept, unless the search ends early.
+    if (shown.plan != probed_plan_ || (!wanted && !frame_classes_)) {
         drawing_.requestProbes(nullptr);
         probes_.reset();
         frame_classes_.reset();
         probed_plan_.reset();
     }
-    if (!wanted) return;
+    if (!wanted || frame_classes_) return;
     if (!probes_) {
         probed_plan_ = shown.plan;
         CameraParams camera = shown.params.camera;
@@ -113,11 +116,17 @@ void Editor::probePictures() {
         probes_ = std::make_shared<const ui::RenderThread::Views>(std::move(views));
         drawing_.requestProbes(probes_);
     }
-    if (frame_classes_) return;
     std::vector<render::PictureQuality> classes = drawing_.probes();
-    if (classes.empty() || classes.size() < probes_->size()) return;
+    if (classes.size() < probes_->size()) return;
     frame_classes_ =
         std::make_shared<const std::vector<render::PictureQuality>>(std::move(classes));
+    drawing_.requestProbes(nullptr);
+    probes_.reset();
+}
+
+double Editor::probedShare() const {
+    if (!probes_) return 1.0;
+    return static_cast<double>(drawing_.probes().size()) / static_cast<double>(probes_->size());
 }
 
 void Editor::addComparison(LayersRequest& request) const {

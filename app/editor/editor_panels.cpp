@@ -91,7 +91,8 @@ void Editor::drawLayers() {
     view.has_surface = view.has_plan && shown.plan->surface;
     const BackgroundWorker::State quality = quality_.state();
     view.measuring_quality = quality.busy;
-    view.quality_fraction = quality.fraction;
+    view.judging_images = !quality.busy && probes_ != nullptr;
+    view.quality_fraction = quality.busy ? quality.fraction : probedShare();
     view.has_kept_plan = comparison_.kept() != nullptr;
     view.stepping = step_playback_.shown();
     const int search = layers_.candidateSearch();

@@ -20,7 +20,7 @@ Result<std::vector<double>> measureOverlaps(const ViewEstimator& views,
     const std::vector<TrajectoryFrame>& frames = trajectory.frames;
     std::vector<double> overlaps(frames.size(), 1.0);
     parallelFor(frames.size(), [&](std::size_t i) {
-        if (i == 0 || frames[i].path != frames[i - 1].path || job.cancelled()) return;
+        if (!continuesPath(trajectory, i) || job.cancelled()) return;
         overlaps[i] = imageOverlap(views, frames[i].pose, frames[i - 1].pose);
     });
     if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");

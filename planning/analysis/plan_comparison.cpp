@@ -18,10 +18,10 @@ const std::vector<MetricInfo>& comparedInfos() {
         std::vector<MetricInfo> list = {
             {"capture_rate", "captured", "", Neither},
             {"well_captured_rate", "well captured", "", Neither},
-            {"small_capture_rate", "small, captured", "", Neither},
-            {"area_share_box", "box, share of image", "", Neither},
+            {"small_capture_rate", "small captured", "", Neither},
+            {"area_share_box", "box in image", "", Neither},
             {"object_pixels", "object pixels", "", Neither},
-            {"must_see_rate", "must-see regions", "%", Higher},
+            {"must_see_rate", "must-see", "%", Higher},
             {"surface_seen_rate", "surface seen", "%", Higher},
             {"surface_covered_rate", "surface covered", "%", Higher},
             {"repair.after.mean_score", "image score", "", Higher},
@@ -35,11 +35,11 @@ const std::vector<MetricInfo>& comparedInfos() {
             {"key_frames", "key frames", "", Neither},
             {"duration_s", "duration", "s", Neither},
             {"path_length_m", "path", "", Neither},
-            {"speed_median_mps", "speed, median", "", Neither},
-            {"speed_max_mps", "speed, maximum", "", Neither},
-            {"turn_median_dps", "turning, median", "", Neither},
-            {"turn_max_dps", "turning, maximum", "", Neither},
-            {"jerk_max_mps3", "jerk, maximum", "", Neither},
+            {"speed_median_mps", "median speed", "", Neither},
+            {"speed_max_mps", "max speed", "", Neither},
+            {"turn_median_dps", "median turn", "", Neither},
+            {"turn_max_dps", "max turn", "", Neither},
+            {"jerk_max_mps3", "max jerk", "", Neither},
         };
         for (MetricInfo& info : list) {
             const auto known =
@@ -77,7 +77,7 @@ std::optional<double> valueOf(const ComparablePlan& plan, std::string_view name)
 
 std::string ComparedMetric::title() const {
     return info.unit.empty() ? std::string(info.title)
-                             : fmt::format("{}, {}", info.title, info.unit);
+                             : fmt::format("{} ({})", info.title, info.unit);
 }
 
 bool ComparedMetric::differs() const {

@@ -24,7 +24,7 @@ struct ComparedMetric {
     std::optional<double> a;
     std::optional<double> b;
 
-    /// The title with the unit: "captured, %".
+    /// The title with the unit: "captured (%)".
     [[nodiscard]] std::string title() const;
     /// Whether the values differ as texts, that is, as they are shown.
     [[nodiscard]] bool differs() const;

@@ -12,7 +12,7 @@ using Mark = render::OverlayMark;
 using Shape = LegendEntry::Shape;
 
 constexpr double kStretchWidth = 8.0;  // px; the trajectory's line is 3.6
-constexpr double kDot = 8.0;           // px, where the camera turns on the spot
+constexpr double kDot = 9.0;           // px, where a stretch begins
 constexpr double kCross = 13.0;        // px
 constexpr double kSquare = 11.0;       // px
 constexpr double kDash = 7.0;          // px
@@ -22,23 +22,61 @@ bool fits(const Plan& plan, const FrameQuality& quality) {
     return quality.image_corners.size() == frames && quality.overlap.size() == frames;
 }
 
-/// The way to a frame from the one before, and a mark at the frame, which is visible where the
-/// camera only turns.
-void addFrame(render::Overlay& overlay, const Trajectory& trajectory, std::size_t frame,
-              const render::OverlayLine& style, Mark mark) {
-    const Eigen::Vector3d& at = trajectory.frames[frame].pose.position;
-    const std::int32_t tag = toTag(Picked::Frame, static_cast<int>(frame));
-    if (continuesPath(trajectory, frame)) {
-        render::OverlayLine line = style;
-        line.a = trajectory.frames[frame - 1].pose.position;
-        line.b = at;
-        line.tag = tag;
-        overlay.lines.push_back(line);
+void addMark(render::Overlay& overlay, const Trajectory& trajectory, std::size_t frame,
+             Mark::Shape shape, const Eigen::Vector4f& rgba, double size_px) {
+    overlay.marks.push_back({trajectory.frames[frame].pose.position,
+                             shape,
+                             rgba,
+                             size_px,
+                             {0, 0, 0},
+                             toTag(Picked::Frame, static_cast<int>(frame))});
+}
+
+/// The way to a frame from the one before, if they are on one path.
+void addWay(render::Overlay& overlay, const Trajectory& trajectory, std::size_t frame,
+            render::OverlayLine line) {
+    if (!continuesPath(trajectory, frame)) return;
+    line.a = trajectory.frames[frame - 1].pose.position;
+    line.b = trajectory.frames[frame].pose.position;
+    line.tag = toTag(Picked::Frame, static_cast<int>(frame));
+    overlay.lines.push_back(line);
+}
+
+/// Stretches of frames with few image corners. A dot marks where each begins, so that one is
+/// visible that is short or where the camera turns on the spot.
+void addUntrackable(PlanLayer& layer, const Trajectory& trajectory,
+                    const std::vector<double>& corners) {
+    render::OverlayLine line;
+    line.rgba = kWarningColor;
+    line.width_px = kStretchWidth;
+    int untrackable = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (!isUntrackable(corners[i])) continue;
+        ++untrackable;
+        addWay(layer.overlay, trajectory, i, line);
+        if (continuesPath(trajectory, i) && isUntrackable(corners[i - 1])) continue;
+        addMark(layer.overlay, trajectory, i, Mark::Shape::Dot, kWarningColor, kDot);
     }
-    mark.at = at;
-    mark.rgba = style.rgba;
-    mark.tag = tag;
-    overlay.marks.push_back(mark);
+    layer.legend.entries.push_back(
+        {fmt::format("Fewer than {:.0f} image corners", kTrackableCorners), Shape::Line,
+         kWarningColor, untrackable});
+}
+
+void addWideGaps(PlanLayer& layer, const Trajectory& trajectory,
+                 const std::vector<double>& overlap) {
+    render::OverlayLine line;
+    line.rgba = kGapColor;
+    line.width_px = 0.5 * kStretchWidth;
+    line.dash_px = kDash;
+    int gaps = 0;
+    for (std::size_t i = 0; i < overlap.size(); ++i) {
+        if (!continuesPath(trajectory, i) || !isWideGap(overlap[i])) continue;
+        ++gaps;
+        addWay(layer.overlay, trajectory, i, line);
+        addMark(layer.overlay, trajectory, i, Mark::Shape::Cross, kGapColor, kCross);
+    }
+    layer.legend.entries.push_back({fmt::format("Overlap below {:.0f} %", 100.0 * kLeastOverlap),
+                                    Shape::Cross, kGapColor, gaps});
 }
 
 void addUnusable(PlanLayer& layer, const Trajectory& trajectory,
@@ -48,12 +86,7 @@ void addUnusable(PlanLayer& layer, const Trajectory& trajectory,
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         if (pictures[i] == render::PictureQuality::Usable) continue;
         ++unusable;
-        layer.overlay.marks.push_back({trajectory.frames[i].pose.position,
-                                       Mark::Shape::Square,
-                                       kUnusableColor,
-                                       kSquare,
-                                       {0, 0, 0},
-                                       toTag(Picked::Frame, static_cast<int>(i))});
+        addMark(layer.overlay, trajectory, i, Mark::Shape::Square, kUnusableColor, kSquare);
     }
     layer.legend.entries.push_back(
         {"Dark, white or flat image", Shape::Block, kUnusableColor, unusable});
@@ -66,45 +99,10 @@ PlanLayer qualityLayer(const Plan& plan, const FrameQuality& quality,
     PlanLayer layer;
     if (!fits(plan, quality)) return layer;
     layer.legend.title = "Weak frames";
-    const Trajectory& trajectory = plan.trajectory;
-    render::OverlayLine stretch;
-    stretch.rgba = kWarningColor;
-    stretch.width_px = kStretchWidth;
-    render::OverlayLine gap;
-    gap.rgba = kGapColor;
-    gap.width_px = 0.5 * kStretchWidth;
-    gap.dash_px = kDash;
-    Mark dot;
-    dot.size_px = kDot;
-    Mark cross;
-    cross.shape = Mark::Shape::Cross;
-    cross.size_px = kCross;
-    int untrackable = 0;
-    int gaps = 0;
-    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
-        if (options.untrackable && isUntrackable(quality.image_corners[i])) {
-            ++untrackable;
-            addFrame(layer.overlay, trajectory, i, stretch, dot);
-        }
-    }
+    if (options.untrackable) addUntrackable(layer, plan.trajectory, quality.image_corners);
     // Gaps are drawn over the stretches.
-    for (std::size_t i = 0; i < trajectory.frames.size(); ++i) {
-        if (options.wide_gaps && continuesPath(trajectory, i) && isWideGap(quality.overlap[i])) {
-            ++gaps;
-            addFrame(layer.overlay, trajectory, i, gap, cross);
-        }
-    }
-    if (options.unusable && pictures) addUnusable(layer, trajectory, *pictures);
-    if (options.untrackable) {
-        layer.legend.entries.push_back(
-            {fmt::format("Fewer than {:.0f} image corners", kTrackableCorners), Shape::Line,
-             kWarningColor, untrackable});
-    }
-    if (options.wide_gaps) {
-        layer.legend.entries.push_back(
-            {fmt::format("Overlap below {:.0f} %", 100.0 * kLeastOverlap), Shape::Cross, kGapColor,
-             gaps});
-    }
+    if (options.wide_gaps) addWideGaps(layer, plan.trajectory, quality.overlap);
+    if (options.unusable && pictures) addUnusable(layer, plan.trajectory, *pictures);
     return layer;
 }
 

@@ -225,13 +225,8 @@ Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
                         job.stage(0.5, 1.0, "coverage"));
 }
 
-Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
-    const auto requirements = parseRequirements(arguments.requirements);
-    if (!requirements) return tl::unexpected(requirements.error());
-    const Result<bool> baseline = namesBaseline(arguments.planner);
-    if (!baseline) return tl::unexpected(baseline.error());
-    if (*baseline) return runBaseline(arguments, *requirements, session);
-    // Checked before the work: files with another extension cannot be opened again.
+/// Checked before the work: files with another extension cannot be opened again.
+Status checkFiles(const PlanArguments& arguments) {
     if (!arguments.out.empty() && std::filesystem::path(arguments.out).extension() != ".dolly") {
         return fail(ErrorCode::Usage, "A project's name must end in .dolly.", arguments.out);
     }
@@ -240,11 +235,41 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
         return fail(ErrorCode::Usage, "The image's name must end in .png.", arguments.picture);
     }
     for (const std::string& file : {arguments.out, arguments.picture, arguments.frames}) {
-        if (Status status = checkWritable(file); !status) {
-            return tl::unexpected(std::move(status.error()));
+        if (Status status = checkWritable(file); !status) return status;
+    }
+    return checkCoverageFiles(arguments.coverage);
+}
+
+/// Adds the measurements of the plan that were asked for to its metrics.
+Status addMeasurements(const OpenedScene& opened, const planning::Pipeline& pipeline,
+                       PlannedScene& planned, const PlanArguments& arguments,
+                       const JobContext& job) {
+    if (!arguments.bound && !asksForQuality(arguments)) return {};
+    if (arguments.bound) {
+        if (Status status = addDenseSearch(opened, pipeline, *planned.plan, planned.metrics,
+                                           job.stage(0.5, 1.0, "dense search"));
+            !status) {
+            return status;
         }
     }
-    if (Status status = checkCoverageFiles(arguments.coverage); !status) {
+    if (asksForQuality(arguments)) {
+        if (Status status = addQuality(opened, pipeline, *planned.plan, arguments, planned.metrics,
+                                       job.stage(0.5, 1.0, "frames"));
+            !status) {
+            return status;
+        }
+    }
+    planned.result["metrics"] = withoutTimes(planned.metrics);
+    return {};
+}
+
+Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session) {
+    const auto requirements = parseRequirements(arguments.requirements);
+    if (!requirements) return tl::unexpected(requirements.error());
+    const Result<bool> baseline = namesBaseline(arguments.planner);
+    if (!baseline) return tl::unexpected(baseline.error());
+    if (*baseline) return runBaseline(arguments, *requirements, session);
+    if (Status status = checkFiles(arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     if (Status status = knowsMetrics(*requirements, arguments); !status) {
@@ -259,21 +284,8 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     Result<PlannedScene> planned =
         planScene(*opened, pipeline, job.stage(0.3, goes_on ? 0.5 : 1.0, "planning"));
     if (!planned) return tl::unexpected(std::move(planned.error()));
-    if (arguments.bound) {
-        if (Status status = addDenseSearch(*opened, pipeline, *planned->plan, planned->metrics,
-                                           job.stage(0.5, 1.0, "dense search"));
-            !status) {
-            return tl::unexpected(std::move(status.error()));
-        }
-        planned->result["metrics"] = withoutTimes(planned->metrics);
-    }
-    if (asksForQuality(arguments)) {
-        if (Status status = addQuality(*opened, pipeline, *planned->plan, arguments,
-                                       planned->metrics, job.stage(0.5, 1.0, "frames"));
-            !status) {
-            return tl::unexpected(std::move(status.error()));
-        }
-        planned->result["metrics"] = withoutTimes(planned->metrics);
+    if (Status status = addMeasurements(*opened, pipeline, *planned, arguments, job); !status) {
+        return tl::unexpected(std::move(status.error()));
     }
     std::vector<LedgerRow> ledger;
     if (arguments.explain) {

@@ -57,13 +57,18 @@ std::string comparisonTable(const ProjectComparison& comparison) {
     text += fmt::format("  {:<24}{:>10}{:>10}{:>10}\n", "", "A", "B", "A - B");
     for (const ComparedMetric& metric : comparison.metrics) {
         const int better = metric.betterA();
-        fmt::format_to(std::back_inserter(text), "  {:<24}{:>10}{:>10}{:>10}{}\n", metric.title(),
-                       planning::metricNumber(metric.info, metric.a),
-                       planning::metricNumber(metric.info, metric.b), metric.differenceText(),
-                       better == 0  ? ""
-                       : better > 0 ? "  A is better"
-                                    : "  B is better");
+        text += fmt::format("  {:<24}{:>10}{:>10}", metric.title(),
+                            planning::metricNumber(metric.info, metric.a),
+                            planning::metricNumber(metric.info, metric.b));
+        if (metric.a && metric.b && metric.differs()) {
+            text += fmt::format("{:>10}", metric.differenceText());
+        }
+        if (better != 0) text += better > 0 ? "  A is better" : "  B is better";
+        text += '\n';
     }
+    const bool missing = std::ranges::any_of(
+        comparison.metrics, [](const ComparedMetric& metric) { return !metric.a || !metric.b; });
+    if (missing) text += "-: not measured; see 'dollytrack plan --quality'\n";
     return text;
 }
 

@@ -66,6 +66,7 @@ Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& 
 
 void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
     kept_ = currentPlan(workspace, quality);
+    swapped_.reset();
     metrics_of_.reset();
 }
 
@@ -84,13 +85,20 @@ void PlanComparison::read(const std::filesystem::path& project, const Workspace&
 void PlanComparison::swap(Workspace& workspace, const FrameQuality* quality) {
     KeptPlan current = currentPlan(workspace, quality);
     workspace.setState(*kept_->state, "Swap with " + kept_->name);
-    kept_ = std::move(current);
+    swapped_ = std::exchange(kept_, std::move(current));
+    metrics_of_.reset();
+}
+
+void PlanComparison::followUndo(const CommandStack::State& state) {
+    if (std::exchange(followed_, state) == state || !swapped_ || !(*state == *kept_->state)) return;
+    std::swap(kept_, swapped_);
     metrics_of_.reset();
 }
 
 void PlanComparison::drop() {
     ++question_;
     kept_.reset();
+    swapped_.reset();
     metrics_.clear();
     metrics_of_.reset();
 }
@@ -100,6 +108,7 @@ std::optional<Error> PlanComparison::poll() {
     if (!answer || answer->question != question_) return std::nullopt;
     if (!answer->plan) return answer->plan.error();
     kept_ = std::move(*answer->plan);
+    swapped_.reset();
     metrics_of_.reset();
     return std::nullopt;
 }
@@ -107,10 +116,11 @@ std::optional<Error> PlanComparison::poll() {
 const std::vector<planning::ComparedMetric>& PlanComparison::metrics(
     const PlanOutcome& shown, const std::shared_ptr<const FrameQuality>& quality) {
     if (metrics_of_ == shown.plan && metrics_quality_ == quality) return metrics_;
-    metrics_of_ = shown.plan;
+    metrics_of_.reset();
     metrics_quality_ = quality;
     metrics_.clear();
     if (kept_ && shown.plan && shown.measured) {
+        metrics_of_ = shown.plan;
         metrics_ = planning::comparePlans({metricsOf(shown, quality.get()), shown.plan->trajectory},
                                           {kept_->metrics, *kept_->trajectory});
     }

@@ -37,6 +37,8 @@ class PlanComparison {
     /// Requires a kept plan and Workspace::planIsCurrent().
     void swap(Workspace& workspace, const FrameQuality* quality);
     void drop();
+    /// To be called every frame: undoing or redoing a swap also exchanges the kept plan.
+    void followUndo(const CommandStack::State& state);
     /// Takes the project that was read; returns why it could not be, once.
     [[nodiscard]] std::optional<Error> poll();
 
@@ -53,6 +55,8 @@ class PlanComparison {
     };
 
     std::optional<KeptPlan> kept_;
+    std::optional<KeptPlan> swapped_;  // the one that a swap made the current plan
+    CommandStack::State followed_;     // by followUndo()
     std::vector<planning::ComparedMetric> metrics_;
     std::shared_ptr<const Plan> metrics_of_;  // null: to be computed
     std::shared_ptr<const FrameQuality> metrics_quality_;

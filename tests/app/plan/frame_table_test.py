@@ -56,7 +56,7 @@ class FrameTable(FolderCase):
         self.assertEqual(self.planned.returncode, 0, self.planned.stderr)
         # The file's boxes have y up; the scene has z up: (x, y, z) is (x, -z, y).
         boxes = []
-        for line in self.room.read_text().split("\no ")[0:]:
+        for line in self.room.read_text().split("\no "):
             points = numpy.array([[float(value) for value in row.split()[1:]]
                                   for row in line.splitlines() if row.startswith("v ")])
             points = points[:, [0, 2, 1]] * [1, -1, 1]

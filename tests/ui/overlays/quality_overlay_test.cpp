@@ -45,7 +45,8 @@ std::set<int> framesOf(const render::Overlay& overlay, const Eigen::Vector4f& rg
 TEST(QualityLayer, MarksFramesOfFewCornersAndWideGaps) {
     const Plan plan = sixFrames();
     const PlanLayer layer = qualityLayer(plan, weakQuality(), {}, {});
-    EXPECT_EQ(framesOf(layer.overlay, kWarningColor, Mark::Shape::Dot), (std::set<int>{0, 1, 3}));
+    // A dot where each stretch begins: frames 0 and 1 are one, frame 3 begins a path.
+    EXPECT_EQ(framesOf(layer.overlay, kWarningColor, Mark::Shape::Dot), (std::set<int>{0, 3}));
     EXPECT_EQ(framesOf(layer.overlay, kGapColor, Mark::Shape::Cross), (std::set<int>{2, 5}));
     // Lines lead to frames 1 (few corners), 2 and 5 (gaps); frames 0 and 3 begin paths.
     ASSERT_EQ(layer.overlay.lines.size(), 3U);
@@ -94,8 +95,8 @@ TEST(QualityLayer, MarksImagesWithoutContent) {
     const PlanLayer layer = qualityLayer(plan, weakQuality(), pictures, {});
     EXPECT_EQ(framesOf(layer.overlay, kUnusableColor, Mark::Shape::Square), (std::set<int>{1, 4}));
     ASSERT_EQ(layer.legend.entries.size(), 3U);
-    EXPECT_EQ(layer.legend.entries[0].name, "Dark, white or flat image");
-    EXPECT_EQ(layer.legend.entries[0].count, 2);
+    EXPECT_EQ(layer.legend.entries[2].name, "Dark, white or flat image");
+    EXPECT_EQ(layer.legend.entries[2].count, 2);
     EXPECT_EQ(qualityText(plan, weakQuality(), pictures, 4),
               "500 image corners\nflat image\n80 % shared with the frame before");
     const PlanLayer without = qualityLayer(plan, weakQuality(), pictures, {.unusable = false});

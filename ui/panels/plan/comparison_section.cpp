@@ -33,7 +33,7 @@ void drawRow(const ComparedMetric& metric) {
     const int better = metric.betterA();
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (differs) ImGui::PushFont(fonts().bold);
+    if (!differs) ImGui::PushStyleColor(ImGuiCol_Text, palette().text_dim);
     cutText(metric.title(), ImGui::GetStyleColorVec4(ImGuiCol_Text), tipOf(metric));
     nameItem("comparison." + std::string(metric.info.name));
     ImGui::TableNextColumn();
@@ -49,7 +49,7 @@ void drawRow(const ComparedMetric& metric) {
         tooltip(better > 0 ? "A is better" : "B is better");
         ImGui::PopStyleColor();
     }
-    if (differs) ImGui::PopFont();
+    if (!differs) ImGui::PopStyleColor();
 }
 
 void drawTable(const ComparisonView& view) {
@@ -91,7 +91,8 @@ ComparisonActions drawComparison(const ComparisonView& view) {
     }
     if (view.reading) ImGui::TextDisabled("reading \u2026");
     if (!view.has_kept) return actions;
-    cutText("B: " + view.kept_name, palette().text_dim, "B: " + view.kept_name);
+    const std::string names = "A: current plan, B: " + view.kept_name;
+    cutText(names, palette().text_dim, names);
     if (view.metrics.empty()) {
         ImGui::TextDisabled("A is being measured \u2026");
     } else {

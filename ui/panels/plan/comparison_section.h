@@ -26,8 +26,8 @@ struct ComparisonActions {
     bool drop = false;
 };
 
-/// Draws the buttons and, while a plan is kept, a table of both plans' metrics. Those that differ
-/// are bold, with the difference in the colour of better or worse.
+/// Draws the buttons and, while a plan is kept, a table of both plans' metrics. Those that are
+/// equal are dim; differences have the colour of better or worse.
 ComparisonActions drawComparison(const ComparisonView& view);
 
 }  // namespace dollytrack::ui

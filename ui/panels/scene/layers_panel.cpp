@@ -266,11 +266,14 @@ void drawQuality(const LayersView& view, LayerSettings& settings, Switches& swit
     flowToSwitch("unseen surface");
     switches.check("unseen surface", "quality.unseen_surface", options.unseen_surface,
                    "Surface within sight of the camera's positions that no frame shows");
-    if (view.measuring_quality) {
+    if (view.measuring_quality || view.judging_images) {
         ImGui::ProgressBar(static_cast<float>(view.quality_fraction),
-                           {scaled(90), ImGui::GetFrameHeight()}, "measuring");
+                           {scaled(130), ImGui::GetFrameHeight()},
+                           view.measuring_quality ? "measuring" : "drawing images");
         ImGui::SameLine();
-        if (button("Stop", "layers.quality.stop")) settings.quality = false;
+        if (button("Stop", "layers.quality.stop")) {
+            (view.measuring_quality ? settings.quality : options.unusable) = false;
+        }
     }
     ImGui::Unindent();
 }

@@ -22,7 +22,8 @@ struct LayersView {
     bool has_surface = false;          // the plan tells what its frames show of all surface
     bool has_kept_plan = false;        // a plan is kept for comparison
     bool measuring_quality = false;    // weak frames are being measured
-    double quality_fraction = 0.0;     // of that
+    bool judging_images = false;       // dark and flat images are being searched
+    double quality_fraction = 0.0;     // of either
     bool stepping = false;             // the step view replaces the roadmap
     std::vector<Legend> legends;       // legends of the drawn layers
     ShownVerdicts candidates_there{};  // verdicts that occur among the selected point's candidates
