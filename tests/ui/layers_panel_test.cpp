@@ -77,6 +77,39 @@ TEST(LayersPanel, OffersSurfaceOnlyWhereThePlanAimsAtIt) {
     EXPECT_FALSE(screen.shows("layers.surface.unseen"));
 }
 
+TEST(LayersPanel, ChoosesWhichWeakFramesAreShown) {
+    Layers layers;
+    layers.settings.quality = true;
+    layers.view.has_kept_plan = true;
+    test::Screen screen([&] { layers.draw(); }, 360, 1200);
+    for (const char* name : {"quality.untrackable", "quality.wide_gaps", "quality.unusable",
+                             "quality.unseen_surface", "kept_plan", "quality"}) {
+        const LayerSettings before = layers.settings;
+        ASSERT_TRUE(screen.click(std::string("layers.") + name)) << name << ": " << screen.names();
+        EXPECT_FALSE(layers.settings == before) << name;
+    }
+    EXPECT_EQ(layers.changes, 6);
+    EXPECT_FALSE(screen.shows("layers.quality.wide_gaps"));
+}
+
+TEST(LayersPanel, StopsTheMeasurementOfWeakFramesOrOnlyItsImages) {
+    Layers layers;
+    layers.settings.quality = true;
+    test::Screen screen([&] { layers.draw(); }, 360, 1200);
+    EXPECT_FALSE(screen.shows("layers.quality.stop"));
+    layers.view.judging_images = true;
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("layers.quality.stop")) << screen.names();
+    EXPECT_FALSE(layers.settings.quality_options.unusable);
+    EXPECT_TRUE(layers.settings.quality);
+    layers.view.judging_images = false;
+    layers.view.measuring_quality = true;
+    screen.frame(2);
+    ASSERT_TRUE(screen.click("layers.quality.stop")) << screen.names();
+    EXPECT_FALSE(layers.settings.quality);
+    EXPECT_EQ(layers.changes, 2);
+}
+
 TEST(LayersPanel, ChoosesColours) {
     Layers layers;
     test::Screen screen([&] { layers.draw(); }, 360, 900);

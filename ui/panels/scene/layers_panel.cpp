@@ -247,6 +247,8 @@ void drawSurface(const LayersView& view, LayerSettings& settings, Switches& swit
 /// Weak frames are measured on request, since that takes seconds.
 void drawQuality(const LayersView& view, LayerSettings& settings, Switches& switches,
                  const std::string& why_not) {
+    const bool has_options_before = view.has_surface && settings.surface;
+    if (!has_options_before) flowToSwitch("Weak frames");
     if (!switches.check("Weak frames", "quality", settings.quality,
                         "What SLAM and reconstruction programs miss: frames with few image "
                         "corners, wide gaps, and surface that no frame shows",
@@ -273,6 +275,7 @@ void drawQuality(const LayersView& view, LayerSettings& settings, Switches& swit
         ImGui::SameLine();
         if (button("Stop", "layers.quality.stop")) {
             (view.measuring_quality ? settings.quality : options.unusable) = false;
+            switches.note(true);
         }
     }
     ImGui::Unindent();
@@ -351,7 +354,7 @@ LayersActions drawLayersPanel(const LayersView& view, LayerSettings& settings, C
     drawSurface(view, settings, switches, why_not);
     drawQuality(view, settings, switches, why_not);
     if (view.has_kept_plan) {
-        flowToSwitch("Kept plan (B)");
+        if (!settings.quality) flowToSwitch("Kept plan (B)");
         switches.check("Kept plan (B)", "kept_plan", settings.kept_plan,
                        "The trajectory that is kept for comparison, thin and pale");
     }
