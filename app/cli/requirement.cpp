@@ -33,9 +33,10 @@ bool isShare(std::string_view metric) {
 std::string_view reasonOfNoValue(std::string_view metric) {
     const std::string_view name = withoutPrefix(metric);
     if (name == "trackable_rate") {
-        return "only trackability=on, motion_preset=slam and --quality measure it";
+        return "only trackability=on, motion_preset=slam or --quality measures it";
     }
-    if (name.starts_with("surface_")) return "only objective=surface, both and --quality measure it";
+    if (name.starts_with("surface_"))
+        return "only objective=surface, objective=both or --quality measures it";
     return "there is nothing to measure";
 }
 

@@ -342,7 +342,9 @@ class Editor {
     PlanComparison comparison_{&Window::wake};
     std::shared_ptr<const ui::RenderThread::Views> probes_;  // being drawn; null: none
     std::shared_ptr<const Plan> probed_plan_;
-    ui::PictureClasses frame_classes_;  // of the frames of probed_plan_; null: not all are known
+    std::shared_ptr<const render::LightVolume> probed_light_;
+    // Of the frames of probed_plan_; null: not all are known; empty: they cannot be drawn.
+    ui::PictureClasses frame_classes_;
     MotionWorker motions_{&Window::wake};
     MotionFile motion_file_;                // file last read as a camera path
     SharedMotion read_motion_;              // camera path from that file, perhaps repaired

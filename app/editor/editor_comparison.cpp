@@ -95,17 +95,20 @@ void Editor::probePictures() {
     const PlanOutcome& shown = workspace_.shown();
     const bool wanted = layer_settings_.quality && layer_settings_.quality_options.unusable &&
                         shown.plan && !shown.plan->trajectory.frames.empty() && shown.measured &&
-                        scene_sync_.isSent();
-    // The classes of a plan are kept, unless the search ends early.
-    if (shown.plan != probed_plan_ || (!wanted && !frame_classes_)) {
+                        scene_sync_.isSent() && !workspace_.lighting();
+    // The classes of a plan in its light are kept, unless the search ends early.
+    if (shown.plan != probed_plan_ || workspace_.light() != probed_light_ ||
+        (!wanted && !frame_classes_)) {
         drawing_.requestProbes(nullptr);
         probes_.reset();
         frame_classes_.reset();
         probed_plan_.reset();
+        probed_light_.reset();
     }
     if (!wanted || frame_classes_) return;
     if (!probes_) {
         probed_plan_ = shown.plan;
+        probed_light_ = workspace_.light();
         CameraParams camera = shown.params.camera;
         camera.height_px = std::max(1, kWidth_px * camera.height_px / camera.width_px);
         camera.width_px = kWidth_px;
@@ -116,8 +119,9 @@ void Editor::probePictures() {
         probes_ = std::make_shared<const ui::RenderThread::Views>(std::move(views));
         drawing_.requestProbes(probes_);
     }
+    if (drawing_.probing() && drawing_.probesDone() < probes_->size()) return;
     std::vector<render::PictureQuality> classes = drawing_.probes();
-    if (classes.size() < probes_->size()) return;
+    if (classes.size() < probes_->size()) classes.clear();  // they cannot be drawn
     frame_classes_ =
         std::make_shared<const std::vector<render::PictureQuality>>(std::move(classes));
     drawing_.requestProbes(nullptr);
@@ -126,7 +130,7 @@ void Editor::probePictures() {
 
 double Editor::probedShare() const {
     if (!probes_) return 1.0;
-    return static_cast<double>(drawing_.probes().size()) / static_cast<double>(probes_->size());
+    return static_cast<double>(drawing_.probesDone()) / static_cast<double>(probes_->size());
 }
 
 void Editor::addComparison(LayersRequest& request) const {
@@ -150,8 +154,10 @@ void Editor::drawFrameTip() {
     const double depth_m = surface ? image.view.pose.toCamera(*surface).z() : 0.0;
     const std::vector<ui::PickedElement> picked =
         layers_.layers().pick(image.view, pane_.cursor, depth_m, overlayScale());
-    if (picked.empty() || picked.front().tag.kind != ui::Picked::Frame) return;
-    const int frame = picked.front().tag.index;
+    const auto pointed = std::ranges::find_if(
+        picked, [](const ui::PickedElement& one) { return one.visible && one.on; });
+    if (pointed == picked.end() || pointed->tag.kind != ui::Picked::Frame) return;
+    const int frame = pointed->tag.index;
     if (frame >= frameCount()) return;
     ImGui::BeginTooltip();
     ImGui::Text("Frame %d, %.1f s", frame, plan()->trajectory.frames[frame].time_s);
@@ -174,7 +180,7 @@ nlohmann::json Editor::comparisonJson() const {
         addFrameQuality(json["quality"], shown.plan->trajectory, *quality);
         json["quality"]["overlap"] = quality->overlap;
         json["quality"]["pictures"] = nullptr;
-        if (frame_classes_) {
+        if (frame_classes_ && !frame_classes_->empty()) {
             for (const render::PictureQuality one : *frame_classes_) {
                 json["quality"]["pictures"].push_back(static_cast<int>(one));
             }

@@ -1,5 +1,7 @@
 #include "engine/plan/frame_quality.h"
 
+#include "engine/math/quantile.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -30,9 +32,8 @@ FrameQualitySummary summarize(const Trajectory& trajectory, const FrameQuality& 
     if (overlaps.empty()) return summary;
     summary.wide_gaps = static_cast<int>(std::ranges::count_if(overlaps, isWideGap));
     summary.overlap_min_rate = std::ranges::min(overlaps);
-    const auto middle = overlaps.begin() + static_cast<std::ptrdiff_t>(overlaps.size() / 2);
-    std::nth_element(overlaps.begin(), middle, overlaps.end());
-    summary.overlap_median_rate = *middle;
+    std::ranges::sort(overlaps);
+    summary.overlap_median_rate = quantile(overlaps, 0.5);
     return summary;
 }
 

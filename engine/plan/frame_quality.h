@@ -62,8 +62,10 @@ void addSurface(nlohmann::json& metrics, const SurfaceShare& surface);
 void addFrameQuality(nlohmann::json& metrics, const Trajectory& trajectory,
                      const FrameQuality& quality);
 
-/// Measurements of each frame as CSV, one row per frame, with a header. Columns have the names and
-/// units of a dataset's frames.csv. Speed, turn rate and overlap are empty where a path begins.
+/// Measurements of each frame as CSV with a header; columns that a dataset's frames.csv has, too,
+/// have the same names and units. Speed and turn rate are empty where a path begins and after
+/// left-out frames, overlap only where a path begins. `series` and `quality` must have an entry for
+/// each frame.
 [[nodiscard]] std::string frameTable(const Trajectory& trajectory, const FrameSeries& series,
                                      const FrameQuality& quality);
 

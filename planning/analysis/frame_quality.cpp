@@ -7,6 +7,7 @@
 #include "planning/gaze/texture_corners.h"
 #include "planning/visibility/view_estimator.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dollytrack::planning {

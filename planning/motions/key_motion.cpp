@@ -279,9 +279,8 @@ class KeyNotes {
 
     [[nodiscard]] std::string lateNote(std::size_t i, double time_s) const {
         return fmt::format(
-            "Key {} is reached at {:.2f} s instead of {:.2f} s; move it later, fit the keys' "
-            "times, "
-            "or raise the motion limits (motion_preset).",
+            "Key {} is reached at {:.2f} s instead of {:.2f} s; move it later, use 'Set reachable "
+            "times', or raise the motion limits (motion_preset).",
             i + 1, time_s, keys_[i].time_s);
     }
 

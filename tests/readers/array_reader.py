@@ -69,8 +69,8 @@ class Arrays(unittest.TestCase):
         u = there[..., 0] / distance * k["fx"] + k["cx"] - x
         v = there[..., 1] / distance * k["fy"] + k["cy"] - y
         error = np.hypot(u - flow[..., 0], v - flow[..., 1])
-        # Depth is rounded to half a millimetre: the derivative of (u, v) by depth says how many
-        # pixels that is, which are many beside a near surface.
+        # Depth is rounded to whole millimetres, an error of up to 0.5 mm; the derivative of (u, v)
+        # by depth converts it to pixels. Near surfaces have the largest errors.
         pixels_a_metre = np.hypot(k["fx"] * (ray[..., 0] * distance - there[..., 0]),
                                   k["fy"] * (ray[..., 1] * distance - there[..., 1])) / distance ** 2
         allowed = 0.0006 * pixels_a_metre + 0.02

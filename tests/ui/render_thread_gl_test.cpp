@@ -112,7 +112,7 @@ TEST_F(RenderThreadGl, ProbesAreClassifiedInTheLightOfTheScene) {
         requestView();
         drawing_->requestProbes(probes);
         std::unique_lock lock(mutex_);
-        while (drawing_->probes().size() < probes->size()) {
+        while (drawing_->probing() && drawing_->probesDone() < probes->size()) {
             woken_.wait_for(lock, std::chrono::milliseconds(20));
         }
         return drawing_->probes();
@@ -123,6 +123,21 @@ TEST_F(RenderThreadGl, ProbesAreClassifiedInTheLightOfTheScene) {
     drawing_->requestProbes(nullptr);
     EXPECT_TRUE(drawing_->probes().empty());
     EXPECT_EQ(drawing_->takeError(), "");
+}
+
+TEST_F(RenderThreadGl, ProbesOfAnImpossibleSizeEndWithAnError) {
+    CameraParams camera;
+    camera.width_px = camera.height_px = 1'000'000;
+    const auto probes = std::make_shared<const RenderThread::Views>(
+        1, render::makeView(camera, lookAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX())));
+    setScene(texturedWall(), 1, std::make_shared<const render::LightVolume>(uniformLight()));
+    requestView();
+    settledColor();
+    drawing_->requestProbes(probes);
+    std::unique_lock lock(mutex_);
+    while (drawing_->probing()) woken_.wait_for(lock, std::chrono::milliseconds(20));
+    EXPECT_TRUE(drawing_->probes().empty());
+    EXPECT_NE(drawing_->takeError(), "");
 }
 
 TEST_F(RenderThreadGl, ProbesShowNoObjectWhereADragHasIt) {
@@ -145,7 +160,7 @@ TEST_F(RenderThreadGl, ProbesShowNoObjectWhereADragHasIt) {
     }
     requestView();
     std::unique_lock lock(mutex_);
-    while (drawing_->probes().size() < probes->size()) {
+    while (drawing_->probing() && drawing_->probesDone() < probes->size()) {
         woken_.wait_for(lock, std::chrono::milliseconds(20));
     }
     EXPECT_EQ(drawing_->probes(),
@@ -161,6 +176,9 @@ TEST_F(RenderThreadGl, ASceneWhoseTexturesCannotBeUploadedStaysPlainAndMovable) 
     const auto first = settledColor();
     EXPECT_FALSE(isGreen(first));
     EXPECT_NE(drawing_->takeError().find("without textures"), std::string::npos);
+    drawing_->requestProbes(std::make_shared<const RenderThread::Views>(1));
+    EXPECT_FALSE(drawing_->probing()) << "images would lack the textures";
+    drawing_->requestProbes(nullptr);
     EXPECT_TRUE(drawing_->finalLight());
     const std::uint64_t serial = drawing_->view().serial;
     requestView({1, 0, 0});

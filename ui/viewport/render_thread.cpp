@@ -59,8 +59,9 @@ struct RenderThread::Impl {
     std::optional<render::SceneRenderer> renderer;
     std::vector<MovedObject> moved;  // how `renderer` has placed objects
     int anisotropy = 0;
-    bool plain = false;        // the renderer has no textures yet: they follow the first image
-    bool stays_plain = false;  // they did not fit into memory
+    bool plain = false;         // the renderer has no textures yet: they follow the first image
+    bool stays_plain = false;   // they did not fit into memory
+    bool cannot_probe = false;  // no renderer, or one without textures; guarded by `mutex`
     ViewCanvas whole;
     ViewCanvas coarse;
     std::optional<render::RenderTarget> preview_target;
@@ -99,8 +100,8 @@ struct RenderThread::Impl {
     /// Whether a probe can be drawn now: with all textures, and with every object where the scene
     /// has it. Requires a locked mutex.
     [[nodiscard]] bool probeIsDue() const {
-        return final_light && !plain && moved.empty() && !next_scene && probe_views &&
-               probe_classes.size() < probe_views->size();
+        return final_light && !plain && !cannot_probe && moved.empty() && !next_scene &&
+               probe_views && probe_classes.size() < probe_views->size();
     }
     /// Draws and classifies the next probe.
     void drawProbe();
@@ -155,6 +156,7 @@ void RenderThread::Impl::loop() {
         }
         wake();
         lock.lock();
+        cannot_probe = !current || (scene && (!renderer || stays_plain));
     }
     lock.unlock();
     release();
@@ -362,17 +364,24 @@ void RenderThread::Impl::drawProbe() {
                              : fail(ErrorCode::NoOpenGl, "There is no scene to draw.");
     if (status) status = renderer->draw(view, *probe_target);
     std::vector<std::uint8_t> rgb;
-    if (status) probe_target->readRgb(rgb);
+    if (status) {
+        probe_target->readRgb(rgb);
+        status = gl::checkErrors("drawing a small image");
+    }
+    const render::PictureQuality quality =
+        status ? render::pictureQuality(probe_target->width(), probe_target->height(), rgb)
+               : render::PictureQuality{};
     lock.lock();
     if (!status) {
         error = status.error().message;
         probe_views.reset();
+        lock.unlock();
+        wake();
         return;
     }
     // Another scene or request may have arrived meanwhile.
     if (next_scene || probe_views != wanted || probe_classes.size() != index) return;
-    probe_classes.push_back(
-        render::pictureQuality(probe_target->width(), probe_target->height(), rgb));
+    probe_classes.push_back(quality);
     const bool shows = index + 1 == wanted->size() || index % kWakesEvery == 0;
     lock.unlock();
     if (shows) wake();
@@ -402,6 +411,7 @@ void RenderThread::setScene(SceneRequest request) {
         impl_->next_view.reset();
         impl_->next_preview.reset();
         impl_->probe_classes.clear();
+        impl_->cannot_probe = false;
     }
     impl_->asked_view.reset();
     impl_->asked_preview.reset();
@@ -450,6 +460,16 @@ void RenderThread::requestProbes(std::shared_ptr<const Views> views) {
 std::vector<render::PictureQuality> RenderThread::probes() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->probe_classes;
+}
+
+std::size_t RenderThread::probesDone() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->probe_classes.size();
+}
+
+bool RenderThread::probing() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->probe_views != nullptr && !impl_->cannot_probe;
 }
 
 void RenderThread::takeNews() {

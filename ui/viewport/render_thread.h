@@ -117,6 +117,10 @@ class RenderThread {
     void requestProbes(std::shared_ptr<const Views> views);
     /// The classes of the views requested last, in their order, as far as they are drawn.
     [[nodiscard]] std::vector<render::PictureQuality> probes() const;
+    /// How many of them are drawn.
+    [[nodiscard]] std::size_t probesDone() const;
+    /// False if no views are wanted, or if they cannot be drawn (see takeError()).
+    [[nodiscard]] bool probing() const;
 
     /// Takes the finished images and uploads them to textures. To be called once per window frame
     /// before drawing: earlier images and their textures become invalid. Only on the window's

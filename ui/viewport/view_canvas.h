@@ -10,7 +10,8 @@
 
 namespace dollytrack::ui {
 
-/// Makes a render target of an image's size; keeps one that has this size.
+/// Makes a render target of an image's size; keeps one that has this size. Errors: those of
+/// RenderTarget::create().
 inline Status fitTarget(std::optional<render::RenderTarget>& target, const Intrinsics& image) {
     if (target && target->width() == image.width && target->height() == image.height) return {};
     target.reset();
@@ -26,7 +27,8 @@ struct ViewCanvas {
     std::optional<render::OverlayCanvas> canvas;
     std::optional<render::View> drawn;  // the view in `target`, if it is valid
 
-    /// Makes both targets for an image of this size.
+    /// Makes both targets for an image of this size. Errors: those of RenderTarget::create() and
+    /// OverlayCanvas::create().
     Status fit(const Intrinsics& image) {
         if (Status status = fitTarget(target, image); !status) return status;
         if (canvas && canvas->width() == image.width && canvas->height() == image.height) return {};

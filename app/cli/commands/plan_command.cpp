@@ -59,7 +59,7 @@ bool asksForQuality(const PlanArguments& arguments) {
     return arguments.quality || !arguments.frames.empty();
 }
 
-/// The environment of searches in the scene of a plan.
+/// What a search for viewpoints needs: views, free space and collision checks of a planned scene.
 class PlanSearch {
   public:
     PlanSearch(const OpenedScene& opened, const planning::Pipeline& pipeline)
@@ -72,6 +72,9 @@ class PlanSearch {
                        planning::pitchBand(opened.params.constraints)} {}
 
     [[nodiscard]] const planning::PlanningEnvironment& environment() const { return environment_; }
+
+    PlanSearch(const PlanSearch&) = delete;
+    PlanSearch& operator=(const PlanSearch&) = delete;
 
   private:
     std::shared_ptr<const RayCaster> rays_;

@@ -25,6 +25,7 @@ std::string_view directionOf(Better better) {
 Result<ProjectComparison> compareProjects(const std::vector<std::string>& projects,
                                           const SceneArguments& each, const JobContext& job) {
     std::vector<PlannedScene> plans;
+    std::vector<nlohmann::json> imports;
     for (std::size_t i = 0; i < projects.size(); ++i) {
         const double begin = 0.5 * static_cast<double>(i);
         SceneArguments one = each;
@@ -37,14 +38,17 @@ Result<ProjectComparison> compareProjects(const std::vector<std::string>& projec
         }
         auto planned =
             openScene(one, job.stage(begin, begin + 0.2, "loading")).and_then([&](auto&& opened) {
+                imports.push_back(opened.import);
                 return planOrReuse(opened, job.stage(begin + 0.2, begin + 0.5, "planning"));
             });
         if (!planned) return tl::unexpected(std::move(planned.error()));
         plans.push_back(std::move(*planned));
     }
-    if (plans[0].scene->source_sha256 != plans[1].scene->source_sha256) {
+    if (plans[0].scene->source_sha256 != plans[1].scene->source_sha256 ||
+        imports[0] != imports[1]) {
         return fail(ErrorCode::Usage,
-                    "The projects have different scenes; compare projects of one scene.",
+                    "The projects have different scenes or import settings; compare projects of "
+                    "one scene.",
                     "--projects");
     }
     return ProjectComparison{projects[0], projects[1],
@@ -68,7 +72,10 @@ std::string comparisonTable(const ProjectComparison& comparison) {
     }
     const bool missing = std::ranges::any_of(
         comparison.metrics, [](const ComparedMetric& metric) { return !metric.a || !metric.b; });
-    if (missing) text += "-: not measured; see 'dollytrack plan --quality'\n";
+    if (missing)
+        text +=
+            "-: not available; 'dollytrack plan --quality' measures overlap, trackability and "
+            "surface\n";
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include "engine/core/field_list.h"
 #include "engine/plan/plan_json.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -65,13 +66,15 @@ Result<KeptPlan> readPlan(const std::filesystem::path& path, const WantedScene& 
 }  // namespace
 
 void PlanComparison::keep(const Workspace& workspace, const FrameQuality* quality) {
+    ++question_;
     kept_ = currentPlan(workspace, quality);
-    swapped_.reset();
+    forgetSwaps();
     metrics_of_.reset();
 }
 
 void PlanComparison::read(const std::filesystem::path& project, const Workspace& workspace) {
-    worker_.start([question = ++question_, project, latest = answers_,
+    asked_ = ++question_;
+    worker_.start([question = asked_, project, latest = answers_,
                    wanted = WantedScene{workspace.importedScene().source_sha256,
                                         workspace.importSettings()}](const JobContext&) {
         try {
@@ -83,22 +86,37 @@ void PlanComparison::read(const std::filesystem::path& project, const Workspace&
 }
 
 void PlanComparison::swap(Workspace& workspace, const FrameQuality* quality) {
+    ++question_;
     KeptPlan current = currentPlan(workspace, quality);
+    if (swapped_ && *swapped_->state == *current.state) current.name = swapped_->name;
     workspace.setState(*kept_->state, "Swap with " + kept_->name);
+    swaps_.push_back(workspace.history().state());
     swapped_ = std::exchange(kept_, std::move(current));
     metrics_of_.reset();
 }
 
 void PlanComparison::followUndo(const CommandStack::State& state) {
-    if (std::exchange(followed_, state) == state || !swapped_ || !(*state == *kept_->state)) return;
+    const CommandStack::State before = std::exchange(followed_, state);
+    const auto madeBySwap = [&](const CommandStack::State& one) {
+        return std::ranges::find(swaps_, one) != swaps_.end();
+    };
+    if (before == state || !swapped_ || !(madeBySwap(before) || madeBySwap(state)) ||
+        !(*state == *kept_->state)) {
+        return;
+    }
     std::swap(kept_, swapped_);
     metrics_of_.reset();
+}
+
+void PlanComparison::forgetSwaps() {
+    swapped_.reset();
+    swaps_.clear();
 }
 
 void PlanComparison::drop() {
     ++question_;
     kept_.reset();
-    swapped_.reset();
+    forgetSwaps();
     metrics_.clear();
     metrics_of_.reset();
 }
@@ -108,7 +126,7 @@ std::optional<Error> PlanComparison::poll() {
     if (!answer || answer->question != question_) return std::nullopt;
     if (!answer->plan) return answer->plan.error();
     kept_ = std::move(*answer->plan);
-    swapped_.reset();
+    forgetSwaps();
     metrics_of_.reset();
     return std::nullopt;
 }

@@ -18,7 +18,7 @@ namespace dollytrack::editor {
 /// A plan beside the current one.
 struct KeptPlan {
     std::string name;
-    CommandStack::State state;  // that it was planned from
+    CommandStack::State state;  // parameters and edits from which it was planned
     std::shared_ptr<const Trajectory> trajectory;
     nlohmann::json metrics;  // see metricsJson()
 };
@@ -31,7 +31,8 @@ class PlanComparison {
 
     /// Keeps the current plan; `quality` may be null. Requires Workspace::planIsCurrent().
     void keep(const Workspace& workspace, const FrameQuality* quality);
-    /// Reads another project in the background, whose plan is then kept.
+    /// Reads another project in the background, whose plan is then kept. Refused (see poll()) if it
+    /// has no plan, or another scene or other import settings.
     void read(const std::filesystem::path& project, const Workspace& workspace);
     /// Makes the kept plan's parameters and edits those of the project, and keeps the current plan.
     /// Requires a kept plan and Workspace::planIsCurrent().
@@ -39,28 +40,32 @@ class PlanComparison {
     void drop();
     /// To be called every frame: undoing or redoing a swap also exchanges the kept plan.
     void followUndo(const CommandStack::State& state);
-    /// Takes the project that was read; returns why it could not be, once.
+    /// Takes the plan that read() has read. Returns the error, once, if it could not be read.
     [[nodiscard]] std::optional<Error> poll();
 
     [[nodiscard]] const KeptPlan* kept() const { return kept_ ? &*kept_ : nullptr; }
-    [[nodiscard]] bool reading() const { return worker_.state().busy; }
+    [[nodiscard]] bool reading() const { return worker_.state().busy && asked_ == question_; }
     /// The metrics of both plans; empty while the shown plan is not measured.
     [[nodiscard]] const std::vector<planning::ComparedMetric>& metrics(
         const PlanOutcome& shown, const std::shared_ptr<const FrameQuality>& quality);
 
   private:
+    void forgetSwaps();
+
     struct Answer {
         std::uint64_t question = 0;
         Result<KeptPlan> plan;
     };
 
     std::optional<KeptPlan> kept_;
-    std::optional<KeptPlan> swapped_;  // the one that a swap made the current plan
-    CommandStack::State followed_;     // by followUndo()
+    std::optional<KeptPlan> swapped_;         // the plan that was B before the last swap
+    std::vector<CommandStack::State> swaps_;  // the states that swaps made
+    CommandStack::State followed_;            // by followUndo()
     std::vector<planning::ComparedMetric> metrics_;
     std::shared_ptr<const Plan> metrics_of_;  // null: to be computed
     std::shared_ptr<const FrameQuality> metrics_quality_;
     std::uint64_t question_ = 0;
+    std::uint64_t asked_ = 0;  // the last question that read() asked
     std::shared_ptr<LatestValue<Answer>> answers_ = std::make_shared<LatestValue<Answer>>();
     BackgroundWorker worker_;
 };

@@ -240,12 +240,13 @@ void LayerBuilder::WorkerState::addSurface(Layers& layers, const LayersRequest& 
     }
 }
 
-/// Weak frames and unseen surface; surface that the plan itself has measured has a layer of its
-/// own.
+/// Weak frames and unseen surface, unless the layer Surface already shows the latter.
 void LayerBuilder::WorkerState::addQuality(Layers& layers, const LayersRequest& request) {
     const Plan& plan = *request.plan;
     const ui::QualityOverlayOptions& options = request.settings.quality_options;
-    if (options.unseen_surface && !(plan.surface && request.settings.surface)) {
+    const bool drawn =
+        plan.surface && request.settings.surface && request.settings.surface_options.unseen;
+    if (options.unseen_surface && !drawn) {
         constexpr ui::SurfaceOverlayOptions kUnseen = {.seen = false};
         add(layers, 14, request.quality,
             [&] { return ui::surfaceLayer(request.quality->surface, kUnseen); });

@@ -273,7 +273,8 @@ class SceneOfLinks {
         constexpr float kRoom_m = 4.0F;
         constexpr std::size_t kFewestNames = 4;
         const auto hasMeshes = [&](const SourceObject& object) {
-            return name_in_mesh_.contains(object.parts.front());
+            return std::ranges::any_of(
+                object.parts, [&](std::size_t part) { return name_in_mesh_.contains(part); });
         };
         if (std::ranges::count_if(scene_.objects, hasMeshes) != 1) return;
         const SourceObject& building = *std::ranges::find_if(scene_.objects, hasMeshes);
@@ -281,7 +282,8 @@ class SceneOfLinks {
         std::map<std::string, int> nodes;
         for (const std::size_t part : building.parts) {
             box.extend(scene_.parts[part].bounds);
-            nodes[name_in_mesh_[part]] = 0;
+            const auto name = name_in_mesh_.find(part);
+            if (name != name_in_mesh_.end()) nodes[name->second] = 0;
         }
         if (box.sizes().head<2>().minCoeff() < kRoom_m || nodes.size() < kFewestNames) return;
         for (auto& [name, node] : nodes) {
@@ -290,7 +292,14 @@ class SceneOfLinks {
             ++scene_.nodes.front().children;
         }
         for (const std::size_t part : building.parts) {
-            scene_.parts[part].node = nodes[name_in_mesh_[part]];
+            const auto name = name_in_mesh_.find(part);
+            if (name != name_in_mesh_.end()) scene_.parts[part].node = nodes[name->second];
+        }
+        // The parts of every other object stay together, at its first node.
+        for (const SourceObject& other : scene_.objects) {
+            if (&other == &building) continue;
+            const int node = scene_.parts[other.parts.front()].node;
+            for (const std::size_t part : other.parts) scene_.parts[part].node = node;
         }
         scene_.objects.clear();
     }
@@ -314,7 +323,7 @@ class SceneOfLinks {
             const auto address = fuelUriOf(uri);
             // The program downloads whole models.
             if (address && !address->file.empty()) {
-                fuel.push_back(uri.substr(0, uri.rfind("/files/", uri.size())));
+                fuel.push_back(uri.substr(0, uri.rfind("/files/")));
             } else {
                 (address ? fuel : web).push_back(uri);
             }

@@ -76,7 +76,8 @@ class ModelPath {
                                     const std::string& uri) const;
 
   private:
-    /// The folders that may contain `name`, the path of a file in a model or package.
+    /// The folders in which a model or package is searched for: the given ones and those around
+    /// `folder`.
     [[nodiscard]] std::vector<std::filesystem::path> rootsFor(
         const std::filesystem::path& folder) const;
     const std::string& nameOf(const std::filesystem::path& config) const;

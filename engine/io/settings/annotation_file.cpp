@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr const char* kAnnotationFormat = "dollytrack-objects";
 constexpr int kVersion = 1;
-constexpr int kLargestTriangle = 1'000'000'000;
+constexpr int kMostMeshTriangles = 1'000'000'000;
 
 std::vector<std::string> readNames(const JsonReader& from) {
     std::vector<std::string> names;
@@ -46,9 +46,9 @@ AnnotatedObject readObject(const JsonReader& from) {
         AnnotatedTriangles& range = object.triangles.emplace_back();
         range.mesh = cleanText(ranges.at(i).at("mesh").text());
         range.first =
-            static_cast<std::size_t>(ranges.at(i).at("first").integer(0, kLargestTriangle));
+            static_cast<std::size_t>(ranges.at(i).at("first").integer(0, kMostMeshTriangles));
         range.count =
-            static_cast<std::size_t>(ranges.at(i).at("count").integer(1, kLargestTriangle));
+            static_cast<std::size_t>(ranges.at(i).at("count").integer(1, kMostMeshTriangles));
     }
     if (object.nodes.empty() && object.meshes.empty() && object.triangles.empty()) {
         from.refuse("Give the parts of the object: nodes, meshes or triangles.");

@@ -289,12 +289,19 @@ TEST(Gazebo, ABuildingOfOneMeshFileIsSplitByTheNamesInIt) {
             vertices += 4;
         }
         static_cast<void>(folder.write("office.obj", mesh));
-        const Scene scene = imported(
-            folder.write("room.world", world(modelAt(0, "office", meshVisual("office.obj")))));
+        const Scene scene = imported(folder.write(
+            "room.world", world(modelAt(0, "office", meshVisual("office.obj")) +
+                                fmt::format("<model name='snowman'><pose>20 0 0 0 0 0</pose>"
+                                            "<link name='head'>{0}</link><link name='belly'>"
+                                            "<pose>0 0 2 0 0 0</pose>{0}</link><joint name='neck'>"
+                                            "<parent>belly</parent><child>head</child></joint>"
+                                            "</model>",
+                                            kBall))));
         const bool is_building = size_m > 4.0;
         EXPECT_EQ(find(scene, "desk") != nullptr, is_building) << size_m;
         EXPECT_EQ(find(scene, "office") == nullptr, is_building) << size_m;
-        EXPECT_EQ(scene.objects.size(), is_building ? 4U : 1U) << size_m;
+        EXPECT_EQ(scene.objects.size(), is_building ? 5U : 2U) << size_m;
+        EXPECT_NE(find(scene, "snowman"), nullptr) << size_m;
     }
 }
 

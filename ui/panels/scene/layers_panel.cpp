@@ -251,7 +251,7 @@ void drawQuality(const LayersView& view, LayerSettings& settings, Switches& swit
     if (!has_options_before) flowToSwitch("Weak frames");
     if (!switches.check("Weak frames", "quality", settings.quality,
                         "What SLAM and reconstruction programs miss: frames with few image "
-                        "corners, wide gaps, and surface that no frame shows",
+                        "corners, wide gaps, dark or flat images, and surface that no frame shows",
                         why_not)) {
         return;
     }

@@ -141,7 +141,7 @@ void drawRightEnd(const TimelineView& view, TimelineState& state) {
         ImGui::Checkbox(text.title, &state.strips[i]);
         ImGui::EndDisabled();
         nameItem(std::string("timeline.strip.") + text.name, measured);
-        if (!measured) tooltip("Measured with the layer Weak frames.");
+        if (!measured) tooltip("Switch on the layer Weak frames to measure it.");
     }
     ImGui::EndPopup();
 }
