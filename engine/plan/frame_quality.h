@@ -26,7 +26,7 @@ struct FrameQuality {
     SurfaceShare surface;  // what the frames show of all surface
 };
 
-/// Whether a frame has too few image corners to be tracked.
+/// Whether a frame has fewer image corners than SLAM programs need (kTrackableCorners).
 [[nodiscard]] inline bool isUntrackable(double image_corners) {
     return image_corners < kTrackableCorners;
 }
@@ -62,10 +62,10 @@ void addSurface(nlohmann::json& metrics, const SurfaceShare& surface);
 void addFrameQuality(nlohmann::json& metrics, const Trajectory& trajectory,
                      const FrameQuality& quality);
 
-/// Measurements of each frame as CSV with a header; columns that a dataset's frames.csv has, too,
-/// have the same names and units. Speed and turn rate are empty where a path begins and after
-/// left-out frames, overlap only where a path begins. `series` and `quality` must have an entry for
-/// each frame.
+/// Measurements of each frame as CSV with a header. A column that also exists in a dataset's
+/// frames.csv has the same name and unit. Speed and turn rate are empty where a path begins and
+/// after left-out frames, overlap only where a path begins. `series` and `quality` must have an
+/// entry for each frame.
 [[nodiscard]] std::string frameTable(const Trajectory& trajectory, const FrameSeries& series,
                                      const FrameQuality& quality);
 

@@ -15,8 +15,9 @@ struct PlanningEnvironment;
 /// point far away.
 [[nodiscard]] double imageOverlap(const ViewEstimator& views, const Pose& pose, const Pose& before);
 
-/// Measures the frames of a plan of any objective. What the plan itself has measured (image corners
-/// with trackability, surface with objective=surface or both) is taken from it. Error: Cancelled.
+/// Measures the frames of a plan of any objective. Image corners and surface shares that the plan
+/// already contains are reused: it has the former if trackability=on, the latter if objective is
+/// surface or both. Error: Cancelled.
 Result<FrameQuality> measureFrameQuality(const PlanningEnvironment& environment,
                                          const PlanParams& params, const Plan& plan,
                                          const JobContext& job);

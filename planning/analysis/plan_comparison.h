@@ -18,7 +18,7 @@ struct ComparablePlan {
     const Trajectory& trajectory;
 };
 
-/// One metric of two plans. Values are empty where the plan does not have the metric.
+/// A metric with its values in two plans, A and B. A value is empty if its plan lacks the metric.
 struct ComparedMetric {
     MetricInfo info;
     std::optional<double> a;

@@ -1,5 +1,6 @@
 #include "ui/overlays/trajectory_overlay.h"
 
+#include "engine/plan/frame_quality.h"
 #include "ui/overlays/palette.h"
 #include "ui/overlays/pick_tag.h"
 
@@ -174,7 +175,7 @@ PlanLayer keptPlanLayer(const Trajectory& trajectory, const std::string& name) {
     PlanLayer layer;
     const auto& frames = trajectory.frames;
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        if (frames[i].path != frames[i - 1].path) continue;
+        if (!continuesPath(trajectory, i)) continue;
         layer.overlay.lines.push_back(
             {frames[i - 1].pose.position, frames[i].pose.position, kKeptPlanColor, kThin});
     }

@@ -10,8 +10,8 @@
 
 namespace dollytrack::editor {
 
-/// Measures in the background how well other programs can use the frames of the shown plan, once
-/// per plan and only while that is wanted.
+/// Computes the FrameQuality of the shown plan in the background, once for each plan and only while
+/// it is requested.
 class QualityWorker {
   public:
     explicit QualityWorker(std::function<void()> wake) : worker_(std::move(wake)) {}
