@@ -28,7 +28,7 @@ def pictures_one_too_late(copy):
 
 @found_by("pictures")
 def pictures_of_two_frames_exchanged(copy):
-    copy.swap("rgb/000001.png", "rgb/000005.png")
+    copy.swap("rgb/000001.png", "rgb/000003.png")
 
 
 @found_by("pictures")

@@ -64,7 +64,7 @@ def rig_range_said_to_be_planar(copy):
 
 @found_by("cameras")
 def rig_depth_of_another_frame(copy):
-    copy.swap("cameras/around/depth/000001.png", "cameras/around/depth/000006.png")
+    copy.swap("cameras/around/depth/000001.png", "cameras/around/depth/000004.png")
 
 
 @found_by("cameras")
