@@ -3,6 +3,12 @@
 #include "engine/core/disjoint_sets.h"
 
 #include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
 
 namespace dollytrack {
 namespace {
@@ -10,64 +16,65 @@ namespace {
 constexpr double kNearby = 4.0;       // m: largest gap between objects of one building
 constexpr double kTooWide = 2.0;      // times the rest's extent: a ground or sky
 constexpr double kTooWideFlat = 1.6;  // the same for a flat object: a ground plane
+// Rooms beside the largest building: their least width and height, and the least share of the
+// horizontal directions from inside in which a surface stands.
+constexpr double kLeastRoom_m = 1.8;
+constexpr double kLeastHeight_m = 1.5;
+constexpr double kClosed = 0.7;
 
 struct Item {
     std::size_t object;
     Eigen::AlignedBox3d box;
 };
 
-/// The box around the largest group of objects; a group is a chain of nearby boxes.
-Eigen::AlignedBox3d largestGroup(const std::vector<Item>& items, std::size_t first,
-                                 std::vector<bool>* in_group = nullptr) {
-    DisjointSets groups(items.size());
+/// A chain of nearby boxes.
+struct Group {
+    std::vector<std::size_t> objects;
+    Eigen::AlignedBox3d bounds;
+};
+
+/// The groups of all items but the `first` ones; that with the most objects, or the longest
+/// diagonal among equals, comes first.
+std::vector<Group> groupsOf(const std::vector<Item>& items, std::size_t first) {
+    DisjointSets sets(items.size());
     for (std::size_t i = first; i < items.size(); ++i) {
         for (std::size_t j = i + 1; j < items.size(); ++j) {
             if (items[i].box.exteriorDistance(items[j].box) > kNearby) continue;
-            groups.joinTo(i, j);
+            sets.joinTo(i, j);
         }
     }
-    std::vector<Eigen::AlignedBox3d> boxes(items.size());
-    std::vector<std::size_t> sizes(items.size(), 0);
+    std::vector<Group> by_set(items.size());
     for (std::size_t i = first; i < items.size(); ++i) {
-        boxes[groups.find(i)].extend(items[i].box);
-        ++sizes[groups.find(i)];
+        Group& group = by_set[sets.find(i)];
+        group.objects.push_back(items[i].object);
+        group.bounds.extend(items[i].box);
     }
-    std::size_t best = first;
-    for (std::size_t i = first; i < items.size(); ++i) {
-        const auto rank = [&](std::size_t k) {
-            return std::pair(sizes[k], sizes[k] ? boxes[k].diagonal().norm() : 0.0);
-        };
-        if (rank(i) > rank(best)) best = i;
-    }
-    if (in_group) {
-        in_group->assign(items.size(), false);
-        for (std::size_t i = first; i < items.size(); ++i) (*in_group)[i] = groups.find(i) == best;
-    }
-    return boxes[best];
+    std::erase_if(by_set, [](const Group& group) { return group.objects.empty(); });
+    std::ranges::stable_sort(by_set, std::greater<>(), [](const Group& group) {
+        return std::pair(group.objects.size(), group.bounds.diagonal().norm());
+    });
+    return by_set;
 }
 
-}  // namespace
-
-Eigen::AlignedBox3d worldBounds(const OrientedBox& box) {
-    Eigen::AlignedBox3d bounds;
-    for (const Eigen::Vector3d& corner : box.corners()) bounds.extend(corner);
-    return bounds;
-}
-
-Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects,
-                                   std::vector<std::string>* left_out) {
+/// The items, the widest first, and how many of them are skies, grounds and the like.
+struct SortedItems {
     std::vector<Item> items;
+    std::size_t around = 0;
+};
+
+SortedItems sortItems(const std::vector<Object>& objects) {
+    SortedItems sorted;
+    std::vector<Item>& items = sorted.items;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         items.push_back({i, worldBounds(objects[i].box)});
     }
-    if (items.empty()) return {};
     const auto planSize = [](const Item& item) {
         return std::max(item.box.sizes().x(), item.box.sizes().y());
     };
     std::stable_sort(items.begin(), items.end(),
                      [&](const Item& a, const Item& b) { return planSize(a) > planSize(b); });
     const auto restAfter = [&](std::size_t k) {
-        const Eigen::AlignedBox3d rest = largestGroup(items, k + 1);
+        const Eigen::AlignedBox3d rest = groupsOf(items, k + 1).front().bounds;
         return std::max(rest.sizes().x(), rest.sizes().y());
     };
     // A sky may contain a ground that contains the house: removes each object that is huge compared
@@ -89,13 +96,114 @@ Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects,
         const double limit = flat ? kTooWideFlat : kTooWide;
         if (wide < 4.0 || planSize(items[first]) <= limit * wide) break;
     }
-    std::vector<bool> in_group;
-    const Eigen::AlignedBox3d bounds = largestGroup(items, first, &in_group);
-    if (left_out) {
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            if (i >= first && in_group[i]) continue;
-            left_out->push_back(objects[items[i].object].name);
+    sorted.around = first;
+    return sorted;
+}
+
+/// The horizontal directions from a point in which a surface stands.
+class Horizon {
+  public:
+    explicit Horizon(Eigen::Vector3d from) : from_(std::move(from)) {}
+
+    /// Adds the part of a triangle that is at the point's height.
+    void add(const std::array<Eigen::Vector3d, 3>& corners) {
+        std::array<double, 2> azimuth = {};
+        unsigned cuts = 0;
+        for (unsigned i = 0; i < 3 && cuts < 2; ++i) {
+            const Eigen::Vector3d a = corners[i] - from_;
+            const Eigen::Vector3d b = corners[(i + 1) % 3] - from_;
+            if ((a.z() < 0.0) == (b.z() < 0.0)) continue;
+            const Eigen::Vector3d at = a + a.z() / (a.z() - b.z()) * (b - a);
+            azimuth[cuts++] = std::atan2(at.y(), at.x());
         }
+        if (cuts < 2) return;
+        // The cut spans the smaller of the two angles between its ends.
+        const double turn = std::remainder(azimuth[1] - azimuth[0], 2.0 * std::numbers::pi);
+        const double begin = turn < 0.0 ? azimuth[1] : azimuth[0];
+        constexpr double kStep = 2.0 * std::numbers::pi / kDirections;
+        const auto first = static_cast<int>(std::ceil(begin / kStep));
+        const auto last = static_cast<int>(std::floor((begin + std::abs(turn)) / kStep));
+        for (int i = first; i <= last; ++i) seen_.set((i + kDirections) % kDirections);
+    }
+
+    [[nodiscard]] double share() const { return static_cast<double>(seen_.count()) / kDirections; }
+
+  private:
+    static constexpr int kDirections = 64;
+    Eigen::Vector3d from_;
+    std::bitset<kDirections> seen_;
+};
+
+/// Whether a group of objects is a room that is closed on at least three sides, with an object in
+/// it.
+bool enclosesRoom(const Scene& scene, const Group& group) {
+    const Eigen::AlignedBox3d& bounds = group.bounds;
+    const Eigen::Vector3d size = bounds.sizes();
+    if (size.head<2>().minCoeff() < kLeastRoom_m || size.z() < kLeastHeight_m) return false;
+    const Eigen::AlignedBox3d inner(bounds.min() + 0.1 * size, bounds.max() - 0.1 * size);
+    const bool furnished = std::ranges::any_of(group.objects, [&](std::size_t object) {
+        const Eigen::AlignedBox3d box = worldBounds(scene.objects[object].box);
+        return (box.min().head<2>().array() > inner.min().head<2>().array()).all() &&
+               (box.max().head<2>().array() < inner.max().head<2>().array()).all();
+    });
+    if (!furnished) return false;
+    // From several points, because a wall within the group may hide what is behind it.
+    std::vector<Horizon> horizons;
+    for (const double z : {0.5, 0.75}) {
+        for (const double y : {0.25, 0.5, 0.75}) {
+            for (const double x : {0.25, 0.5, 0.75}) {
+                horizons.emplace_back(bounds.min() + size.cwiseProduct(Eigen::Vector3d(x, y, z)));
+            }
+        }
+    }
+    for (const std::size_t index : group.objects) {
+        const Object& object = scene.objects[index];
+        for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
+            const Triangle& triangle = scene.triangles[object.first_triangle + i];
+            std::array<Eigen::Vector3d, 3> corners;
+            for (unsigned k = 0; k < 3; ++k) {
+                corners[k] = scene.positions[triangle[k]].cast<double>();
+            }
+            for (Horizon& horizon : horizons) horizon.add(corners);
+        }
+    }
+    const auto most = [&](std::size_t begin) {
+        double share = 0.0;
+        for (std::size_t i = begin; i < begin + horizons.size() / 2; ++i) {
+            share = std::max(share, horizons[i].share());
+        }
+        return share;
+    };
+    return std::min(most(0), most(horizons.size() / 2)) >= kClosed;
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d worldBounds(const OrientedBox& box) {
+    Eigen::AlignedBox3d bounds;
+    for (const Eigen::Vector3d& corner : box.corners()) bounds.extend(corner);
+    return bounds;
+}
+
+Eigen::AlignedBox3d findRoomBounds(const std::vector<Object>& objects) {
+    if (objects.empty()) return {};
+    const SortedItems sorted = sortItems(objects);
+    return groupsOf(sorted.items, sorted.around).front().bounds;
+}
+
+Eigen::AlignedBox3d findRoomBounds(const Scene& scene, std::vector<std::string>& left_out) {
+    if (scene.objects.empty()) return {};
+    const SortedItems sorted = sortItems(scene.objects);
+    const std::vector<Group> groups = groupsOf(sorted.items, sorted.around);
+    std::vector<bool> counts(scene.objects.size(), false);
+    Eigen::AlignedBox3d bounds;
+    for (const Group& group : groups) {
+        if (!bounds.isEmpty() && !enclosesRoom(scene, group)) continue;
+        bounds.extend(group.bounds);
+        for (const std::size_t object : group.objects) counts[object] = true;
+    }
+    for (const Item& item : sorted.items) {
+        if (!counts[item.object]) left_out.push_back(scene.objects[item.object].name);
     }
     return bounds;
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dollytrack::awkward_scene_test {
@@ -277,6 +278,37 @@ TEST(AwkwardScene, ADomeIsNoRoom) {
     const Scene scene = importedText(obj.text());
     EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3);
     EXPECT_EQ(countTargets(scene), 4);
+}
+
+// Each wall of a room 3 x 3 x 2.5 m whose corner is 20 m away, with a table in it.
+ObjWriter withDistantRoom(int walls, bool table) {
+    ObjWriter obj = furnished();
+    obj.object("kitchen_floor").box({20, 0, -0.1}, {23, 3, 0});
+    const Eigen::Vector3d lows[] = {{20, 0, 0}, {20, 0, 0}, {22.9, 0, 0}, {20, 2.9, 0}};
+    const Eigen::Vector3d highs[] = {{20.1, 3, 2.5}, {23, 0.1, 2.5}, {23, 3, 2.5}, {23, 3, 2.5}};
+    for (int i = 0; i < walls; ++i) {
+        obj.object("kitchen_wall_" + std::to_string(i)).box(lows[i], highs[i]);
+    }
+    if (table) obj.object("kitchen_table").box({21, 1, 0}, {22, 2, 0.75});
+    return obj;
+}
+
+TEST(AwkwardScene, RoomsFarFromEachOtherCount) {
+    for (const int walls : {3, 4}) {
+        const Scene scene = importedText(withDistantRoom(walls, true).text());
+        EXPECT_NEAR(scene.room_bounds.max().x(), 23.0, 1e-3) << walls;
+        EXPECT_EQ(countTargets(scene), 5);
+        EXPECT_FALSE(says(scene.report.notes, "outside or around the building"));
+    }
+}
+
+TEST(AwkwardScene, DistantObjectsWithoutARoomDoNotCount) {
+    // Two walls and a closed box without furniture are no rooms.
+    for (const auto& [walls, table] : {std::pair(2, true), std::pair(4, false)}) {
+        const Scene scene = importedText(withDistantRoom(walls, table).text());
+        EXPECT_NEAR(scene.room_bounds.sizes().x(), 5.0, 1e-3) << walls;
+        EXPECT_TRUE(says(scene.report.notes, "outside or around the building"));
+    }
 }
 
 }  // namespace

@@ -36,6 +36,12 @@ texts = {"tum": b"# t\n0.0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n",
 for name, text in texts.items():
     for kind in range(FORMATS):
         write("trajectory", f"{name}{kind}", bytes([kind]) + text)
+for number, make in enumerate([small_models.world, small_models.urdf, small_models.hall]):
+    write("gazebo", make.__name__, bytes([number]) + make())
+for make in (small_models.scene_instance, small_models.dataset_config, small_models.object_config):
+    write("habitat", make.__name__, make())
+for form in ("ascii", "binary_little_endian"):
+    write("labelled_ply", form, small_models.labelled_ply(form))
 write("front3d", "small", small_models.front3d())
 for name in ("room.gltf", "room.glb", "draco.glb", "sequential.glb", "meshopt.glb"):
     write("gltf", name, small_models.SEEDS[name]())

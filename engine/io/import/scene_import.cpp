@@ -273,7 +273,7 @@ Result<Scene> importScene(const std::filesystem::path& path, const ImportOptions
     assembleObjects(raw.parts, drafts, scene);
     noteUprightFronts(drafts, scene);
     std::vector<std::string> left_out;
-    scene.room_bounds = findRoomBounds(scene.objects, &left_out);
+    scene.room_bounds = findRoomBounds(scene, left_out);
     for (const std::string& name : left_out) {
         scene.report.notes.push_back("\"" + name +
                                      "\" is outside or around the building, so the size of the "
