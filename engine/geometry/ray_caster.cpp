@@ -13,6 +13,8 @@
 namespace dollytrack {
 namespace {
 
+constexpr std::size_t kManyTriangles = 4'000'000;
+
 float upperBound(double max_distance) {
     return static_cast<float>(
         std::min(max_distance, static_cast<double>(std::numeric_limits<float>::infinity())));
@@ -121,19 +123,27 @@ void* newBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std:
     return buffer;
 }
 
+/// Robust: no ray passes between two adjacent triangles. Large scenes take half the memory, for
+/// slower queries.
+RTCSceneFlags flagsFor(const Scene& scene) {
+    const bool large = scene.triangles.size() > kManyTriangles;
+    return large ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_ROBUST;
+}
+
 }  // namespace
 
 struct RayCaster::Impl {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
+    RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST;
     std::vector<ObjectGeometry> objects;
 
     Impl(const Scene& source, const Impl* before, const std::vector<int>& moved)
         : device(before ? before->device : rtcNewDevice("threads=0")) {
         if (before) rtcRetainDevice(device);
         scene = rtcNewScene(device);
-        // Robust mode: no ray passes between two adjacent triangles.
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        flags = flagsFor(source);
+        rtcSetSceneFlags(scene, flags);
         objects.resize(source.objects.size());
         parallelFor(objects.size(), [&](std::size_t i) {
             if (!before || std::ranges::binary_search(moved, static_cast<int>(i) + 1)) {
@@ -189,7 +199,7 @@ struct RayCaster::Impl {
         rtcSetGeometryPointQueryFunction(made.geometry, visitClosest);
         rtcCommitGeometry(made.geometry);
         made.alone = rtcNewScene(device);
-        rtcSetSceneFlags(made.alone, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneFlags(made.alone, flags);
         // Queried much less often than the whole scene, so a fast build matters more than fast
         // queries.
         rtcSetSceneBuildQuality(made.alone, RTC_BUILD_QUALITY_LOW);

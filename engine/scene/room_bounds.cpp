@@ -148,11 +148,15 @@ bool enclosesRoom(const Scene& scene, const Group& group) {
     });
     if (!furnished) return false;
     // From several points, because a wall within the group may hide what is behind it.
-    std::vector<Horizon> horizons;
-    for (const double z : {0.5, 0.75}) {
+    std::array<std::vector<Horizon>, 2> horizons;
+    std::array<double, 2> heights = {};
+    for (unsigned level = 0; level < 2; ++level) {
+        heights[level] = bounds.min().z() + (0.5 + 0.25 * level) * size.z();
         for (const double y : {0.25, 0.5, 0.75}) {
             for (const double x : {0.25, 0.5, 0.75}) {
-                horizons.emplace_back(bounds.min() + size.cwiseProduct(Eigen::Vector3d(x, y, z)));
+                horizons[level].emplace_back(Eigen::Vector3d(bounds.min().x() + x * size.x(),
+                                                             bounds.min().y() + y * size.y(),
+                                                             heights[level]));
             }
         }
     }
@@ -160,21 +164,23 @@ bool enclosesRoom(const Scene& scene, const Group& group) {
         const Object& object = scene.objects[index];
         for (std::uint32_t i = 0; i < object.triangle_count; ++i) {
             const Triangle& triangle = scene.triangles[object.first_triangle + i];
-            std::array<Eigen::Vector3d, 3> corners;
-            for (unsigned k = 0; k < 3; ++k) {
-                corners[k] = scene.positions[triangle[k]].cast<double>();
+            const auto z = [&](unsigned k) { return scene.positions[triangle[k]].z(); };
+            const double low = std::min({z(0), z(1), z(2)});
+            const double high = std::max({z(0), z(1), z(2)});
+            for (unsigned level = 0; level < 2; ++level) {
+                if (high < heights[level] || low > heights[level]) continue;
+                for (Horizon& horizon : horizons[level]) {
+                    horizon.add({scene.positions[triangle[0]].cast<double>(),
+                                 scene.positions[triangle[1]].cast<double>(),
+                                 scene.positions[triangle[2]].cast<double>()});
+                }
             }
-            for (Horizon& horizon : horizons) horizon.add(corners);
         }
     }
-    const auto most = [&](std::size_t begin) {
-        double share = 0.0;
-        for (std::size_t i = begin; i < begin + horizons.size() / 2; ++i) {
-            share = std::max(share, horizons[i].share());
-        }
-        return share;
-    };
-    return std::min(most(0), most(horizons.size() / 2)) >= kClosed;
+    return std::ranges::all_of(horizons, [](const std::vector<Horizon>& level) {
+        return std::ranges::any_of(
+            level, [](const Horizon& horizon) { return horizon.share() >= kClosed; });
+    });
 }
 
 }  // namespace
