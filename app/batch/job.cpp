@@ -27,6 +27,7 @@ std::vector<std::string> argumentsOf(const BatchOrder& order, const ParameterSet
     if (order.labels) add({"--labels", fs::absolute(*order.labels).string()});
     for (const fs::path& folder : order.models) add({"--models", fs::absolute(folder).string()});
     if (order.annotations) add({"--annotations", fs::absolute(*order.annotations).string()});
+    if (order.convert) add({"--convert"});
     for (const std::string& assignment : set.assignments) add({"--set", assignment});
     if (seed) add({"--seed", std::to_string(*seed)});
     if (!planner.empty()) add({"--planner", planner});

@@ -109,6 +109,7 @@ class OrderReader {
         if (annotations && !fs::exists(*order_.annotations)) {
             import.refuse(import.placeOf("annotations"), "there is no '" + *annotations + "'");
         }
+        import.read("convert", order_.convert);
         passOn(import.finish());
     }
 

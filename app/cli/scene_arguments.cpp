@@ -1,6 +1,7 @@
 #include "app/cli/scene_arguments.h"
 
 #include "app/cli/length_unit.h"
+#include "app/process/scene_conversion.h"
 #include "app/project/read_project.h"
 #include "engine/core/field_list.h"
 #include "engine/core/fold_repeats.h"
@@ -374,6 +375,9 @@ void addImportArguments(CLI::App& command, SceneArguments& arguments) {
     command.add_flag("--keep-meshes", arguments.keep_meshes,
                      "Leave meshes as they are in the file: neither split meshes that contain "
                      "several objects, nor join objects that have one mesh per material");
+    command.add_flag("--convert", arguments.convert,
+                     "Convert a Blender file (.blend) to glTF beside it with the installed "
+                     "Blender, in a sandbox, and use that");
     command
         .add_option("--cloud", arguments.cloud,
                     "Reconstruction of a point cloud: voxel_m, max_points, gap_m, hole_m, plane_m, "
@@ -426,11 +430,17 @@ Status checkArguments(const SceneArguments& arguments) {
     Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
     if (!read) return tl::unexpected(std::move(read.error()));
     if (Status status = applyArguments(arguments, read->params); !status) return status;
+    if (arguments.convert && needsConversion(arguments.path)) return {};  // checked when converted
     return checkScene(*read);
 }
 
 Result<OpenedScene> openScene(const SceneArguments& arguments, const JobContext& job) {
-    Result<ProjectContent> read = readProject(arguments.path, arguments.annotations);
+    Result<std::filesystem::path> path = arguments.path;
+    if (arguments.convert && needsConversion(arguments.path)) {
+        path = convertScene(arguments.path, job.stage(0.0, 0.5, "converting"));
+        if (!path) return tl::unexpected(std::move(path.error()));
+    }
+    Result<ProjectContent> read = readProject(*path, arguments.annotations);
     if (!read) return tl::unexpected(std::move(read.error()));
     const planning::PlanParams stored = read->params;
     const nlohmann::json stored_import = read->import;

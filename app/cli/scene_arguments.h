@@ -30,6 +30,7 @@ struct SceneArguments {
     std::vector<std::string> models;         // folders of --models
     std::optional<std::string> annotations;  // --annotations: a file or a folder
     bool keep_meshes = false;                // --keep-meshes: do not regroup meshes into objects
+    bool convert = false;                    // --convert: convert Blender files with Blender
     std::vector<std::string> assignments;    // --set name=value
     std::vector<std::string> cloud;          // --cloud name=value
     std::optional<int> seed;
@@ -47,8 +48,8 @@ struct SceneArguments {
 };
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments);
-/// Adds --unit, --up, --labels, --models, --annotations, --keep-meshes and --cloud: the part of
-/// addSceneArguments() for commands that take several scenes.
+/// Adds --unit, --up, --labels, --models, --annotations, --keep-meshes, --convert and --cloud: the
+/// part of addSceneArguments() for commands that take several scenes.
 void addImportArguments(CLI::App& command, SceneArguments& arguments);
 /// Adds --set.
 void addSetArgument(CLI::App& command, SceneArguments& arguments);

@@ -52,6 +52,7 @@ std::vector<std::string> exportArguments(const SceneArguments& each) {
     for (const std::string& folder : each.models) add("--models", fs::absolute(folder).string());
     if (each.annotations) add("--annotations", fs::absolute(*each.annotations).string());
     if (each.keep_meshes) words.emplace_back("--keep-meshes");
+    if (each.convert) words.emplace_back("--convert");
     for (const std::string& assignment : each.assignments) add("--set", assignment);
     for (const std::string& assignment : each.cloud) add("--cloud", assignment);
     if (each.max_length_m) add("--max-length", fmt::format("{}", *each.max_length_m));

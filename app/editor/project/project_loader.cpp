@@ -1,10 +1,18 @@
 #include "app/editor/project/project_loader.h"
 
+#include "app/process/scene_conversion.h"
+
 #include <utility>
 
 namespace dollytrack::editor {
 
 Result<OpenedProject> openProject(ProjectContent content, const JobContext& job) {
+    if (content.project.empty() && needsConversion(content.scene_file)) {
+        Result<std::filesystem::path> converted =
+            convertScene(content.scene_file, job.stage(0.0, 0.5, "converting"));
+        if (!converted) return tl::unexpected(std::move(converted.error()));
+        content.scene_file = std::move(*converted);
+    }
     Result<std::shared_ptr<const Scene>> imported = importSceneOf(content, job);
     if (!imported) return tl::unexpected(std::move(imported.error()));
     OpenedProject opened;

@@ -64,7 +64,7 @@ std::shared_ptr<OpenScene> openScene(const std::string& path, std::optional<doub
                                      std::optional<std::string> up_axis,
                                      std::optional<std::string> labels, Names models,
                                      std::optional<std::string> annotations, bool keep_meshes,
-                                     Names cloud, const py::object& progress) {
+                                     bool convert, Names cloud, const py::object& progress) {
     cli::SceneArguments arguments;
     arguments.path = path;
     arguments.unit_m = unit_m;
@@ -73,6 +73,7 @@ std::shared_ptr<OpenScene> openScene(const std::string& path, std::optional<doub
     arguments.models = std::move(models);
     arguments.annotations = std::move(annotations);
     arguments.keep_meshes = keep_meshes;
+    arguments.convert = convert;
     arguments.cloud = std::move(cloud);
     return OpenScene::open(arguments, progress);
 }
@@ -251,7 +252,7 @@ PYBIND11_MODULE(_core, module) {
     module.def("set_threads", &setThreadCount, py::arg("count"));
     module.def("open_scene", &openScene, py::arg("path"), py::arg("unit_m"), py::arg("up_axis"),
                py::arg("labels"), py::arg("models"), py::arg("annotations"), py::arg("keep_meshes"),
-               py::arg("cloud"), py::arg("progress"));
+               py::arg("convert"), py::arg("cloud"), py::arg("progress"));
     bindScene(module);
     bindPlan(module);
 }

@@ -206,7 +206,7 @@ def _end_text(end: End, what: str) -> str:
 
 def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] = None,
          labels: Optional[Path] = None, models: Union[None, Path, Iterable[Path]] = None,
-         annotations: Optional[Path] = None, keep_meshes: bool = False,
+         annotations: Optional[Path] = None, keep_meshes: bool = False, convert: bool = False,
          cloud: Optional[Dict[str, float]] = None, progress: Progress = None) -> Scene:
     """Reads a scene (OBJ, FBX, glTF, GLB, DAE, PLY, STL, point clouds, homes, 3D-FRONT, SceneNet
     RGB-D) or a .dolly project.
@@ -217,6 +217,7 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
     models: folders with the models that the scene refers to.
     annotations: a file SCENE.objects.json, or the folder of a Hypersim scene.
     keep_meshes: neither split meshes that contain several objects, nor join meshes of one object.
+    convert: convert a Blender file to glTF beside it with the installed Blender, in a sandbox.
     cloud: reconstruction of a point cloud: voxel_m, max_points, gap_m, hole_m, plane_m, object_m.
 
     The file is read in a sandboxed process, so malicious files can do no harm. Notes and warnings go
@@ -231,7 +232,8 @@ def load(path: Path, *, unit_m: Optional[float] = None, up_axis: Optional[str] =
         up_axis=up_axis, labels=None if labels is None else arguments.path(labels, "labels"),
         models=[arguments.path(one, "models") for one in models or ()],
         annotations=None if annotations is None else arguments.path(annotations, "annotations"),
-        keep_meshes=bool(keep_meshes), cloud=arguments.assignments(cloud or {}),
+        keep_meshes=bool(keep_meshes), convert=bool(convert),
+        cloud=arguments.assignments(cloud or {}),
         progress=arguments.reporter(progress)))
 
 

@@ -47,7 +47,8 @@ std::string_view adviceFor(std::string_view extension, std::string_view head) {
     static constexpr std::array<Kind, 5> kKinds = {
         {{{".blend"},
           "BLENDER",
-          "this is a Blender file; convert it with: blender -b in.blend --python-expr \"import "
+          "this is a Blender file; pass --convert, or convert it with: blender -b in.blend "
+          "--python-expr \"import "
           "bpy; bpy.ops.export_scene.gltf(filepath='out.glb')\""},
          {{".ifc", ".ifczip"},
           "ISO-10303-21",

@@ -9,6 +9,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -37,38 +38,48 @@ std::uint64_t bits(unsigned count) {
     return (std::uint64_t{1} << count) - 1;
 }
 
-bool allowReading(int rules, const std::filesystem::path& path) {
+/// Allows these rights below a folder, or those of them that a file can have on a file.
+bool allow(int rules, const std::filesystem::path& path, std::uint64_t rights) {
     const FileDescriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
     if (!place.valid()) return true;  // does not exist, so needs no rule
     struct stat status {};
     const bool folder = ::fstat(place.get(), &status) == 0 && S_ISDIR(status.st_mode);
+    constexpr std::uint64_t kOfFiles =
+        LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE;
     landlock_path_beneath_attr rule{};
     rule.parent_fd = place.get();
-    rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
-    if (folder) rule.allowed_access |= LANDLOCK_ACCESS_FS_READ_DIR;
+    rule.allowed_access = folder ? rights : rights & kOfFiles;
     return ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0) == 0;
 }
 
 }  // namespace
 
-bool lockIntoFolders(const std::vector<std::filesystem::path>& readable) {
+bool lockIntoFolders(const FolderRights& rights) {
     const long version =
         ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
     if (version < 1) return false;
     FileDescriptor rules;
+    std::uint64_t file_rights = 0;
     for (const Version& known : kVersions) {
         if (version < known.number) continue;
-        const Ruleset wanted{bits(known.file_rights), bits(known.network_rights),
-                             bits(known.scopes)};
+        file_rights = bits(known.file_rights);
+        const Ruleset wanted{file_rights, bits(known.network_rights), bits(known.scopes)};
         rules = FileDescriptor(
             static_cast<int>(::syscall(SYS_landlock_create_ruleset, &wanted, known.size, 0)));
         break;
     }
     if (!rules.valid()) return false;
-    bool locked = true;
-    for (const std::filesystem::path& path : readable) {
-        locked = allowReading(rules.get(), path) && locked;
-    }
+    constexpr std::uint64_t kReading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+    constexpr std::uint64_t kExecuting = LANDLOCK_ACCESS_FS_EXECUTE;
+    const auto allowAll = [&](const std::vector<std::filesystem::path>& paths,
+                              std::uint64_t allowed) {
+        return std::ranges::all_of(paths, [&](const std::filesystem::path& path) {
+            return allow(rules.get(), path, allowed);
+        });
+    };
+    const bool locked = allowAll(rights.readable, kReading) &&
+                        allowAll(rights.executable, kReading | kExecuting) &&
+                        allowAll(rights.writable, file_rights & ~kExecuting);
     return locked && ::syscall(SYS_landlock_restrict_self, rules.get(), 0) == 0;
 }
 

@@ -48,7 +48,7 @@ bool setLimits() {
 std::uint32_t isolateProcess(const std::vector<std::filesystem::path>& folders) {
     std::uint32_t missing = 0;
     if (!setLimits()) missing |= kLimits;
-    const bool ruled = kSanitized || lockIntoFolders(folders);
+    const bool ruled = kSanitized || lockIntoFolders({folders});
     if (!ruled) missing |= kFolderRules;
     // A filter cannot check the flags of openat2(), which could write without Landlock.
     if (!kSanitized && !installSyscallFilter(ruled)) missing |= kCallFilter;
