@@ -36,11 +36,6 @@ struct FrameQuality {
     return overlap < kLeastOverlap;
 }
 
-/// Whether the frame's path goes on from the frame before, so that their overlap counts.
-[[nodiscard]] inline bool continuesPath(const Trajectory& trajectory, std::size_t frame) {
-    return frame > 0 && trajectory.frames[frame].path == trajectory.frames[frame - 1].path;
-}
-
 /// Numbers of a FrameQuality. Rates are 0..1; empty if there are no frames, or no frame follows
 /// another.
 struct FrameQualitySummary {

@@ -79,7 +79,7 @@ std::vector<int> pointsAmongBareViews(const Trajectory& trajectory,
     int bare = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const TrajectoryFrame& frame = trajectory.frames[i];
-        if (i > 0 && frame.path != trajectory.frames[i - 1].path) {
+        if (!continuesPath(trajectory, i)) {
             same_path = false;
             bare = 0;
         }
@@ -111,8 +111,7 @@ std::size_t longestTrackableRun(const Trajectory& trajectory, const std::vector<
     std::size_t longest = 0;
     std::size_t run = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const bool same_path = i > 0 && trajectory.frames[i].path == trajectory.frames[i - 1].path;
-        run = corners[i] < kTrackableCorners ? 0 : same_path ? run + 1 : 1;
+        run = corners[i] < kTrackableCorners ? 0 : continuesPath(trajectory, i) ? run + 1 : 1;
         longest = std::max(longest, run);
     }
     return longest;
