@@ -31,6 +31,9 @@ struct FrameQuality {
     return image_corners < kTrackableCorners;
 }
 
+/// Share of the frames that are trackable, 0..1; empty without frames.
+[[nodiscard]] std::optional<double> trackableRate(const std::vector<double>& image_corners);
+
 /// Whether a frame has too little of its image in common with the frame before it.
 [[nodiscard]] inline bool isWideGap(double overlap) {
     return overlap < kLeastOverlap;

@@ -1,3 +1,4 @@
+#include "engine/plan/frame_quality.h"
 #include "planning/collision/mapped_scene.h"
 #include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
