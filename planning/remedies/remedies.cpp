@@ -1,9 +1,9 @@
 #include "planning/remedies/remedies.h"
 
-#include "planning/collision/swept_sphere.h"
 #include "planning/coverage/region_weights.h"
 #include "planning/explanations/candidate_tally.h"
 #include "planning/path/frame_budget.h"
+#include "planning/pipeline/search_environment.h"
 #include "planning/remedies/plan_trials.h"
 #include "planning/remedies/remedy_proposals.h"
 #include "planning/viewpoints/key_frames.h"
@@ -422,18 +422,12 @@ Result<std::vector<LedgerRow>> findRemedies(const std::shared_ptr<const Scene>& 
     Pipeline& pipeline = trials.pipeline();
     const auto as_it_is = pipeline.run(params, edits, job.stage(0.0, 0.1, "planning again"));
     if (!as_it_is) return tl::unexpected(as_it_is.error());
-    const auto rays = pipeline.rays();
-    const auto free_space = pipeline.freeSpace();
-    const auto region = pipeline.region();
-    const ViewEstimator views(*scene, *rays, params.camera);
-    const SweptSphere sphere(*rays, *free_space, params.camera.camera_radius_m, region.get());
-    const PlanningEnvironment environment{views, *free_space, sphere,
-                                          pitchBand(params.constraints)};
+    const SearchEnvironment search(mapsOf(pipeline, scene), params);
     for (std::size_t i = 0; i < lost.size(); ++i) {
         const double done = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(lost.size());
         job.report(done);
         const JobContext quiet = job.stage(done, done, "remedies");
-        Finder(scene, params, edits, plan, environment, trials, quiet).find(*lost[i]);
+        Finder(scene, params, edits, plan, search.environment(), trials, quiet).find(*lost[i]);
         if (job.cancelled()) return fail(ErrorCode::Cancelled, "Planning was cancelled.");
     }
     return rows;

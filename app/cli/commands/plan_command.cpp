@@ -19,12 +19,8 @@
 #include "engine/plan/plan_json.h"
 #include "planning/analysis/capture_bound.h"
 #include "planning/analysis/frame_quality.h"
-#include "planning/collision/allowed_region.h"
-#include "planning/collision/swept_sphere.h"
-#include "planning/free_space/free_space.h"
+#include "planning/pipeline/search_environment.h"
 #include "planning/remedies/remedies.h"
-#include "planning/viewpoints/viewpoint_search.h"
-#include "planning/visibility/view_estimator.h"
 #include "render/draw/overview.h"
 #include "render/draw/storey_cutaway.h"
 #include "render/overlays/plan_overlay.h"
@@ -59,36 +55,11 @@ bool asksForQuality(const PlanArguments& arguments) {
     return arguments.quality || !arguments.frames.empty();
 }
 
-/// What a search for viewpoints needs: views, free space and collision checks of a planned scene.
-class PlanSearch {
-  public:
-    PlanSearch(const OpenedScene& opened, const planning::Pipeline& pipeline)
-        : rays_(pipeline.rays()),
-          free_space_(pipeline.freeSpace()),
-          region_(pipeline.region()),
-          views_(*opened.scene, *rays_, opened.params.camera),
-          sphere_(*rays_, *free_space_, opened.params.camera.camera_radius_m, region_.get()),
-          environment_{views_, *free_space_, sphere_,
-                       planning::pitchBand(opened.params.constraints)} {}
-
-    [[nodiscard]] const planning::PlanningEnvironment& environment() const { return environment_; }
-
-    PlanSearch(const PlanSearch&) = delete;
-    PlanSearch& operator=(const PlanSearch&) = delete;
-
-  private:
-    std::shared_ptr<const RayCaster> rays_;
-    std::shared_ptr<const planning::FreeSpace> free_space_;
-    std::shared_ptr<const planning::AllowedRegion> region_;
-    planning::ViewEstimator views_;
-    planning::SweptSphere sphere_;
-    planning::PlanningEnvironment environment_;
-};
-
 Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
                       const Plan& plan, nlohmann::json& metrics, const JobContext& job) {
     const auto begin = std::chrono::steady_clock::now();
-    const PlanSearch search(opened, pipeline);
+    const planning::SearchEnvironment search(planning::mapsOf(pipeline, opened.scene),
+                                             opened.params);
     const auto bound = planning::boundCaptures(search.environment(), plan, opened.params.seed, job);
     if (!bound) return tl::unexpected(bound.error());
     const std::chrono::duration<double, std::milli> spent =
@@ -101,7 +72,8 @@ Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipel
 /// table of the frames.
 Status addQuality(const OpenedScene& opened, const planning::Pipeline& pipeline, const Plan& plan,
                   const PlanArguments& arguments, nlohmann::json& metrics, const JobContext& job) {
-    const PlanSearch search(opened, pipeline);
+    const planning::SearchEnvironment search(planning::mapsOf(pipeline, opened.scene),
+                                             opened.params);
     const auto quality =
         planning::measureFrameQuality(search.environment(), opened.params, plan, job);
     if (!quality) return tl::unexpected(quality.error());
