@@ -14,6 +14,7 @@
 #include "engine/io/files/durable_file.h"
 #include "engine/io/files/png_writer.h"
 #include "engine/io/settings/project_file.h"
+#include "engine/jobs/job_phases.h"
 #include "engine/plan/frame_quality.h"
 #include "engine/plan/ledger_json.h"
 #include "engine/plan/plan_json.h"
@@ -31,6 +32,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace dollytrack::cli {
 namespace {
@@ -53,6 +56,31 @@ struct PlanArguments {
 
 bool asksForQuality(const PlanArguments& arguments) {
     return arguments.quality || !arguments.frames.empty();
+}
+
+/// Names of the parts of the work that are shared out.
+constexpr const char* kLoading = "loading";
+constexpr const char* kPlanning = "planning";
+constexpr const char* kDenseSearch = "dense search";
+constexpr const char* kFrames = "frames";
+constexpr const char* kRemedies = "remedies";
+constexpr const char* kCoverage = "coverage";
+
+/// The parts that were asked for, by how long they usually take compared with each other.
+JobPhases phasesOf(const PlanArguments& arguments, const JobContext& job) {
+    return {job,
+            {{kLoading, 1.0},
+             {kPlanning, 4.0},
+             {kDenseSearch, arguments.bound ? 2.0 : 0.0},
+             {kFrames, asksForQuality(arguments) ? 4.0 : 0.0},
+             {kRemedies, arguments.explain ? 40.0 : 0.0},
+             {kCoverage, arguments.coverage.empty() ? 0.0 : 40.0}}};
+}
+
+/// A part whose steps are plans of their own: the progress names the part instead of their stages.
+JobContext ofManyPlans(const Session& session, JobContext part) {
+    return {session.cancelled,
+            [part = std::move(part)](double fraction, std::string_view) { part.report(fraction); }};
 }
 
 Status addDenseSearch(const OpenedScene& opened, const planning::Pipeline& pipeline,
@@ -196,8 +224,7 @@ Status writeFiles(const OpenedScene& opened, planning::Pipeline& pipeline,
         }
     }
     if (arguments.coverage.empty()) return {};
-    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage,
-                        job.stage(0.5, 1.0, "coverage"));
+    return saveCoverage(opened, pipeline, *planned.plan, arguments.coverage, job);
 }
 
 /// Checked before the work: files with another extension cannot be opened again.
@@ -218,18 +245,18 @@ Status checkFiles(const PlanArguments& arguments) {
 /// Adds the measurements of the plan that were asked for to its metrics.
 Status addMeasurements(const OpenedScene& opened, const planning::Pipeline& pipeline,
                        PlannedScene& planned, const PlanArguments& arguments,
-                       const JobContext& job) {
+                       const JobPhases& phases) {
     if (!arguments.bound && !asksForQuality(arguments)) return {};
     if (arguments.bound) {
         if (Status status = addDenseSearch(opened, pipeline, *planned.plan, planned.metrics,
-                                           job.stage(0.5, 1.0, "dense search"));
+                                           phases.of(kDenseSearch));
             !status) {
             return status;
         }
     }
     if (asksForQuality(arguments)) {
         if (Status status = addQuality(opened, pipeline, *planned.plan, arguments, planned.metrics,
-                                       job.stage(0.5, 1.0, "frames"));
+                                       phases.of(kFrames));
             !status) {
             return status;
         }
@@ -250,25 +277,24 @@ Result<ExitCode> runPlan(const PlanArguments& arguments, const Session& session)
     if (Status status = knowsMetrics(*requirements, arguments); !status) {
         return tl::unexpected(std::move(status.error()));
     }
-    const JobContext job = session.job();
-    const Result<OpenedScene> opened = openScene(arguments.scene, job.stage(0.0, 0.3, "loading"));
+    const JobPhases phases = phasesOf(arguments, session.job());
+    const Result<OpenedScene> opened = openScene(arguments.scene, phases.of(kLoading));
     if (!opened) return tl::unexpected(opened.error());
     planning::Pipeline pipeline(opened->scene);
-    const bool goes_on = arguments.bound || arguments.explain || !arguments.coverage.empty() ||
-                         asksForQuality(arguments);
-    Result<PlannedScene> planned =
-        planScene(*opened, pipeline, job.stage(0.3, goes_on ? 0.5 : 1.0, "planning"));
+    Result<PlannedScene> planned = planScene(*opened, pipeline, phases.of(kPlanning));
     if (!planned) return tl::unexpected(std::move(planned.error()));
-    if (Status status = addMeasurements(*opened, pipeline, *planned, arguments, job); !status) {
+    if (Status status = addMeasurements(*opened, pipeline, *planned, arguments, phases); !status) {
         return tl::unexpected(std::move(status.error()));
     }
     std::vector<LedgerRow> ledger;
     if (arguments.explain) {
-        auto rows = explain(*opened, *planned, job.stage(0.5, 1.0, "remedies"));
+        auto rows = explain(*opened, *planned, ofManyPlans(session, phases.of(kRemedies)));
         if (!rows) return tl::unexpected(std::move(rows.error()));
         ledger = std::move(*rows);
     }
-    if (Status status = writeFiles(*opened, pipeline, *planned, arguments, job); !status) {
+    if (Status status = writeFiles(*opened, pipeline, *planned, arguments,
+                                   ofManyPlans(session, phases.of(kCoverage)));
+        !status) {
         return tl::unexpected(std::move(status.error()));
     }
     if (arguments.as_json) {

@@ -8,6 +8,7 @@
 #include "planning/viewpoints/viewpoint_search.h"
 #include "planning/visibility/view_estimator.h"
 #include "tests/planning/support/plan_support.h"
+#include "tests/planning/support/rising_progress.h"
 #include "tests/support/scene_builder.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +117,8 @@ TEST(FrameQuality, IsMeasuredForPlansOfAnyObjectiveAndWithinPaths) {
         EXPECT_TRUE(pipeline.run(params, JobContext{}));
         return std::make_unique<SearchEnvironment>(mapsOf(pipeline, shared), params);
     }();
-    const auto again = measureFrameQuality(search->environment(), params, plan, JobContext{});
+    test_support::RisingProgress progress;
+    const auto again = measureFrameQuality(search->environment(), params, plan, progress.job());
     ASSERT_TRUE(again);
     EXPECT_EQ(again->image_corners, quality->image_corners);
     EXPECT_EQ(again->overlap, quality->overlap);
